@@ -4,7 +4,7 @@
 use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
 use mckibben_build::highest_mpa;
 use mckibben_core::{
-    analysis::{AnalysisError, Burst, FailureMode, NoBurst, SAFETY, burst},
+    analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst},
     cancel,
     model::{ForceModel, ModelError},
     muscle::Muscle,
@@ -65,17 +65,17 @@ pub fn usual_mpa(found: &Burst) -> f64 {
             p
         }
     };
-    found.allowed().map_or(USUAL_MPA, |(allowed_mpa, _)| {
-        lower(allowed_mpa).min(USUAL_MPA)
-    })
+    found
+        .allowed()
+        .map_or(USUAL_MPA, |allowed| lower(allowed.mpa).min(USUAL_MPA))
 }
 
 /// What is handed out for a pressure that the muscle does not bear is refused: up to the allowed
 /// one, with `overpressure` up to that of a proof test.
 pub fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(), Problem> {
-    let most_mpa = match (overpressure, found.first(), found.allowed()) {
+    let most_mpa = match (overpressure, found.least(), found.allowed()) {
         (true, Some((_, burst_mpa)), _) => highest_mpa(burst_mpa),
-        (false, _, Some((allowed_mpa, _))) => allowed_mpa,
+        (false, _, Some(allowed)) => allowed.mpa,
         _ => f64::INFINITY,
     };
     if pressure_mpa <= most_mpa {
@@ -91,12 +91,12 @@ pub fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(),
 /// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not
 /// known only above `quiet_mpa`.
 pub fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
-    let above = match (found.first(), found.allowed()) {
+    let above = match (found.least(), found.allowed()) {
         (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
             Some(Warning::of_burst(highest_mpa, burst_mpa, by))
         }
-        (_, Some((allowed_mpa, by))) if highest_mpa > allowed_mpa => {
-            Some(Warning::above_allowed(highest_mpa, allowed_mpa, by))
+        (_, Some(allowed)) if highest_mpa > allowed.mpa => {
+            Some(Warning::above_allowed(highest_mpa, allowed))
         }
         _ => None,
     };
@@ -113,6 +113,9 @@ pub fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Item = War
     if first.iter().any(|w| w.kind == WarningKind::Burst) {
         warnings.retain(|w| w.kind != WarningKind::StrandsBreak);
     }
+    if first.iter().any(|w| w.kind == WarningKind::AboveAllowed) {
+        warnings.retain(|w| w.kind != WarningKind::StrandTension);
+    }
     warnings.splice(..0, first);
 }
 
@@ -126,22 +129,31 @@ pub struct PressureLimits {
     pub burst_pressure_mpa: Option<f64>,
     /// How it fails there.
     pub burst_by: Option<FailureMode>,
+    /// The least that the burst pressure may be, MPa, where number or strength of the strands are
+    /// estimates; the allowed pressure follows from it.
+    pub least_burst_pressure_mpa: Option<f64>,
     /// Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at
-    /// which the tube does, and at most that for which the fittings are rated.
+    /// which the tube does, two thirds of the least that each may be by estimates of the strands,
+    /// and at most that for which the fittings are rated.
     pub allowed_pressure_mpa: Option<f64>,
     /// The failure that it keeps its distance from; none where the fittings are rated for it.
     pub allowed_by: Option<FailureMode>,
+    /// The pressure of that failure over the allowed one.
+    pub allowed_factor: Option<f64>,
 }
 
 impl From<&Burst> for PressureLimits {
     fn from(found: &Burst) -> Self {
         let first = found.first();
         let allowed = found.allowed();
+        let least_mpa = found.least().map(|f| f.1);
         Self {
             burst_pressure_mpa: first.map(|f| f.1),
             burst_by: first.map(|f| f.0),
-            allowed_pressure_mpa: allowed.map(|a| a.0),
-            allowed_by: allowed.and_then(|a| a.1),
+            least_burst_pressure_mpa: least_mpa.filter(|p| first.is_some_and(|f| *p < f.1)),
+            allowed_pressure_mpa: allowed.map(|a| a.mpa),
+            allowed_by: allowed.and_then(|a| a.by),
+            allowed_factor: allowed.map(|a| a.factor),
         }
     }
 }
@@ -162,13 +174,19 @@ impl PressureLimits {
     pub(crate) fn rows_with(&self, note: &str, u: &Units) -> Rows {
         let burst = self.burst_pressure_mpa.map(|p| {
             let by = self.burst_by.map(|by| format!("; there {by}"));
-            u.pressure.show(p) + &by.unwrap_or_default() + note
+            let least = self.least_burst_pressure_mpa.map(|least| {
+                format!(
+                    "; {} at least, by what is known of its strands",
+                    u.pressure.show(least)
+                )
+            });
+            u.pressure.show(p) + &by.unwrap_or_default() + &least.unwrap_or_default() + note
         });
         let allowed = self.allowed_pressure_mpa.map(|p| {
             let why = match self.allowed_by {
                 Some(by) => format!(
                     "safety factor {} where {by}",
-                    number(SAFETY * by.share(), 3)
+                    number(self.allowed_factor.unwrap_or(1.0), 3)
                 ),
                 None => "the fittings are rated for it".into(),
             };

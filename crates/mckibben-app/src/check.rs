@@ -305,7 +305,7 @@ fn findings_of(
             left_n: None,
         })
     };
-    let findings = of(FindingKind::Implausible, implausible(muscle, values))
+    let findings = of(FindingKind::Implausible, implausible(muscle, burst, values))
         .chain(of(FindingKind::Unknown, unknown(burst)))
         .chain(of(
             FindingKind::Outside,
@@ -316,7 +316,7 @@ fn findings_of(
         .collect())
 }
 
-fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
+fn implausible(muscle: &Muscle, burst: &Burst, values: &Characteristics) -> Vec<String> {
     let pull = values.blocked_force_n;
     let ideal = muscle.max_ideal_contraction();
     let slender = muscle.length_mm() / muscle.tube().outer_diameter_mm;
@@ -329,15 +329,24 @@ fn implausible(muscle: &Muscle, values: &Characteristics) -> Vec<String> {
     let ideal_text = percent(ideal);
     let [bore, low, high] = [wall, WALLS.0, WALLS.1].map(percent);
     let half = percent((100.0 * share).round() / 100.0);
+    let extends = muscle.is_extensile();
+    let is_broken = burst
+        .strands
+        .mpa()
+        .is_some_and(|mpa| mpa <= values.pressure_mpa);
     let oddities = [
         (
-            pull <= 0.0,
+            is_broken,
+            "the muscle does not pull: at this pressure its strands are broken".to_owned(),
+        ),
+        (
+            pull <= 0.0 && !is_broken && !extends,
             "the muscle does not pull at this pressure and its rest length: the pressure is too \
              low for its wall, or its angle is above 54.7°"
                 .to_owned(),
         ),
         (
-            ideal < LITTLE,
+            ideal < LITTLE && !extends,
             format!(
                 "with an angle of {angle}° even the ideal muscle contracts by no more than \
                  {ideal_text}"

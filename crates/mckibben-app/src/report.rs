@@ -290,7 +290,12 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
         .map(|(mode, at)| {
             let required = number(SAFETY * mode.share(), 3);
             let (pressure, factor) = match at {
-                FailurePressure::At(p) => (units.pressure.show(p), fixed(p / working_mpa, 1)),
+                FailurePressure::At { mpa, least_mpa } => {
+                    let least = units.pressure.show(least_mpa);
+                    let least = (least_mpa < mpa).then(|| format!(" ({least} at least)"));
+                    let pressure = units.pressure.show(mpa) + &least.unwrap_or_default();
+                    (pressure, fixed(mpa / working_mpa, 1))
+                }
                 FailurePressure::None => ("at no pressure".into(), "–".into()),
                 FailurePressure::Unknown(why) => (
                     format!("not known: {}", units.sentence(&why.to_string())),

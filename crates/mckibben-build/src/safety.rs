@@ -2,7 +2,7 @@
 
 use crate::text::significant;
 use mckibben_core::{
-    analysis::{ATMOSPHERE_MPA, FailureMode},
+    analysis::{ATMOSPHERE_MPA, FailureMode, RELIEF},
     units::{Unit, rounded},
 };
 
@@ -97,9 +97,6 @@ impl Safety {
 pub fn highest_mpa(burst_mpa: f64) -> f64 {
     PROOF_TO_BURST * burst_mpa
 }
-
-/// A relief valve opens at this multiple of the pressure that is set.
-const RELIEF: f64 = 1.1;
 
 /// The pressure of a relief valve in MPa to three digits: above the one that is set, and not above
 /// the highest that the muscle may have.

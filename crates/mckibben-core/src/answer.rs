@@ -4,7 +4,7 @@
 pub use crate::analysis::Options;
 
 use crate::{
-    analysis::{AnalysisError, Evaluation},
+    analysis::{AnalysisError, Evaluation, find_root},
     model::{ModelError, Response, Result},
     muscle::Direction,
     rubber::RubberLaw,
@@ -48,6 +48,15 @@ pub struct Answer {
     /// Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the
     /// slope ∂F/∂ε.
     pub contraction_uncertainty: Option<f64>,
+    /// Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the
+    /// pull's ± there is the wanted pull.
+    pub pressure_low_mpa: Option<f64>,
+    /// Its upper end.
+    pub pressure_high_mpa: Option<f64>,
+    /// Of a contraction that was sought: the lower end of its 95 % interval, likewise.
+    pub contraction_low: Option<f64>,
+    /// Its upper end; none where the pull never leaves its ±.
+    pub contraction_high: Option<f64>,
     /// Its parts, each a 95 % half-width in N; they add as squares.
     pub uncertainty_parts_n: Option<UncertaintyParts>,
     /// Of a muscle that extends: the push in N at which it buckles between two joints, by the
@@ -173,6 +182,7 @@ impl Evaluation<'_> {
         let response = self.equilibrium(pressure_mpa, contraction, hanging)?;
         let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
         let pushes = |r: &Response| r.force_n < 0.0 && !options.two_sided;
+        let pushing = response.filter(pushes);
         let pulls = response.filter(|r| !pushes(r));
         let slack = pulls.is_none();
         if slack && hanging.is_none() {
@@ -198,7 +208,10 @@ impl Evaluation<'_> {
                 contraction,
             ));
         }
-        warnings.extend(of_response(model.muscle(), &response));
+        // A slack muscle warns of its state as it hangs; one that hangs nowhere of that in which it
+        // would push.
+        let state = pushing.filter(|_| hangs.is_none()).unwrap_or(response);
+        warnings.extend(of_response(model.muscle(), &state));
         let largest = model.muscle().max_ideal_contraction();
         let beyond = slack && contraction > largest;
         warnings.extend(beyond.then(|| Warning::beyond_braid(contraction, largest)));
@@ -215,6 +228,10 @@ impl Evaluation<'_> {
             uncertainty_parts_n: parts,
             pressure_uncertainty_mpa: None,
             contraction_uncertainty: None,
+            pressure_low_mpa: None,
+            pressure_high_mpa: None,
+            contraction_low: None,
+            contraction_high: None,
             response,
             slack,
             two_sided_force_n,
@@ -250,7 +267,51 @@ impl Evaluation<'_> {
                     .push(Warning::from(flat("pressure", half_n)));
             }
         }
+        let half = answer.pressure_uncertainty_mpa;
+        let at = |p: f64| (p.max(0.0), contraction);
+        [answer.pressure_low_mpa, answer.pressure_high_mpa] =
+            self.interval(force_n, (pressure_mpa, half), at);
         Ok(answer)
+    }
+
+    /// The ends of the interval of a pressure or contraction that was sought, from its value and the
+    /// half-width that the slope there makes: where an end of the ± of the pull is the wanted one.
+    /// `at` gives pressure and contraction of a place. `None` where there is no such end near.
+    fn interval(
+        &mut self,
+        force_n: f64,
+        (value, half): (f64, Option<f64>),
+        at: impl Fn(f64) -> (f64, f64),
+    ) -> [Option<f64>; 2] {
+        // How far an end is sought, in half-widths, and how well it is known.
+        const REACH: [f64; 3] = [1.0, 2.0, 4.0];
+        const KNOWN: f64 = 1e-3;
+        let two_sided = Options {
+            two_sided: true,
+            ..self.options
+        };
+        let Some(half) = half.filter(|half| *half > 0.0) else {
+            return [None; 2];
+        };
+        [-half, half].map(|step| {
+            // How far the wanted pull lies inside of the ±; at the value it is its middle.
+            let mut inside = |place: f64| {
+                let (p, e) = at(place);
+                let mut model = self.with(two_sided);
+                let pull_n = model.force_n(p, e).ok()?;
+                Some(model.uncertainty(p, e, pull_n)?.total() - (pull_n - force_n).abs())
+            };
+            let mut near = value;
+            for reach in REACH {
+                let far = value + reach * step;
+                if inside(far)? <= 0.0 {
+                    let missed = |place: f64| inside(place).ok_or(());
+                    return find_root(missed, near, far, KNOWN * half).ok()?;
+                }
+                near = far;
+            }
+            None
+        })
     }
 
     /// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull
@@ -269,7 +330,11 @@ impl Evaluation<'_> {
             answer.warnings.push(Warning::from(STRETCHED.to_owned()));
         }
         let stiffness = self.stiffness_n_per_mm(&answer.response).ok();
-        Ok(answer.with_contraction_sought(stiffness, self.model.muscle().length_mm()))
+        let mut answer = answer.with_contraction_sought(stiffness, self.model.muscle().length_mm());
+        let sought = (contraction, answer.contraction_uncertainty);
+        [answer.contraction_low, answer.contraction_high] =
+            self.interval(force_n, sought, |e| (pressure_mpa, e));
+        Ok(answer)
     }
 
     /// The number alone that [`Evaluation::pressure`] seeks, in MPa.

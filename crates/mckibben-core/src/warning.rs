@@ -1,7 +1,7 @@
 //! What the user should know of an answer.
 
 use crate::{
-    analysis::{FailureMode, NoBurst, SAFETY},
+    analysis::{Allowed, FailureMode, NoBurst, PROVED, SAFETY},
     model::{Response, ThickWall},
     muscle::{Muscle, Rubber},
     units::{rounded, short_numbers},
@@ -33,6 +33,8 @@ pub enum WarningKind {
     AboveAllowed,
     /// A strand carries more than its strength here.
     StrandsBreak,
+    /// A strand carries more than the allowed share of its strength.
+    StrandTension,
     /// The strands stretch beyond the validated range of the models.
     StrandStrain,
     /// A slack muscle at a contraction that its braid does not reach.
@@ -75,25 +77,21 @@ impl Warning {
 
     /// Of a pressure in MPa above the allowed one, which keeps its distance from a failure; from
     /// none where the fittings are rated for it.
-    pub fn above_allowed(pressure_mpa: f64, allowed_mpa: f64, by: Option<FailureMode>) -> Self {
-        let allowed = rounded(allowed_mpa, 4, f64::floor);
-        let reason = by.map_or_else(
+    pub fn above_allowed(pressure_mpa: f64, most: Allowed) -> Self {
+        let allowed = rounded(most.mpa, 4, f64::floor);
+        let reason = most.by.map_or_else(
             || format!("the fittings are rated for {allowed}\u{a0}MPa"),
             |by| {
-                let factor = SAFETY * by.share();
                 format!(
                     "the allowed pressure is {allowed}\u{a0}MPa, since {by} at {:.3}\u{a0}MPa \
-                     (safety factor {factor})",
-                    allowed_mpa * factor
+                     (safety factor {})",
+                    most.failure_mpa(),
+                    most.factor
                 )
             },
         );
         let sentence = format!("{ABOVE}: {pressure_mpa:.3}\u{a0}MPa; {reason}");
-        Self::new(
-            WarningKind::AboveAllowed,
-            pressure_mpa / allowed_mpa,
-            sentence,
-        )
+        Self::new(WarningKind::AboveAllowed, pressure_mpa / most.mpa, sentence)
     }
 
     /// That a burst pressure is not known.
@@ -190,9 +188,18 @@ pub fn overloaded(muscle: &Muscle, response: &Response) -> Option<(f64, f64)> {
         .filter(|(tension, strength)| tension > strength)
 }
 
+/// Tension over strength of a strand, and the share that is allowed: as for the pressure at which
+/// strands break.
+fn strand_load(muscle: &Muscle, response: &Response) -> Option<(f64, f64)> {
+    let share = response.strand_tension_n? / strand_strength_n(muscle)?;
+    let least = 1.0 / muscle.braid().strands?.load_factor();
+    let most = if least < 1.0 { least / PROVED } else { 1.0 };
+    Some((share, most.min(1.0 / SAFETY)))
+}
+
 /// What the user should know of what a model says of a muscle at a point.
 pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
-    use WarningKind::{Buckles, FallsWithPressure, StrandStrain, StrandsBreak};
+    use WarningKind::{Buckles, FallsWithPressure, StrandStrain, StrandTension, StrandsBreak};
     let mut out = vec![];
     let mut warn = |kind, gravity, sentence| out.push(Warning::new(kind, gravity, sentence));
     if let Some((tension_n, strength_n)) = overloaded(muscle, response) {
@@ -202,6 +209,16 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
             response.pressure_mpa
         );
         warn(StrandsBreak, tension_n / strength_n, sentence);
+    } else if let Some((share, most)) = strand_load(muscle, response)
+        && share > most
+    {
+        let sentence = format!(
+            "the strands carry {:.0} % of their strength: {:.0} % is allowed; lower the load or \
+             the pressure",
+            100.0 * share,
+            100.0 * most
+        );
+        warn(StrandTension, share, sentence);
     }
     if let Some(strain) = response
         .braid_tension_n
@@ -280,13 +297,39 @@ mod tests {
         assert_eq!(Warning::gravest(&all), [said("a"), strain(0.1), said("b")]);
     }
 
+    /// By hand: a quarter of the strength is allowed, and of strands whose number and strength are
+    /// known within factors of 2 and 3 a share exp(−√(ln²2 + ln²3))/1.5 = 0.182.
+    #[test]
+    fn a_tension_above_the_allowed_one_is_told_of() {
+        let loaded = |share: f64, factors: (f64, f64)| {
+            let strands = Strands {
+                count_factor: factors.0,
+                strength_factor: factors.1,
+                ..Strands::new(64, None, Some(50.0))
+            };
+            let braid = Braid {
+                strands: Some(strands),
+                ..Braid::paper()
+            };
+            let muscle = Muscle::prototype().with_braid(braid).unwrap();
+            let response = Response {
+                strand_tension_n: Some(50.0 * share),
+                ..Response::default()
+            };
+            let warnings = of_response(&muscle, &response);
+            warnings.iter().map(|w| w.kind).collect::<Vec<_>>()
+        };
+        let stated = (1.0, 1.0);
+        assert_eq!(loaded(0.97, stated), [WarningKind::StrandTension]);
+        assert_eq!(loaded(1.01, stated), [WarningKind::StrandsBreak]);
+        assert_eq!(loaded(0.249, stated), []);
+        assert_eq!(loaded(0.183, (2.0, 3.0)), [WarningKind::StrandTension]);
+        assert_eq!(loaded(0.181, (2.0, 3.0)), []);
+    }
+
     #[test]
     fn soft_and_weak_strands_are_told_of() {
-        let strands = Strands {
-            count: 64,
-            section: Some((0.05, 60.0)),
-            strength_n: Some(0.4),
-        };
+        let strands = Strands::new(64, Some((0.05, 60.0)), Some(0.4));
         let braid = Braid {
             stiffness: BraidStiffness::OfStrands,
             strands: Some(strands),

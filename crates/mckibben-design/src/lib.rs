@@ -54,6 +54,6 @@ pub use models::{Build, Models, SearchedMuscles, near_the_box};
 pub use reason::{Reason, Rejected};
 pub use relaxation::Relaxation;
 pub use run::{Closest, Outcome, design, design_with};
-pub use spec::{BraidChoice, Objective, Spec, SpecError};
+pub use spec::{BraidChoice, Objective, SUPPLY_SHARE, Spec, SpecError};
 pub use task::{Design, Open, Task};
 pub use tubes::{TubeError, TubePart};

@@ -59,6 +59,8 @@ pub struct Spec {
     pub direction: Direction,
     /// What the supply gives, in MPa.
     pub max_pressure_mpa: f64,
+    /// The share of it that is set at most, so that a regulator can hold it.
+    pub supply_share: f64,
     /// Liquid that fills the muscle; air where there is none.
     pub liquid: Option<LiquidSupply>,
     /// Everything that is not searched: length, braid stiffness, terminals, friction.
@@ -89,6 +91,9 @@ pub struct Spec {
     pub extrapolate: bool,
 }
 
+/// The share of the supply's pressure that is set at most: a regulator varies by 2 to 5 %.
+pub const SUPPLY_SHARE: f64 = 0.95;
+
 /// z with erf(z/√2) = p, by bisection: p from 0.5 to 0.999.
 fn deviations(p: f64) -> f64 {
     let (low, high) = bisect(0.0, 4.0, 60, |z| {
@@ -109,6 +114,7 @@ impl Spec {
             pitch_mm: None,
             direction: Direction::Contraction,
             max_pressure_mpa,
+            supply_share: SUPPLY_SHARE,
             liquid: None,
             tubes: vec![],
             outer_diameter_mm: Values::Interval(5.0, 80.0),

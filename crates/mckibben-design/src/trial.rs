@@ -6,7 +6,7 @@ use crate::{
     limits::pressure::{self, Below},
 };
 use mckibben_core::{
-    analysis::{AnalysisError, Burst, Evaluation, NoBurst, burst_below, find_root},
+    analysis::{AnalysisError, Burst, Evaluation, NoBurst, RELIEF, burst_below, find_root},
     cancel,
     model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace},
     muscle::Muscle,
@@ -21,8 +21,8 @@ pub struct Trial<'a> {
     /// The pressures at which it fails, as far as they bound its use, with the safety factors of
     /// the specification.
     pub burst: Burst,
-    /// The pressure up to which it is used: the least of the supply, of the allowed one and of that
-    /// which strains its strands to their limit.
+    /// The pressure up to which it is used: the least of those of the supply and of the allowed one,
+    /// each with room for its valve, and of that which strains its strands to their limit.
     pub highest_mpa: f64,
     /// What keeps it below the supply.
     pub below: Option<Below>,
@@ -40,10 +40,8 @@ impl<'a> Trial<'a> {
         let model = build(muscle)?;
         let thick_wall = ModelKind::ThickWall.build(muscle)?;
         let safety = spec.limits.safety();
-        let failures = match burst_below(
-            &*model,
-            safety.strands.max(safety.tube).max(1.0) * spec.max_pressure_mpa,
-        ) {
+        let factor = RELIEF * safety.strands.max(safety.tube).max(1.0);
+        let failures = match burst_below(&*model, factor * spec.max_pressure_mpa) {
             Ok(failures) => failures,
             Err(AnalysisError::Model(error @ ModelError::Cancelled(_))) => return Err(error),
             Err(_) => Burst::unknown(NoBurst::NO_ANSWER),
@@ -55,7 +53,7 @@ impl<'a> Trial<'a> {
             thick_wall,
             workspace: Workspace::new(),
             burst: Burst { safety, ..failures },
-            highest_mpa: spec.max_pressure_mpa,
+            highest_mpa: spec.supply_share * spec.max_pressure_mpa,
             below: None,
             half_widths: spec.half_widths(),
         };

@@ -167,9 +167,13 @@ impl CheckAnswer {
                 derived.strand_length_per_turn_mm,
             )
             .quantity(
-                "largest ideal contraction",
+                if derived.max_ideal_contraction < 0.0 {
+                    "largest ideal extension"
+                } else {
+                    "largest ideal contraction"
+                },
                 &PERCENT,
-                derived.max_ideal_contraction,
+                derived.max_ideal_contraction.abs(),
             )
             .quantity("cavity at rest", &u.volume, derived.volume_mm3)
             .text(

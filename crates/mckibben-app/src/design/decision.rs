@@ -3,8 +3,9 @@
 
 use super::CandidateAnswer;
 use crate::{Units, number, percent, words::within};
-use mckibben_build::relief_mpa;
+use mckibben_build::{proof_mpa, relief_mpa};
 use mckibben_core::{
+    analysis::RELIEF,
     joined,
     units::{Dimension, rounded, tidy},
 };
@@ -52,6 +53,11 @@ impl Decision<'_> {
         if let Demand::Joint(joint) = &self.spec.wanted {
             let radius = Units::default().show(Dimension::Length, joint.radius_mm);
             take += &format!(", on a pulley of radius {radius}");
+            let width_mm = first.bulged_diameter_mm().unwrap_or(0.0);
+            if 2.0 * joint.radius_mm < width_mm {
+                take += ", which is narrower than a muscle: the two lie beside each other along \
+                    its axis";
+            }
         }
         take
     }
@@ -158,18 +164,32 @@ fn pressures_to_set(first: &Candidate) -> String {
     let highest_mpa = first.highest_pressure_mpa;
     // What is typed as printed is allowed.
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
-    let most_mpa = rounded(highest_mpa, 4, f64::floor);
-    let at_most = |p: f64| Units::default().show(Dimension::Pressure, p.min(most_mpa));
-    let [set, relief] =
-        [set_mpa, relief_mpa(set_mpa, highest_mpa)].map(|p| at_most(tidy(p, digits)));
-    match first.below {
-        None => format!("Set {set}, relief valve at {relief}"),
-        Some(below) => format!(
-            "Set {set}, relief valve at {relief}; allowed up to {}: {}",
-            at_most(most_mpa),
+    let show_mpa = |p: f64| Units::default().show(Dimension::Pressure, p);
+    let set = show_mpa(tidy(set_mpa, digits).min(rounded(highest_mpa, 4, f64::floor)));
+    let allowed_mpa = first
+        .burst
+        .allowed()
+        .map_or(f64::INFINITY, |allowed| allowed.mpa);
+    let relief = show_mpa(relief_mpa(set_mpa, allowed_mpa));
+    let why = first.below.map(|below| {
+        let most_mpa = rounded(allowed_mpa.min(RELIEF * highest_mpa), 4, f64::floor);
+        format!(
+            "; never above {}: {}",
+            show_mpa(most_mpa),
             below.describe(&show)
-        ),
-    }
+        )
+    });
+    let least = first.burst.least();
+    let is_estimate = least.is_some_and(|(_, mpa)| first.burst.pressure_mpa() != Some(mpa));
+    let test = is_estimate.then(|| {
+        let proof_mpa = proof_mpa(set_mpa, least.map(|(_, mpa)| mpa));
+        format!(
+            "; test with water at {} before use",
+            show_mpa(tidy(proof_mpa, 3))
+        )
+    });
+    let (why, test) = (why.unwrap_or_default(), test.unwrap_or_default());
+    format!("Set {set}, relief valve at {relief}{test}{why}")
 }
 
 /// What has least to spare, and what is next.

@@ -6,7 +6,7 @@ use super::{
     request::DesignRequest,
 };
 use crate::{
-    MuscleFields, Problem, ProblemKind, Result, TextFile, above_zero, finite, given,
+    Model, MuscleFields, Problem, ProblemKind, Result, TextFile, above_zero, finite, given,
     parts::{sleeve_entries, unread, users_tubes},
     ratio, rubber, sleeve,
 };
@@ -23,7 +23,7 @@ use mckibben_core::{
     },
 };
 use mckibben_design::{
-    BraidChoice, Demand, JointDemand, Lift, Open, OperatingPoint, Spec, Task, bundle,
+    BraidChoice, Demand, JointDemand, Lift, Open, OperatingPoint, SUPPLY_SHARE, Spec, Task, bundle,
     tubes::{self, TubePart},
 };
 use std::borrow::Cow;
@@ -84,6 +84,11 @@ impl DesignRequest {
             pitch_mm: self.pitch_mm.map(f64::from),
             direction: Direction::Contraction,
             max_pressure_mpa: finite("max_pressure_mpa", supply_mpa)?,
+            // A closed form or a formula is a method that takes the pressure as it is given.
+            supply_share: match policy.model {
+                Model::Elements(_) => SUPPLY_SHARE,
+                _ => 1.0,
+            },
             liquid: self.liquid.named_supply()?,
             length_mm: match &self.length_mm {
                 Some(Choice::One(_)) | None => None,

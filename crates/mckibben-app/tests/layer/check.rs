@@ -1,7 +1,9 @@
 //! What `check` finds.
 
+use super::reply;
 use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, MuscleFields, check, units::Units};
 use mckibben_core::muscle::measures::LENGTH;
+use serde_json::{Value, json};
 
 fn checked(request: CheckRequest) -> CheckAnswer {
     check(&request).unwrap()
@@ -38,4 +40,33 @@ fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
         ..CheckRequest::default()
     });
     assert!(texts(&short, FindingKind::Implausible).contains("3.33 outer diameters"));
+}
+
+/// What is implausible is named by its reason: broken strands pull nothing, and a muscle that
+/// extends neither pulls nor contracts.
+#[test]
+fn a_broken_muscle_and_one_that_extends_are_called_so() {
+    let implausible = |request: Value| {
+        let answer = reply("check", request);
+        let findings = answer["findings"].as_array().unwrap().iter();
+        let texts = findings.filter(|f| f["kind"] == "implausible");
+        texts
+            .map(|f| f["text"].as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    let weak = json!({"strands": 64, "strand_strength_n": 5});
+    let broken = implausible(json!({"muscle": weak, "pressure_mpa": 2}));
+    assert!(
+        broken
+            .iter()
+            .any(|text| text.contains("its strands are broken")),
+        "{broken:?}"
+    );
+    assert!(
+        !broken.iter().any(|text| text.contains("too low")),
+        "{broken:?}"
+    );
+    let extends = implausible(json!({"muscle": {"angle_deg": 70}, "pressure_mpa": 0.2}));
+    let wrong = |text: &String| text.contains("contracts by") || text.contains("does not pull");
+    assert!(!extends.iter().any(wrong), "{extends:?}");
 }

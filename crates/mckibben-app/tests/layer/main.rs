@@ -11,6 +11,7 @@ mod braid;
 mod check;
 mod colours;
 mod contract;
+mod design;
 mod ended;
 mod expected;
 mod figures;

@@ -12,7 +12,10 @@ mod root;
 mod sweep;
 
 pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, normal_litres};
-pub use burst::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, Safety, burst, burst_below};
+pub use burst::{
+    Allowed, Burst, FailureMode, FailurePressure, NoBurst, PROVED, RELIEF, SAFETY, Safety, burst,
+    burst_below,
+};
 pub use error::{AnalysisError, Result};
 pub use evaluation::{Evaluation, Options, source_of};
 pub use golden::{Abscissa, golden};

@@ -70,6 +70,32 @@ pub struct Strands {
     pub section: Option<(f64, f64)>,
     /// Force at which one strand breaks, in N.
     pub strength_n: Option<f64>,
+    /// Factor by which there may be fewer: 1 where they were counted.
+    pub count_factor: f64,
+    /// Factor by which they may be weaker: 1 where the strength is stated.
+    pub strength_factor: f64,
+}
+
+impl Strands {
+    /// Strands that were counted, of a strength that is stated.
+    pub fn new(count: u32, section: Option<(f64, f64)>, strength_n: Option<f64>) -> Self {
+        Self {
+            count,
+            section,
+            strength_n,
+            count_factor: 1.0,
+            strength_factor: 1.0,
+        }
+    }
+
+    /// Factor by which all strands together may bear less. Both factors are 95 % bounds of
+    /// quantities that do not depend on each other, so that their logarithms add as squares.
+    pub fn load_factor(&self) -> f64 {
+        self.count_factor
+            .ln()
+            .hypot(self.strength_factor.ln())
+            .exp()
+    }
 }
 
 /// A strand measured on a real muscle, for Belforte's formula; includes the rounded ends.

@@ -3,7 +3,7 @@
 use super::{Braid, BraidStiffness, Muscle, MuscleError, Strands};
 use crate::{
     joined,
-    sleeve::{Sleeve, library, refused},
+    sleeve::{COUNT_FACTOR, ESTIMATE_FACTOR, Sleeve, library, refused},
 };
 
 impl Sleeve {
@@ -11,11 +11,7 @@ impl Sleeve {
     pub fn of_strands(&self) -> Result<Strands, MuscleError> {
         let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
         if let (Some(count), Some(_)) = (self.strand_count(), section) {
-            Ok(Strands {
-                count,
-                section,
-                strength_n: self.strand_strength_n,
-            })
+            Ok(self.with_factors(Strands::new(count, section, self.strand_strength_n)))
         } else {
             let missing = self.missing();
             Err(refused(format!(
@@ -31,11 +27,28 @@ impl Sleeve {
     /// The strands of a braid whose stiffness is stated otherwise: their number, where it is known,
     /// which only informs.
     pub fn strands_beside_stiffness(&self) -> Option<Strands> {
-        self.strands.map(|count| Strands {
-            count,
-            section: None,
-            strength_n: self.strand_strength_n,
-        })
+        let strands = Strands::new(self.strands?, None, self.strand_strength_n);
+        Some(self.with_factors(strands))
+    }
+
+    /// Strands with the factors within which their number and strength are known.
+    fn with_factors(&self, strands: Strands) -> Strands {
+        let is_estimate = |key| self.estimated.contains(&key);
+        let count_factor = match self.strands {
+            Some(_) => 1.0,
+            None if is_estimate("strand_diameter") => ESTIMATE_FACTOR,
+            None => COUNT_FACTOR,
+        };
+        let strength_factor = if is_estimate("strand_strength") {
+            ESTIMATE_FACTOR
+        } else {
+            1.0
+        };
+        Strands {
+            count_factor,
+            strength_factor,
+            ..strands
+        }
     }
 
     /// The braid that this sleeve is on a tube. Costs an arcsine and a copy of the name: cheap

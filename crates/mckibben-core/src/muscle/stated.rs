@@ -7,7 +7,8 @@ use super::{
     error::{MuscleError, positive},
     measures::{
         ANGLE, MeasureValues, SECTIONS, SLEEVE_DIAMETER, STIFFNESS_FACTOR, STRAND_AREA,
-        STRAND_MODULUS, STRAND_STRENGTH, STRANDS, STRANDS_PER_CARRIER,
+        STRAND_MODULUS, STRAND_STRENGTH, STRANDS, STRANDS_FACTOR, STRANDS_PER_CARRIER,
+        STRENGTH_FACTOR,
     },
 };
 use crate::sleeve::Sleeve;
@@ -75,6 +76,16 @@ impl Stated {
     pub fn braid_on(&self, outer_diameter_mm: f64, base: &Muscle) -> Result<Braid, MuscleError> {
         let mut parts = base.parts().clone();
         self.put("braid", &mut parts)?;
+        // What is counted or measured is no estimate.
+        for (number, factor) in [
+            (&STRANDS, &STRANDS_FACTOR),
+            (&STRAND_STRENGTH, &STRENGTH_FACTOR),
+        ] {
+            let is_known = self.measures.get(number).is_some();
+            if is_known && self.measures.get(factor).is_none() {
+                (factor.set)(&mut parts, 1.0);
+            }
+        }
         let area = self.strand_area_mm2()?;
         let is_described = area.is_some() || self.measures.get(&STRAND_MODULUS).is_some();
         if is_described && self.stiffness.is_some() {
@@ -150,6 +161,13 @@ impl Stated {
             ),
         };
         let stiffness_factor = self.measures.get(&STIFFNESS_FACTOR).unwrap_or(factor);
+        if let Some(strands) = &mut strands {
+            let stated = |factor: &Measure, of_sleeve: &mut f64| {
+                *of_sleeve = self.measures.get(factor).unwrap_or(*of_sleeve);
+            };
+            stated(&STRANDS_FACTOR, &mut strands.count_factor);
+            stated(&STRENGTH_FACTOR, &mut strands.strength_factor);
+        }
         if let (
             Some(area),
             Some(Strands {
@@ -185,11 +203,7 @@ impl Stated {
         if let (Some(area), Some(strands)) = (area, &mut braid.strands) {
             strands.section.get_or_insert((0.0, 0.0)).0 = area;
         }
-        let strands = braid.strands.unwrap_or(Strands {
-            count: 0,
-            section: None,
-            strength_n: None,
-        });
+        let strands = braid.strands.unwrap_or(Strands::new(0, None, None));
         let (area_mm2, modulus_mpa) = strands.section.unwrap_or_default();
         let needs = [
             ("braid.strands", strands.count == 0),

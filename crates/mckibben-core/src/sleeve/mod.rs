@@ -69,7 +69,10 @@ pub struct Sleeve {
 
 /// What a number of strands that follows from range and diameter may be above the true one: where
 /// strands cross they cannot touch all along, which costs 17 to 25 % of them.
-const COUNT_FACTOR: f64 = 1.25;
+pub(crate) const COUNT_FACTOR: f64 = 1.25;
+/// By what factor strands whose diameter is an estimate may be fewer than those that touch, and
+/// strands whose strength is an estimate may be weaker.
+pub(crate) const ESTIMATE_FACTOR: f64 = 2.0;
 
 /// Estimates on which the stiffness depends.
 const OF_STIFFNESS: [&str; 2] = ["strand_diameter", "strand_modulus"];

@@ -7,7 +7,7 @@ use crate::{
     trial::Trial,
 };
 use mckibben_core::{
-    analysis::{FailureMode, FailurePressure, NoBurst, bisect},
+    analysis::{FailureMode, FailurePressure, NoBurst, PROVED, RELIEF, bisect},
     model::{ModelError, Result},
     units::Dimension,
 };
@@ -46,9 +46,9 @@ const HALVINGS: usize = 40;
 /// Lowers the highest pressure of a muscle to the least of its limits.
 pub fn lower(trial: &mut Trial<'_>) -> Result<()> {
     let (burst, safety) = (&trial.burst, trial.burst.safety);
-    let allowed = burst.allowed().map(|(mpa, by)| match by {
-        Some(by) => (mpa, Below::Failure(by, mpa * safety.factor(by))),
-        None => (mpa, Below::Rated),
+    let allowed = burst.allowed().map(|allowed| match allowed.by {
+        Some(by) => (allowed.mpa, Below::Failure(by, allowed.failure_mpa())),
+        None => (allowed.mpa, Below::Rated),
     });
     // Where no model answers, nothing fails up to the last answer.
     let answered = match burst.strands {
@@ -58,8 +58,9 @@ pub fn lower(trial: &mut Trial<'_>) -> Result<()> {
         _ => None,
     };
     for (mpa, below) in allowed.into_iter().chain(answered) {
-        if mpa < trial.highest_mpa {
-            (trial.highest_mpa, trial.below) = (mpa, Some(below));
+        // With room for the relief valve, which opens at the allowed pressure.
+        if mpa / RELIEF < trial.highest_mpa {
+            (trial.highest_mpa, trial.below) = (mpa / RELIEF, Some(below));
         }
     }
     strained(trial)
@@ -117,13 +118,13 @@ impl PressureLimit {
     /// The change that allows a pressure.
     pub fn allow(self, needed_mpa: f64, trial: &mut Trial<'_>) -> Option<Change> {
         let limits = &trial.spec.limits;
-        let supply_mpa = trial.spec.max_pressure_mpa;
-        if self != Self::Supply && needed_mpa > supply_mpa {
+        let (supply_mpa, share) = (trial.spec.max_pressure_mpa, trial.spec.supply_share);
+        if self != Self::Supply && needed_mpa > share * supply_mpa {
             return None;
         }
         Some(match self {
             Self::Supply => {
-                let pressure_mpa = three_digits(needed_mpa, true);
+                let pressure_mpa = three_digits(needed_mpa / share, true);
                 let change = Relaxation::MaxPressure {
                     pressure_mpa,
                     extrapolated: pressure_mpa > trial.model.info().range.pressure_mpa.1,
@@ -131,10 +132,18 @@ impl PressureLimit {
                 ((pressure_mpa / supply_mpa).ln(), change)
             }
             Self::Safety => {
+                let most_mpa = RELIEF * needed_mpa;
                 let failures = trial.burst.modes();
-                let margins = failures
-                    .iter()
-                    .filter_map(|(by, at)| Some(at.mpa()? / by.share() / needed_mpa));
+                let margins = failures.iter().filter_map(|(by, at)| {
+                    let least = Some(at.least_mpa()?).filter(|p| *p < PROVED * most_mpa);
+                    Some(
+                        at.mpa()
+                            .unwrap_or(f64::INFINITY)
+                            .min(least.unwrap_or(f64::INFINITY))
+                            / by.share()
+                            / most_mpa,
+                    )
+                });
                 let burst_margin = three_digits(margins.reduce(f64::min)?, false);
                 let change = Relaxation::MinBurstMargin { burst_margin };
                 ((limits.burst_margin? / burst_margin).ln(), change)

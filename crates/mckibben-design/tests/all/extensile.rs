@@ -24,6 +24,7 @@ fn spec(force_n: f64, contraction: f64, limits: Limits) -> Spec {
         length_mm: Some(Values::List(vec![120.0])),
         braid: BraidChoice::Angle(Values::List(vec![65.0])),
         limits,
+        supply_share: 1.0,
         ..Spec::new(vec![point], 0.25)
     }
 }

@@ -7,6 +7,7 @@ use mckibben_core::{
     model::{ForceModel, ThickWall, Workspace},
     muscle::{Muscle, file::parse_muscle},
     random::{Random, rounds},
+    warning::WarningKind,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
 
@@ -288,5 +289,47 @@ fn blocked_forces_of_very_soft_strands_are_those_of_bricks() {
             (force / reference - 1.0).abs() < tolerance,
             "{force} N, {reference} N by bricks"
         );
+    }
+}
+
+/// A slack muscle warns as its state does, and states no ± where its strands are stretched beyond
+/// what was validated: two muscles that were found by trial.
+#[test]
+fn a_slack_state_has_its_warnings_and_no_uncertainty_where_nothing_is_valid() {
+    let found = [
+        (
+            "outer_diameter = 13.669\nwall_thickness = 2.9392\nlength = 378.63\nrubber = \"s100:0.6MPa\"",
+            16.03,
+            40.2,
+            0.1,
+            [0.45, 0.48],
+        ),
+        (
+            "outer_diameter = 42.112\nwall_thickness = 5.1228\nlength = 1043.89\nrubber = \"mold-star-20t\"",
+            21.38,
+            42.5,
+            0.1,
+            [0.24, 0.25],
+        ),
+    ];
+    for (tube, angle, stiffness, e, pressures) in found {
+        let text = format!("[tube]\n{tube}\n[braid]\nangle = {angle}\nstiffness = {stiffness}\n");
+        let model = Axisymmetric::new(&parse_muscle(&text).unwrap()).unwrap();
+        for (p, two_sided) in [
+            (pressures[0], false),
+            (pressures[1], false),
+            (pressures[1], true),
+        ] {
+            let options = Options {
+                two_sided,
+                ..Options::default()
+            };
+            let answer = Evaluation::new(&model, &mut Workspace::new(), options)
+                .point(p, e)
+                .unwrap();
+            let kinds: Vec<WarningKind> = answer.warnings.iter().map(|w| w.kind).collect();
+            assert!(kinds.contains(&WarningKind::StrandStrain), "{answer:?}");
+            assert_eq!(answer.uncertainty_n, None, "{answer:?}");
+        }
     }
 }

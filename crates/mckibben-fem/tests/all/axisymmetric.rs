@@ -249,11 +249,7 @@ fn a_curve_can_be_cancelled() {
 fn a_solution_is_whole() {
     let mut braid = Braid::paper();
     braid.stiffness = BraidStiffness::NewtonPerMm(321.0);
-    braid.strands = Some(mckibben_core::muscle::Strands {
-        count: 48,
-        section: None,
-        strength_n: None,
-    });
+    braid.strands = Some(mckibben_core::muscle::Strands::new(48, None, None));
     let muscle = Muscle::prototype().with_braid(braid).unwrap();
     let s = Axisymmetric::new(&muscle)
         .unwrap()

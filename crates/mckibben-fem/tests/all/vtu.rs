@@ -254,11 +254,7 @@ fn strands_under_pressure_are_as_long_as_their_stretch_says() {
 
 #[test]
 fn strands_are_counted_where_their_number_is_known() {
-    let strands = Strands {
-        count: 60,
-        section: None,
-        strength_n: None,
-    };
+    let strands = Strands::new(60, None, None);
     let braid = Braid {
         stiffness: BraidStiffness::Inextensible,
         strands: Some(strands),

@@ -69,7 +69,7 @@ pub fn tearing(muscle: &Muscle, below_mpa: f64) -> Result<FailurePressure> {
     let mut sweep = Sweep::new(true, 0.0, over);
     let pressures = once(ALMOST_NONE * first).chain(growing);
     if let Some(p) = sweep.first(pressures, false, f64::NEG_INFINITY)? {
-        return Ok(FailurePressure::At(p));
+        return Ok(FailurePressure::at(p));
     }
     Ok(match sweep.least(f64::abs) {
         Some((last, _)) if last < highest => {

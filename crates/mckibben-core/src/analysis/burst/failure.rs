@@ -9,6 +9,15 @@ use thiserror::Error;
 /// (RMA, Hose Handbook, IP-2, 2003).
 pub const SAFETY: f64 = 4.0;
 
+/// The least that a burst pressure may be over the allowed pressure, where number or strength of
+/// the strands are estimates: a proof test with water shows that they hold, before people rely on
+/// them.
+pub const PROVED: f64 = 1.5;
+
+/// A relief valve opens at this multiple of the pressure that is set: it needs about a tenth to
+/// close again, and a regulator holds its pressure within 2 to 5 %.
+pub const RELIEF: f64 = 1.1;
+
 /// How a muscle fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -84,8 +93,13 @@ impl Safety {
 /// The pressure of one failure mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FailurePressure {
-    /// In MPa.
-    At(f64),
+    /// In MPa; from `least_mpa` on, where it follows from estimates of the strands.
+    At {
+        /// With these numbers; infinite where only fewer strands fail.
+        mpa: f64,
+        /// With the least that the strands may be ([`Strands`](crate::muscle::Strands)).
+        least_mpa: f64,
+    },
     /// At no pressure that the other parts bear, or that matters.
     None,
     /// A number is missing, or the model has no answer up to there.
@@ -93,12 +107,42 @@ pub enum FailurePressure {
 }
 
 impl FailurePressure {
+    /// One in MPa that follows from no estimate.
+    pub fn at(mpa: f64) -> Self {
+        Self::At {
+            mpa,
+            least_mpa: mpa,
+        }
+    }
+
     /// In MPa, where there is one.
     pub fn mpa(self) -> Option<f64> {
         match self {
-            Self::At(p) => Some(p),
+            Self::At { mpa, .. } => Some(mpa).filter(|mpa| mpa.is_finite()),
             Self::None | Self::Unknown(_) => None,
         }
+    }
+
+    /// The least that it may be in MPa, where there is one.
+    pub fn least_mpa(self) -> Option<f64> {
+        match self {
+            Self::At { least_mpa, .. } => Some(least_mpa),
+            Self::None | Self::Unknown(_) => None,
+        }
+    }
+
+    /// This pressure, looked for up to one in MPa, and the least that it may be: that of fewer or
+    /// weaker strands.
+    pub(super) fn down_to(self, least: Self, up_to_mpa: f64) -> Self {
+        let Some(least_mpa) = least.mpa() else {
+            return self;
+        };
+        let mpa = match self {
+            Self::At { mpa, .. } => mpa,
+            Self::None => up_to_mpa.max(least_mpa),
+            Self::Unknown(_) => least_mpa,
+        };
+        Self::At { mpa, least_mpa }
     }
 }
 
@@ -120,6 +164,24 @@ impl NoBurst {
     /// The model has no answer.
     pub const NO_ANSWER: Self =
         Self::Missing("the model has no answer for the blocked muscle; another model may answer");
+}
+
+/// The pressure up to which a muscle may be used.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Allowed {
+    /// In MPa.
+    pub mpa: f64,
+    /// The failure that it keeps its distance from; none where the fittings are rated for less.
+    pub by: Option<FailureMode>,
+    /// The pressure of that failure over this one.
+    pub factor: f64,
+}
+
+impl Allowed {
+    /// The pressure of the failure in MPa, from which this one follows.
+    pub fn failure_mpa(&self) -> f64 {
+        self.mpa * self.factor
+    }
 }
 
 /// The pressures at which a muscle fails.
@@ -180,24 +242,47 @@ impl Burst {
         Some(self.first()?.1)
     }
 
-    /// The allowed pressure in MPa, and the failure that it keeps its distance from; none where the
-    /// fittings are rated for less.
-    pub fn allowed(&self) -> Option<(f64, Option<FailureMode>)> {
-        let factor = |mode| Some(self.safety.factor(mode)).filter(|factor| *factor > 0.0);
-        let safe = self
+    /// The least that P_b may be, with the least of what is estimated, and the failure.
+    pub fn least(&self) -> Option<(FailureMode, f64)> {
+        let known = self
             .modes()
             .into_iter()
-            .filter_map(|(mode, p)| Some((p.mpa()? / factor(mode)?, Some(mode))));
-        let rated = self.rated_mpa.map(|p| (p, None));
-        safe.chain(rated)
-            .reduce(|a, b| if b.0 < a.0 { b } else { a })
+            .filter_map(|(mode, p)| Some((mode, p.least_mpa()?)));
+        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
+    }
+
+    /// The allowed pressure: the least failure pressure over its factor of safety, and the least
+    /// that it may be over [`PROVED`], or that factor where it is smaller.
+    pub fn allowed(&self) -> Option<Allowed> {
+        let of = |(mode, at): (FailureMode, FailurePressure)| {
+            let factor = Some(self.safety.factor(mode)).filter(|factor| *factor > 0.0)?;
+            let from = |failure_mpa: f64, factor: f64| Allowed {
+                mpa: failure_mpa / factor,
+                by: Some(mode),
+                factor,
+            };
+            let nominal = from(at.mpa().unwrap_or(f64::INFINITY), factor);
+            let least = from(at.least_mpa()?, factor.min(PROVED));
+            Some(if least.mpa < nominal.mpa {
+                least
+            } else {
+                nominal
+            })
+        };
+        let rated = self.rated_mpa.map(|mpa| Allowed {
+            mpa,
+            by: None,
+            factor: 1.0,
+        });
+        let all = self.modes().into_iter().filter_map(of).chain(rated);
+        all.reduce(|a, b| if b.mpa < a.mpa { b } else { a })
     }
 
     /// Why the strength of the strands was not checked.
     pub fn not_checked(&self) -> Option<NoBurst> {
         match self.strands {
             FailurePressure::Unknown(why) => Some(why),
-            FailurePressure::At(_) | FailurePressure::None => None,
+            FailurePressure::At { .. } | FailurePressure::None => None,
         }
     }
 

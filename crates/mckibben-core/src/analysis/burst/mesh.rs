@@ -36,7 +36,14 @@ const ANGLES: usize = 32;
 
 /// The pressure at which the tube of a muscle bulges through its braid.
 pub fn herniation(muscle: &Muscle) -> FailurePressure {
-    let Some(openings) = Openings::new(muscle) else {
+    let factor = muscle.braid().strands.map_or(1.0, |s| s.count_factor);
+    let nominal = bulging(muscle, 1.0);
+    nominal.down_to(bulging(muscle, factor), f64::INFINITY)
+}
+
+/// The same of fewer strands by a factor.
+fn bulging(muscle: &Muscle, fewer: f64) -> FailurePressure {
+    let Some(openings) = Openings::new(muscle, fewer) else {
         return FailurePressure::Unknown(NoBurst::Missing(
             "the openings of the braid are not stated; give `braid.strands`, \
              `braid.strand_area` and `braid.strands_per_carrier` in the muscle file",
@@ -48,7 +55,7 @@ pub fn herniation(muscle: &Muscle) -> FailurePressure {
     let least = (0..=ANGLES)
         .filter_map(|i| openings.pressure_mpa(at(i)))
         .reduce(f64::min);
-    least.map_or(FailurePressure::None, FailurePressure::At)
+    least.map_or(FailurePressure::None, FailurePressure::at)
 }
 
 struct Openings {
@@ -61,14 +68,14 @@ struct Openings {
 }
 
 impl Openings {
-    fn new(muscle: &Muscle) -> Option<Self> {
+    fn new(muscle: &Muscle, fewer: f64) -> Option<Self> {
         let strands = muscle.braid().strands?;
         let side_by_side = muscle.braid().strands_per_carrier?;
         let diameter = (4.0 / PI * strands.section?.0).sqrt();
         Some(Self {
             radii: Radii::new(muscle),
             shear_modulus_mpa: muscle.rubber().law.shear_modulus_mpa(),
-            carriers: 0.5 * f64::from(strands.count) / side_by_side,
+            carriers: 0.5 * f64::from(strands.count) / fewer / side_by_side,
             band_mm: side_by_side * diameter,
         })
     }

@@ -13,7 +13,8 @@
 //! abrasion, fatigue and ageing are no part of them. The allowed pressure is the least of each
 //! divided by its safety factor, and at most that for which the fittings are rated. The factor is
 //! [`SAFETY`] for strands and clamps, which let go suddenly, and half of it for the tube, which
-//! leaks ([`FailureMode::share`]).
+//! leaks ([`FailureMode::share`]). Where number or strength of the strands are estimates, each
+//! pressure has a least one; the allowed pressure keeps [`PROVED`] to it.
 
 pub mod bladder;
 pub mod ends;
@@ -22,7 +23,9 @@ pub mod mesh;
 mod radii;
 pub mod strands;
 
-pub use failure::{Burst, FailureMode, FailurePressure, NoBurst, SAFETY, Safety};
+pub use failure::{
+    Allowed, Burst, FailureMode, FailurePressure, NoBurst, PROVED, RELIEF, SAFETY, Safety,
+};
 
 use super::error::Result;
 use crate::model::ForceModel;

@@ -12,7 +12,8 @@
 //! which falls with contraction because θ grows, and in a real one the rubber carries more of the
 //! pressure the more it is widened. A muscle that a load stretches beyond its length at rest (ε <
 //! 0) bursts earlier; [`Warning::StrandsBreak`](crate::warning::Warning) says so of the answer in
-//! question.
+//! question. Of strands whose number or strength is an estimate the least P_b is that of strands
+//! weaker by [`Strands::load_factor`](crate::muscle::Strands::load_factor), as stiff as before.
 
 use super::failure::{Burst, FailurePressure, NoBurst};
 use crate::{
@@ -36,10 +37,18 @@ const EDGE: f64 = 1e-6;
 /// # Errors
 /// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
 pub fn breaking(model: &dyn ForceModel, up_to_mpa: f64) -> Result<(FailurePressure, bool)> {
-    match Burst::strand_strength_n(model.muscle()) {
-        Ok(strength) => overloaded(model, &|r| r.strand_tension_n, strength, up_to_mpa),
-        Err(why) => Ok((FailurePressure::Unknown(why), false)),
+    let muscle = model.muscle();
+    let strength_n = match Burst::strand_strength_n(muscle) {
+        Ok(strength_n) => strength_n,
+        Err(why) => return Ok((FailurePressure::Unknown(why), false)),
+    };
+    let bears = |n: f64| overloaded(model, &|r| r.strand_tension_n, n, up_to_mpa);
+    let factor = muscle.braid().strands.map_or(1.0, |s| s.load_factor());
+    let least = bears(strength_n / factor)?;
+    if factor <= 1.0 || least.0 == FailurePressure::None {
+        return Ok(least);
     }
+    Ok((bears(strength_n)?.0.down_to(least.0, up_to_mpa), least.1))
 }
 
 /// What a part carries in a state, in N; `None` of a model that does not give it.
@@ -94,12 +103,12 @@ enum Failure {
 fn closed(failure: Failure, thick: &mut Blocked<'_>) -> FailurePressure {
     const BEYOND: f64 = 1.1;
     match failure {
-        Failure::Fails(pressure_mpa) => FailurePressure::At(pressure_mpa),
+        Failure::Fails(pressure_mpa) => FailurePressure::at(pressure_mpa),
         Failure::Ends(pressure_mpa) => match thick.over(BEYOND * pressure_mpa) {
             Ok(over) if over < 0.0 => {
                 FailurePressure::Unknown(NoBurst::NoAnswerBeyond(pressure_mpa))
             }
-            _ => FailurePressure::At(pressure_mpa),
+            _ => FailurePressure::at(pressure_mpa),
         },
     }
 }

@@ -90,24 +90,18 @@ fn braid() -> impl Strategy<Value = Braid> {
         Just(BraidStiffness::Inextensible),
         number(1.0, 1e4).prop_map(BraidStiffness::NewtonPerMm),
     ];
-    let counted = (count.clone(), strength()).prop_map(|(c, s)| Strands {
-        count: c,
-        section: None,
-        strength_n: s,
-    });
-    let make = prop_oneof![
-        (stiffness, prop::option::of(counted)),
-        (count, section, strength()).prop_map(|(count, section, strength_n)| {
-            (
-                BraidStiffness::OfStrands,
-                Some(Strands {
-                    count,
-                    section: Some(section),
-                    strength_n,
-                }),
-            )
-        }),
-    ];
+    let counted = (count.clone(), strength()).prop_map(|(c, s)| Strands::new(c, None, s));
+    let factors = (prop_oneof![Just(1.0), number(1.0, 9.0)], number(1.0, 9.0));
+    let described =
+        (count, section, strength(), factors).prop_map(|(count, section, strength_n, factors)| {
+            let strands = Strands {
+                count_factor: factors.0,
+                strength_factor: strength_n.map_or(1.0, |_| factors.1),
+                ..Strands::new(count, Some(section), strength_n)
+            };
+            (BraidStiffness::OfStrands, Some(strands))
+        });
+    let make = prop_oneof![(stiffness, prop::option::of(counted)), described];
     let measured =
         (1e3..5e3, number(0.1, 9.0)).prop_map(|(strand_length_mm, turns)| MeasuredStrand {
             strand_length_mm,
@@ -300,11 +294,7 @@ fn every_key_is_understood() {
         }))
     };
     assert_eq!(muscle.tube().rubber, rubber);
-    let strands = Strands {
-        count: 48,
-        section: Some((0.3, 2500.0)),
-        strength_n: Some(40.0),
-    };
+    let strands = Strands::new(48, Some((0.3, 2500.0)), Some(40.0));
     assert_eq!(muscle.braid().strands, Some(strands));
     assert_eq!(muscle.braid().stiffness, BraidStiffness::OfStrands);
     assert!(muscle.braid().compression);
@@ -363,11 +353,7 @@ stiffness = "paper"              # k of one strand family: "321 N/mm", "inextens
 /// A cross-section beside a stiffness is what a file may not say; it stays as a comment.
 #[test]
 fn an_unused_strand_section_is_written_as_a_comment() {
-    let strands = Strands {
-        count: 48,
-        section: Some((0.3, 2500.0)),
-        strength_n: None,
-    };
+    let strands = Strands::new(48, Some((0.3, 2500.0)), None);
     let braid = Braid {
         strands: Some(strands),
         ..Braid::paper()
@@ -375,14 +361,7 @@ fn an_unused_strand_section_is_written_as_a_comment() {
     let text = to_toml(&Muscle::prototype().with_braid(braid).unwrap());
     assert!(text.contains("\n# strand_area = \"0.3 mm2\""), "{text}");
     let strands = parse_muscle(&text).unwrap().braid().strands;
-    assert_eq!(
-        strands,
-        Some(Strands {
-            count: 48,
-            section: None,
-            strength_n: None
-        })
-    );
+    assert_eq!(strands, Some(Strands::new(48, None, None)));
 }
 
 /// A named sleeve gives angle and strands, stays a name, and says only what it does not say by

@@ -4,7 +4,7 @@ use super::text::{Text, list, number, percent, quantity, text};
 use crate::{
     muscle::{
         Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber,
-        measures::of_section,
+        measures::{STRANDS_FACTOR, STRENGTH_FACTOR, of_section},
     },
     rubber::{
         library,
@@ -267,6 +267,9 @@ impl Text {
                 strength,
                 "force at which one strand breaks",
             );
+            for m in [&STRANDS_FACTOR, &STRENGTH_FACTOR] {
+                self.stated(m.name(), (m.get)(muscle.parts()).map(number), m.comment);
+            }
         }
         let follows = match &sleeve {
             Some(sleeve) if !is_stated && braid.strands == known => sleeve.stiffness_factor(),

@@ -28,9 +28,11 @@ pub static MEASURES: &[&Measure] = &[
     &STIFFNESS,
     &STIFFNESS_FACTOR,
     &STRANDS,
+    &STRANDS_FACTOR,
     &STRAND_AREA,
     &STRAND_MODULUS,
     &STRAND_STRENGTH,
+    &STRENGTH_FACTOR,
     &STRANDS_PER_CARRIER,
     &STRAND_LENGTH,
     &TURNS,
@@ -418,6 +420,21 @@ pub static STRANDS: Measure = Measure {
     ..Measure::NONE
 };
 
+/// Factor of the number of strands
+pub static STRANDS_FACTOR: Measure = Measure {
+    key: "braid.strands_factor",
+    field: Some("strands_factor"),
+    label: "number of strands known within a factor of",
+    about: "Factor by which there may be fewer strands; the allowed pressure carries it",
+    comment: "there may be fewer by this factor; the allowed pressure carries it",
+    has_rules: true,
+    bounds: Between(1.0, 10.0),
+    default: Some(1.0),
+    get: |p| Some(p.braid.strands?.count_factor).filter(|v| *v != 1.0),
+    set: |p, v| strands(p).count_factor = v,
+    ..Measure::NONE
+};
+
 /// A of one strand
 pub static STRAND_AREA: Measure = Measure {
     key: "braid.strand_area",
@@ -458,6 +475,21 @@ pub static STRAND_STRENGTH: Measure = Measure {
     has_rules: true,
     get: |p| p.braid.strands?.strength_n,
     set: |p, v| strands(p).strength_n = Some(v),
+    ..Measure::NONE
+};
+
+/// Factor of the strength of the strands
+pub static STRENGTH_FACTOR: Measure = Measure {
+    key: "braid.strand_strength_factor",
+    field: Some("strand_strength_factor"),
+    label: "strength of a strand known within a factor of",
+    about: "Factor by which the strands may be weaker; the allowed pressure carries it",
+    comment: "they may be weaker by this factor; the allowed pressure carries it",
+    has_rules: true,
+    bounds: Between(1.0, 10.0),
+    default: Some(1.0),
+    get: |p| Some(p.braid.strands?.strength_factor).filter(|v| *v != 1.0),
+    set: |p, v| strands(p).strength_factor = v,
     ..Measure::NONE
 };
 
@@ -690,11 +722,7 @@ pub static FRICTION_PRESLIDING: Measure = Measure {
 };
 
 fn strands(p: &mut Parts) -> &mut Strands {
-    p.braid.strands.get_or_insert(Strands {
-        count: 0,
-        section: None,
-        strength_n: None,
-    })
+    p.braid.strands.get_or_insert(Strands::new(0, None, None))
 }
 
 fn measured(p: &mut Parts) -> &mut MeasuredStrand {

@@ -1,0 +1,67 @@
+//! What a design tells people to set.
+
+use super::reply;
+use serde_json::{Value, json};
+
+/// The pressure behind words of the decision, in MPa.
+fn behind(line: &str, words: &str) -> f64 {
+    let (_, rest) = line.split_once(words).unwrap_or_else(|| panic!("{line}"));
+    let number = rest.split('\u{a0}').next().unwrap();
+    number.parse().unwrap_or_else(|_| panic!("{line}"))
+}
+
+/// Bounds that follow from valves: a relief valve needs a tenth to close again, a regulator holds
+/// its pressure within 5 %.
+#[test]
+fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
+    let jobs = [
+        json!({"force_n": 700, "contraction": 0.15, "max_pressure_mpa": 0.25}),
+        json!({"force_n": 400, "stroke_mm": 40, "max_pressure_mpa": 0.6}),
+        json!({"force_n": 30, "contraction": 0.15, "max_pressure_mpa": 0.3, "length_mm": 120}),
+        json!({
+            "torques": [{"torque_nm": 10, "angle_deg": 60}, {"torque_nm": 5, "angle_deg": 90}],
+            "max_pressure_mpa": 0.5,
+            "length_mm": 260
+        }),
+    ];
+    for job in jobs {
+        let answer = reply("design", job.clone());
+        let best = &answer["candidates"][0];
+        let lines = answer["decision"].as_array().unwrap().iter();
+        let lines: Vec<&str> = lines.map(|line| line.as_str().unwrap()).collect();
+        let set = lines.iter().find(|line| line.starts_with("Set ")).unwrap();
+        let (set_mpa, relief_mpa) = (behind(set, "Set "), behind(set, "relief valve at "));
+        let allowed_mpa = best["allowed_pressure_mpa"].as_f64().unwrap();
+        let supply_mpa = job["max_pressure_mpa"].as_f64().unwrap();
+        let printed = 1.0 + 1e-3;
+        assert!(
+            set_mpa <= allowed_mpa / 1.1 * printed,
+            "{set}: {allowed_mpa}"
+        );
+        assert!(set_mpa <= 0.95 * supply_mpa * printed, "{set}");
+        assert!(
+            relief_mpa <= allowed_mpa && relief_mpa >= 1.09 * set_mpa,
+            "{set}"
+        );
+        // Whose strands are an estimate, it has a range, and its test stays below the least.
+        let least = &best["least_burst_pressure_mpa"];
+        assert_ne!(*least, Value::Null, "{best}");
+        let proof_mpa = behind(set, "test with water at ");
+        assert!(
+            proof_mpa < least.as_f64().unwrap() && proof_mpa > 1.2 * set_mpa,
+            "{set}"
+        );
+        // A pulley that is narrower than a muscle holds both only beside each other.
+        if job["torques"].is_array() {
+            let width = best["bulged_diameter_mm"].as_f64().unwrap();
+            let take = lines[0];
+            let radius = take.split("radius ").nth(1).unwrap();
+            let radius: f64 = radius.split('\u{a0}').next().unwrap().parse().unwrap();
+            assert_eq!(
+                take.contains("beside each other"),
+                2.0 * radius < width,
+                "{take}"
+            );
+        }
+    }
+}
