@@ -51,7 +51,9 @@ impl MuscleFields {
     fn stated(&self) -> Result<Stated, Problem> {
         self.validate()?;
         let mut measures = self.measures.0.clone();
-        if let Some(tube) = self.tube {
+        let mut of_tube = None;
+        if let Some(tube) = &self.tube {
+            of_tube = tube.part.as_ref().map(|(_, rubber)| rubber.clone());
             measures.set(&OUTER_DIAMETER, tube.outer_mm);
             measures.set(&WALL, 0.5 * (tube.outer_mm - tube.inner_mm));
         }
@@ -60,7 +62,7 @@ impl MuscleFields {
             rubber: match &self.rubber {
                 Some(NameOrFile::Name(name)) => Some(rubber(name)?),
                 Some(NameOrFile::File(file)) => Some(muscle_of(file)?.tube().rubber.clone()),
-                None => None,
+                None => of_tube,
             },
             sleeve: self.braid.as_deref().map(sleeve).transpose()?,
             stiffness: self.stiffness,

@@ -8,11 +8,12 @@ use crate::{
 };
 use mckibben_core::{
     muscle::{
-        Measure, Muscle,
+        Measure, Muscle, Rubber,
         measures::{ANGLE, LENGTH, MeasureValues, OUTER_DIAMETER, STIFFNESS, WALL, fields},
     },
     units::typed::Length,
 };
+use mckibben_design::tubes;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Map;
@@ -44,7 +45,7 @@ pub struct MuscleFields {
     #[serde(flatten)]
     #[command(flatten)]
     pub measures: Measures,
-    /// Tube as it is sold, such as 8x12mm: bore and outer diameter
+    /// Tube as it is sold: bore and outer diameter, such as 8x12mm, or its name
     #[arg(long, value_name = "BORExOUTER", hide_short_help = true)]
     pub tube: Option<TubeSize>,
     /// Rubber: `mckibben parts list rubbers` [paper]
@@ -56,7 +57,7 @@ pub struct MuscleFields {
     /// Sleeve: `mckibben parts list sleeves` [none]
     ///
     /// NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least
-    /// and largest diameter.
+    /// and largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
     #[arg(long, value_name = "NAME", value_parser = flags::sleeves(), hide_possible_values = true)]
     pub braid: Option<String>,
     /// Diameter of one strand of a named sleeve, if its source does not state it
@@ -122,8 +123,8 @@ impl MuscleFields {
     }
 }
 
-/// A tube as it is sold: `8x12mm`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// A tube as it is sold: `8x12mm`, or its name in the catalogue.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 #[schemars(with = "String")]
 pub struct TubeSize {
@@ -131,6 +132,8 @@ pub struct TubeSize {
     pub inner_mm: f64,
     /// Outer diameter in mm.
     pub outer_mm: f64,
+    /// Its name and its rubber, where it is one of the catalogue.
+    pub part: Option<(String, Rubber)>,
 }
 
 impl FromStr for TubeSize {
@@ -139,11 +142,20 @@ impl FromStr for TubeSize {
     fn from_str(text: &str) -> Result<Self, Problem> {
         let wrong = || {
             let message = format!(
-                "\"{text}\" is not a tube; expected its bore and outer diameter, such as 8x12mm"
+                "\"{text}\" is not a tube; expected its bore and outer diameter, such as 8x12mm, \
+                 or its name"
             );
-            let hint = "or give `outer_diameter_mm` and `wall_mm`";
+            let hint = "`parts list tubes` lists the names; or give `outer_diameter_mm` and \
+                `wall_mm`";
             Problem::new(ProblemKind::Quantity, message, hint)
         };
+        if let Ok(part) = tubes::catalogue().and_then(|all| tubes::find(all, text)) {
+            return Ok(Self {
+                inner_mm: part.inner_diameter_mm,
+                outer_mm: part.outer_diameter_mm,
+                part: Some((part.name, part.rubber)),
+            });
+        }
         let (inner, outer) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
         let inner = inner.trim();
         let outer = outer.trim();
@@ -160,7 +172,11 @@ impl FromStr for TubeSize {
         };
         let (Length(inner_mm), Length(outer_mm)) = (length(&inner)?, length(outer)?);
         if 0.0 < inner_mm && inner_mm < outer_mm {
-            Ok(Self { inner_mm, outer_mm })
+            Ok(Self {
+                inner_mm,
+                outer_mm,
+                part: None,
+            })
         } else {
             Err(wrong())
         }
@@ -177,7 +193,10 @@ impl TryFrom<String> for TubeSize {
 
 impl From<TubeSize> for String {
     fn from(tube: TubeSize) -> Self {
-        format!("{}x{}mm", tube.inner_mm, tube.outer_mm)
+        match tube.part {
+            Some((name, _)) => name,
+            None => format!("{}x{}mm", tube.inner_mm, tube.outer_mm),
+        }
     }
 }
 

@@ -16,6 +16,7 @@ use mckibben_core::{
         Braid, Direction, Muscle, Tube,
         measures::{LENGTH, STRAND_MODULUS},
     },
+    rubber::library::stiffness_factor,
     sleeve::SleeveEntry,
     units::{
         Values,
@@ -274,9 +275,21 @@ impl DesignRequest {
             .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
         let mut found: Vec<TubePart> = sold.cloned().collect();
         if of_user.is_none() {
+            // A stand-in for tubes as they are sold is no silicone that one casts.
             for name in &rubbers {
-                found.extend(tubes::cast_of(name).map_err(unread)?);
+                if stiffness_factor(&rubber(name)?) <= 1.0 {
+                    found.extend(tubes::cast_of(name).map_err(unread)?);
+                }
             }
+        }
+        if found.is_empty() {
+            let message = format!(
+                "no tube of {} is in the catalogue, and it is not cast",
+                rubbers.join(", ")
+            );
+            let hint = "give its size (`tubes`, such as 8x12mm), or sizes to search \
+                (`outer_diameter_mm` and `wall_mm`)";
+            return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("rubbers"));
         }
         Ok(found)
     }

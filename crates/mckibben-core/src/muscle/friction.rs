@@ -1,6 +1,6 @@
 //! Friction between the strands of the braid: hysteresis of the pull.
 
-use super::{Muscle, Presliding};
+use super::{Bench, Muscle, Presliding};
 
 /// Friction of the braid, half the width of the hysteresis loop.
 ///
@@ -97,9 +97,12 @@ impl Friction {
 
 impl Muscle {
     /// c_f of the friction that is estimated of this muscle; 0 where it states its own, was
-    /// identified from pulls that have theirs, or extends.
+    /// identified from pulls that have theirs, or extends. Pulls of one branch alone are identified
+    /// with the estimate, which stays.
     pub fn friction_share(&self) -> f64 {
-        let unknown = self.friction().is_none() && self.bench.is_none() && !self.is_extensile();
+        let has_theirs = |bench: &Bench| !matches!(bench.branches[..], [one] if !one.is_mean());
+        let identified = self.bench.as_deref().is_some_and(has_theirs);
+        let unknown = self.friction().is_none() && !identified && !self.is_extensile();
         if unknown { Friction::OF_TENSION } else { 0.0 }
     }
 }

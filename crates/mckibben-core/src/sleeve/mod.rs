@@ -156,6 +156,12 @@ impl Sleeve {
         }
     }
 
+    /// The same under a name, where one is given.
+    pub fn named(mut self, name: Option<&str>) -> Self {
+        self.shape.name = name.map_or(self.shape.name, str::to_owned);
+        self
+    }
+
     /// Its name.
     pub fn name(&self) -> &str {
         &self.shape.name

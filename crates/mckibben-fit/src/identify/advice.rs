@@ -320,6 +320,10 @@ pub fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
             "dead_volume: subtract it from your volumes",
         ),
         (
+            Target::ForceOffset,
+            "force_offset: subtract it from your pulls",
+        ),
+        (
             Target::StiffnessExponent,
             "braid.stiffness_exponent: it states k at its own diameter",
         ),
@@ -329,6 +333,52 @@ pub fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
         .filter(|(target, _)| result.parameter(*target).is_some());
     notes.extend(identified.map(|(_, what)| format!("a muscle file cannot hold {what}")));
     notes
+}
+
+/// Residuals that a zero of the load cell explains: a constant in every pull, besides what the
+/// constants do, whose slopes are given in `columns`. It is a step of linear least squares.
+pub fn zero_of_load_cell(result: &Identification, columns: &[Vec<f64>]) -> Option<String> {
+    /// The share of the squares that it explains at least.
+    const SHARE: f64 = 0.5;
+    /// The least that is left of the constant beside the others.
+    const APART: f64 = 1e-6;
+    let points = &result.points;
+    let weighted = |of: &dyn Fn(usize) -> f64| -> Vec<f64> {
+        let all = points.iter().enumerate();
+        all.map(|(i, p)| p.weight.sqrt() * of(i)).collect()
+    };
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let without = |v: &mut Vec<f64>, from: &[Vec<f64>]| {
+        for q in from {
+            let share = dot(q, v);
+            v.iter_mut().zip(q).for_each(|(v, q)| *v -= share * q);
+        }
+    };
+    let mut basis: Vec<Vec<f64>> = vec![];
+    for column in columns {
+        let mut q = weighted(&|i| column[i]);
+        let whole = dot(&q, &q).sqrt();
+        without(&mut q, &basis);
+        let left = dot(&q, &q).sqrt();
+        if left > APART * whole {
+            basis.push(q.into_iter().map(|v| v / left).collect());
+        }
+    }
+    let is_force = |i: usize| f64::from(points[i].point.measured == Quantity::Force);
+    let mut zero = weighted(&is_force);
+    let whole = dot(&zero, &zero);
+    without(&mut zero, &basis);
+    let left = dot(&zero, &zero);
+    let residuals = weighted(&|i| points[i].residual_n);
+    let (along, squares) = (dot(&zero, &residuals), dot(&residuals, &residuals));
+    let explains = along * along > SHARE * left * squares && result.freedom > 2;
+    (left > APART * whole && explains).then(|| {
+        format!(
+            "the residuals are those of a load cell that shows about {} N without a pull: look at \
+             its zero, or free `force_offset`",
+            show(-along / left)
+        )
+    })
 }
 
 /// The law whose limit a constant is, where that lies far beyond the stretches of a muscle.

@@ -27,6 +27,8 @@ pub struct Candidate {
     pub contraction_offset: f64,
     /// Volume of hose and fittings in the measured volumes, in mm³.
     pub dead_volume_mm3: f64,
+    /// What the load cell shows of no pull, in N.
+    pub force_offset_n: f64,
 }
 
 impl Target {
@@ -49,7 +51,7 @@ impl Target {
                 .measure(m)
                 .or(self.identify().and_then(|i| i.start(muscle)))?,
             Target::Measure(m) => muscle.measure(m)?,
-            Target::ContractionOffset | Target::DeadVolume => 0.0,
+            Target::ContractionOffset | Target::DeadVolume | Target::ForceOffset => 0.0,
         })
     }
 }
@@ -63,8 +65,8 @@ impl Candidate {
             reference_mm: base.outer_diameter_mm(),
             exponent: Target::StiffnessExponent.value(base).unwrap_or(0.0),
         };
-        let (mut has_family, mut contraction_offset, mut dead_volume_mm3, mut factor) =
-            (false, 0.0, 0.0, 1.0);
+        let (mut has_family, mut factor) = (false, 1.0);
+        let (mut contraction_offset, mut dead_volume_mm3, mut force_offset_n) = (0.0, 0.0, 0.0);
         for &(target, v) in values {
             match target {
                 Target::Law(i) => {
@@ -86,6 +88,7 @@ impl Candidate {
                 }
                 Target::ContractionOffset => contraction_offset = v,
                 Target::DeadVolume => dead_volume_mm3 = v,
+                Target::ForceOffset => force_offset_n = v,
             }
         }
         let rubber = &mut parts.tube.rubber;
@@ -108,6 +111,7 @@ impl Candidate {
             family,
             contraction_offset,
             dead_volume_mm3,
+            force_offset_n,
         })
     }
 

@@ -1,6 +1,8 @@
 //! The parameters that can be identified, named as in the muscle file.
 
-use Target::{ContractionOffset, DeadVolume, Law, Modulus, Stiffness, StiffnessExponent};
+use Target::{
+    ContractionOffset, DeadVolume, ForceOffset, Law, Modulus, Stiffness, StiffnessExponent,
+};
 use mckibben_core::{
     muscle::{
         Measure, Muscle,
@@ -30,10 +32,12 @@ pub enum Target {
     ContractionOffset,
     /// Volume of hose and fittings in the measured volumes, in mm³.
     DeadVolume,
+    /// What the load cell shows of no pull, in N: it is in every measured pull.
+    ForceOffset,
 }
 
 /// Names that are neither of the law nor of a measure; some have a second spelling.
-const NAMES: [(&str, Target); 7] = [
+const NAMES: [(&str, Target); 8] = [
     ("tube.material.modulus", Modulus),
     ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
@@ -41,6 +45,7 @@ const NAMES: [(&str, Target); 7] = [
     ("braid.stiffness_exponent", StiffnessExponent),
     ("contraction_offset", ContractionOffset),
     ("dead_volume", DeadVolume),
+    ("force_offset", ForceOffset),
 ];
 
 /// The measures that can be identified, by the tables of the muscle file: those of the braid that a
@@ -64,7 +69,7 @@ impl Target {
         let measures = measures().map(|(m, _)| Target::Measure(m));
         laws.chain(first)
             .chain(measures)
-            .chain([ContractionOffset, DeadVolume])
+            .chain([ContractionOffset, DeadVolume, ForceOffset])
             .collect()
     }
 
@@ -125,6 +130,7 @@ impl Target {
             Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
             Stiffness => Dimension::Stiffness,
             DeadVolume => Dimension::Volume,
+            ForceOffset => Dimension::Force,
             Target::Measure(m) => m.dimension,
             _ => Dimension::Ratio,
         }
@@ -162,6 +168,7 @@ impl Target {
             StiffnessExponent => (-5.0, 5.0),
             ContractionOffset => (-0.3, 0.3),
             DeadVolume => (0.0, f64::INFINITY),
+            ForceOffset => (f64::NEG_INFINITY, f64::INFINITY),
             other => other
                 .identify()
                 .map_or((0.0, f64::INFINITY), |i| i.bounds(muscle)),

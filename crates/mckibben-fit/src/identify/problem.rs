@@ -18,10 +18,10 @@ use crate::{
     measured::{DataPoint, Quantity, Section},
 };
 use mckibben_core::{
-    analysis::Evaluation,
+    analysis::{Evaluation, Options},
     model::{ForceModel, ModelError, Result, Workspace},
     muscle::{
-        BraidStiffness, Direction, Friction, Muscle,
+        BraidStiffness, Friction, Muscle,
         measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER},
     },
     threads,
@@ -54,6 +54,8 @@ pub struct Problem<'a> {
     scales: [f64; 4],
     /// Whether the model knows all derivatives.
     analytic: bool,
+    /// c_f of the friction that is estimated, where all points are of one branch.
+    friction_share: f64,
 }
 
 /// P, ε, F, ∂F/∂ε and ∂F/∂P.
@@ -65,14 +67,8 @@ struct Local {
     by_pressure: f64,
 }
 
-fn local(
-    m: &dyn ForceModel,
-    w: &mut Workspace,
-    p: f64,
-    e: f64,
-    branch: Direction,
-) -> Result<Local> {
-    let mut model = Evaluation::new(m, w, branch);
+fn local(m: &dyn ForceModel, w: &mut Workspace, p: f64, e: f64, options: Options) -> Result<Local> {
+    let mut model = Evaluation::new(m, w, options);
     let r = model.response(p, e)?;
     Ok(Local {
         pressure_mpa: p,
@@ -90,13 +86,14 @@ fn at_measured_pull(
     w: &mut Workspace,
     point: &DataPoint,
     offset: f64,
+    options: Options,
 ) -> Result<Local> {
     let at = &point.at;
     let mut p = at.pressure_mpa;
     let mut e = at.contraction + offset;
     const STEPS: usize = 30;
     for _ in 0..STEPS {
-        let here = local(m, w, p, e, at.direction())?;
+        let here = local(m, w, p, e, options)?;
         let rest = here.force - at.force_n;
         // The last step is not checked: its error is the square of this.
         let done = rest.abs() <= 1e-6 * (1.0 + at.force_n.abs());
@@ -132,10 +129,20 @@ impl<'a> Problem<'a> {
             chunks: chunks(points),
             scales: [1.0; 4],
             analytic: false,
+            friction_share: friction_share(request),
         };
         out.scales = out.mean_slopes(start).unwrap_or(out.scales);
         out.analytic = out.knows_derivatives(start);
         out
+    }
+
+    /// The branch of a point, with the friction of which it is.
+    fn options(&self, point: &DataPoint) -> Options {
+        Options {
+            direction: point.at.direction(),
+            friction_share: self.friction_share,
+            ..Options::default()
+        }
     }
 
     /// N per unit of a measured quantity.
@@ -157,23 +164,28 @@ impl<'a> Problem<'a> {
         let offset = candidate.contraction_offset;
         self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
-            let (at, branch) = (&point.at, point.at.direction());
+            let (at, options) = (&point.at, self.options(point));
             let p = at.pressure_mpa;
             let e = at.contraction + offset;
+            let zeroed = without_zero(point, candidate.force_offset_n);
+            let pull_n = zeroed.at.force_n;
             let off = match point.measured {
                 Quantity::Force => match shares.as_ref().and_then(|list| list.get(i)) {
                     Some(share) => {
-                        let half = Evaluation::new(m, w, branch).half_width_n(p, e)?;
-                        m.force_n(w, p, e)? - share * half - at.force_n
+                        let half = Evaluation::new(m, w, options).half_width_n(p, e)?;
+                        m.force_n(w, p, e)? - share * half - pull_n
                     }
-                    None => Evaluation::new(m, w, branch).force_n(p, e)? - at.force_n,
+                    None => Evaluation::new(m, w, options).force_n(p, e)? - pull_n,
                 },
                 Quantity::Contraction => {
-                    at_measured_pull(m, w, point, offset)?.contraction - offset - at.contraction
+                    let found = at_measured_pull(m, w, &zeroed, offset, options)?;
+                    found.contraction - offset - at.contraction
                 }
-                Quantity::Pressure => at_measured_pull(m, w, point, offset)?.pressure_mpa - p,
+                Quantity::Pressure => {
+                    at_measured_pull(m, w, &zeroed, offset, options)?.pressure_mpa - p
+                }
                 Quantity::Volume => {
-                    let inside = Evaluation::new(m, w, branch).response(p, e)?.volume_mm3;
+                    let inside = Evaluation::new(m, w, options).response(p, e)?.volume_mm3;
                     let none = || ModelError::NoVolume(m.info().name.to_string());
                     inside.ok_or_else(none)? + candidate.dead_volume_mm3
                         - point.volume_mm3.unwrap_or_default()
@@ -221,7 +233,7 @@ impl<'a> Problem<'a> {
                 w,
                 at.pressure_mpa,
                 at.contraction + candidate.contraction_offset,
-                at.direction(),
+                self.options(&self.points[i]),
             )
         })?;
         let mean = |quantity: Quantity, slope: &dyn Fn(&Local) -> f64| {
@@ -259,7 +271,8 @@ impl<'a> Problem<'a> {
         if self.history.is_some()
             || self.points.iter().any(|p| p.measured == Quantity::Volume)
             || follows && self.request.free.iter().any(|p| p.target.is_geometry())
-            // Friction from contact depends on every free parameter.
+            // Friction that is estimated, or from contact, depends on every free parameter.
+            || self.friction_share > 0.0
             || muscle.friction().is_some_and(|f| f.lever_mm > 0.0)
         {
             return false;
@@ -322,6 +335,8 @@ impl<'a> Problem<'a> {
                 };
                 friction.filter(|_| p > 0.0).map_or(0.0, by_law)
             }
+            // The residual is of the pull less the zero, or of what has that pull.
+            Target::ForceOffset => 1.0,
             // The residual is of ε + offset.
             Target::ContractionOffset => here.by_contraction,
             other => chain_rule(other, v, muscle, candidate)
@@ -330,6 +345,34 @@ impl<'a> Problem<'a> {
                 .sum(),
         };
         Ok(self.request.free.iter().zip(x).map(one).collect())
+    }
+}
+
+/// A point without what the load cell shows of no pull.
+fn without_zero(point: &DataPoint, force_offset_n: f64) -> DataPoint {
+    let mut point = *point;
+    point.at.force_n -= force_offset_n;
+    point
+}
+
+/// c_f of the friction that is estimated: that of points of one branch alone, which do not tell it.
+fn friction_share(request: &Request<'_>) -> f64 {
+    let one = request.points.first().and_then(|p| p.at.branch);
+    let of_one = one
+        .filter(|one| !one.is_mean())
+        .is_some_and(|one| request.points.iter().all(|p| p.at.branch == Some(one)));
+    let is_free =
+        |target: &Target| matches!(target, Target::Measure(m) if m.section() == "friction");
+    let targets = request.free.iter().map(|p| &p.target);
+    let known = targets
+        .chain(request.fixed.iter().map(|f| &f.0))
+        .any(is_free);
+    let muscle = request.muscle;
+    if of_one && !known && !request.history && muscle.friction().is_none() && !muscle.is_extensile()
+    {
+        Friction::OF_TENSION
+    } else {
+        0.0
     }
 }
 
@@ -366,7 +409,7 @@ fn chain_rule(
                 .collect()
         }
         Target::Measure(m) if m.section() == "friction" => vec![],
-        Target::ContractionOffset | Target::DeadVolume => vec![],
+        Target::ContractionOffset | Target::DeadVolume | Target::ForceOffset => vec![],
         Target::Law(_) | Target::Measure(_) => vec![(target.name(muscle), 1.0)],
     }
 }
@@ -386,10 +429,11 @@ impl Residuals for Problem<'_> {
         let rows = self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
             let scale = self.scale(point.measured);
+            let zeroed = without_zero(point, candidate.force_offset_n);
             // Volumes have no derivatives of the model.
             let (here, factor) = if let Quantity::Contraction | Quantity::Pressure = point.measured
             {
-                let here = at_measured_pull(m, w, point, offset)?;
+                let here = at_measured_pull(m, w, &zeroed, offset, self.options(point))?;
                 let by = match point.measured {
                     Quantity::Contraction => here.by_contraction,
                     _ => here.by_pressure,
@@ -397,7 +441,7 @@ impl Residuals for Problem<'_> {
                 (here, -scale / by)
             } else {
                 let (at, e) = (&point.at, point.at.contraction + offset);
-                (local(m, w, at.pressure_mpa, e, at.direction())?, scale)
+                (local(m, w, at.pressure_mpa, e, self.options(point))?, scale)
             };
             let slopes = self.slopes((m, w), point, &candidate, x, &names, &here)?;
             Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())

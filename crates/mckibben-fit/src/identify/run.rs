@@ -10,7 +10,7 @@ use super::{
     signs,
 };
 use crate::{
-    least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate},
+    least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate, slopes},
     measured::{DataPoint, Quantity},
 };
 use mckibben_core::{
@@ -183,8 +183,10 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     }
     let unknowns = unknowns(request)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
-    let pulls =
-        |p: &DataPoint| request.two_sided || p.measured != Quantity::Force || p.at.force_n > 0.0;
+    let noise_n = noise_n(request.points);
+    let pulls = |p: &DataPoint| {
+        request.two_sided || p.measured != Quantity::Force || p.at.force_n > noise_n
+    };
     let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
     let (counted, slack): (Vec<_>, Vec<_>) = counted.partition(pulls);
     let too_few = |points| {
@@ -253,9 +255,30 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         notes,
         bench: None,
     };
+    let columns = slopes(&problem, &unknowns, &x).unwrap_or_default();
+    out.notes.extend(advice::zero_of_load_cell(&out, &columns));
     out.bench = bench(request, &out, &minimum);
     out.notes.extend(advice::after(&out, request));
     Ok(out)
+}
+
+/// Up to which reading in N a load cell may show no pull: three times what it shows below zero, of
+/// two readings at least, which a muscle that lies slack does not pull.
+fn noise_n(points: &[DataPoint]) -> f64 {
+    const DEVIATIONS: f64 = 3.0;
+    /// More than this share of the largest pull is a zero that is off, or a flipped sign.
+    const MOST: f64 = 0.05;
+    let forces = points
+        .iter()
+        .filter(|p| p.measured == Quantity::Force && p.weight > 0.0);
+    let forces: Vec<f64> = forces.map(|p| p.at.force_n).collect();
+    let below: Vec<f64> = forces.iter().copied().filter(|f| *f < 0.0).collect();
+    if below.len() < 2 {
+        return 0.0;
+    }
+    let squares: f64 = below.iter().map(|f| f * f).sum();
+    let deviation_n = (squares / below.len() as f64).sqrt();
+    (DEVIATIONS * deviation_n).min(MOST * peak(forces))
 }
 
 /// Each point with its residual.

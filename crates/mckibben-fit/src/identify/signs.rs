@@ -3,7 +3,7 @@
 use super::{IdentifyError, Result, advice};
 use crate::{
     least_squares::Line,
-    measured::{DataPoint, Quantity},
+    measured::{DataPoint, Quantity, halves},
 };
 use mckibben_core::{cancel, extremes::peak, muscle::Muscle};
 
@@ -38,6 +38,7 @@ pub fn check(muscle: &Muscle, points: &[DataPoint], two_sided: bool) -> Result<V
     let mut notes = pushing(muscle, &points, two_sided)?;
     cancel::check()?;
     notes.extend(rising(&points)?);
+    swapped(&points)?;
     Ok(notes)
 }
 
@@ -71,6 +72,21 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
     Ok(vec![format!(
         "{which}: is the sign of the force flipped there?"
     )])
+}
+
+/// Refuses branches whose names are swapped: a muscle that is lengthened pulls more.
+fn swapped(points: &[&DataPoint]) -> Result<()> {
+    let pulls = points
+        .iter()
+        .filter(|p| p.measured == Quantity::Force && p.at.force_n > 0.0);
+    let loops: Vec<f64> = halves(pulls.map(|p| p.at)).collect();
+    let lower = loops.iter().filter(|half| **half < 0.0).count();
+    if loops.len() > 2 && 10 * lower > 9 * loops.len() {
+        let message = "the pulls of the branch `elongation` are the lower ones: are the names of \
+            the branches swapped? A muscle that is lengthened pulls more";
+        return Err(IdentifyError::Flipped(message.into()));
+    }
+    Ok(())
 }
 
 /// Pulls that rise with the contraction.

@@ -194,31 +194,27 @@ pub fn mean_of_branches(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
     means(points).into_iter().map(|(_, mean)| mean).collect()
 }
 
+/// A pressure that is set is held within this share of it, and within so many MPa.
+const HELD: (f64, f64) = (0.01, 5e-4);
+/// A contraction that is set is held within this.
+const RESOLVED: f64 = 2e-3;
+
 /// The same, each with the index of the point at whose contraction it is. It takes n log n steps.
 pub fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
-    let mut sorted: Vec<(usize, MeasuredPoint)> = points.iter().copied().enumerate().collect();
-    sorted.sort_by(|(_, a), (_, b)| a.pressure_mpa.total_cmp(&b.pressure_mpa));
     let mut out = Vec::new();
-    for at_pressure in sorted.chunk_by(|(_, a), (_, b)| a.pressure_mpa == b.pressure_mpa) {
-        let branch_points = |branch| {
-            let of_branch = at_pressure.iter().filter(|(_, p)| p.branch == branch);
-            let mut list: Vec<(usize, MeasuredPoint)> = of_branch.copied().collect();
-            list.sort_by(|(_, a), (_, b)| a.contraction.total_cmp(&b.contraction));
-            list
-        };
-        let lower = branch_points(Some(Direction::Contraction));
-        let upper = branch_points(Some(Direction::Elongation));
-        out.extend(branch_points(None));
-        out.extend(branch_points(Some(Direction::Mean)));
+    for at_pressure in held_pressures(points) {
+        let [lower, upper] = branches(&at_pressure);
+        let of_no_branch = |p: &MeasuredPoint| p.direction().is_mean();
+        out.extend(at_pressure.iter().filter(|(_, p)| of_no_branch(p)));
         if lower.is_empty() || upper.is_empty() {
             out.extend(lower.into_iter().chain(upper));
             continue;
         }
-        let upper = upper.into_iter().map(|(_, p)| (p.contraction, p.force_n));
-        let upper: Vec<(f64, f64)> = upper.collect();
         out.extend(lower.into_iter().filter_map(|(index, p)| {
+            let above = at_contraction(&upper, p.contraction)?;
             let mean = MeasuredPoint {
-                force_n: 0.5 * (p.force_n + interpolate(&upper, p.contraction)?),
+                pressure_mpa: 0.5 * (p.pressure_mpa + above.pressure_mpa),
+                force_n: 0.5 * (p.force_n + above.force_n),
                 branch: Some(Direction::Mean),
                 ..p
             };
@@ -226,6 +222,69 @@ pub fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
         }));
     }
     out
+}
+
+/// Half the distance of the branches in N, wherever both were measured.
+pub fn halves(points: impl Iterator<Item = MeasuredPoint>) -> impl Iterator<Item = f64> {
+    let points: Vec<MeasuredPoint> = points.collect();
+    held_pressures(&points).into_iter().flat_map(|at_pressure| {
+        let [lower, upper] = branches(&at_pressure);
+        let half = move |(_, p): (usize, MeasuredPoint)| {
+            Some(0.5 * (at_contraction(&upper, p.contraction)?.force_n - p.force_n))
+        };
+        lower.into_iter().filter_map(half).collect::<Vec<f64>>()
+    })
+}
+
+type Indexed = Vec<(usize, MeasuredPoint)>;
+
+/// Points by the pressure that was held, which a regulator keeps within [`HELD`].
+fn held_pressures(points: &[MeasuredPoint]) -> Vec<Indexed> {
+    let mut sorted: Indexed = points.iter().copied().enumerate().collect();
+    sorted.sort_by(|(_, a), (_, b)| a.pressure_mpa.total_cmp(&b.pressure_mpa));
+    let mut out: Vec<Indexed> = vec![];
+    for point in sorted {
+        let from = |group: &Indexed| group.first().map(|(_, first)| first.pressure_mpa);
+        let pressure_mpa = point.1.pressure_mpa;
+        let held = |from: f64| pressure_mpa - from <= 2.0 * (HELD.0 * pressure_mpa).max(HELD.1);
+        match out.last_mut() {
+            Some(group) if from(group).is_some_and(held) => group.push(point),
+            _ => out.push(vec![point]),
+        }
+    }
+    out
+}
+
+/// The lower and the upper branch, each by rising contraction.
+fn branches(points: &Indexed) -> [Indexed; 2] {
+    [Direction::Contraction, Direction::Elongation].map(|branch| {
+        let of_branch = points.iter().filter(|(_, p)| p.branch == Some(branch));
+        let mut list: Indexed = of_branch.copied().collect();
+        list.sort_by(|(_, a), (_, b)| a.contraction.total_cmp(&b.contraction));
+        list
+    })
+}
+
+/// Pressure and pull of a branch at a contraction; `None` beyond its ends.
+fn at_contraction(branch: &Indexed, contraction: f64) -> Option<MeasuredPoint> {
+    let [first, last] = [branch.first()?, branch.last()?].map(|(_, p)| p.contraction);
+    let inside = contraction.clamp(first, last);
+    let next = branch.partition_point(|(_, p)| p.contraction < inside);
+    let [left, right] = [next.saturating_sub(1), next].map(|i| branch.get(i).map(|(_, p)| p));
+    let (left, right) = (left?, right?);
+    let width = right.contraction - left.contraction;
+    let share = if width > 0.0 {
+        (inside - left.contraction) / width
+    } else {
+        0.0
+    };
+    let between = |left: f64, right: f64| left + share * (right - left);
+    ((inside - contraction).abs() <= RESOLVED).then_some(MeasuredPoint {
+        pressure_mpa: between(left.pressure_mpa, right.pressure_mpa),
+        contraction,
+        force_n: between(left.force_n, right.force_n),
+        branch: None,
+    })
 }
 
 /// Linear interpolation in a rising table; `None` beyond its ends.

@@ -5,7 +5,8 @@ mod over_time;
 mod read;
 
 pub use data::{
-    DataPoint, MeasuredPoint, Quantity, Section, distinct, mean_of_branches, mean_of_data, same,
+    DataPoint, MeasuredPoint, Quantity, Section, distinct, halves, mean_of_branches, mean_of_data,
+    same,
 };
 pub use over_time::PressureLog;
 pub(crate) use over_time::runs;

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod bench_tables;
 mod by_elements;
 mod by_reach;
 mod friction_unknown;

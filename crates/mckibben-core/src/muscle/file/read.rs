@@ -61,7 +61,8 @@ pub struct OfTube {
 pub struct OfBraid {
     /// Stiffness k of one strand family
     stiffness: Option<BraidStiffness>,
-    /// Name of a sleeve (`mckibben parts list sleeves`); it gives angle and strands
+    /// Name of a sleeve (`mckibben parts list sleeves`); it gives angle and strands. Of one of
+    /// your own, beside its two diameters
     #[schemars(schema_with = "sleeves")]
     name: Option<String>,
     /// Diameter to which a sleeve of polyester closes, in place of its name
@@ -228,11 +229,12 @@ impl OfBraid {
             (None, Some(_), _) => {
                 Err(source.missing(LEAST, LARGEST, "the diameter to which it closes"))
             }
-            (Some(_), Some(_), Some(_)) => {
+            (Some(_), Some(_), Some(name)) if library::find(name).is_ok() => {
                 Err(source.error(LEAST, "is that of the named sleeve: leave `name` out"))
             }
-            (Some(least), Some(largest), None) => {
-                Ok(Some(library::between("pet", least.into(), largest.into())))
+            (Some(least), Some(largest), name) => {
+                let sleeve = library::between("pet", least.into(), largest.into());
+                Ok(Some(sleeve.map(|sleeve| sleeve.named(name.as_deref()))))
             }
         }
     }

@@ -10,7 +10,7 @@ use crate::{
         library,
         over_time::{Branch, OgdenRoxburgh},
     },
-    sleeve::{self, Sleeve},
+    sleeve::{self, Sleeve, SleeveShape},
     units::Dimension,
 };
 
@@ -220,6 +220,14 @@ impl Text {
             sleeve.as_ref().map(|s| text(s.name())),
             "a sleeve: `mckibben parts show`",
         );
+        let own = sleeve
+            .as_ref()
+            .filter(|s| library_sleeve(&s.shape).is_none());
+        for (key, at) in [("least_diameter", 0), ("largest_diameter", 1)] {
+            let mm = own.map(|sleeve| <[f64; 2]>::from(sleeve.diameters())[at]);
+            let comment = "between its strands that touch: a sleeve of your own";
+            self.stated(key, mm.map(|mm| quantity(mm, "mm")), comment);
+        }
         let angle_deg = braid
             .clone()
             .on_diameter(outer_diameter_mm)
@@ -302,13 +310,22 @@ fn written(muscle: &Muscle, section: &str) -> impl Iterator<Item = (&'static Mea
     plain.filter_map(|m| Some((m, muscle.measure(m)?)))
 }
 
+/// The sleeve of the library that has this shape.
+fn library_sleeve(shape: &SleeveShape) -> Option<Sleeve> {
+    let sleeve = sleeve::library::find(&shape.name).ok()?;
+    Some(sleeve).filter(|s| s.shape == *shape)
+}
+
 /// The sleeve that the braid was cut from, where its name and angle may be written together in a
 /// file.
 fn named_sleeve(braid: &Braid, outer_diameter_mm: f64) -> Option<Sleeve> {
     let shape = braid.sleeve.as_ref()?;
-    let sleeve = sleeve::library::find(&shape.name)
-        .ok()
-        .filter(|s| s.shape == *shape)?;
+    let own = || {
+        let sleeve = sleeve::library::between("pet", shape.least_mm, shape.largest_mm).ok()?;
+        let is_unknown = sleeve::library::find(&shape.name).is_err();
+        Some(sleeve.named(Some(&shape.name))).filter(|s| is_unknown && s.shape == *shape)
+    };
+    let sleeve = library_sleeve(shape).or_else(own)?;
     braid
         .clone()
         .with_stated_angle(braid.angle_deg, outer_diameter_mm)

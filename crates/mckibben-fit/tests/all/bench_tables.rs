@@ -1,0 +1,155 @@
+//! Tables of one bench by finite elements: 14 × 2 × 200 mm, 22°, μ 0.25 MPa, k 800 N/mm, friction
+//! 60 N/MPa^0.6, noise of 2 N; rows of a slack muscle (`s1` to `s3`), one branch without its name
+//! (`oneb`), pressures with noise (`n1`), a load cell that shows 15 N of nothing (`fo`), branches
+//! with swapped names (`sw`). They were made by a separate run.
+
+use mckibben_core::{
+    model::{ForceModel, ModelError},
+    muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber, Terminals, Tube},
+    rubber::{Law, NeoHookean},
+};
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fit::{
+    identify::{
+        Build, DataPoint, Identification, IdentifyError, Parameter, Request, Target, identify,
+        identify_default,
+    },
+    measured::{PointOptions, mean_of_data, read_points},
+};
+
+fn fe(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
+}
+
+const BUILD: &Build<'_> = &fe;
+
+/// What somebody begins with.
+fn start() -> Muscle {
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.18 }));
+    let braid = Braid {
+        angle_deg: 22.0,
+        stiffness: BraidStiffness::NewtonPerMm(1500.0),
+        ..Braid::paper()
+    };
+    let tube = Tube::new(14.0, 2.0, 200.0, rubber);
+    Muscle::new(tube, braid, Terminals::default(), None).unwrap()
+}
+
+fn points(table: &str) -> Vec<DataPoint> {
+    let options = PointOptions {
+        rest_length_mm: Some(200.0),
+        ..PointOptions::default()
+    };
+    read_points(table, &options).unwrap().0
+}
+
+fn found(points: &[DataPoint]) -> Result<Identification, IdentifyError> {
+    identify_default(&Request::new(&start(), &[], points, BUILD))
+}
+
+fn value(of: &Identification, name: &str) -> (f64, f64) {
+    let p = of.parameters.iter().find(|p| p.name == name);
+    let p = p.unwrap_or_else(|| panic!("{name}"));
+    (p.value, p.half_width)
+}
+
+/// Noise of a load cell about zero is no pull: the constants come back, with the ± that the rows
+/// with a pull give alone.
+#[test]
+fn slack_rows_with_noise_on_both_sides_of_zero_change_nothing() {
+    for table in [
+        include_str!("bench/s1.csv"),
+        include_str!("bench/s2.csv"),
+        include_str!("bench/s3.csv"),
+    ] {
+        let all = points(table);
+        let of = found(&all).unwrap();
+        let (friction, half) = value(&of, "friction.coefficient");
+        assert!((57.0..67.0).contains(&friction), "{friction} ± {half}");
+        let scatter_n = of.bench.as_ref().unwrap().scatter_n;
+        assert!(scatter_n < 7.0, "{scatter_n}");
+        let (mu, half) = value(&of, "tube.material.mu");
+        assert!((mu - 0.25).abs() < 0.01 + half, "{mu} ± {half}");
+        let pulls: Vec<DataPoint> = all.into_iter().filter(|p| p.at.force_n > 8.0).collect();
+        let alone = value(&found(&pulls).unwrap(), "friction.coefficient");
+        assert!(
+            (friction - alone.0).abs() < 0.2 * alone.1,
+            "{friction} {alone:?}"
+        );
+    }
+}
+
+/// Friction is inside of the pulls of one branch: with its estimate the constants are nearer to the
+/// true ones, and its ± stays.
+#[test]
+fn points_of_one_branch_are_identified_with_the_estimated_friction() {
+    let mut points = points(include_str!("bench/oneb.csv"));
+    points
+        .iter_mut()
+        .for_each(|p| p.at.branch = Some(Direction::Contraction));
+    let of = found(&points).unwrap();
+    let (mu, _) = value(&of, "tube.material.mu");
+    // Without it 0.312 came out.
+    assert!((mu - 0.25).abs() < 0.035, "{mu}");
+    let bench = of.bench.clone().unwrap();
+    let muscle = of.muscle.with_bench(bench);
+    assert!(muscle.friction_share() > 0.0);
+}
+
+/// A pressure that is set 0.3 kPa beside another one is the same: branches are paired as before.
+#[test]
+fn branches_are_paired_by_nearness_in_pressure_and_contraction() {
+    let exact = mean_of_data(&points(include_str!("bench/n0.csv")));
+    let noisy = mean_of_data(&points(include_str!("bench/n1.csv")));
+    assert_eq!(noisy.len(), exact.len());
+    assert!(noisy.iter().all(|p| p.at.branch == Some(Direction::Mean)));
+    for (a, b) in noisy.iter().zip(&exact) {
+        assert!((a.at.force_n - b.at.force_n).abs() < 3.0, "{a:?} {b:?}");
+    }
+    let mut before = points(include_str!("bench/n0.csv"));
+    // Read a little below zero: still the length at rest.
+    for p in before.iter_mut().filter(|p| p.at.contraction == 0.0) {
+        p.at.contraction -=
+            f64::from(u8::from(p.at.branch == Some(Direction::Contraction))) * 1.5e-4;
+    }
+    assert_eq!(mean_of_data(&before).len(), exact.len());
+}
+
+#[test]
+fn swapped_names_of_the_branches_are_refused() {
+    let error = found(&points(include_str!("bench/sw.csv"))).unwrap_err();
+    assert!(error.to_string().contains("swapped"), "{error}");
+}
+
+/// A load cell that shows 15 N without a pull is named; with its zero free the constants come back.
+#[test]
+fn a_zero_of_the_load_cell_is_named_and_can_be_free() {
+    let points = points(include_str!("bench/fo.csv"));
+    let of = found(&points).unwrap();
+    assert!(
+        of.notes.iter().any(|n| n.contains("force_offset")),
+        "{:?}",
+        of.notes
+    );
+    let names = [
+        "tube.material.mu",
+        "braid.stiffness",
+        "friction.coefficient",
+        "friction.exponent",
+        "force_offset",
+    ];
+    let muscle = start();
+    let free = names.map(|name| Parameter::free(Target::parse(name, &muscle).unwrap()));
+    let of = identify(&Request::new(&muscle, &free, &points, BUILD)).unwrap();
+    let (zero, half) = value(&of, "force_offset");
+    assert!((zero - 15.0).abs() < half.max(3.0), "{zero} ± {half}");
+    let (mu, _) = value(&of, "tube.material.mu");
+    assert!((mu - 0.25).abs() < 0.02, "{mu}");
+    // And not where there is none.
+    let of = found(&self::points(include_str!("bench/n0.csv"))).unwrap();
+    assert!(
+        !of.notes.iter().any(|n| n.contains("force_offset")),
+        "{:?}",
+        of.notes
+    );
+}
