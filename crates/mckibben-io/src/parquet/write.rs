@@ -3,6 +3,7 @@
 use super::{
     column::{Column, Field, Packing},
     error::TableError,
+    seal,
 };
 use parquet::{
     basic::{Compression, Encoding},
@@ -46,8 +47,11 @@ impl<'a> Writer<'a> {
                 properties = properties.set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
             }
         }
+        // Last, so that it is found from the end of the file.
+        let checksum = (seal::KEY.to_owned(), seal::BLANK.to_owned());
         let pairs = pairs
             .into_iter()
+            .chain([checksum])
             .map(|(key, value)| KeyValue::new(key, value))
             .collect();
         properties = properties

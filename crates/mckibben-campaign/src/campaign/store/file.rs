@@ -13,16 +13,27 @@ use crate::{
 };
 use mckibben_io::{
     files::{ReadError, open},
-    parquet::{GROUP, Reader, TableError, Writer},
+    parquet::{GROUP, Reader, TableError, Writer, is_whole, seal},
 };
 use std::{
-    io::Write,
+    fs::File,
+    io::{Cursor, Read, Seek, Write},
     path::{Path, PathBuf},
     sync::Arc,
 };
 
 /// The longest file of a campaign in bytes.
 const MAX_BYTES: u64 = 64 << 30;
+
+/// A file of at most [`MAX_BYTES`].
+fn bounded(path: &Path) -> Result<File> {
+    let file = open(path).map_err(CampaignError::read(path))?;
+    if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
+        let limit = MAX_BYTES;
+        return Err(CampaignError::read(path)(ReadError::TooLarge { limit }));
+    }
+    Ok(file)
+}
 
 /// A file of a store whose metadata are read.
 pub struct Opened {
@@ -35,13 +46,28 @@ pub struct Opened {
 }
 
 impl Opened {
+    /// A file whose bytes are those that were written.
     pub fn file(path: &Path) -> Result<Self> {
-        let file = open(path).map_err(CampaignError::read(path))?;
-        if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
-            return Err(CampaignError::read(path)(ReadError::TooLarge {
-                limit: MAX_BYTES,
-            }));
+        let unread = |error| undecoded(TableError::Io(error), path);
+        let mut file = bounded(path)?;
+        let whole = is_whole(&mut file).map_err(unread)?;
+        if whole == Some(false) {
+            let why = "its checksum does not match";
+            return Err(CampaignError::damaged(path, why));
         }
+        let opened = Self::decoded(file, path)?;
+        match whole {
+            Some(_) => Ok(opened),
+            None => Err(CampaignError::damaged(path, "it has no checksum")),
+        }
+    }
+
+    /// A file of which the end alone is read.
+    pub fn end_of(path: &Path) -> Result<Self> {
+        Self::decoded(bounded(path)?, path)
+    }
+
+    fn decoded(file: File, path: &Path) -> Result<Self> {
         let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
         let none = |why| CampaignError::NoCampaign(path.into(), why);
         let (provenance, part) = Provenance::read(&reader.pairs()).map_err(none)?;
@@ -131,17 +157,18 @@ fn undecoded(error: TableError, path: &Path) -> CampaignError {
         TableError::Io(source) if source.raw_os_error().is_some() => {
             CampaignError::read(path)(source)
         }
+        TableError::Foreign(why) => CampaignError::NoCampaign(path.into(), why),
         other => CampaignError::damaged(path, other),
     }
 }
 
 /// A part as the bytes of its file.
 pub fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8>> {
-    let mut bytes = vec![];
+    let mut bytes = Cursor::new(vec![]);
     let name = part_name(number);
     let tables = std::iter::once(Ok(table));
     write(provenance, Some(number), tables, &mut bytes, name.as_ref())?;
-    Ok(bytes)
+    Ok(bytes.into_inner())
 }
 
 /// Tables into an empty file, row group by row group; how the tables are cut does not matter.
@@ -149,12 +176,12 @@ pub fn write(
     provenance: &Provenance,
     part: Option<u64>,
     tables: impl Iterator<Item = Result<Table>>,
-    file: &mut (dyn Write + Send),
+    file: &mut (impl Read + Write + Seek + Send),
     path: &Path,
 ) -> Result<()> {
     let failed = |error| match error {
         TableError::Io(source) => CampaignError::Write(path.into(), source),
-        TableError::Table(why) => CampaignError::Write(path.into(), std::io::Error::other(why)),
+        other => CampaignError::Write(path.into(), std::io::Error::other(other.to_string())),
     };
     let mut group = Table::new(provenance.layout.fields());
     let fields: Vec<_> = group.fields.iter().map(Field::parquet).collect();
@@ -179,7 +206,8 @@ pub fn write(
     if group.rows > 0 {
         out.group(&group.columns).map_err(failed)?;
     }
-    out.finish().map_err(failed)
+    out.finish().map_err(failed)?;
+    seal(file).map_err(|error| failed(TableError::Io(error)))
 }
 
 #[cfg(test)]

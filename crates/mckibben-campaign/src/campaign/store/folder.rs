@@ -74,7 +74,15 @@ pub struct Folder {
 impl Folder {
     /// Opens or makes a folder for writing; no other process may write to it, save other shards.
     pub fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self> {
-        std::fs::create_dir_all(path).map_err(CampaignError::write(path))?;
+        match std::fs::create_dir(path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                let parent = path.parent().unwrap_or(path).display();
+                let error = Error::new(error.kind(), format!("the folder {parent} does not exist"));
+                return Err(CampaignError::write(path)(error));
+            }
+            Err(error) if !path.is_dir() => return Err(CampaignError::write(path)(error)),
+            _ => {}
+        }
         let mut folder = Self {
             path: path.into(),
             locks: vec![],
@@ -185,6 +193,16 @@ impl Folder {
             .map_err(|(path, error)| CampaignError::Write(path, error))?;
         sync(&self.path);
         Ok(())
+    }
+
+    /// Removes what belongs to another plan, and counts its parts.
+    pub fn clear(&self) -> Result<u64> {
+        let parts = Self::parts(&self.path)?;
+        for part in parts.values() {
+            self.discard(part)?;
+        }
+        self.discard(&self.path.join(MANIFEST))?;
+        Ok(parts.len() as u64)
     }
 
     /// Removes parts, and the folder if nothing else is in it: they are in one file now.

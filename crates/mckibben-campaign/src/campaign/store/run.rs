@@ -60,6 +60,8 @@ pub struct Outcome {
     pub plan_sha256: String,
     /// Damaged files that were computed again.
     pub recomputed: Vec<Recomputed>,
+    /// Parts of another plan that were removed.
+    pub parts_replaced: u64,
     /// Where unfinished work lies.
     #[serde(skip)]
     pub store: PathBuf,
@@ -148,6 +150,7 @@ impl Run<'_> {
             points: counts.muscles * self.provenance.points_per_muscle,
             plan_sha256: self.provenance.plan_sha256.clone(),
             recomputed,
+            parts_replaced: 0,
             store: store.into(),
         }
     }
@@ -172,9 +175,35 @@ impl Run<'_> {
                 "it is a file, and parts go into a folder; a campaign in one file ends in .parquet";
             return Err(CampaignError::NoCampaign(self.out.into(), why.into()));
         }
-        let folder = Folder::for_writing(self.out, self.options.shard)?;
-        manifest::claim(self.out, &self.provenance, self.options.overwrite)?;
-        self.complete(&folder)
+        let (folder, parts_replaced) = self.claimed()?;
+        Ok(Outcome {
+            parts_replaced,
+            ..self.complete(&folder)?
+        })
+    }
+
+    /// The folder of parts, claimed for the plan, and how many parts of another plan are gone: it
+    /// is replaced by a process that has the folder for itself.
+    fn claimed(&self) -> Result<(Folder, u64)> {
+        let open = |shard| Folder::for_writing(&self.store, shard);
+        let claim = || manifest::claim(&self.store, &self.provenance);
+        let is_replaced =
+            || matches!(claim(), Err(CampaignError::OtherPlan(_))) && self.options.overwrite;
+        let mut folder = open(self.options.shard)?;
+        let mut replaced = 0;
+        if is_replaced() {
+            drop(folder);
+            let alone = open(None)?;
+            // Another process may have done it since.
+            if is_replaced() {
+                replaced = alone.clear()?;
+            }
+            claim()?;
+            drop(alone);
+            folder = open(self.options.shard)?;
+        }
+        claim()?;
+        Ok((folder, replaced))
     }
 
     /// Runs into one file, by way of a folder of parts.
@@ -197,13 +226,16 @@ impl Run<'_> {
                 done => return done,
             }
         }
-        let folder = Folder::for_writing(&self.store, None)?;
+        let (folder, parts_replaced) = self.claimed()?;
         if out.exists() && !is_replaced {
             // Another process finished it since.
             drop(folder);
             return self.finished();
         }
-        let outcome = self.complete(&folder)?;
+        let outcome = Outcome {
+            parts_replaced,
+            ..self.complete(&folder)?
+        };
         if !outcome.complete {
             return Ok(outcome);
         }

@@ -59,6 +59,8 @@ pub struct CampaignStatus {
     pub shards: Vec<ShardStatus>,
     /// Parts that are damaged; they count as missing.
     pub damaged: Vec<PathBuf>,
+    /// Parts of another plan, or of another version of the program; they count as missing.
+    pub foreign: Vec<PathBuf>,
     /// SHA-256 of the plan's text.
     pub plan_sha256: String,
     /// Version of the program.
@@ -71,7 +73,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let provenance = match (noted(folder), parts.values().next()) {
         (Some(provenance), _) => provenance,
         // The parts of one file, or copies.
-        (None, Some(part)) => Opened::file(part)?.provenance,
+        (None, Some(part)) => Opened::end_of(part)?.provenance,
         (None, None) => {
             let why = "there is neither a part nor a note of a plan in it".into();
             return Err(CampaignError::NoCampaign(folder.into(), why));
@@ -80,14 +82,16 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let parts_wanted = provenance.parts();
     parts.retain(|&number, _| number < parts_wanted);
     let mut whole = BTreeSet::new();
-    let mut damaged = vec![];
+    let (mut damaged, mut foreign) = (vec![], vec![]);
     for (number, path) in parts {
-        match Opened::file(&path) {
+        let opened = Opened::end_of(&path);
+        match opened.and_then(|part| part.expect(Some(number), &provenance)) {
             Ok(_) => drop(whole.insert(number)),
             // Another process has just replaced or removed it.
             Err(CampaignError::Read(_, ReadError::System(e)))
                 if e.kind() == ErrorKind::NotFound => {}
             Err(error @ CampaignError::Read { .. }) => return Err(error),
+            Err(CampaignError::OtherPlan(_) | CampaignError::NoCampaign(..)) => foreign.push(path),
             Err(_) => damaged.push(path),
         }
     }
@@ -109,6 +113,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
         shards_missing: count_of(ShardState::Missing),
         shards,
         damaged,
+        foreign,
         plan_sha256: provenance.plan_sha256,
         version: provenance.version,
     })
