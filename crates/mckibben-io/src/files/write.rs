@@ -1,9 +1,11 @@
 //! The door out: a file appears whole or not at all.
 
 use std::{
+    collections::BTreeSet,
     fs::{File, Metadata, OpenOptions},
     io::{Error, ErrorKind, Result, Write as _},
     path::{Path, PathBuf},
+    sync::{Mutex, MutexGuard, PoisonError},
 };
 use tempfile::NamedTempFile;
 
@@ -147,12 +149,30 @@ fn behind_links(path: &Path) -> Result<PathBuf> {
     Err(Error::other("too many links point to one another"))
 }
 
+/// The unfinished files of this process.
+static BEGUN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn begun() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    BEGUN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// An entry in [`BEGUN`], as long as it lives.
+#[derive(Debug)]
+struct Begun(PathBuf);
+
+impl Drop for Begun {
+    fn drop(&mut self) {
+        begun().remove(&self.0);
+    }
+}
+
 /// A file that has no name yet: it lies beside its place under a temporary name and is removed
 /// unless it is put there.
 #[derive(Debug)]
 pub struct Unfinished {
     temporary: NamedTempFile,
     target: PathBuf,
+    begun: Begun,
 }
 
 impl Unfinished {
@@ -187,7 +207,12 @@ impl Unfinished {
             use std::os::unix::fs::PermissionsExt as _;
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
+        let mut all = begun();
         let temporary = builder.tempfile_in(place.folder())?;
+        let path = temporary.path().to_owned();
+        all.insert(path.clone());
+        drop(all);
+        let begun = Begun(path);
         // Held while it is written, so that `sweep` knows it from what a killed program left.
         let _ = temporary.as_file().try_lock();
         if let Some(old) = place.old {
@@ -196,7 +221,19 @@ impl Unfinished {
         Ok(Self {
             temporary,
             target: place.target,
+            begun,
         })
+    }
+
+    /// Removes all unfinished files of this process, which is about to end. None is begun while the
+    /// answer is held.
+    pub fn abandon() -> impl Drop {
+        let all = begun();
+        for path in all.iter() {
+            // Nothing better can be done at the end.
+            let _ = std::fs::remove_file(path);
+        }
+        all
     }
 
     pub fn file(&mut self) -> &mut File {
@@ -216,7 +253,11 @@ impl Unfinished {
     /// `AlreadyExists` without `clobber` where there is such a file now; whatever the system says.
     /// What was there before is as it was.
     pub fn put(self, clobber: bool) -> Result<()> {
-        let Self { temporary, target } = self;
+        let Self {
+            temporary,
+            target,
+            begun: _begun,
+        } = self;
         temporary.as_file().sync_all()?;
         if clobber {
             return temporary
