@@ -22,6 +22,7 @@ use mckibben_core::{
     formula::{Document, Form, Made, Provenance, UniversalFormula},
     model::ModelKind,
     progress::Progress,
+    size,
     units::typed::{Length, List},
 };
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
@@ -210,12 +211,12 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
             "`mckibben campaign` makes one",
         ));
     };
-    let (rows, origin) = rows(path)?;
+    let (rows, origin) = rows(path, AS_SAMPLES)?;
     let usual = match form {
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
     };
-    let samples = universal::samples(&rows).map_err(|e| no_fit(&origin.name, e))?;
+    let samples = universal::samples(rows)?.map_err(|e| no_fit(&origin.name, e))?;
     let wanted = UniversalRequest {
         samples: &samples,
         form,
@@ -411,34 +412,40 @@ fn file_name(name: &Path) -> Option<String> {
     name.file_name().map(|n| n.to_string_lossy().into_owned())
 }
 
-/// The rows of a campaign's file, or of its folder of parts.
+/// Bytes that a muscle and each of its points take: as rows, and as points of muscles.
+const AS_ROWS: [f64; 2] = [0.0, 1000.0];
+const AS_SAMPLES: [f64; 2] = [2000.0, 150.0];
+
+/// The rows of a campaign's file, or of its folder of parts, if they fit into memory.
 #[cfg(feature = "files")]
-fn rows(path: &Path) -> Result<(Vec<PointRow>, Origin)> {
+fn rows(path: &Path, bytes: [f64; 2]) -> Result<(mckibben_campaign::campaign::Rows, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
+    let of = &table.provenance;
+    let [of_muscle, of_point] = bytes;
+    size::bytes(
+        "campaign",
+        of_muscle * of.muscles as f64 + of_point * of.points() as f64,
+    )?;
     let from = Provenance {
         table: file_name(path),
-        plan_hash: Some(table.provenance.plan_sha256.clone()),
-        seed: table.provenance.seed,
+        plan_hash: Some(of.plan_sha256.clone()),
+        seed: of.seed,
         ..Provenance::default()
     };
-    Ok((
-        table.collect::<Result<_, _>>()?,
-        Origin {
-            name: path.display().to_string(),
-            from,
-        },
-    ))
+    let name = path.display().to_string();
+    Ok((table, Origin { name, from }))
 }
 
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
-fn rows(_: &Path) -> Result<(Vec<PointRow>, Origin)> {
+fn rows(_: &Path, _: [f64; 2]) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
     let message = "this build of the program cannot read campaigns from disk";
     Err(Problem::new(ProblemKind::Usage, message, "").in_field("campaign"))
 }
 
 fn of_campaign(path: &Path) -> Result<Points> {
-    let (rows, origin) = rows(path)?;
+    let (rows, origin) = rows(path, AS_ROWS)?;
+    let rows = rows.collect::<Result<Vec<_>, _>>()?;
     let points = points(&rows);
     let made_for = made_for(&rows)?;
     Ok(Points {
