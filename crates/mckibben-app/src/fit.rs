@@ -7,16 +7,13 @@ use crate::{
     finite,
     flags::{self, Args},
 };
-use mckibben_campaign::{
-    PointRow,
-    fit::{
-        FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
-        data::{FitPoint, points},
-        made_for, make,
-        results::{Results, results},
-        tables::{Table, tables},
-        universal::{self, UniversalRequest},
-    },
+use mckibben_campaign::fit::{
+    FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
+    data::{FitPoint, points},
+    made_for, make,
+    results::{Results, results},
+    tables::{Table, tables},
+    universal::{self, UniversalRequest},
 };
 use mckibben_core::{
     formula::{Document, Form, Made, Provenance, UniversalFormula},
@@ -438,7 +435,13 @@ fn rows(path: &Path, bytes: [f64; 2]) -> Result<(mckibben_campaign::campaign::Ro
 
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
-fn rows(_: &Path, _: [f64; 2]) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
+fn rows(
+    _: &Path,
+    _: [f64; 2],
+) -> Result<(
+    std::iter::Empty<Result<mckibben_campaign::PointRow>>,
+    Origin,
+)> {
     let message = "this build of the program cannot read campaigns from disk";
     Err(Problem::new(ProblemKind::Usage, message, "").in_field("campaign"))
 }

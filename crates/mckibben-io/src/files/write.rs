@@ -1,7 +1,6 @@
 //! The door out: a file appears whole or not at all.
 
 use std::{
-    collections::BTreeSet,
     fs::{File, Metadata, OpenOptions},
     io::{Error, ErrorKind, Result, Write as _},
     path::{Path, PathBuf},
@@ -149,21 +148,11 @@ fn behind_links(path: &Path) -> Result<PathBuf> {
     Err(Error::other("too many links point to one another"))
 }
 
-/// The unfinished files of this process.
-static BEGUN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// The unfinished files of this process; of others that it put or dropped since.
+static BEGUN: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
 
-fn begun() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+fn begun() -> MutexGuard<'static, Vec<PathBuf>> {
     BEGUN.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// An entry in [`BEGUN`], as long as it lives.
-#[derive(Debug)]
-struct Begun(PathBuf);
-
-impl Drop for Begun {
-    fn drop(&mut self) {
-        begun().remove(&self.0);
-    }
 }
 
 /// A file that has no name yet: it lies beside its place under a temporary name and is removed
@@ -172,7 +161,6 @@ impl Drop for Begun {
 pub struct Unfinished {
     temporary: NamedTempFile,
     target: PathBuf,
-    begun: Begun,
 }
 
 impl Unfinished {
@@ -209,10 +197,9 @@ impl Unfinished {
         }
         let mut all = begun();
         let temporary = builder.tempfile_in(place.folder())?;
-        let path = temporary.path().to_owned();
-        all.insert(path.clone());
+        all.retain(|path| path.exists());
+        all.push(temporary.path().to_owned());
         drop(all);
-        let begun = Begun(path);
         // Held while it is written, so that `sweep` knows it from what a killed program left.
         let _ = temporary.as_file().try_lock();
         if let Some(old) = place.old {
@@ -221,7 +208,6 @@ impl Unfinished {
         Ok(Self {
             temporary,
             target: place.target,
-            begun,
         })
     }
 
@@ -253,11 +239,7 @@ impl Unfinished {
     /// `AlreadyExists` without `clobber` where there is such a file now; whatever the system says.
     /// What was there before is as it was.
     pub fn put(self, clobber: bool) -> Result<()> {
-        let Self {
-            temporary,
-            target,
-            begun: _begun,
-        } = self;
+        let Self { temporary, target } = self;
         temporary.as_file().sync_all()?;
         if clobber {
             return temporary

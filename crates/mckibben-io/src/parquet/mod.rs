@@ -2,7 +2,7 @@
 //! `parquet`, so that its generic code is compiled once, and with nothing else of this program.
 //!
 //! [`Writer`] writes a table group by group, with keys and values of metadata; [`Reader`] reads
-//! such files. [`seal`] puts a checksum of all bytes into a file, and [`is_whole`] compares it.
+//! such files.
 //!
 //! ```
 //! use mckibben_io::parquet::{Column, Field, Packing, Writer};
@@ -19,11 +19,9 @@ mod column;
 mod error;
 mod read;
 mod schema;
-mod seal;
 mod write;
 
 pub use column::{Column, Field, Packing, Text};
 pub use error::TableError;
 pub use read::Reader;
-pub use seal::{is_whole, seal};
 pub use write::{GROUP, Writer};

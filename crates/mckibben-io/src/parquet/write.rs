@@ -3,7 +3,6 @@
 use super::{
     column::{Column, Field, Packing},
     error::TableError,
-    seal,
 };
 use parquet::{
     basic::{Compression, Encoding},
@@ -47,11 +46,8 @@ impl<'a> Writer<'a> {
                 properties = properties.set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
             }
         }
-        // Last, so that it is found from the end of the file.
-        let checksum = (seal::KEY.to_owned(), seal::BLANK.to_owned());
         let pairs = pairs
             .into_iter()
-            .chain([checksum])
             .map(|(key, value)| KeyValue::new(key, value))
             .collect();
         properties = properties

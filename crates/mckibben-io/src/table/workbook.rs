@@ -4,7 +4,7 @@
 use super::{
     delimited::MAX_BYTES,
     error::TableError,
-    unpacked::{self, MOST_CELLS, too_many_cells},
+    unpacked::{self, MOST_CELLS, too_large},
 };
 use calamine::{DataType, Reader, Sheets, open_workbook_auto_from_rs};
 use std::{collections::BTreeMap, io::Cursor};
@@ -19,7 +19,7 @@ struct Sheet {
 impl Sheet {
     fn add(&mut self, at: (u32, u32), value: &impl DataType) -> Result<(), TableError> {
         if self.cells.len() as u64 >= MOST_CELLS {
-            return Err(too_many_cells());
+            return Err(too_large());
         }
         let number = value
             .get_float()

@@ -5,6 +5,7 @@ use super::{
     folder::part_name,
     layout::Field,
     provenance::{Provenance, VERSION},
+    seal::{is_whole, seal},
     table::Table,
 };
 use crate::{
@@ -13,10 +14,9 @@ use crate::{
 };
 use mckibben_io::{
     files::{ReadError, open},
-    parquet::{GROUP, Reader, TableError, Writer, is_whole, seal},
+    parquet::{GROUP, Reader, TableError, Writer},
 };
 use std::{
-    fs::File,
     io::{Cursor, Read, Seek, Write},
     path::{Path, PathBuf},
     sync::Arc,
@@ -24,16 +24,6 @@ use std::{
 
 /// The longest file of a campaign in bytes.
 const MAX_BYTES: u64 = 64 << 30;
-
-/// A file of at most [`MAX_BYTES`].
-fn bounded(path: &Path) -> Result<File> {
-    let file = open(path).map_err(CampaignError::read(path))?;
-    if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
-        let limit = MAX_BYTES;
-        return Err(CampaignError::read(path)(ReadError::TooLarge { limit }));
-    }
-    Ok(file)
-}
 
 /// A file of a store whose metadata are read.
 pub struct Opened {
@@ -48,29 +38,23 @@ pub struct Opened {
 impl Opened {
     /// A file whose bytes are those that were written.
     pub fn file(path: &Path) -> Result<Self> {
-        let unread = |error| undecoded(TableError::Io(error), path);
-        let mut file = bounded(path)?;
-        let whole = is_whole(&mut file).map_err(unread)?;
+        let mut file = open(path).map_err(CampaignError::read(path))?;
+        if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
+            return Err(CampaignError::read(path)(ReadError::TooLarge {
+                limit: MAX_BYTES,
+            }));
+        }
+        let whole = is_whole(&mut file).map_err(CampaignError::read(path))?;
+        let changed = || CampaignError::damaged(path, "its checksum does not match");
         if whole == Some(false) {
-            let why = "its checksum does not match";
-            return Err(CampaignError::damaged(path, why));
+            return Err(changed());
         }
-        let opened = Self::decoded(file, path)?;
-        match whole {
-            Some(_) => Ok(opened),
-            None => Err(CampaignError::damaged(path, "it has no checksum")),
-        }
-    }
-
-    /// A file of which the end alone is read.
-    pub fn end_of(path: &Path) -> Result<Self> {
-        Self::decoded(bounded(path)?, path)
-    }
-
-    fn decoded(file: File, path: &Path) -> Result<Self> {
         let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
         let none = |why| CampaignError::NoCampaign(path.into(), why);
         let (provenance, part) = Provenance::read(&reader.pairs()).map_err(none)?;
+        if whole.is_none() {
+            return Err(changed());
+        }
         let fields = provenance.layout.fields();
         let names = reader.names();
         if let Some(Field { name, .. }) = fields.iter().find(|f| !names.contains(&&*f.name)) {

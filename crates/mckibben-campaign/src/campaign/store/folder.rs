@@ -5,7 +5,7 @@
 
 use super::shard::Shard;
 use crate::campaign::error::{CampaignError, Result};
-use mckibben_io::files::{Unfinished, put_all, sync};
+use mckibben_io::files::{Unfinished, check_writable, put_all, sync};
 use std::{
     collections::BTreeMap,
     fs::{DirEntry, File, OpenOptions, TryLockError},
@@ -74,15 +74,10 @@ pub struct Folder {
 impl Folder {
     /// Opens or makes a folder for writing; no other process may write to it, save other shards.
     pub fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self> {
-        match std::fs::create_dir(path) {
-            Err(error) if error.kind() == ErrorKind::NotFound => {
-                let parent = path.parent().unwrap_or(path).display();
-                let error = Error::new(error.kind(), format!("the folder {parent} does not exist"));
-                return Err(CampaignError::write(path)(error));
-            }
-            Err(error) if !path.is_dir() => return Err(CampaignError::write(path)(error)),
-            _ => {}
+        if !path.exists() {
+            check_writable(path).map_err(CampaignError::write(path))?;
         }
+        std::fs::create_dir_all(path).map_err(CampaignError::write(path))?;
         let mut folder = Self {
             path: path.into(),
             locks: vec![],

@@ -73,7 +73,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let provenance = match (noted(folder), parts.values().next()) {
         (Some(provenance), _) => provenance,
         // The parts of one file, or copies.
-        (None, Some(part)) => Opened::end_of(part)?.provenance,
+        (None, Some(part)) => Opened::file(part)?.provenance,
         (None, None) => {
             let why = "there is neither a part nor a note of a plan in it".into();
             return Err(CampaignError::NoCampaign(folder.into(), why));
@@ -84,7 +84,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let mut whole = BTreeSet::new();
     let (mut damaged, mut foreign) = (vec![], vec![]);
     for (number, path) in parts {
-        let opened = Opened::end_of(&path);
+        let opened = Opened::file(&path);
         match opened.and_then(|part| part.expect(Some(number), &provenance)) {
             Ok(_) => drop(whole.insert(number)),
             // Another process has just replaced or removed it.

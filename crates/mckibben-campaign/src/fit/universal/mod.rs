@@ -241,8 +241,8 @@ const HELD: usize = 4096;
 
 /// Equations, right sides behind their left ones, row after row: R of a QR of those that came
 /// before, and the latest. Their least squares are those of all of them, and they are few.
+#[derive(Clone, Default)]
 struct Reduced {
-    width: usize,
     rows: Vec<f64>,
     /// How many equations they stand for.
     equations: usize,
@@ -253,8 +253,9 @@ impl Reduced {
         self.rows.extend(&equation.left);
         self.rows.push(equation.right);
         self.equations += 1;
-        if self.rows.len() >= HELD * self.width {
-            let held = DMatrix::from_row_slice(HELD, self.width, &self.rows);
+        let width = equation.left.len() + 1;
+        if self.rows.len() == HELD * width {
+            let held = DMatrix::from_row_slice(HELD, width, &self.rows);
             self.rows = held.qr().r().transpose().as_slice().to_vec();
         }
     }
@@ -267,12 +268,7 @@ fn reduced(
     products: &[[u8; 5]],
     progress: &dyn Progress,
 ) -> Result<Vec<Reduced>> {
-    let none = |_| Reduced {
-        width: products.len() + 1,
-        rows: vec![],
-        equations: 0,
-    };
-    let mut folds: Vec<Reduced> = (0..FOLDS).map(none).collect();
+    let mut folds = vec![Reduced::default(); FOLDS as usize];
     for some in samples.chunks(AT_ONCE) {
         progress.check()?;
         for equation in equations(some, empty, products) {
@@ -373,11 +369,7 @@ mod tests {
         let products = products(Form::Bulge);
         let mut random = Random(8);
         for noise in [0.0, 0.1] {
-            let mut reduced = Reduced {
-                width: products.len() + 1,
-                rows: vec![],
-                equations: 0,
-            };
+            let mut reduced = Reduced::default();
             let truth = |column: usize| 1.0 + column as f64 / 7.0;
             let mut all = vec![];
             for muscle in 0..10_000 {
@@ -392,7 +384,9 @@ mod tests {
                 reduced.add(&equation);
                 all.push(equation);
             }
-            assert!(reduced.rows.len() < HELD * reduced.width && reduced.equations == 10_000);
+            assert!(
+                reduced.rows.len() < 10_000 * products.len() / 2 && reduced.equations == 10_000
+            );
             let x: Vec<f64> = solve(&products, &[&reduced])
                 .unwrap()
                 .iter()
