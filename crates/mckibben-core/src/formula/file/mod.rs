@@ -5,10 +5,12 @@ mod head;
 mod section;
 mod universal;
 
-use super::{Body, Document, Formula, UniversalFormula};
+use super::{Body, Document, Formula, UniversalFormula, error::FormulaError};
 use head::{Kind, Read, kind};
 use section::{GlobalTerm, PaperTerm, SectionFile, global, global_list, paper, paper_list};
 use serde::Serialize;
+use serde_json::{Map, Value};
+use sha2::{Digest, Sha256};
 use universal::{UniversalFile, universal};
 
 /// A formula's file.
@@ -42,10 +44,36 @@ impl From<UniversalFormula> for File {
     }
 }
 
-/// The text of a file, with a newline at the end.
+/// The key of the digest of all else in a file.
+const DIGEST: &str = "digest";
+
+/// The SHA-256 of what a file holds, however it is laid out.
+fn digest(file: &Map<String, Value>) -> String {
+    let text = serde_json::to_string(file).unwrap_or_default();
+    let bytes = Sha256::digest(text.as_bytes());
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The text of a file, with its digest and a newline at the end.
 fn text(file: &impl Serialize) -> String {
     // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.
-    serde_json::to_string_pretty(file).unwrap_or_default() + "\n"
+    let mut file = serde_json::to_value(file).unwrap_or_default();
+    if let Value::Object(keys) = &mut file {
+        keys.insert(DIGEST.into(), digest(keys).into());
+    }
+    format!("{file:#}\n")
+}
+
+/// Refuses a file that was changed since it was written and does not say so. What is no object is
+/// refused by whoever reads it.
+fn check_digest(text: &str) -> Read<()> {
+    let Ok(mut keys) = serde_json::from_str::<Map<String, Value>>(text) else {
+        return Ok(());
+    };
+    match keys.shift_remove(DIGEST) {
+        Some(given) if given != digest(&keys) => Err(FormulaError::changed(DIGEST)),
+        _ => Ok(()),
+    }
 }
 
 impl schemars::JsonSchema for Document {
@@ -61,6 +89,7 @@ impl schemars::JsonSchema for Document {
 impl Document {
     /// Reads a text.
     pub fn parse(text: &str) -> Read<Self> {
+        check_digest(text)?;
         Ok(match kind(text)? {
             Kind::Paper => Self::Section(paper(text)?),
             Kind::Global => Self::Section(global(text)?),
