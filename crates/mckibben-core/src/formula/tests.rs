@@ -99,7 +99,10 @@ fn a_flipped_bit_of_a_file_is_refused_or_harmless() {
         let mut bytes = text.clone().into_bytes();
         let at = random.between(0.0, 8.0 * bytes.len() as f64) as usize;
         bytes[at / 8] ^= 1 << (at % 8);
-        match String::from_utf8(bytes).ok().map(|text| Document::parse(&text)) {
+        match String::from_utf8(bytes)
+            .ok()
+            .map(|text| Document::parse(&text))
+        {
             Some(Ok(read)) => assert_eq!(read, Document::Section(formula.clone())),
             _ => refused += 1,
         }

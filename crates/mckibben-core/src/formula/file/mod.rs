@@ -64,8 +64,7 @@ fn text(file: &impl Serialize) -> String {
     format!("{file:#}\n")
 }
 
-/// Refuses a file that was changed since it was written and does not say so. What is no object is
-/// refused by whoever reads it.
+/// Refuses a file that was changed since it was written and does not say so.
 fn check_digest(text: &str) -> Read<()> {
     let Ok(mut keys) = serde_json::from_str::<Map<String, Value>>(text) else {
         return Ok(());
@@ -89,12 +88,13 @@ impl schemars::JsonSchema for Document {
 impl Document {
     /// Reads a text.
     pub fn parse(text: &str) -> Read<Self> {
-        check_digest(text)?;
-        Ok(match kind(text)? {
+        let read = match kind(text)? {
             Kind::Paper => Self::Section(paper(text)?),
             Kind::Global => Self::Section(global(text)?),
             Kind::Universal => Self::Universal(universal(text)?),
-        })
+        };
+        check_digest(text)?;
+        Ok(read)
     }
 }
 
