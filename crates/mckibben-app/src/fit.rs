@@ -208,7 +208,7 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
             "`mckibben campaign` makes one",
         ));
     };
-    let (rows, origin) = rows(path, AS_SAMPLES)?;
+    let (rows, origin) = rows(path, OF_MUSCLE)?;
     let usual = match form {
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
@@ -409,20 +409,18 @@ fn file_name(name: &Path) -> Option<String> {
     name.file_name().map(|n| n.to_string_lossy().into_owned())
 }
 
-/// Bytes that a muscle and each of its points take: as rows, and as points of muscles.
-const AS_ROWS: [f64; 2] = [0.0, 1000.0];
-const AS_SAMPLES: [f64; 2] = [2000.0, 150.0];
+/// Bytes that a point takes: as a row and in the matrices of `global`, and as one of a muscle.
+const AS_ROW: f64 = 8000.0;
+const OF_MUSCLE: f64 = 150.0;
 
 /// The rows of a campaign's file, or of its folder of parts, if they fit into memory.
 #[cfg(feature = "files")]
-fn rows(path: &Path, bytes: [f64; 2]) -> Result<(mckibben_campaign::campaign::Rows, Origin)> {
+fn rows(path: &Path, point: f64) -> Result<(mckibben_campaign::campaign::Rows, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
     let of = &table.provenance;
-    let [of_muscle, of_point] = bytes;
-    size::bytes(
-        "campaign",
-        of_muscle * of.muscles as f64 + of_point * of.points() as f64,
-    )?;
+    // A muscle takes 2000 bytes.
+    let bytes = 2000.0 * of.muscles as f64 + point * of.points() as f64;
+    size::bytes("campaign", bytes)?;
     let from = Provenance {
         table: file_name(path),
         plan_hash: Some(of.plan_sha256.clone()),
@@ -447,7 +445,7 @@ fn rows(
 }
 
 fn of_campaign(path: &Path) -> Result<Points> {
-    let (rows, origin) = rows(path, AS_ROWS)?;
+    let (rows, origin) = rows(path, AS_ROW)?;
     let rows = rows.collect::<Result<Vec<_>, _>>()?;
     let points = points(&rows);
     let made_for = made_for(&rows)?;

@@ -43,9 +43,8 @@ impl FitError {
         }
         let percent = 100.0 * rms;
         Err(Self::Refused(format!(
-            "the formula misses the points of its table by {percent:.3e} % of the blocked force \
-             (rms), and one that is always zero misses them by less: look for points whose force \
-             is not that of a muscle"
+            "the formula misses its points by {percent:.3e} % of the blocked force (rms): \
+             its table has forces of no muscle"
         )))
     }
 

@@ -21,7 +21,6 @@ use super::{
 use mckibben_core::{
     cancel,
     formula::{GlobalTerms, Scales, Term},
-    size,
 };
 use nalgebra::{DMatrix, DVector};
 
@@ -93,9 +92,6 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
         diameters.len().saturating_sub(1),
     ];
     let candidates = candidates(counts);
-    // The matrix and a copy of it, twice while diameters are left out.
-    size::bytes("table", (4 * 8 * used.len() * candidates.len()) as f64)
-        .map_err(|error| FitError::Refused(error.to_string()))?;
     cancel::check()?;
     let full = problem(&used, &candidates, &scales);
     let chosen = select(&full);

@@ -28,13 +28,6 @@ impl FormulaError {
         ))
     }
 
-    pub(super) fn changed(key: &str) -> Self {
-        Self::new(format!(
-            "the file is not as it was written: its `{key}` does not match; where it was edited on \
-             purpose, leave out the line `{key}`"
-        ))
-    }
-
     pub(super) fn missing(key: &str) -> Self {
         Self::new(format!("the key `{key}` is missing"))
     }

@@ -111,7 +111,7 @@ fn a_flipped_bit_of_a_file_is_refused_or_harmless() {
     assert!(2 * refused > tries, "{refused}");
     let edited = text.replace("1.1", "1.2");
     let error = Document::parse(&edited).unwrap_err().to_string();
-    assert!(error.contains("leave out the line `digest`"), "{error}");
+    assert!(error.contains("leave out its `digest`"), "{error}");
     let lines: Vec<&str> = edited.lines().filter(|l| !l.contains("digest")).collect();
     let without = lines.join("\n").replace("},\n}", "}\n}");
     assert!(Document::parse(&without).is_ok());

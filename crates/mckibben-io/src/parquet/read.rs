@@ -41,16 +41,6 @@ impl Reader {
             .collect()
     }
 
-    /// Names of its columns.
-    pub fn names(&self) -> Vec<&str> {
-        self.metadata()
-            .schema_descr()
-            .columns()
-            .iter()
-            .map(|c| c.name())
-            .collect()
-    }
-
     /// Number of rows of all groups.
     pub fn rows(&self) -> i64 {
         self.file

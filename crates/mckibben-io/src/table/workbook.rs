@@ -93,12 +93,8 @@ fn read_sheet(book: &mut Sheets<Cursor<&[u8]>>, name: &str) -> Result<Sheet, Tab
                 sheet.add(cell.get_position(), cell.get_value())?;
             }
         }
-        Sheets::Xlsb(book) => {
-            let mut cells = book.worksheet_cells_reader(name).map_err(wrong)?;
-            while let Some(cell) = cells.next_cell().map_err(wrong)? {
-                sheet.add(cell.get_position(), cell.get_value())?;
-            }
-        }
+        // Its far cells would make a large sheet.
+        Sheets::Xlsb(_) => return Err(wrong("it is of the binary kind")),
         Sheets::Ods(_) | Sheets::Xls(_) => {
             let range = book.worksheet_range(name).map_err(wrong)?;
             let (row, column) = range.start().unwrap_or_default();

@@ -79,12 +79,10 @@ fn one_law(base: &Muscle) -> Result<(), String> {
         return Ok(());
     }
     let constants = rubber.law.constants().into_iter();
-    let lines = joined(constants.map(|c| format!("{} = {}", c.name, c.value)), "\n");
+    let constants = joined(constants.map(|c| format!("{} = {}", c.name, c.value)), "\n");
     Err(format!(
-        "has another law for every muscle, and a campaign has one: write it, such as that of a \
-         muscle of {} x {} mm\n[tube.material]\nlaw = \"{}\"\n{lines}",
-        base.outer_diameter_mm(),
-        base.wall_mm(),
+        "has another law for every muscle, and a campaign has one: state it, such as that of its \
+         base muscle\n[tube.material]\nlaw = \"{}\"\n{constants}",
         rubber.law.name()
     ))
 }

@@ -5,7 +5,7 @@ use super::{
     folder::part_name,
     layout::Field,
     provenance::{Provenance, VERSION},
-    seal::{is_whole, seal},
+    seal::{checksum, seal},
     table::Table,
 };
 use crate::{
@@ -33,6 +33,7 @@ pub struct Opened {
     path: PathBuf,
     fields: Arc<[Field]>,
     reader: Reader,
+    pub(crate) checksum: String,
 }
 
 impl Opened {
@@ -44,23 +45,16 @@ impl Opened {
                 limit: MAX_BYTES,
             }));
         }
-        let whole = is_whole(&mut file).map_err(CampaignError::read(path))?;
+        let found = checksum(&mut file).map_err(CampaignError::read(path))?;
         let changed = || CampaignError::damaged(path, "its checksum does not match");
-        if whole == Some(false) {
+        if matches!(found, Some((_, _, false))) {
             return Err(changed());
         }
         let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
         let none = |why| CampaignError::NoCampaign(path.into(), why);
         let (provenance, part) = Provenance::read(&reader.pairs()).map_err(none)?;
-        if whole.is_none() {
-            return Err(changed());
-        }
+        let (_, checksum, _) = found.ok_or_else(changed)?;
         let fields = provenance.layout.fields();
-        let names = reader.names();
-        if let Some(Field { name, .. }) = fields.iter().find(|f| !names.contains(&&*f.name)) {
-            let why = format!("its table lacks the column {name}; run the plan again");
-            return Err(none(why));
-        }
         let (rows, actual) = (provenance.rows_of(part), reader.rows());
         if u64::try_from(actual) != Ok(rows) {
             let why = format!("it has {actual} rows instead of {rows}");
@@ -72,13 +66,8 @@ impl Opened {
             path: path.into(),
             fields,
             reader,
+            checksum,
         })
-    }
-
-    /// The same, if all its groups are read without an error.
-    pub fn checked(self) -> Result<Self> {
-        (0..self.reader.groups()).try_for_each(|index| self.group(index).map(drop))?;
-        Ok(self)
     }
 
     /// The same, if it is this share of a campaign.

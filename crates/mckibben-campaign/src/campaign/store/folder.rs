@@ -190,14 +190,12 @@ impl Folder {
         Ok(())
     }
 
-    /// Removes what belongs to another plan, and counts its parts.
-    pub fn clear(&self) -> Result<u64> {
-        let parts = Self::parts(&self.path)?;
-        for part in parts.values() {
+    /// Removes all parts, and whose they are.
+    pub fn clear(&self) -> Result<()> {
+        for part in Self::parts(&self.path)?.values() {
             self.discard(part)?;
         }
-        self.discard(&self.path.join(MANIFEST))?;
-        Ok(parts.len() as u64)
+        self.discard(&self.path.join(MANIFEST))
     }
 
     /// Removes parts, and the folder if nothing else is in it: they are in one file now.

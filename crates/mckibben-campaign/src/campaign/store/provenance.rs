@@ -146,7 +146,7 @@ impl Provenance {
             ("mckibben.plan_sha256", self.plan_sha256.clone()),
         ];
         pairs.extend(self.seed.map(|seed| ("mckibben.seed", seed.to_string())));
-        pairs.push((seal::KEY, seal::BLANK.to_owned()));
+        pairs.push((seal::KEY, seal::blank()));
         Ok(pairs.into_iter().map(|(k, v)| (k.into(), v)).collect())
     }
 

@@ -60,8 +60,6 @@ pub struct Outcome {
     pub plan_sha256: String,
     /// Damaged files that were computed again.
     pub recomputed: Vec<Recomputed>,
-    /// Parts of another plan that were removed.
-    pub parts_replaced: u64,
     /// Where unfinished work lies.
     #[serde(skip)]
     pub store: PathBuf,
@@ -150,7 +148,6 @@ impl Run<'_> {
             points: counts.muscles * self.provenance.points_per_muscle,
             plan_sha256: self.provenance.plan_sha256.clone(),
             recomputed,
-            parts_replaced: 0,
             store: store.into(),
         }
     }
@@ -175,35 +172,29 @@ impl Run<'_> {
                 "it is a file, and parts go into a folder; a campaign in one file ends in .parquet";
             return Err(CampaignError::NoCampaign(self.out.into(), why.into()));
         }
-        let (folder, parts_replaced) = self.claimed()?;
-        Ok(Outcome {
-            parts_replaced,
-            ..self.complete(&folder)?
-        })
+        self.complete(&self.claimed()?)
     }
 
-    /// The folder of parts, claimed for the plan, and how many parts of another plan are gone: it
-    /// is replaced by a process that has the folder for itself.
-    fn claimed(&self) -> Result<(Folder, u64)> {
+    /// The folder of parts, claimed for the plan. What is there of another plan is removed by a
+    /// process that has the folder for itself.
+    fn claimed(&self) -> Result<Folder> {
         let open = |shard| Folder::for_writing(&self.store, shard);
         let claim = || manifest::claim(&self.store, &self.provenance);
         let is_replaced =
             || matches!(claim(), Err(CampaignError::OtherPlan(_))) && self.options.overwrite;
-        let mut folder = open(self.options.shard)?;
-        let mut replaced = 0;
+        let folder = open(self.options.shard)?;
+        if !is_replaced() {
+            return claim().map(|()| folder);
+        }
+        drop(folder);
+        let alone = open(None)?;
+        // Another process may have done it since.
         if is_replaced() {
-            drop(folder);
-            let alone = open(None)?;
-            // Another process may have done it since.
-            if is_replaced() {
-                replaced = alone.clear()?;
-            }
-            claim()?;
-            drop(alone);
-            folder = open(self.options.shard)?;
+            alone.clear()?;
         }
         claim()?;
-        Ok((folder, replaced))
+        drop(alone);
+        open(self.options.shard)
     }
 
     /// Runs into one file, by way of a folder of parts.
@@ -226,16 +217,13 @@ impl Run<'_> {
                 done => return done,
             }
         }
-        let (folder, parts_replaced) = self.claimed()?;
+        let folder = self.claimed()?;
         if out.exists() && !is_replaced {
             // Another process finished it since.
             drop(folder);
             return self.finished();
         }
-        let outcome = Outcome {
-            parts_replaced,
-            ..self.complete(&folder)?
-        };
+        let outcome = self.complete(&folder)?;
         if !outcome.complete {
             return Ok(outcome);
         }

@@ -57,10 +57,8 @@ pub struct CampaignStatus {
     pub shards_missing: u64,
     /// Every shard.
     pub shards: Vec<ShardStatus>,
-    /// Parts that are damaged; they count as missing.
+    /// Parts that are damaged, or of another plan or version; they count as missing.
     pub damaged: Vec<PathBuf>,
-    /// Parts of another plan, or of another version of the program; they count as missing.
-    pub foreign: Vec<PathBuf>,
     /// SHA-256 of the plan's text.
     pub plan_sha256: String,
     /// Version of the program.
@@ -82,7 +80,7 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let parts_wanted = provenance.parts();
     parts.retain(|&number, _| number < parts_wanted);
     let mut whole = BTreeSet::new();
-    let (mut damaged, mut foreign) = (vec![], vec![]);
+    let mut damaged = vec![];
     for (number, path) in parts {
         let opened = Opened::file(&path);
         match opened.and_then(|part| part.expect(Some(number), &provenance)) {
@@ -91,7 +89,6 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
             Err(CampaignError::Read(_, ReadError::System(e)))
                 if e.kind() == ErrorKind::NotFound => {}
             Err(error @ CampaignError::Read { .. }) => return Err(error),
-            Err(CampaignError::OtherPlan(_) | CampaignError::NoCampaign(..)) => foreign.push(path),
             Err(_) => damaged.push(path),
         }
     }
@@ -113,7 +110,6 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
         shards_missing: count_of(ShardState::Missing),
         shards,
         damaged,
-        foreign,
         plan_sha256: provenance.plan_sha256,
         version: provenance.version,
     })

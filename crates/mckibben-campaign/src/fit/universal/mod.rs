@@ -65,12 +65,8 @@ pub struct UniversalRequest<'a> {
     pub from: Provenance,
 }
 
-/// One row of the linear problem.
-struct Equation {
-    muscle: u64,
-    left: Vec<f64>,
-    right: f64,
-}
+/// One row of the linear problem, its right side last, and the number of its muscle.
+type Equation = (u64, Vec<f64>);
 
 /// Fits a formula.
 ///
@@ -148,7 +144,7 @@ pub fn universal(
     let mut done = Arc::unwrap_or_clone(formula);
     done.errors.fit = fit;
     done.errors.left_out = summary(&left_out);
-    done.provenance.points = folds.iter().map(|fold| fold.equations).sum();
+    done.provenance.points = folds.iter().map(|fold| fold.1).sum();
     progress.report(steps, steps);
     Ok(done)
 }
@@ -213,14 +209,10 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
             let low = pressure < LOW_PRESSURE.0 * mu;
             let weight =
                 force_by_deficit_n_per_mm / p.blocked_n * if low { LOW_PRESSURE.1 } else { 1.0 };
-            let left: Vec<f64> = columns_mm.into_iter().map(|c| weight * c).collect();
-            let right = weight * (deficit_mm - start_mm);
-            let finite = right.is_finite() && left.iter().all(|v| v.is_finite());
-            finite.then_some(Equation {
-                muscle: s.number,
-                left,
-                right,
-            })
+            let right = deficit_mm - start_mm;
+            let row = columns_mm.into_iter().chain([right]);
+            let row: Vec<f64> = row.map(|c| weight * c).collect();
+            row.iter().all(|v| v.is_finite()).then_some((s.number, row))
         };
         let chosen = s
             .points
@@ -236,29 +228,14 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
 
 /// Muscles whose equations are made at once.
 const AT_ONCE: usize = 256;
-/// Rows that are held before they are reduced.
-const HELD: usize = 4096;
 
-/// Equations, right sides behind their left ones, row after row: R of a QR of those that came
-/// before, and the latest. Their least squares are those of all of them, and they are few.
-#[derive(Clone, Default)]
-struct Reduced {
-    rows: Vec<f64>,
-    /// How many equations they stand for.
-    equations: usize,
-}
+/// Equations, row after row, and how many they stand for.
+type Reduced = (Vec<f64>, usize);
 
-impl Reduced {
-    fn add(&mut self, equation: &Equation) {
-        self.rows.extend(&equation.left);
-        self.rows.push(equation.right);
-        self.equations += 1;
-        let width = equation.left.len() + 1;
-        if self.rows.len() == HELD * width {
-            let held = DMatrix::from_row_slice(HELD, width, &self.rows);
-            self.rows = held.qr().r().transpose().as_slice().to_vec();
-        }
-    }
+/// R of their QR: as many equations as there are unknowns have the least squares of all.
+fn reduce(rows: &[f64], width: usize) -> Vec<f64> {
+    let all = DMatrix::from_row_slice(rows.len() / width, width, rows);
+    all.qr().r().transpose().as_slice().to_vec()
 }
 
 /// The equations of every fifth muscle.
@@ -269,10 +246,16 @@ fn reduced(
     progress: &dyn Progress,
 ) -> Result<Vec<Reduced>> {
     let mut folds = vec![Reduced::default(); FOLDS as usize];
+    let width = products.len() + 1;
     for some in samples.chunks(AT_ONCE) {
         progress.check()?;
-        for equation in equations(some, empty, products) {
-            folds[(equation.muscle % FOLDS) as usize].add(&equation);
+        for (muscle, row) in equations(some, empty, products) {
+            let (rows, count) = &mut folds[(muscle % FOLDS) as usize];
+            rows.extend(row);
+            *count += 1;
+        }
+        for (rows, _) in folds.iter_mut().filter(|f| f.0.len() > width * width) {
+            *rows = reduce(rows, width);
         }
     }
     Ok(folds)
@@ -281,12 +264,12 @@ fn reduced(
 /// Least squares by Householder's QR; coefficients are rounded to nine digits.
 fn solve(products: &[[u8; 5]], equations: &[&Reduced]) -> Result<Vec<UniversalTerm>> {
     let columns = products.len();
-    if equations.iter().map(|e| e.equations).sum::<usize>() < 2 * columns {
+    if equations.iter().map(|e| e.1).sum::<usize>() < 2 * columns {
         return Err(FitError::empty(
             " inside of the box of the method universal, or too few of them",
         ));
     }
-    let rows: Vec<f64> = equations.iter().flat_map(|e| &e.rows).copied().collect();
+    let rows: Vec<f64> = equations.iter().flat_map(|e| &e.0).copied().collect();
     let all = DMatrix::from_row_slice(rows.len() / (columns + 1), columns + 1, &rows);
     let right = all.column(columns).into_owned();
     let x = least_squares(all.remove_column(columns), right)
@@ -369,25 +352,22 @@ mod tests {
         let products = products(Form::Bulge);
         let mut random = Random(8);
         for noise in [0.0, 0.1] {
-            let mut reduced = Reduced::default();
+            let mut rows = vec![];
+            let width = products.len() + 1;
             let truth = |column: usize| 1.0 + column as f64 / 7.0;
             let mut all = vec![];
             for muscle in 0..10_000 {
                 let left: Vec<f64> = products.iter().map(|_| random.between(-1.0, 1.0)).collect();
                 let exact: f64 = left.iter().enumerate().map(|(i, v)| v * truth(i)).sum();
                 let right = exact + noise * random.between(-1.0, 1.0);
-                let equation = Equation {
-                    muscle,
-                    left,
-                    right,
-                };
-                reduced.add(&equation);
-                all.push(equation);
+                rows.extend(left.iter().copied().chain([right]));
+                if muscle % 1000 == 0 {
+                    rows = reduce(&rows, width);
+                }
+                all.push((left, right));
             }
-            assert!(
-                reduced.rows.len() < 10_000 * products.len() / 2 && reduced.equations == 10_000
-            );
-            let x: Vec<f64> = solve(&products, &[&reduced])
+            assert!(rows.len() < 1100 * width);
+            let x: Vec<f64> = solve(&products, &[&(rows, 10_000)])
                 .unwrap()
                 .iter()
                 .map(|term| term.value)
@@ -398,9 +378,9 @@ mod tests {
                 }
                 let along: f64 = all
                     .iter()
-                    .map(|e| {
-                        let fitted: f64 = e.left.iter().zip(&x).map(|(a, b)| a * b).sum();
-                        (e.right - fitted) * e.left[column]
+                    .map(|(left, right)| {
+                        let fitted: f64 = left.iter().zip(&x).map(|(a, b)| a * b).sum();
+                        (right - fitted) * left[column]
                     })
                     .sum();
                 // Coefficients are rounded to nine digits.

@@ -9,7 +9,6 @@ use super::{Body, Document, Formula, UniversalFormula, error::FormulaError};
 use head::{Kind, Read, kind};
 use section::{GlobalTerm, PaperTerm, SectionFile, global, global_list, paper, paper_list};
 use serde::Serialize;
-use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 use universal::{UniversalFile, universal};
 
@@ -44,12 +43,11 @@ impl From<UniversalFormula> for File {
     }
 }
 
-/// The key of the digest of all else in a file.
-const DIGEST: &str = "digest";
+/// What stands before the digest of a file, its last key.
+const DIGEST: &str = ",\n  \"digest\": \"";
 
-/// The SHA-256 of what a file holds, however it is laid out.
-fn digest(file: &Map<String, Value>) -> String {
-    let text = serde_json::to_string(file).unwrap_or_default();
+/// The SHA-256 of what stands before it.
+fn digest(text: &str) -> String {
     let bytes = Sha256::digest(text.as_bytes());
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
@@ -57,22 +55,9 @@ fn digest(file: &Map<String, Value>) -> String {
 /// The text of a file, with its digest and a newline at the end.
 fn text(file: &impl Serialize) -> String {
     // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.
-    let mut file = serde_json::to_value(file).unwrap_or_default();
-    if let Value::Object(keys) = &mut file {
-        keys.insert(DIGEST.into(), digest(keys).into());
-    }
-    format!("{file:#}\n")
-}
-
-/// Refuses a file that was changed since it was written and does not say so.
-fn check_digest(text: &str) -> Read<()> {
-    let Ok(mut keys) = serde_json::from_str::<Map<String, Value>>(text) else {
-        return Ok(());
-    };
-    match keys.shift_remove(DIGEST) {
-        Some(given) if given != digest(&keys) => Err(FormulaError::changed(DIGEST)),
-        _ => Ok(()),
-    }
+    let text = serde_json::to_string_pretty(file).unwrap_or_default();
+    let text = text.trim_end_matches("\n}");
+    format!("{text}{DIGEST}{}\"\n}}\n", digest(text))
 }
 
 impl schemars::JsonSchema for Document {
@@ -93,8 +78,13 @@ impl Document {
             Kind::Global => Self::Section(global(text)?),
             Kind::Universal => Self::Universal(universal(text)?),
         };
-        check_digest(text)?;
-        Ok(read)
+        // A file that was laid out anew has been edited.
+        match text.split_once(DIGEST) {
+            Some((text, rest)) if !rest.starts_with(&digest(text)) => Err(FormulaError::new(
+                "was changed since it was written; if on purpose, leave out its `digest`",
+            )),
+            _ => Ok(read),
+        }
     }
 }
 
