@@ -107,8 +107,7 @@ fn a_flipped_bit_of_a_file_is_refused_or_harmless() {
             _ => refused += 1,
         }
     }
-    println!("{refused} of {tries} are refused, the others harmless");
-    assert!(2 * refused > tries, "{refused}");
+    assert!(refused * 20 > tries * 19, "{refused} of {tries}");
     let edited = text.replace("1.1", "1.2");
     let error = Document::parse(&edited).unwrap_err().to_string();
     assert!(error.contains("leave out its `digest`"), "{error}");
