@@ -108,13 +108,23 @@ class Campaign(_api.CampaignCommands):
 
 
 def _on(
-    made: Campaign, executor: Executor, threads: int, shards: int, progress: Progress
+    made: Campaign,
+    executor: Executor,
+    threads: int,
+    shards: int,
+    progress: Progress,
+    overwrite: bool,
 ) -> None:
     """Computes the shards of a campaign on an executor, and waits for their end."""
     folder = os.path.abspath(made._parts)
     os.makedirs(folder, exist_ok=True)
     stop = os.path.join(folder, f".stop-{os.urandom(8).hex()}")
-    request = {"plan": made.plan, "threads": threads, "output": folder}
+    request = {
+        "plan": made.plan,
+        "threads": threads,
+        "output": folder,
+        "overwrite": overwrite,
+    }
     futures: list[Future[None]] = [
         executor.submit(_shard, {**request, "shard": f"{i}/{shards}"}, stop)
         for i in range(1, shards + 1)
@@ -166,6 +176,7 @@ def campaign(
     shards: int = 64,
     threads: int | None = None,
     progress: Progress = None,
+    overwrite: bool = False,
 ) -> Campaign:
     """Runs a plan, or what is missing of it, on this machine or on any executor, and waits for its end. The table does not depend on the executor; the same
     call continues one that was cancelled or whose workers died.
@@ -183,6 +194,8 @@ def campaign(
         Threads of each task; one where there is an executor, else as many as cores.
     progress
         True for a line on standard error, or a function that is called with (done, total); on an executor in shards.
+    overwrite
+        Replaces what is there and is not of this plan.
 
     Examples
     --------
@@ -192,8 +205,12 @@ def campaign(
     """
     made = Campaign(output, plan)
     if executor is not None and not os.path.isfile(made.output):
-        _on(made, executor, threads or 1, shards, progress)
+        _on(made, executor, threads or 1, shards, progress, overwrite)
     if executor is None or made._parts != made.output:
         # With an executor all parts are there, and this writes the file.
-        made.run(threads=threads, progress=progress if executor is None else None)
+        made.run(
+            threads=threads,
+            progress=progress if executor is None else None,
+            overwrite=overwrite,
+        )
     return made

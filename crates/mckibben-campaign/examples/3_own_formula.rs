@@ -16,7 +16,13 @@ use std::error::Error;
 const PLAN: &str = r#"
 [tube]
 length = "200 mm"
-rubber = "dragon-skin-30"
+
+# dragon-skin-30 in a muscle of 24 x 2 mm and 25 degrees: one law for all of them
+[tube.material]
+law = "yeoh"
+c10 = "0.08888 MPa"
+c20 = "0.01114 MPa"
+c30 = "-0.0006977 MPa"
 
 [braid]
 angle = "25 deg"

@@ -4,6 +4,7 @@ use crate::Problem;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben_app::{ProblemKind, words::number};
 use mckibben_core::{cancel::Cancel, progress::Progress};
+use mckibben_io::files::Unfinished;
 use signal_hook::{consts, flag};
 use std::{
     fmt::Write,
@@ -83,12 +84,13 @@ pub fn watched() {
     WATCHED.call_once(|| drop(std::thread::Builder::new().spawn(watch)));
 }
 
-/// Ends at last the program: files appear whole or not at all.
+/// Ends at last the program: files appear whole or not at all, and what is unfinished is removed.
 fn watch() {
     while !STOPPED.load(Ordering::Relaxed) {
         std::thread::sleep(TICK);
     }
     std::thread::sleep(GRACE);
+    let _held = Unfinished::abandon();
     std::process::exit(i32::from(INTERRUPTED));
 }
 

@@ -103,7 +103,9 @@ impl Show for CampaignStatus {
                 .text("of", |s| s.parts_wanted),
         );
         let damaged = self.damaged.iter();
-        page.lines(damaged.map(|part| format!("Cut off: {}", path_on_one_line(part))));
+        page.lines(
+            damaged.map(|part| format!("Damaged, or of another plan: {}", path_on_one_line(part))),
+        );
         if self.shards_missing > 0 {
             page.paragraph("Something is missing that nothing computes: run the shards again.");
         }

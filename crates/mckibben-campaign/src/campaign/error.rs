@@ -61,14 +61,14 @@ impl CampaignError {
     pub fn hint(&self) -> &'static str {
         match self {
             Self::OtherPlan { .. } => {
-                "write to another place, or replace it with `overwrite`; any change of a plan's \
-                 text makes another plan, and a campaign is continued by the version that began it"
+                "write to another place, or replace it with `overwrite`; a table is of one text of \
+                 a plan and one version of the program"
             }
             Self::Foreign { .. } => {
                 "write to another place, move it away, or replace it with `overwrite`"
             }
             Self::Appeared { .. } => {
-                "move it away, and the same command continues from here; `overwrite` replaces it"
+                "move it away and give the same command again; `overwrite` replaces it"
             }
             #[cfg(feature = "store")]
             Self::Read(_, ReadError::System(error))

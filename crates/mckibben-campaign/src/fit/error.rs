@@ -35,6 +35,19 @@ impl FitError {
         ))
     }
 
+    /// Refuses a formula that is further off than zero would be: a pull is a share of the blocked
+    /// force between 0 and 1, and so is what zero misses.
+    pub(crate) fn refuse_absurd(rms: f64) -> Result<()> {
+        if rms <= 1.0 {
+            return Ok(());
+        }
+        let percent = 100.0 * rms;
+        Err(Self::Refused(format!(
+            "the formula misses its points by {percent:.3e} % of the blocked force (rms): \
+             its table has forces of no muscle"
+        )))
+    }
+
     /// Least squares without a finite answer.
     pub(crate) fn singular(place: impl std::fmt::Display) -> Self {
         Self::Refused(format!("least squares have no finite answer for {place}"))

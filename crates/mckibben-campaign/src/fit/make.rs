@@ -131,6 +131,7 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
     let list = compared(&points, |p| p.difference_n(&formula))?;
     formula.errors.fit =
         errors(&list, |p| !held(p)).map_or_else(ErrorSummary::default, |e| e.summary);
+    FitError::refuse_absurd(formula.errors.fit.rms)?;
     let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
     formula.errors.regions = regions(&seen);
     formula.errors.held_out = errors(&list, held).map(|e| HeldOut {

@@ -96,3 +96,16 @@ fn too_few_points_are_an_error() {
     let samples = held_out_samples(1, 3);
     assert!(universal(&request(&samples), &Silent).is_err());
 }
+
+/// Row A19 of the trials: a force of 2.6e8 N for 3995 N gave a formula with an rms of 1e220 %. Zero
+/// misses every pull by its share of the blocked force, at most 1: no formula is worse.
+#[test]
+fn a_table_with_a_force_that_no_muscle_has_gives_no_formula() {
+    let mut samples = held_out_samples(30, 3);
+    samples[4].points[1].force_n *= 1e5;
+    let error = universal(&request(&samples), &Silent).unwrap_err();
+    assert!(
+        error.to_string().contains("% of the blocked force"),
+        "{error}"
+    );
+}

@@ -121,7 +121,7 @@ fn run_campaign(mut request: CampaignRequest, quiet: bool, format: Format) -> Re
     drop(bar);
     for file in &outcome.recomputed {
         warn(format!(
-            "{} was damaged and is recomputed: {}",
+            "{} is recomputed: {}",
             file.file.display(),
             file.cause
         ));
@@ -168,7 +168,7 @@ fn as_text(outcome: &Outcome, time: Duration) -> String {
         out += &format!("{points} points in {time} s ({rate} a second)");
         if counts.failed > 0 {
             out += &format!(
-                ", {} without an answer: `mckibben campaign show` gives the reasons",
+                ", {} without an answer: `mckibben campaign show {path}` gives the reasons",
                 counts.failed
             );
         }

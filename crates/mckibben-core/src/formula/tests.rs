@@ -86,6 +86,39 @@ fn files_round_trip_to_the_bit() {
     }
 }
 
+/// Of every flipped bit either the file is refused, or it says the same: a digest of all that it
+/// says is in it. Without the digest it is a file that somebody edited.
+#[test]
+fn a_flipped_bit_of_a_file_is_refused_or_harmless() {
+    let formula = global();
+    let text = formula.to_json();
+    let mut random = crate::random::Random(19);
+    let tries = std::env::var("FLIPS").map_or(200, |n| n.parse().unwrap());
+    let mut refused = 0;
+    for _ in 0..tries {
+        let mut bytes = text.clone().into_bytes();
+        let at = random.between(0.0, 8.0 * bytes.len() as f64) as usize;
+        bytes[at / 8] ^= 1 << (at % 8);
+        match String::from_utf8(bytes)
+            .ok()
+            .map(|text| Document::parse(&text))
+        {
+            Some(Ok(read)) => assert_eq!(read, Document::Section(formula.clone())),
+            _ => refused += 1,
+        }
+    }
+    assert!(refused * 20 > tries * 19, "{refused} of {tries}");
+    let edited = text.replace("1.1", "1.2");
+    let error = Document::parse(&edited).unwrap_err().to_string();
+    assert!(error.contains("leave out its `digest`"), "{error}");
+    let lines: Vec<&str> = edited.lines().filter(|l| !l.contains("digest")).collect();
+    let without = lines.join("\n").replace("},\n}", "}\n}");
+    assert!(Document::parse(&without).is_ok());
+    // However it is laid out.
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert!(Document::parse(&value.to_string()).is_ok());
+}
+
 #[test]
 fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
     let published = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();

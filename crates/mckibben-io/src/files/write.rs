@@ -4,6 +4,7 @@ use std::{
     fs::{File, Metadata, OpenOptions},
     io::{Error, ErrorKind, Result, Write as _},
     path::{Path, PathBuf},
+    sync::{Mutex, MutexGuard, PoisonError},
 };
 use tempfile::NamedTempFile;
 
@@ -147,6 +148,13 @@ fn behind_links(path: &Path) -> Result<PathBuf> {
     Err(Error::other("too many links point to one another"))
 }
 
+/// The unfinished files of this process; of others that it put or dropped since.
+static BEGUN: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
+
+fn begun() -> MutexGuard<'static, Vec<PathBuf>> {
+    BEGUN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// A file that has no name yet: it lies beside its place under a temporary name and is removed
 /// unless it is put there.
 #[derive(Debug)]
@@ -187,7 +195,11 @@ impl Unfinished {
             use std::os::unix::fs::PermissionsExt as _;
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
+        let mut all = begun();
         let temporary = builder.tempfile_in(place.folder())?;
+        all.retain(|path| path.exists());
+        all.push(temporary.path().to_owned());
+        drop(all);
         // Held while it is written, so that `sweep` knows it from what a killed program left.
         let _ = temporary.as_file().try_lock();
         if let Some(old) = place.old {
@@ -197,6 +209,17 @@ impl Unfinished {
             temporary,
             target: place.target,
         })
+    }
+
+    /// Removes all unfinished files of this process, which is about to end. None is begun while the
+    /// answer is held.
+    pub fn abandon() -> impl Drop {
+        let all = begun();
+        for path in all.iter() {
+            // Nothing better can be done at the end.
+            let _ = std::fs::remove_file(path);
+        }
+        all
     }
 
     pub fn file(&mut self) -> &mut File {

@@ -12,6 +12,9 @@ pub enum TableError {
     /// The table itself.
     #[error("{0}")]
     Table(String),
+    /// It is a table of something else.
+    #[error("{0}")]
+    Foreign(String),
 }
 
 impl From<ParquetError> for TableError {

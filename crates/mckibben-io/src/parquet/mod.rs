@@ -18,6 +18,7 @@
 mod column;
 mod error;
 mod read;
+mod schema;
 mod write;
 
 pub use column::{Column, Field, Packing, Text};

@@ -1,6 +1,6 @@
 //! Parquet → tables.
 
-use super::{column::Column, error::TableError, write::GROUP};
+use super::{column::Column, error::TableError, schema, write::GROUP};
 use parquet::{
     column::{
         page::{Page, PageMetadata, PageReader},
@@ -22,7 +22,8 @@ pub struct Reader {
 
 impl Reader {
     /// Reads the metadata of a file.
-    pub fn new(file: File) -> std::result::Result<Self, TableError> {
+    pub fn new(mut file: File) -> std::result::Result<Self, TableError> {
+        schema::check(&mut file)?;
         Ok(Self {
             file: guarded(|| SerializedFileReader::new(file))?,
         })
@@ -37,16 +38,6 @@ impl Reader {
         let pairs = self.metadata().key_value_metadata().into_iter().flatten();
         pairs
             .filter_map(|pair| Some((pair.key.clone(), pair.value.clone()?)))
-            .collect()
-    }
-
-    /// Names of its columns.
-    pub fn names(&self) -> Vec<&str> {
-        self.metadata()
-            .schema_descr()
-            .columns()
-            .iter()
-            .map(|c| c.name())
             .collect()
     }
 

@@ -20,6 +20,8 @@ mod over_time;
 #[cfg(feature = "import")]
 mod text;
 mod understood;
+#[cfg(feature = "import")]
+mod unpacked;
 mod values;
 mod vocabulary;
 #[cfg(feature = "import")]

@@ -1,8 +1,12 @@
 //! From a workbook to the text of a table: `.xlsx`, `.ods`, `.xls`. Lines are the rows of the
 //! sheet, tabs are between fields.
 
-use super::{delimited::MAX_BYTES, error::TableError};
-use calamine::{Cell, Data, DataRef, DataType, Reader, Sheets, open_workbook_auto_from_rs};
+use super::{
+    delimited::MAX_BYTES,
+    error::TableError,
+    unpacked::{self, MOST_CELLS, too_large},
+};
+use calamine::{DataType, Reader, Sheets, open_workbook_auto_from_rs};
 use std::{collections::BTreeMap, io::Cursor};
 
 /// Cells that hold anything, in the order of rows.
@@ -13,7 +17,10 @@ struct Sheet {
 }
 
 impl Sheet {
-    fn add(&mut self, at: (u32, u32), value: &impl DataType) {
+    fn add(&mut self, at: (u32, u32), value: &impl DataType) -> Result<(), TableError> {
+        if self.cells.len() as u64 >= MOST_CELLS {
+            return Err(too_large());
+        }
         let number = value
             .get_float()
             .or(value.get_int().map(|whole| whole as f64));
@@ -25,6 +32,7 @@ impl Sheet {
         let text = text.filter(|text| !text.is_empty() && !value.is_error());
         let plain = |text: String| text.replace(['\t', '\n', '\r'], " ").replace('"', "″");
         self.cells.extend(text.map(|text| (at, plain(text))));
+        Ok(())
     }
 
     fn text(&self) -> Result<String, TableError> {
@@ -56,6 +64,7 @@ fn wrong(error: impl std::fmt::Display) -> TableError {
 
 /// The sheet of this name, else the first with numbers, and its name.
 pub fn read(bytes: &[u8], wanted: Option<&str>) -> Result<(String, String), TableError> {
+    unpacked::check(bytes)?;
     let mut book = open_workbook_auto_from_rs(Cursor::new(bytes)).map_err(wrong)?;
     let names = book.sheet_names();
     for name in names
@@ -76,22 +85,23 @@ pub fn read(bytes: &[u8], wanted: Option<&str>) -> Result<(String, String), Tabl
 
 fn read_sheet(book: &mut Sheets<Cursor<&[u8]>>, name: &str) -> Result<Sheet, TableError> {
     let mut sheet = Sheet::default();
-    if let Sheets::Xlsx(book) = book {
-        // Cell by cell: a far cell makes no large sheet.
-        let mut cells = book.worksheet_cells_reader(name).map_err(wrong)?;
-        let mut next = || -> Result<Option<Cell<DataRef<'_>>>, TableError> {
-            cells.next_cell().map_err(wrong)
-        };
-        while let Some(cell) = next()? {
-            sheet.add(cell.get_position(), cell.get_value());
+    // Cell by cell: a far cell makes no large sheet.
+    match book {
+        Sheets::Xlsx(book) => {
+            let mut cells = book.worksheet_cells_reader(name).map_err(wrong)?;
+            while let Some(cell) = cells.next_cell().map_err(wrong)? {
+                sheet.add(cell.get_position(), cell.get_value())?;
+            }
         }
-        return Ok(sheet);
-    }
-    let range = book.worksheet_range(name).map_err(wrong)?;
-    let (row, column) = range.start().unwrap_or_default();
-    for (i, j, value) in range.used_cells() {
-        let value: &Data = value;
-        sheet.add((row + i as u32, column + j as u32), value);
+        // Its far cells would make a large sheet.
+        Sheets::Xlsb(_) => return Err(wrong("it is of the binary kind")),
+        Sheets::Ods(_) | Sheets::Xls(_) => {
+            let range = book.worksheet_range(name).map_err(wrong)?;
+            let (row, column) = range.start().unwrap_or_default();
+            for (i, j, value) in range.used_cells() {
+                sheet.add((row + i as u32, column + j as u32), value)?;
+            }
+        }
     }
     Ok(sheet)
 }
@@ -102,6 +112,7 @@ mod tests {
         super::{Columns, Meaning, TESTS, Table, read_text},
         *,
     };
+    use calamine::Data;
 
     /// The workbook of a testing machine: a sheet of words, then one with a title, headings, units,
     /// and numbers from the second column on.
@@ -131,7 +142,7 @@ mod tests {
     fn a_far_cell_makes_no_large_sheet() {
         let mut sheet = Sheet::default();
         for row in 0..3000 {
-            sheet.add((row, 16_000), &Data::Float(1.0));
+            sheet.add((row, 16_000), &Data::Float(1.0)).unwrap();
         }
         assert!(
             sheet

@@ -5,7 +5,7 @@ use mckibben_core::{
         BraidStiffness, Measure, Muscle, MuscleError,
         measures::{MEASURES, Parts},
     },
-    rubber::{Law, library},
+    rubber::Law,
     units::{Dimension, Values},
 };
 
@@ -181,9 +181,8 @@ impl Inputs {
             }
         }
         let tube = &mut parts.tube;
-        // All muscles of a plan are made of one rubber, that of the base muscle; the law of a named
-        // one would follow the measures.
-        if tube.rubber.law != base.tube().rubber.law || library::follows(&tube.rubber) {
+        // All muscles of a plan are made of one rubber, that of the base muscle.
+        if tube.rubber.law != base.tube().rubber.law {
             tube.rubber.name = None;
         }
         Self { parts, measures }

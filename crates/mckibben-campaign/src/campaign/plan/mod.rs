@@ -31,7 +31,7 @@ use sampling::Design;
 
 /// The most parts of a store. With the lock, state and log of a thousand shards a campaign has at
 /// most 10,000 files.
-const MOST_PARTS: u64 = 6000;
+pub const MOST_PARTS: u64 = 6000;
 
 /// Muscles of a plan whose meshes are looked at.
 const LOOKED_AT: u64 = 64;

@@ -7,12 +7,19 @@ use super::{
     vary,
 };
 use mckibben_core::{
-    muscle::file::{FileError, Source, read_text},
+    joined,
+    muscle::{
+        Muscle,
+        file::{FileError, Source, read_text},
+    },
+    rubber::library,
     units::typed::{Choice, Quantity},
 };
 use mckibben_fem::elements::Elements;
 use std::path::Path;
 
+/// A higher pressure has its unit, lest bars were meant.
+const HIGHEST_BARE_MPA: f64 = 2.0;
 /// The most points of one muscle.
 const MOST_POINTS: usize = 100_000;
 
@@ -26,6 +33,7 @@ impl Plan {
         let sampling = sampling(&of_sampling, &source)?;
         vary::check_all(&axes, &source, &base, &sampling)?;
         let testing = testing(test, &source)?;
+        one_law(&base).map_err(|why| source.error("tube.rubber", why))?;
         if base.tube().rubber.is_conditioned() {
             let why = "is not possible in a campaign, whose muscles are on their first inflation: \
                 leave it out";
@@ -61,6 +69,22 @@ impl Plan {
             .and_then(|text| Self::parse(&text))
             .map_err(|e| e.in_file(path))
     }
+}
+
+/// Refuses a named rubber whose law follows the muscle: a campaign has one law, which its plan
+/// states.
+fn one_law(base: &Muscle) -> Result<(), String> {
+    let rubber = &base.tube().rubber;
+    if !library::follows(rubber) {
+        return Ok(());
+    }
+    let constants = rubber.law.constants().into_iter();
+    let constants = joined(constants.map(|c| format!("{} = {}", c.name, c.value)), "\n");
+    Err(format!(
+        "has another law for every muscle, and a campaign has one: state it, such as that of its \
+         base muscle\n[tube.material]\nlaw = \"{}\"\n{constants}",
+        rubber.law.name()
+    ))
 }
 
 /// A plan none of whose first thousand muscles is one is a slip, not a campaign.
@@ -128,6 +152,14 @@ fn testing(keys: OfTest, source: &Source<'_>) -> Result<Testing, FileError> {
         let why = format!("contains {p}\u{a0}MPa; a pressure must not be below zero");
         return Err(source.error(PRESSURES, why));
     }
+    let top = pressures_mpa.iter().copied().fold(0.0, f64::max);
+    let text = source.text_at(PRESSURES).unwrap_or_default();
+    if top > HIGHEST_BARE_MPA && !text.contains(char::is_alphabetic) {
+        let bar = 10.0 * top;
+        let why =
+            format!("reaches {top} MPa = {bar} bar without a unit: write MPa or bar behind it");
+        return Err(source.error(PRESSURES, why));
+    }
     let points = contractions.len().saturating_mul(pressures_mpa.len());
     if points > MOST_POINTS {
         let why =
@@ -155,7 +187,11 @@ fn levels<Q: Quantity>(
 ) -> Result<Vec<f64>, FileError> {
     match values {
         Choice::One(one) => Ok(vec![one.into()]),
-        Choice::Several(list) if !list.is_empty() => Ok(list.into_iter().map(Into::into).collect()),
+        Choice::Several(list) if !list.is_empty() => {
+            let list: Vec<f64> = list.into_iter().map(Into::into).collect();
+            vary::distinct(&list).map_err(|why| source.error(key, why))?;
+            Ok(list)
+        }
         Choice::Several(_) => Err(source.error(key, "is an empty list")),
         Choice::Between { .. } => {
             Err(source.error(key, "is a range without a step: write low..high:step"))

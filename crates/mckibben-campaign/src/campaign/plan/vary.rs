@@ -31,6 +31,12 @@ pub fn check_all(
         let wrong = |why: String| source.error(&format!("vary.{}", axis.key), why);
         check(axis, base, sampling).map_err(wrong)?;
         let other = EITHER.iter().find(|p| p.1 == axis.key).map(|p| p.0);
+        let stated = other.unwrap_or(&axis.key);
+        if !stated.starts_with(CONSTANT) && source.has(stated) {
+            return Err(wrong(format!(
+                "varies, and {stated} is stated: leave that out"
+            )));
+        }
         if let Some(other) = other.filter(|o| axes[..i].iter().any(|a| a.key == *o)) {
             return Err(wrong(format!(
                 "vary either this or {other}; both are given"
@@ -40,10 +46,23 @@ pub fn check_all(
     Ok(())
 }
 
+/// Refuses a value that a list has twice.
+pub fn distinct(list: &[f64]) -> Result<(), String> {
+    let mut sorted = list.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+        Some(pair) => Err(format!("contains {} twice", pair[0])),
+        None => Ok(()),
+    }
+}
+
 /// Checks an axis; the error is a sentence behind its key.
 fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> {
     let interval = matches!(axis.values, Values::Interval(..));
     let (low, high) = axis.values.bounds();
+    if let Values::List(list) = &axis.values {
+        distinct(list)?;
+    }
     if interval && *sampling == Sampling::Factorial {
         return Err(
             "is a range without a step, and a factorial plan needs levels: give a list \

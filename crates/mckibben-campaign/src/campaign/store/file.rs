@@ -5,6 +5,7 @@ use super::{
     folder::part_name,
     layout::Field,
     provenance::{Provenance, VERSION},
+    seal::{checksum, seal},
     table::Table,
 };
 use crate::{
@@ -16,7 +17,7 @@ use mckibben_io::{
     parquet::{GROUP, Reader, TableError, Writer},
 };
 use std::{
-    io::Write,
+    io::{Cursor, Read, Seek, Write},
     path::{Path, PathBuf},
     sync::Arc,
 };
@@ -32,25 +33,28 @@ pub struct Opened {
     path: PathBuf,
     fields: Arc<[Field]>,
     reader: Reader,
+    pub(crate) checksum: String,
 }
 
 impl Opened {
+    /// A file whose bytes are those that were written.
     pub fn file(path: &Path) -> Result<Self> {
-        let file = open(path).map_err(CampaignError::read(path))?;
+        let mut file = open(path).map_err(CampaignError::read(path))?;
         if file.metadata().map_err(CampaignError::read(path))?.len() > MAX_BYTES {
             return Err(CampaignError::read(path)(ReadError::TooLarge {
                 limit: MAX_BYTES,
             }));
         }
+        let found = checksum(&mut file).map_err(CampaignError::read(path))?;
+        let changed = || CampaignError::damaged(path, "its checksum does not match");
+        if matches!(found, Some((_, _, false))) {
+            return Err(changed());
+        }
         let reader = Reader::new(file).map_err(|error| undecoded(error, path))?;
         let none = |why| CampaignError::NoCampaign(path.into(), why);
         let (provenance, part) = Provenance::read(&reader.pairs()).map_err(none)?;
+        let (_, checksum, _) = found.ok_or_else(changed)?;
         let fields = provenance.layout.fields();
-        let names = reader.names();
-        if let Some(Field { name, .. }) = fields.iter().find(|f| !names.contains(&&*f.name)) {
-            let why = format!("its table lacks the column {name}; run the plan again");
-            return Err(none(why));
-        }
         let (rows, actual) = (provenance.rows_of(part), reader.rows());
         if u64::try_from(actual) != Ok(rows) {
             let why = format!("it has {actual} rows instead of {rows}");
@@ -62,13 +66,8 @@ impl Opened {
             path: path.into(),
             fields,
             reader,
+            checksum,
         })
-    }
-
-    /// The same, if all its groups are read without an error.
-    pub fn checked(self) -> Result<Self> {
-        (0..self.reader.groups()).try_for_each(|index| self.group(index).map(drop))?;
-        Ok(self)
     }
 
     /// The same, if it is this share of a campaign.
@@ -131,17 +130,18 @@ fn undecoded(error: TableError, path: &Path) -> CampaignError {
         TableError::Io(source) if source.raw_os_error().is_some() => {
             CampaignError::read(path)(source)
         }
+        TableError::Foreign(why) => CampaignError::NoCampaign(path.into(), why),
         other => CampaignError::damaged(path, other),
     }
 }
 
 /// A part as the bytes of its file.
 pub fn part(provenance: &Provenance, number: u64, table: Table) -> Result<Vec<u8>> {
-    let mut bytes = vec![];
+    let mut bytes = Cursor::new(vec![]);
     let name = part_name(number);
     let tables = std::iter::once(Ok(table));
     write(provenance, Some(number), tables, &mut bytes, name.as_ref())?;
-    Ok(bytes)
+    Ok(bytes.into_inner())
 }
 
 /// Tables into an empty file, row group by row group; how the tables are cut does not matter.
@@ -149,12 +149,12 @@ pub fn write(
     provenance: &Provenance,
     part: Option<u64>,
     tables: impl Iterator<Item = Result<Table>>,
-    file: &mut (dyn Write + Send),
+    file: &mut (impl Read + Write + Seek + Send),
     path: &Path,
 ) -> Result<()> {
     let failed = |error| match error {
         TableError::Io(source) => CampaignError::Write(path.into(), source),
-        TableError::Table(why) => CampaignError::Write(path.into(), std::io::Error::other(why)),
+        other => CampaignError::Write(path.into(), std::io::Error::other(other.to_string())),
     };
     let mut group = Table::new(provenance.layout.fields());
     let fields: Vec<_> = group.fields.iter().map(Field::parquet).collect();
@@ -179,7 +179,8 @@ pub fn write(
     if group.rows > 0 {
         out.group(&group.columns).map_err(failed)?;
     }
-    out.finish().map_err(failed)
+    out.finish().map_err(failed)?;
+    seal(file).map_err(|error| failed(TableError::Io(error)))
 }
 
 #[cfg(test)]

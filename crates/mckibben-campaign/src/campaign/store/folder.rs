@@ -5,7 +5,7 @@
 
 use super::shard::Shard;
 use crate::campaign::error::{CampaignError, Result};
-use mckibben_io::files::{Unfinished, put_all, sync};
+use mckibben_io::files::{Unfinished, check_writable, put_all, sync};
 use std::{
     collections::BTreeMap,
     fs::{DirEntry, File, OpenOptions, TryLockError},
@@ -74,6 +74,9 @@ pub struct Folder {
 impl Folder {
     /// Opens or makes a folder for writing; no other process may write to it, save other shards.
     pub fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self> {
+        if !path.exists() {
+            check_writable(path).map_err(CampaignError::write(path))?;
+        }
         std::fs::create_dir_all(path).map_err(CampaignError::write(path))?;
         let mut folder = Self {
             path: path.into(),
@@ -185,6 +188,14 @@ impl Folder {
             .map_err(|(path, error)| CampaignError::Write(path, error))?;
         sync(&self.path);
         Ok(())
+    }
+
+    /// Removes all parts, and whose they are.
+    pub fn clear(&self) -> Result<()> {
+        for part in Self::parts(&self.path)?.values() {
+            self.discard(part)?;
+        }
+        self.discard(&self.path.join(MANIFEST))
     }
 
     /// Removes parts, and the folder if nothing else is in it: they are in one file now.

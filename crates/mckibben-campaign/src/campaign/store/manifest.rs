@@ -19,7 +19,7 @@ pub fn noted(folder: &Path) -> Option<Provenance> {
 }
 
 /// Claims a folder for a plan; one of another plan or version is refused.
-pub fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<()> {
+pub fn claim(folder: &Path, provenance: &Provenance) -> Result<()> {
     let path = folder.join(MANIFEST);
     // Another process may write it between the two steps: it is read again.
     for _ in 0..2 {
@@ -27,16 +27,14 @@ pub fn claim(folder: &Path, provenance: &Provenance, overwrite: bool) -> Result<
         if theirs.as_ref() == Some(provenance) {
             return Ok(());
         }
-        if !overwrite {
-            if let Some(theirs) = theirs {
-                return provenance.check_same(&theirs, folder);
-            }
-            // Parts that were copied have no such file.
-            if let Some(part) = Folder::parts(folder)?.into_values().next()
-                && let Ok(opened) = Opened::file(&part)
-            {
-                provenance.check_same(&opened.provenance, &part)?;
-            }
+        if let Some(theirs) = theirs {
+            return provenance.check_same(&theirs, folder);
+        }
+        // Parts that were copied have no such file.
+        if let Some(part) = Folder::parts(folder)?.into_values().next()
+            && let Ok(opened) = Opened::file(&part)
+        {
+            provenance.check_same(&opened.provenance, &part)?;
         }
         let put = || {
             let exists = path.exists();

@@ -105,8 +105,7 @@ fn check_equal(first: &Path, second: &Path) -> Result<()> {
     let a = Opened::file(first)?;
     let b = Opened::file(second)?;
     a.provenance.check_same(&b.provenance, second)?;
-    let bytes = |path: &Path| std::fs::read(path).map_err(CampaignError::read(path));
-    if bytes(first)? == bytes(second)? {
+    if a.checksum == b.checksum {
         Ok(())
     } else {
         Err(CampaignError::Conflict(first.into(), second.into()))

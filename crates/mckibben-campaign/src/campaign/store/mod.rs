@@ -10,6 +10,7 @@ pub mod provenance;
 mod read;
 mod resume;
 mod run;
+mod seal;
 mod shard;
 mod status;
 mod summary;

@@ -1,6 +1,6 @@
 //! Where a table comes from: key and value in the metadata of its file.
 
-use super::layout::Layout;
+use super::{layout::Layout, seal};
 use crate::{
     campaign::{
         error::{CampaignError, Result},
@@ -146,6 +146,7 @@ impl Provenance {
             ("mckibben.plan_sha256", self.plan_sha256.clone()),
         ];
         pairs.extend(self.seed.map(|seed| ("mckibben.seed", seed.to_string())));
+        pairs.push((seal::KEY, seal::blank()));
         Ok(pairs.into_iter().map(|(k, v)| (k.into(), v)).collect())
     }
 

@@ -61,17 +61,15 @@ pub fn existing(
     let mut parts = Folder::parts(&folder.path)?;
     parts.retain(|&number, _| is_checked(number));
     let parts: Vec<(u64, PathBuf)> = parts.into_iter().collect();
-    let damage = |(number, path): &(u64, PathBuf)| {
-        let opened = of_this_plan(provenance, path, Some(*number));
-        match opened.and_then(Opened::checked) {
+    let damage =
+        |(number, path): &(u64, PathBuf)| match of_this_plan(provenance, path, Some(*number)) {
             Ok(_) => Ok(None),
             Err(CampaignError::Damaged(_, why)) => Ok(Some(why)),
             Err(error) if overwrite && !matches!(error, CampaignError::Read { .. }) => {
                 Ok(Some(error.to_string()))
             }
             Err(error) => Err(error),
-        }
-    };
+        };
     let mut whole = BTreeSet::new();
     let mut damaged = vec![];
     for ((number, file), damage) in parts.iter().zip(threads.map(&parts, damage)) {

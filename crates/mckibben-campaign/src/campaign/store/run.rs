@@ -172,9 +172,29 @@ impl Run<'_> {
                 "it is a file, and parts go into a folder; a campaign in one file ends in .parquet";
             return Err(CampaignError::NoCampaign(self.out.into(), why.into()));
         }
-        let folder = Folder::for_writing(self.out, self.options.shard)?;
-        manifest::claim(self.out, &self.provenance, self.options.overwrite)?;
-        self.complete(&folder)
+        self.complete(&self.claimed()?)
+    }
+
+    /// The folder of parts, claimed for the plan. What is there of another plan is removed by a
+    /// process that has the folder for itself.
+    fn claimed(&self) -> Result<Folder> {
+        let open = |shard| Folder::for_writing(&self.store, shard);
+        let claim = || manifest::claim(&self.store, &self.provenance);
+        let is_replaced =
+            || matches!(claim(), Err(CampaignError::OtherPlan(_))) && self.options.overwrite;
+        let folder = open(self.options.shard)?;
+        if !is_replaced() {
+            return claim().map(|()| folder);
+        }
+        drop(folder);
+        let alone = open(None)?;
+        // Another process may have done it since.
+        if is_replaced() {
+            alone.clear()?;
+        }
+        claim()?;
+        drop(alone);
+        open(self.options.shard)
     }
 
     /// Runs into one file, by way of a folder of parts.
@@ -197,7 +217,7 @@ impl Run<'_> {
                 done => return done,
             }
         }
-        let folder = Folder::for_writing(&self.store, None)?;
+        let folder = self.claimed()?;
         if out.exists() && !is_replaced {
             // Another process finished it since.
             drop(folder);

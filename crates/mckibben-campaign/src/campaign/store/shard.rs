@@ -1,5 +1,6 @@
 //! One share of several.
 
+use crate::campaign::plan::MOST_PARTS;
 use std::{fmt, str::FromStr};
 
 /// Share `index` of `count`, from 1: the blocks whose number leaves `index − 1` when divided by
@@ -13,7 +14,7 @@ pub struct Shard {
 impl Shard {
     /// Share `index` of `count`, from 1; `None` where there is no such share.
     pub fn new(index: u64, count: u64) -> Option<Self> {
-        (index >= 1 && index <= count).then_some(Self { index, count })
+        (index >= 1 && index <= count && count <= MOST_PARTS).then_some(Self { index, count })
     }
 
     /// Whether a block belongs to it.
@@ -45,7 +46,10 @@ impl FromStr for Shard {
         let shard =
             pair.and_then(|(i, n)| Self::new(i.trim().parse().ok()?, n.trim().parse().ok()?));
         shard.ok_or_else(|| {
-            format!("\"{text}\" is not a valid share; expected i/n with i from 1 to n, such as 2/8")
+            format!(
+                "\"{text}\" is not a valid share; expected i/n with i from 1 to n and n up to \
+                 {MOST_PARTS}, such as 2/8"
+            )
         })
     }
 }

@@ -57,7 +57,7 @@ pub struct CampaignStatus {
     pub shards_missing: u64,
     /// Every shard.
     pub shards: Vec<ShardStatus>,
-    /// Parts that are damaged; they count as missing.
+    /// Parts that are damaged, or of another plan or version; they count as missing.
     pub damaged: Vec<PathBuf>,
     /// SHA-256 of the plan's text.
     pub plan_sha256: String,
@@ -82,7 +82,8 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let mut whole = BTreeSet::new();
     let mut damaged = vec![];
     for (number, path) in parts {
-        match Opened::file(&path) {
+        let opened = Opened::file(&path);
+        match opened.and_then(|part| part.expect(Some(number), &provenance)) {
             Ok(_) => drop(whole.insert(number)),
             // Another process has just replaced or removed it.
             Err(CampaignError::Read(_, ReadError::System(e)))

@@ -137,15 +137,13 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
     }
     let (mut summary, mut damaged, mut whole): (Option<Summary>, _, u64) = (None, vec![], 0);
     for (number, part) in Folder::parts(path)? {
-        let opened = Opened::file(&part)
-            .and_then(Opened::checked)
-            .and_then(|opened| {
-                let first = summary
-                    .as_ref()
-                    .map_or(&opened.provenance, |s| &s.provenance)
-                    .clone();
-                opened.expect(Some(number), &first)
-            });
+        let opened = Opened::file(&part).and_then(|opened| {
+            let first = summary
+                .as_ref()
+                .map_or(&opened.provenance, |s| &s.provenance)
+                .clone();
+            opened.expect(Some(number), &first)
+        });
         match opened {
             Ok(opened) => {
                 let new = || Summary::new(opened.provenance.clone());

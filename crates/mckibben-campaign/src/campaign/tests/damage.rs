@@ -17,28 +17,82 @@ fn is_refused(path: &Path) {
     );
 }
 
+/// The bytes with one bit flipped, at a place that a seed draws.
+fn flipped(whole: &[u8], seed: &mut u64) -> Vec<u8> {
+    // Knuth's MMIX.
+    *seed = seed
+        .wrapping_mul(6364136223846793005)
+        .wrapping_add(1442695040888963407);
+    let bit = (*seed >> 20) as usize % (8 * whole.len());
+    let mut changed = whole.to_vec();
+    changed[bit / 8] ^= 1 << (bit % 8);
+    changed
+}
+
+/// How often each is tried: `FLIPS=1000 cargo test` for a long count.
+fn flips() -> usize {
+    std::env::var("FLIPS").map_or(40, |n| n.parse().unwrap())
+}
+
+/// Row A19 of the trials: of 60 flipped bits 55 were merged. A checksum of all bytes sees every one.
 #[test]
-fn a_changed_file_is_refused_or_read_whole_and_a_cut_one_is_refused() {
+fn every_flipped_bit_of_a_table_is_refused_by_name() {
     let dir = folder();
     let path = dir.path().join("c.parquet");
     run_to(&path);
     let whole = bytes(&path);
-    let mut refused = 0;
     let other = dir.path().join("other.parquet");
-    let places: Vec<usize> = (0..whole.len())
-        .step_by(13)
-        .chain(whole.len() - 300..whole.len())
-        .collect();
-    for &at in &places {
-        let mut changed = whole.clone();
-        changed[at] ^= 1 << (at % 8);
-        std::fs::write(&other, &changed).unwrap();
-        match read(&other) {
-            Ok(rows) => assert_eq!(rows.len(), 72),
-            Err(_) => refused += 1,
+    let mut seed = 19;
+    for _ in 0..flips() {
+        std::fs::write(&other, flipped(&whole, &mut seed)).unwrap();
+        is_refused(&other);
+        for error in [
+            read(&other).unwrap_err(),
+            summary(&other).unwrap_err(),
+            run(&plan(), &other, &RunOptions::default(), &Silent).unwrap_err(),
+        ] {
+            assert!(error.to_string().contains("other.parquet is damaged"));
         }
     }
-    assert!(refused > 0 && refused < places.len(), "{refused}");
+}
+
+/// The same row: `b[len(b) // 3] ^= 64` and others; the next run of the shard computes the part again.
+#[test]
+fn every_flipped_bit_of_a_part_is_refused_and_its_shard_computes_it_again() {
+    let dir = folder();
+    let expected = reference(&dir);
+    let store = dir.path().join("store");
+    let merged = dir.path().join("merged.parquet");
+    run_to(&store);
+    let place = part(&store, 3);
+    let whole = bytes(&place);
+    let mut third = whole.clone();
+    third[whole.len() / 3] ^= 64;
+    let mut seed = 20;
+    let drawn = (0..flips()).map(|_| flipped(&whole, &mut seed));
+    for (i, changed) in std::iter::once(third).chain(drawn).enumerate() {
+        std::fs::write(&place, &changed).unwrap();
+        let error = merge(std::slice::from_ref(&store), &merged, true).unwrap_err();
+        assert!(error.to_string().contains("part-000003.parquet"), "{error}");
+        assert!(read(&store).is_err());
+        assert_eq!(summary(&store).unwrap().damaged.len(), 1);
+        // Parts that are looked at by every shard cost time.
+        if i < 10 {
+            let outcome = run(&plan(), &store, &share("4/12"), &Silent).unwrap();
+            assert_eq!(outcome.recomputed.len(), 1);
+            merge(std::slice::from_ref(&store), &merged, true).unwrap();
+            assert!(bytes(&merged) == expected);
+        }
+    }
+}
+
+#[test]
+fn a_cut_file_is_refused() {
+    let dir = folder();
+    let path = dir.path().join("c.parquet");
+    run_to(&path);
+    let whole = bytes(&path);
+    let other = dir.path().join("other.parquet");
     for length in (0..whole.len()).step_by(101) {
         std::fs::write(&other, &whole[..length]).unwrap();
         is_refused(&other);
@@ -346,6 +400,71 @@ fn a_campaign_of_another_plan_is_replaced_with_overwrite() {
             .points,
         0
     );
+}
+
+/// Row A20 of the trials: a shard of plan A runs while one of plan B replaces its folder.
+#[test]
+fn a_plan_is_not_replaced_while_a_shard_of_it_runs() {
+    let dir = folder();
+    let store = dir.path().join("store");
+    run(&plan(), &store, &share("1/2"), &Silent).unwrap();
+    let before: Vec<Vec<u8>> = (0..12)
+        .step_by(2)
+        .map(|n| bytes(&part(&store, n)))
+        .collect();
+    let other = Plan::parse(&PLAN.replace("seed = 2", "seed = 3")).unwrap();
+    let options = RunOptions {
+        overwrite: true,
+        ..share("2/3")
+    };
+    let running = Folder::for_writing(&store, Some("1/2".parse().unwrap())).unwrap();
+    let error = run(&other, &store, &options, &Silent).unwrap_err();
+    assert!(matches!(error, CampaignError::Locked(_)), "{error}");
+    let after: Vec<Vec<u8>> = (0..12)
+        .step_by(2)
+        .map(|n| bytes(&part(&store, n)))
+        .collect();
+    assert!(before == after);
+    drop(running);
+    // Row B41: what is replaced was not damaged.
+    let outcome = run(&other, &store, &options, &Silent).unwrap();
+    assert!(outcome.recomputed.is_empty());
+    assert_eq!(Folder::parts(&store).unwrap().len(), 4);
+    let error = run(&plan(), &store, &share("1/2"), &Silent).unwrap_err();
+    assert!(matches!(error, CampaignError::OtherPlan(_)), "{error}");
+}
+
+/// Row B39 of the trials: `status` called a folder complete that `merge` refuses.
+#[test]
+fn the_status_names_parts_of_another_plan() {
+    let dir = folder();
+    let store = dir.path().join("store");
+    run_to(&store);
+    let other = Plan::parse(&PLAN.replace("seed = 2", "seed = 3")).unwrap();
+    let forged = encode(&Provenance::for_plan(&other), 5, table_of(&other, 5)).unwrap();
+    std::fs::write(part(&store, 5), forged).unwrap();
+    std::fs::copy(part(&store, 1), part(&store, 2)).unwrap();
+    let seen = status(&store).unwrap();
+    assert_eq!(
+        (seen.complete, seen.parts, seen.shards_missing),
+        (false, 10, 1)
+    );
+    assert_eq!(seen.damaged, [part(&store, 2), part(&store, 5)]);
+}
+
+/// Row B40 of the trials: a misspelt folder was made, with those above it.
+#[test]
+fn a_folder_in_a_folder_that_does_not_exist_is_refused() {
+    let dir = folder();
+    for name in ["misspelt/parts", "misspelt/c.parquet"] {
+        let out = dir.path().join(name);
+        let error = run(&plan(), &out, &RunOptions::default(), &Silent).unwrap_err();
+        assert!(
+            error.to_string().ends_with("misspelt does not exist"),
+            "{error}"
+        );
+        assert!(!dir.path().join("misspelt").exists());
+    }
 }
 
 /// Puts a file there while the campaign runs.

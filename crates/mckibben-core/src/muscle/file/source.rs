@@ -94,7 +94,8 @@ impl<'t> Source<'t> {
         self.table(table)?.key(key)?.span()
     }
 
-    pub(super) fn text_at(&self, dotted: &str) -> Option<&str> {
+    /// The text at a dotted key.
+    pub fn text_at(&self, dotted: &str) -> Option<&str> {
         self.find(dotted)?.1.as_str()
     }
 
