@@ -212,13 +212,12 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         .into_iter()
         .unzip();
     let is_measured = !read.is_empty();
-    let (volumes, read): (Vec<DataPoint>, Vec<DataPoint>) = read
-        .into_iter()
-        .flatten()
-        .partition(|p| p.measured == Quantity::Volume);
+    let is_no_pull = |p: &DataPoint| matches!(p.measured, Quantity::Volume | Quantity::Contraction);
+    let (beside, read): (Vec<DataPoint>, Vec<DataPoint>) =
+        read.into_iter().flatten().partition(is_no_pull);
     let doubts = doubts(&muscle, &read)?;
     let measured = request.on_branch(&read);
-    if is_measured && measured.is_empty() && volumes.is_empty() {
+    if is_measured && measured.is_empty() && beside.is_empty() {
         let message = format!(
             "{}: there are no points of that branch",
             request.tables.names()
@@ -233,7 +232,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         options,
         fit: &request.fit,
         measured: measured.as_deref(),
-        volumes: &volumes,
+        beside: &beside,
         grid: (&pressures, &contractions),
     };
     let (mut compared, skipped, points) = held.against(&models, progress)?;
@@ -282,7 +281,8 @@ struct Held<'a> {
     fit: &'a [FitConstant],
     /// Measured pulls, where there are tables.
     measured: Option<&'a [MeasuredPoint]>,
-    volumes: &'a [DataPoint],
+    /// Measured volumes and contractions.
+    beside: &'a [DataPoint],
     /// Pressures and contractions, where there are none.
     grid: (&'a [f64], &'a [f64]),
 }
@@ -342,8 +342,8 @@ impl Held<'_> {
             Some(points) => points.to_vec(),
             None => answers(&mut evaluation, self.grid.0, self.grid.1)?,
         };
-        let errors = errors_of(&mut evaluation, &points, self.volumes)?;
-        if points.is_empty() && errors.volume_points == 0 {
+        let errors = errors_of(&mut evaluation, &points, self.beside)?;
+        if points.is_empty() && errors.volume_points + errors.contraction_points == 0 {
             return Err(ModelError::NoVolume(model.info().name.to_string()).into());
         }
         let compared = Compared {

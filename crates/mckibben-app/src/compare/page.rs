@@ -55,6 +55,17 @@ impl Show for CompareAnswer {
                     .text("points", |m| points(m)),
             );
         }
+        if self.models.iter().any(|m| m.errors.contraction_points > 0) {
+            let points = |m: &ComparedModel| Some(m.errors.contraction_points).filter(|n| *n > 0);
+            page.paragraph("contraction under the load:");
+            page.table(
+                Table::of(&compared)
+                    .text("model", |m| &m.errors.model)
+                    .quantity("rms", &PERCENT, |m| m.errors.rms_contraction)
+                    .quantity("mean", &PERCENT, |m| m.errors.mean_contraction)
+                    .text("points", |m| points(m)),
+            );
+        }
         let cause = |m: &ComparedModel| Some(u.sentence(m.errors.cause.as_ref()?));
         page.table_under(
             "not compared, or not at these points:",

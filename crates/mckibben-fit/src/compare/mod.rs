@@ -2,7 +2,10 @@
 
 pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
-use crate::{least_squares::Errors, measured::DataPoint};
+use crate::{
+    least_squares::Errors,
+    measured::{DataPoint, Quantity},
+};
 use mckibben_core::{analysis::Evaluation, cancel, model::ModelError};
 use serde::Serialize;
 
@@ -20,6 +23,13 @@ pub struct Comparison {
     pub max_n: Option<f64>,
     /// The mean, N: above zero if the model predicts too much pull.
     pub mean_n: Option<f64>,
+    /// Measured contractions that it answered; 0 without.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub contraction_points: usize,
+    /// Root mean square of its contractions less the measured ones.
+    pub rms_contraction: Option<f64>,
+    /// The mean: above zero if the model contracts too far.
+    pub mean_contraction: Option<f64>,
     /// Measured volumes of the cavity that it answered; 0 without.
     #[serde(skip_serializing_if = "is_zero")]
     pub volume_points: usize,
@@ -44,12 +54,12 @@ fn is_zero(count: &usize) -> bool {
     *count == 0
 }
 
-/// Compares a model with measured pulls and with measured volumes of the cavity. Where the model is
-/// slack it counts as 0 N.
+/// Compares a model with measured pulls and, `beside` them, with measured volumes of the cavity and
+/// contractions under a load. Where the model is slack it counts as 0 N.
 pub fn compare(
     evaluation: &mut Evaluation<'_>,
     pulls: &[MeasuredPoint],
-    volumes: &[DataPoint],
+    beside: &[DataPoint],
 ) -> Result<Comparison, ModelError> {
     let info = evaluation.model.info();
     let mut differences = vec![];
@@ -80,24 +90,37 @@ pub fn compare(
     {
         return Err(error);
     }
-    let mut volume_differences = vec![];
-    for point in volumes {
+    let (mut volume_differences, mut contraction_differences) = (vec![], vec![]);
+    for DataPoint {
+        at,
+        measured,
+        volume_mm3,
+        ..
+    } in beside
+    {
         cancel::check()?;
-        let response = evaluation
-            .response(point.at.pressure_mpa, point.at.contraction)
-            .ok();
-        volume_differences.extend(response.and_then(|r| Some(r.volume_mm3? - point.volume_mm3?)));
+        if *measured == Quantity::Contraction {
+            let found = evaluation.contraction_or_stretch_at(at.force_n, at.pressure_mpa);
+            contraction_differences.extend(found.ok().map(|e| e - at.contraction));
+        } else {
+            let response = evaluation.response(at.pressure_mpa, at.contraction).ok();
+            volume_differences.extend(response.and_then(|r| Some(r.volume_mm3? - (*volume_mm3)?)));
+        }
     }
     let points = differences.len();
     let errors =
         |differences: Vec<f64>| Some(Errors::new(differences)).filter(|errors| errors.points > 0);
     let pulls = errors(differences);
     let volumes = errors(volume_differences);
+    let contractions = errors(contraction_differences);
     Ok(Comparison {
         model: info.name.to_string(),
         rms_n: pulls.as_ref().map(|e| e.rms),
         max_n: pulls.as_ref().map(|e| e.largest),
         mean_n: pulls.as_ref().map(|e| e.mean),
+        contraction_points: contractions.as_ref().map_or(0, |e| e.points),
+        rms_contraction: contractions.as_ref().map(|e| e.rms),
+        mean_contraction: contractions.as_ref().map(|e| e.mean),
         volume_points: volumes.as_ref().map_or(0, |e| e.points),
         rms_volume_mm3: volumes.as_ref().map(|e| e.rms),
         mean_volume_mm3: volumes.as_ref().map(|e| e.mean),

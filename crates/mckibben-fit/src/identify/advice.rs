@@ -144,7 +144,8 @@ pub fn compare_curves(a: &DataPoint, b: &DataPoint) -> Ordering {
 /// cancels.
 pub fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
     let ratio = |p: &DataPoint| Some(p.at.force_n / ideal_pull(muscle, p)?);
-    let mut ratios: Vec<f64> = points.iter().filter_map(ratio).collect();
+    let pulls = points.iter().filter(|p| p.measured == Quantity::Force);
+    let mut ratios: Vec<f64> = pulls.filter_map(ratio).collect();
     if ratios.len() < 3 {
         return None;
     }

@@ -149,8 +149,8 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
     }
     let mut out = vec![];
     for group in groups {
-        // A volume has no branches whose mean could be taken.
-        if group[0].measured == Quantity::Volume {
+        // Only pulls at one place have a mean of the branches.
+        if group[0].measured != Quantity::Force {
             out.extend(group);
             continue;
         }

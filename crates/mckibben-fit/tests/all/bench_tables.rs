@@ -4,12 +4,14 @@
 //! with swapped names (`sw`). They were made by a separate run.
 
 use mckibben_core::{
-    model::{ForceModel, ModelError},
+    analysis::{Evaluation, Options},
+    model::{ForceModel, ModelError, Workspace},
     muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber, Terminals, Tube},
     rubber::{Law, NeoHookean},
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::{
+    compare::compare,
     identify::{
         Build, DataPoint, Identification, IdentifyError, Parameter, Request, Target, identify,
         identify_default,
@@ -152,4 +154,48 @@ fn a_zero_of_the_load_cell_is_named_and_can_be_free() {
         "{:?}",
         of.notes
     );
+}
+
+/// The commonest test of a hand-made muscle: its contraction without a load against the pressure.
+/// It is judged by the contraction, with all its rows, and with the angle free the rows fit.
+#[test]
+fn contractions_without_a_load_are_judged_as_contractions() {
+    let table = "pressure_kpa,length_mm,force_n,measured,branch\n\
+        100,199.0,0,contraction,inflation\n125,192.5,0,contraction,inflation\n\
+        150,186.0,0,contraction,inflation\n175,181.0,0,contraction,inflation\n\
+        200,177.0,0,contraction,inflation\n200,176.8,0,contraction,deflation\n\
+        150,185.0,0,contraction,deflation\n100,198.5,0,contraction,deflation\n";
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1.0 }));
+    let braid = Braid {
+        angle_deg: 28.0,
+        stiffness: BraidStiffness::Inextensible,
+        ..Braid::paper()
+    };
+    let tube = Tube::new(9.0, 1.0, 205.0, rubber);
+    let muscle = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
+    let options = PointOptions {
+        rest_length_mm: Some(205.0),
+        ..PointOptions::default()
+    };
+    let points = read_points(table, &options).unwrap().0;
+    assert_eq!(mean_of_data(&points).len(), 8);
+    let free = ["tube.material.mu", "braid.angle"];
+    let free = free.map(|name| Parameter::free(Target::parse(name, &muscle).unwrap()));
+    let of = identify(&Request::new(&muscle, &free, &points, BUILD)).unwrap();
+    assert!(
+        of.points.len() == 8 && !of.notes.iter().any(|n| n.contains("kN")),
+        "{:?}",
+        of.notes
+    );
+    let model = BUILD(&of.muscle).unwrap();
+    let w = &mut Workspace::new();
+    let errors = compare(
+        &mut Evaluation::new(&*model, w, Options::default()),
+        &[],
+        &points,
+    )
+    .unwrap();
+    assert_eq!((errors.contraction_points, errors.points), (8, 0));
+    let rms = errors.rms_contraction.unwrap();
+    assert!(rms < 0.01, "{rms}");
 }
