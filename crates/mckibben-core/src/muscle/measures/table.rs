@@ -429,7 +429,7 @@ pub static STRANDS_FACTOR: Measure = Measure {
     comment: "there may be fewer by this factor; the allowed pressure carries it",
     has_rules: true,
     bounds: Between(1.0, 10.0),
-    default: Some(1.0),
+    beside: Some((&STRANDS, "how many strands there are at most")),
     get: |p| Some(p.braid.strands?.count_factor).filter(|v| *v != 1.0),
     set: |p, v| strands(p).count_factor = v,
     ..Measure::NONE
@@ -487,7 +487,7 @@ pub static STRENGTH_FACTOR: Measure = Measure {
     comment: "they may be weaker by this factor; the allowed pressure carries it",
     has_rules: true,
     bounds: Between(1.0, 10.0),
-    default: Some(1.0),
+    beside: Some((&STRAND_STRENGTH, "the strength that is known within it")),
     get: |p| Some(p.braid.strands?.strength_factor).filter(|v| *v != 1.0),
     set: |p, v| strands(p).strength_factor = v,
     ..Measure::NONE
