@@ -7,6 +7,7 @@ use super::{
 use mckibben_core::{
     joint::{Joint, JointModel, Turning, parse_joint},
     model::ForceModel,
+    model::ModelKind,
     muscle::{Muscle, file::parse_muscle},
     random::{Random, rounds},
 };
@@ -189,4 +190,130 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
         let no_host = exported.to(Target::named("opensim").unwrap()).unwrap_err();
         assert!(matches!(no_host, ExportError::Host(_)));
     }
+}
+
+/// The elbow of the examples by its model `universal`, exported to C and Python.
+fn elbow_by_universal(supply_mpa: f64, test: impl Fn(&std::path::Path)) {
+    let muscle: Muscle = parse_muscle(include_str!("../../../../examples/biceps.toml")).unwrap();
+    let file = parse_joint(include_str!("../../../../examples/elbow.toml")).unwrap();
+    let joint = file.with_muscles(vec![muscle.clone(); 2]).unwrap();
+    let model = ModelKind::Universal.build(&muscle).unwrap();
+    let models: Vec<&dyn ForceModel> = vec![&*model; 2];
+    let exported = ExportedJoint::fit(&joint, &models, "elbow", supply_mpa).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    for target in ["c", "python"] {
+        for file in exported.to(Target::named(target).unwrap()).unwrap().files {
+            std::fs::write(folder.path().join(file.name), file.content.bytes()).unwrap();
+        }
+    }
+    test(folder.path());
+}
+
+/// Both muscles pull from 10.8 N m/rad on and one is slack at 5.8, as the joint of the program has
+/// it: between the two the stiffness jumps, and no pressures give what lies there. Of any answer
+/// the stiffness of the form itself at its pressures is that which was sought.
+#[test]
+fn identity_what_the_inverse_answers_the_joint_does_and_a_jump_is_no_answer() {
+    elbow_by_universal(0.3, |folder| {
+        let mut random = Random(68);
+        let mut wanted = vec![[-1.03, -1.4, 9.0], [-1.03, -1.4, 8.0], [-1.03, -1.4, 11.0]];
+        wanted.extend((0..rounds(1500)).map(|_| {
+            [
+                random.between(-1.04, 1.04),
+                random.between(-6.0, 6.0),
+                random.between(2.0, 20.0),
+            ]
+        }));
+        let mut main = "#include \"joint_elbow.h\"\n#include <stdio.h>\n#include <math.h>\nstatic \
+            double nearest(double a, double t, double k) { double best = 1e9; for (int i = 0; i < \
+            400; i++) { mckibben_real p[2] = {(mckibben_real)(1e5 * i / 133.0), 0}, low = 0, high = \
+            (mckibben_real)3e5, there, q = 0; for (int n = 0; n < 40; n++) { p[1] = \
+            MCKIBBEN_R(0.5) * (low + high); q = mckibben_joint_torque(&joint_elbow, p, \
+            (mckibben_real)a, &there, 0, 0); if ((double)q > t) low = p[1]; else high = p[1]; } if \
+            (fabs((double)q - t) < 1e-3) best = fmin(best, fabs((double)there - k)); } return best; \
+            }\nstatic void at(double a, double t, double k) { mckibben_real p[2], r[2], there; \
+            unsigned s; \
+            mckibben_joint_pressures(&joint_elbow, (mckibben_real)a, (mckibben_real)t, \
+            (mckibben_real)k, p, r, &s); const mckibben_real q = \
+            mckibben_joint_torque(&joint_elbow, p, (mckibben_real)a, &there, 0, 0); \
+            printf(\"%.17g %.17g %u %.17g %.17g %.17g %.17g %.17g\\n\", (double)p[0], (double)p[1], s, \
+            (double)q, (double)there, (double)r[0], (double)r[1], s ? nearest(a, t, k) : 0.0); }\nint main(void) {\n"
+            .to_owned();
+        main.extend(
+            wanted
+                .iter()
+                .map(|[a, t, k]| format!("at({a:e}, {t:e}, {k:e});\n")),
+        );
+        main += "return 0; }\n";
+        let script = format!(
+            "import numpy as n, joint_elbow as j\na, t, k = n.array({wanted:?}).T\np = \
+             j.pressures(t, a, k)\nfor r in zip(*p, j.pressures_status(t, a, k), j.torque(p, a), \
+             j.stiffness(p, a)): print(*map(float, r))\n"
+        );
+        let mut hosts = vec![];
+        if runs("cc") {
+            let single = ["-O1", "-DMCKIBBEN_FLOAT", "mckibben.c"];
+            hosts.push((
+                1e-3,
+                numbers(&compiled_and_run(folder, &main, &["-O1", "mckibben.c"])),
+            ));
+            hosts.push((1e-2, numbers(&compiled_and_run(folder, &main, &single))));
+        }
+        hosts.extend(python(folder, "numpy", &script).map(|rows| (1e-3, rows)));
+        for (near, rows) in hosts {
+            assert_eq!(rows.len(), wanted.len());
+            assert_eq!((rows[0][2], rows[1][2], rows[2][2]), (8.0, 8.0, 0.0));
+            // The command line reaches 10.8 to 11.46 there; the form is smoother at the jump.
+            if let [least, most, _] = rows[0][5..] {
+                assert!(least > 10.0 && (most - 11.46).abs() < 0.1, "{least} {most}");
+            }
+            let mut answered = 0;
+            for (row, [angle, torque, stiffness]) in rows.iter().zip(&wanted) {
+                if row[2] == 0.0 {
+                    let met = (row[4] - stiffness).abs() <= 1.01 * near * stiffness
+                        && (row[3] - torque).abs() <= 0.1 * near.max(5e-3) * (1.0 + torque.abs());
+                    assert!(met, "{angle} {torque} {stiffness}: {row:?}");
+                    answered += 1;
+                    continue;
+                }
+                // Nor has the form it at any of 400 pressures of the first muscle.
+                let beside = row.get(7).is_none_or(|nearest| *nearest > 1e-3 * stiffness);
+                assert!(beside, "{angle} {torque} {stiffness}: {row:?}");
+            }
+            assert!(answered > wanted.len() / 5, "{answered}");
+        }
+    });
+}
+
+/// As of one muscle: no pressure of what is not a number, and a status.
+#[test]
+fn identity_what_is_not_a_number_gives_no_pressure() {
+    elbow_by_universal(0.3, |folder| {
+        let wrong = ["NAN", "INFINITY", "-INFINITY"];
+        let mut main = "#include \"joint_elbow.h\"\n#include <stdio.h>\n#include <math.h>\nstatic \
+            void at(double a, double t, double k) { double p[2], r[2]; unsigned s; \
+            mckibben_joint_pressures(&joint_elbow, a, t, k, p, r, &s); printf(\"%.17g %.17g %u\\n\", \
+            p[0], p[1], s & 8u); }\nint main(void) {\n"
+            .to_owned();
+        for value in wrong {
+            main += &format!(
+                "at({value}, 1.0, 0.0); at(0.3, {value}, 0.0); at(0.3, {value}, 9.0); at(0.3, 1.0, \
+                 {value});\n"
+            );
+        }
+        main += "return 0; }\n";
+        let script = "import numpy as n, joint_elbow as j\nfor v in (n.nan, n.inf, -n.inf):\n for a, \
+            t, k in ((v, 1., None), (.3, v, None), (.3, v, 9.), (.3, 1., v)):\n  print(*(float(x[0]) \
+            for x in j.pressures(n.array([t]), n.array([a]), k and n.array([k]))), \
+            float(j.pressures_status(n.array([t]), n.array([a]), k and n.array([k]))[0] & 8))\n";
+        let script = format!("import warnings\nwarnings.simplefilter('ignore')\n{script}");
+        let mut hosts = vec![];
+        hosts.extend(
+            runs("cc").then(|| numbers(&compiled_and_run(folder, &main, &["-O1", "mckibben.c"]))),
+        );
+        hosts.extend(python(folder, "numpy", &script));
+        for rows in hosts {
+            assert_eq!(rows, vec![vec![0.0, 0.0, 8.0]; 12]);
+        }
+    });
 }
