@@ -1,12 +1,18 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::{analysis::Sweep, model::Workspace, muscle::Direction};
+use crate::{analysis::Sweep, joined, model::Workspace, muscle::Direction};
 
 /// Parts into which the pulls that give the torque are cut in search of the stiffness.
 const SCAN: usize = 40;
 /// Share of the pulls' range by which both muscles are kept taut at its ends.
 const TAUT: f64 = 1e-8;
+/// The same, where rounding leaves a muscle slack there.
+const BESIDE: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
+/// A stiffness with one muscle slack is met within half a unit of the third digit, or of the second
+/// digit of its ±: what an answer prints is asked for again.
+const PRINTED: f64 = 5e-3;
+const PRINTED_HALF: f64 = 0.05;
 
 /// What a joint shall do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +48,19 @@ impl JointModel<'_> {
         wanted: JointTarget,
         max_pressure_mpa: f64,
     ) -> Result<JointPoint> {
+        self.check_workspaces(workspaces)?;
         self.check_angle(wanted.angle_deg)?;
+        let numbers = [
+            ("the torque in N m", wanted.torque_nm),
+            (
+                "the stiffness in N m/rad",
+                wanted.stiffness_nm_per_rad.unwrap_or(0.0),
+            ),
+            ("the highest pressure in MPa", max_pressure_mpa),
+        ];
+        for (what, value) in numbers {
+            JointError::unless_finite(what, value)?;
+        }
         let angle = wanted.angle_deg.to_radians();
         let mut here = vec![];
         for (i, workspace) in workspaces
@@ -71,7 +89,7 @@ impl JointModel<'_> {
                 most,
                 message: format!(
                     "no pressures up to {max_pressure_mpa}\u{a0}MPa give {sought} at {} deg; the \
-                     joint reaches {least:.4} to {most:.4} {unit} there",
+                     joint reaches {least:.4} to {most:.4} {unit}",
                     wanted.angle_deg
                 ),
             };
@@ -82,7 +100,7 @@ impl JointModel<'_> {
                     .sum::<f64>()
             };
             let reached = [-1.0, 1.0].map(|sign| passive + 1e-3 * reach(sign));
-            out_of_reach(format!("{} N m", wanted.torque_nm), reached, "N m")
+            out_of_reach(format!("{} N m", wanted.torque_nm), reached, "N m there")
         };
         let line = Line {
             model: self,
@@ -94,12 +112,34 @@ impl JointModel<'_> {
             (None, _) => line.pressures(workspaces, low)?,
             (Some(_), [_]) => return Err(JointError::OneMuscle),
             (Some(stiffness), _) => {
+                // Where one muscle is slack the stiffness jumps: those ends are answers by themselves.
+                let mut slack = vec![];
+                for pull in [low, high] {
+                    let pressures = line.pressures(workspaces, pull)?;
+                    let there =
+                        self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)?;
+                    if there.muscles.iter().any(|m| m.answer.slack) {
+                        let half = there.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
+                        let printed = (PRINTED * stiffness.abs()).max(PRINTED_HALF * half);
+                        if (there.stiffness_nm_per_rad - stiffness).abs() <= printed {
+                            return Ok(there);
+                        }
+                        slack.push(there.stiffness_nm_per_rad);
+                    }
+                }
                 let (low, high) = (low + TAUT * (high - low), high - TAUT * (high - low));
                 let excess = |pull| -> Result<f64> {
                     Ok(line.stiffness(workspaces, pull)? - passive_slope - stiffness)
                 };
                 let mut sweep = Sweep::new(true, 0.0, excess);
                 sweep.fill((low, high), SCAN)?;
+                for (end, other) in [(low, high), (high, low)] {
+                    if sweep.sample(end)?.is_none() {
+                        for share in BESIDE {
+                            sweep.sample(end + share * (other - end))?;
+                        }
+                    }
+                }
                 let zero = sweep.zeros(0)?.first().copied();
                 if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {
                     return Err(error);
@@ -111,7 +151,12 @@ impl JointModel<'_> {
                 };
                 let zero = zero.ok_or_else(|| {
                     let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
-                    out_of_reach(sought, [end(1.0), end(-1.0)], "N m/rad")
+                    let beside = slack
+                        .iter()
+                        .map(|k| format!(", and {k:.4} with one of them slack"));
+                    let there =
+                        String::from("N m/rad there while both muscles pull") + &joined(beside, "");
+                    out_of_reach(sought, [end(1.0), end(-1.0)], &there)
                 })?;
                 line.pressures(workspaces, zero.at)?
             }
@@ -174,7 +219,7 @@ impl Line<'_, '_> {
         .collect()
     }
 
-    /// Σ (K Δ′² − F Δ″) in N m/rad.
+    /// Σ (K Δ′² − F Δ″) in N m/rad; not a number where a muscle is slack.
     fn stiffness(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<f64> {
         let pressures = self.pressures(workspaces, first_n)?;
         let mut sum = 0.0;
@@ -185,12 +230,14 @@ impl Line<'_, '_> {
             let r = muscle
                 .response(p, here.contraction)
                 .map_err(JointError::in_muscle(i))?;
-            if r.force_n > 0.0 {
-                let k = muscle
-                    .stiffness_n_per_mm(&r)
-                    .map_err(JointError::in_muscle(i))?;
-                sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
+            // The least pulls of a taut muscle are rounding: it is slack.
+            if r.force_n <= 0.0 {
+                return Ok(f64::NAN);
             }
+            let k = muscle
+                .stiffness_n_per_mm(&r)
+                .map_err(JointError::in_muscle(i))?;
+            sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
         }
         Ok(1e-3 * sum)
     }
