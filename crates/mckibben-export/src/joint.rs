@@ -95,7 +95,9 @@ impl ExportedJoint {
                 .iter()
                 .zip(models)
                 .position(|(of, other)| *of == wanted && is_same(*other));
-            let name = format!("{name}_{}", i + 1);
+            // Short enough that what tells the muscles apart stays in their identifiers.
+            let short: String = name.chars().take(36).collect();
+            let name = format!("{short}_{}", i + 1);
             let mut muscle = match known.and_then(|k| muscles.get(k)) {
                 Some(known) => ExportedMuscle {
                     name,

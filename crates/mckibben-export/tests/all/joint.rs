@@ -198,12 +198,22 @@ fn elbow_by_universal(
     targets: &[&str],
     test: impl Fn(&std::path::Path, &JointModel<'_>),
 ) {
+    named_by_universal("elbow", supply_mpa, targets, test);
+}
+
+/// The same under another name.
+fn named_by_universal(
+    name: &str,
+    supply_mpa: f64,
+    targets: &[&str],
+    test: impl Fn(&std::path::Path, &JointModel<'_>),
+) {
     let muscle: Muscle = parse_muscle(include_str!("../../../../examples/biceps.toml")).unwrap();
     let file = parse_joint(include_str!("../../../../examples/elbow.toml")).unwrap();
     let joint = file.with_muscles(vec![muscle.clone(); 2]).unwrap();
     let model = ModelKind::Universal.build(&muscle).unwrap();
     let models: Vec<&dyn ForceModel> = vec![&*model; 2];
-    let exported = ExportedJoint::fit(&joint, &models, "elbow", supply_mpa).unwrap();
+    let exported = ExportedJoint::fit(&joint, &models, name, supply_mpa).unwrap();
     let core = JointModel::new(&joint, models, true).unwrap();
     let folder = tempfile::tempdir().unwrap();
     for target in targets {
@@ -377,4 +387,66 @@ fn bound_each_file_of_mujoco_states_its_own_largest_errors() {
             );
         }
     });
+}
+
+/// Every name and every target: its examples compile and run, its modules are imported and its
+/// scenes read, where a compiler, Python or MuJoCo is there. "joint" is the default of Python.
+#[test]
+fn joints_of_every_name_compile_for_every_target() {
+    let names = [
+        "joint",
+        "muscle",
+        "mckibben",
+        "example",
+        "joint_h",
+        "main",
+        "int",
+        "",
+        "1",
+        "Gelenk ä",
+        "a name that is longer than what identifiers of muscles hold",
+    ];
+    for name in names {
+        let targets = ["c", "python", "mjcf", "fmu"];
+        named_by_universal(name, 0.3, &targets, |folder, _| {
+            let files = std::fs::read_dir(folder).unwrap();
+            let mut files =
+                Vec::from_iter(files.map(|file| file.unwrap().file_name().into_string().unwrap()));
+            files.sort();
+            let numbers_of = |word: &str| {
+                let own = files
+                    .iter()
+                    .filter(|f| f.starts_with(word) && f.ends_with(".h"));
+                own.count()
+            };
+            assert_eq!(
+                (numbers_of("joint"), numbers_of("muscle")),
+                (1, 2),
+                "{files:?}"
+            );
+            for file in &files {
+                let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
+                if file.starts_with("joint") && file.ends_with("_example.c") && runs("cc") {
+                    let said = compiled_and_run(folder, &text, &["mckibben.c"]);
+                    assert!(said.contains("status 0"), "{name}: {said}");
+                }
+                let module = file
+                    .strip_suffix(".py")
+                    .filter(|file| file.starts_with("joint"));
+                if let Some(module) = module {
+                    let script =
+                        format!("import {module}\nprint({module}.torque((1e5, 1e5), 0.1))");
+                    assert!(python(folder, "math", &script).is_none_or(|rows| rows.len() == 1));
+                }
+                if file.starts_with("joint")
+                    && file.ends_with(".xml")
+                    && !file.ends_with("_plugin.xml")
+                {
+                    let script =
+                        format!("import mujoco\nprint(mujoco.MjModel.from_xml_path('{file}').nu)");
+                    assert!(python(folder, "mujoco", &script).is_none_or(|rows| rows[0][0] == 4.0));
+                }
+            }
+        });
+    }
 }
