@@ -175,9 +175,9 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
     else
         k[0] = k[1] = mckibben_joint_pulled(j, &at, low, p, &slack);
     if (!(found & MCKIBBEN_NO_ANSWER) && j->muscles > 1 && (sought || reached)) {
-        const mckibben_real near = MCKIBBEN_R(1e-3) * mckibben_joint_apart(stiffness, MCKIBBEN_R(0));
+        const mckibben_real enough = MCKIBBEN_R(1e-3) * mckibben_joint_apart(stiffness, MCKIBBEN_R(0));
         mckibben_real a = low, b = low, q[2], here, before = MCKIBBEN_R(0), best = low, closest = mckibben_joint_apart(k[0], stiffness);
-        int both = 0, any = 0, met = closest <= near;
+        int both = 0, any = 0, met = closest <= enough;
         /* Both muscles are taut at the ends. */
         mckibben_real taut = MCKIBBEN_R(1e-5) * (at.most[0] + at.most[1] * mckibben_joint_apart(at.arm[1] / at.arm[0], MCKIBBEN_R(0)));
         taut = taut < MCKIBBEN_R(0.5) * (high - low) ? taut : MCKIBBEN_R(0.5) * (high - low);
@@ -203,7 +203,7 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
                     else
                         to = middle;
                 }
-                met = mckibben_joint_apart(there, stiffness) <= near; /* where it jumps, no side has it */
+                met = mckibben_joint_apart(there, stiffness) <= enough; /* where it jumps, no side has it */
                 best = met ? middle : best;
             }
             both = 1;
@@ -218,7 +218,7 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
             closest = here;
             best = high;
         }
-        met = met || closest <= near;
+        met = met || closest <= enough;
         if (sought) {
             found |= met ? 0u : MCKIBBEN_NO_ANSWER;
             (void)mckibben_joint_pulled(j, &at, best, p, &slack);
