@@ -134,7 +134,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let mut solver = Solver {
         model: &model,
         workspaces: model.workspaces(),
-        warnings: joint.wrong_sides().into_iter().map(Warning::from).collect(),
+        warnings: joint.doubts().into_iter().map(Warning::from).collect(),
     };
     let rows = solver.rows(request, progress);
     cancel::check()?;

@@ -266,28 +266,39 @@ impl Joint {
         (0..count).map(move |k| low + (high - low) * f64::from(k) / f64::from(count - 1))
     }
 
-    /// Muscles whose points lie on the other side of the axis than their names say, a sentence each:
-    /// the first shall turn the joint to +, the second to −.
-    pub fn wrong_sides(&self) -> Vec<String> {
+    /// What is unlikely, a sentence each: a muscle whose points turn the joint to the other side than
+    /// its place in the file says (the first to +, the second to −), and sizes in another unit.
+    pub fn doubts(&self) -> Vec<String> {
         let (low, high) = self.range_deg;
         let deg = 0f64.clamp(low, high);
-        let turns = |i: usize| Some(self.contraction(i, deg.to_radians())?.1.arm_mm);
-        let one = |(i, [right, wrong]): (usize, [&str; 2])| {
-            let arm_mm = turns(i)?;
-            let is_wrong = if i == 0 { arm_mm < 0.0 } else { arm_mm > 0.0 };
-            is_wrong.then(|| {
-                format!(
-                    "muscle {} turns the joint to {wrong} at {deg} deg, with an arm of {:.1} mm: its \
-                     points lie on the side of the axis on which it does not turn to {right}",
-                    i + 1,
-                    arm_mm.abs()
-                )
-            })
-        };
-        (0..)
-            .zip([["+", "\u{2212}"], ["\u{2212}", "+"]])
-            .filter_map(one)
-            .collect()
+        let mut out = vec![];
+        for (i, wrong) in (0..self.muscles.len()).zip(["\u{2212}", "+"]) {
+            let Some((_, at)) = self.contraction(i, deg.to_radians()) else {
+                continue;
+            };
+            let number = i + 1;
+            if (i == 0) != (at.arm_mm > 0.0) {
+                out.push(format!(
+                    "muscle {number} turns the joint to {wrong} at {deg} deg: its points lie on \
+                     the other side of the axis, or the muscles are swapped"
+                ));
+            }
+            if at.arm_mm.abs() < 1.0 || at.arm_mm.abs() > 1e3 {
+                out.push(format!(
+                    "muscle {number} has an arm of {:.3}\u{a0}mm at {deg} deg: a bare number is in mm",
+                    at.arm_mm.abs()
+                ));
+            }
+        }
+        let link = &self.link;
+        for (what, kg) in [("mass", link.mass_kg), ("payload", link.payload_kg)] {
+            if kg > 100.0 {
+                out.push(format!(
+                    "{what} of the link is {kg}\u{a0}kg: a bare number is in kg"
+                ));
+            }
+        }
+        out
     }
 
     /// Its muscles: one or two.

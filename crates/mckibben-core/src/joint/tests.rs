@@ -860,9 +860,10 @@ fn closed_form_an_inertia_has_the_mass_of_its_link() {
     assert!((joint.link().whole_inertia_kg_m2() - (0.027 + 0.18)).abs() < 1e-12);
 }
 
-/// Points on the other side of the axis: the first muscle turns to −.
+/// Points on the other side of the axis: the first muscle turns to −. `radius = 0.03` is 0.03 mm and
+/// `mass = 800` 800 kg.
 #[test]
-fn a_muscle_on_the_wrong_side_is_named() {
+fn a_muscle_on_the_wrong_side_and_unlikely_sizes_are_named() {
     let on = |x: f64| {
         muscle(
             Path::Points {
@@ -872,15 +873,23 @@ fn a_muscle_on_the_wrong_side_is_named() {
             0.12,
         )
     };
-    let sides = |muscles: Vec<JointMuscle>| {
-        Joint::new(muscles, None, Link::default(), (-40.0, 40.0))
-            .unwrap()
-            .wrong_sides()
+    let doubts = |muscles: Vec<JointMuscle>, mass_kg: f64| {
+        let link = Link {
+            mass_kg,
+            ..Link::default()
+        };
+        let joint = Joint::new(muscles, None, link, (-40.0, 40.0)).unwrap();
+        joint.doubts()
     };
-    assert!(sides(vec![on(30.0), on(-30.0)]).is_empty());
-    let said = sides(vec![on(-30.0), on(30.0)]);
+    assert!(doubts(vec![on(30.0), on(-30.0)], 1.0).is_empty());
+    let said = doubts(vec![on(-30.0), on(30.0)], 1.0);
     assert!(
         said.len() == 2 && said[0].starts_with("muscle 1 turns the joint to \u{2212}"),
+        "{said:?}"
+    );
+    let said = doubts(vec![muscle(Path::Pulley { radius_mm: 0.03 }, 0.12)], 800.0);
+    assert!(
+        said.len() == 2 && said[0].contains("0.030\u{a0}mm") && said[1].contains("800\u{a0}kg"),
         "{said:?}"
     );
 }

@@ -36,6 +36,8 @@ pub enum Course<Q> {
     /// A value, "ramp 0..3 bar in 2 s", "sine 1..3 bar at 2 Hz",
     /// "chirp 1..3 bar from 0.1..5 Hz in 10 s" or "table:command.csv"
     Said(String),
+    /// A value in MPa, mm³, degrees, or a ratio
+    Number(f64),
     /// Values from their times on, in pairs such as [["0 s", "0 bar"], ["0.1 s", "3 bar"]]
     Pairs(Vec<(Time, Q)>),
 }
@@ -53,6 +55,14 @@ impl<'de, Q: Deserialize<'de>> Deserialize<'de> for Course<Q> {
 
             fn visit_str<E>(self, text: &str) -> Result<Course<Q>, E> {
                 Ok(Course::Said(text.to_owned()))
+            }
+
+            fn visit_f64<E>(self, number: f64) -> Result<Course<Q>, E> {
+                Ok(Course::Number(number))
+            }
+
+            fn visit_i64<E>(self, number: i64) -> Result<Course<Q>, E> {
+                Ok(Course::Number(number as f64))
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Course<Q>, A::Error> {
@@ -195,6 +205,7 @@ impl Commands<'_> {
         let command = match course {
             Course::Said(text) => spoken(&text, Q::DIMENSION)
                 .ok_or_else(|| wrong(format!("is not a command; write {OVER_TIME}")))?,
+            Course::Number(number) => Command::Constant(number),
             Course::Pairs(pairs) => {
                 Command::Steps(pairs.into_iter().map(|(t, v)| (t.0, v.into())).collect())
             }
