@@ -215,7 +215,7 @@ fn a_muscle_that_no_clamp_holds_is_refused() {
 fn closed_form_the_sheet_of_a_muscle_that_extends_names_the_load_at_which_it_buckles() {
     let plan = |angle: f64| {
         let text = format!(
-            "[tube]\nouter_diameter = 10\nwall_thickness = 1.5\nlength = 200\n[tube.rubber]\nlaw \
+            "[tube]\nouter_diameter = 10\nwall_thickness = 1.5\nlength = 200\n[tube.material]\nlaw \
              = \"neo-hookean\"\nmu = \"0.3 MPa\"\n[braid]\nangle = {angle}\n"
         );
         let muscle = parse_muscle(&text).unwrap();
