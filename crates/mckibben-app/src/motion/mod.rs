@@ -19,8 +19,8 @@ use crate::{
 };
 use mckibben_core::{extremes::peak, muscle::file::FileError, progress::Progress};
 use mckibben_motion::{
-    Command, Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target,
-    drive_names, parse_drive, run_as_far, size, with_value,
+    Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target, drive_names,
+    parse_drive, run_as_far, size, with_value,
 };
 use moved::Moved;
 use std::path::Path;

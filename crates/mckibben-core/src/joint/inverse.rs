@@ -50,17 +50,10 @@ impl JointModel<'_> {
     ) -> Result<JointPoint> {
         self.check_workspaces(workspaces)?;
         self.check_angle(wanted.angle_deg)?;
-        let numbers = [
-            ("the torque in N m", wanted.torque_nm),
-            (
-                "the stiffness in N m/rad",
-                wanted.stiffness_nm_per_rad.unwrap_or(0.0),
-            ),
-            ("the highest pressure in MPa", max_pressure_mpa),
-        ];
-        for (what, value) in numbers {
-            JointError::unless_finite(what, value)?;
-        }
+        JointError::unless_finite("the torque in N m", wanted.torque_nm)?;
+        let stiffness = wanted.stiffness_nm_per_rad.unwrap_or(0.0);
+        JointError::unless_finite("the stiffness in N m/rad", stiffness)?;
+        JointError::unless_finite("the highest pressure in MPa", max_pressure_mpa)?;
         let angle = wanted.angle_deg.to_radians();
         let mut here = vec![];
         for (i, workspace) in workspaces
@@ -111,54 +104,21 @@ impl JointModel<'_> {
         let pressures = match (wanted.stiffness_nm_per_rad, &here[..]) {
             (None, _) => line.pressures(workspaces, low)?,
             (Some(_), [_]) => return Err(JointError::OneMuscle),
-            (Some(stiffness), _) => {
-                // Where one muscle is slack the stiffness jumps: those ends are answers by themselves.
-                let mut slack = vec![];
-                for pull in [low, high] {
-                    let pressures = line.pressures(workspaces, pull)?;
-                    let there =
-                        self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)?;
-                    if there.muscles.iter().any(|m| m.answer.slack) {
-                        let half = there.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
-                        let printed = (PRINTED * stiffness.abs()).max(PRINTED_HALF * half);
-                        if (there.stiffness_nm_per_rad - stiffness).abs() <= printed {
-                            return Ok(there);
-                        }
-                        slack.push(there.stiffness_nm_per_rad);
-                    }
-                }
-                let (low, high) = (low + TAUT * (high - low), high - TAUT * (high - low));
-                let excess = |pull| -> Result<f64> {
-                    Ok(line.stiffness(workspaces, pull)? - passive_slope - stiffness)
+            (Some(_), _) => {
+                let slack = match line.slack_ends(workspaces, &wanted, [low, high])? {
+                    Ok(there) => return Ok(there),
+                    Err(slack) => slack,
                 };
-                let mut sweep = Sweep::new(true, 0.0, excess);
-                sweep.fill((low, high), SCAN)?;
-                for (end, other) in [(low, high), (high, low)] {
-                    if sweep.sample(end)?.is_none() {
-                        for share in BESIDE {
-                            sweep.sample(end + share * (other - end))?;
-                        }
-                    }
-                }
-                let zero = sweep.zeros(0)?.first().copied();
-                if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {
-                    return Err(error);
-                }
-                let end = |sign: f64| {
-                    sweep
-                        .least(|k| sign * k)
-                        .map_or(f64::NAN, |(_, k)| k + stiffness)
-                };
-                let zero = zero.ok_or_else(|| {
+                let sought = [passive_slope, stiffness];
+                let found = line.first_pull(workspaces, (low, high), sought)?;
+                let pull = found.map_err(|reached| {
                     let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
-                    let beside = slack
-                        .iter()
-                        .map(|k| format!(", and {k:.4} with one of them slack"));
-                    let there =
-                        String::from("N m/rad there while both muscles pull") + &joined(beside, "");
-                    out_of_reach(sought, [end(1.0), end(-1.0)], &there)
+                    let one = |k: &f64| format!(", and {k:.4} with one of them slack");
+                    let beside = joined(slack.iter().map(one), "");
+                    let unit = format!("N m/rad there while both muscles pull{beside}");
+                    out_of_reach(sought, reached, &unit)
                 })?;
-                line.pressures(workspaces, zero.at)?
+                line.pressures(workspaces, pull)?
             }
         };
         self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
@@ -174,6 +134,68 @@ struct Line<'l, 'm> {
 }
 
 impl Line<'_, '_> {
+    /// The joint at the first of these pulls of the first muscle at which a muscle is slack and that
+    /// has the stiffness as an answer prints it: where a muscle goes slack the stiffness jumps. Else
+    /// the stiffnesses with a slack muscle.
+    fn slack_ends(
+        &self,
+        workspaces: &mut [Workspace],
+        wanted: &JointTarget,
+        pulls: [f64; 2],
+    ) -> Result<Result<JointPoint, Vec<f64>>> {
+        let stiffness = wanted.stiffness_nm_per_rad.unwrap_or(0.0);
+        let mut slack = vec![];
+        for pull in pulls {
+            let pressures = self.pressures(workspaces, pull)?;
+            let there =
+                self.model
+                    .point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)?;
+            if there.muscles.iter().any(|m| m.answer.slack) {
+                let half = there.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
+                let printed = (PRINTED * stiffness.abs()).max(PRINTED_HALF * half);
+                if (there.stiffness_nm_per_rad - stiffness).abs() <= printed {
+                    return Ok(Ok(there));
+                }
+                slack.push(there.stiffness_nm_per_rad);
+            }
+        }
+        Ok(Err(slack))
+    }
+
+    /// The least pull of the first muscle at which both muscles pull and have a stiffness, or the
+    /// least and the largest stiffness that they have.
+    fn first_pull(
+        &self,
+        workspaces: &mut [Workspace],
+        (low, high): (f64, f64),
+        [passive_slope, stiffness]: [f64; 2],
+    ) -> Result<Result<f64, [f64; 2]>> {
+        let (low, high) = (low + TAUT * (high - low), high - TAUT * (high - low));
+        let excess = |pull| -> Result<f64> {
+            Ok(self.stiffness(workspaces, pull)? - passive_slope - stiffness)
+        };
+        let mut sweep = Sweep::new(true, 0.0, excess);
+        sweep.fill((low, high), SCAN)?;
+        for (end, other) in [(low, high), (high, low)] {
+            if sweep.sample(end)?.is_none() {
+                for share in BESIDE {
+                    sweep.sample(end + share * (other - end))?;
+                }
+            }
+        }
+        let zero = sweep.zeros(0)?.first().copied();
+        if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {
+            return Err(error);
+        }
+        let end = |sign: f64| {
+            let least = sweep.least(|k| sign * k);
+            least.map_or(f64::NAN, |(_, k)| k + stiffness)
+        };
+        Ok(zero
+            .map(|zero| zero.at)
+            .ok_or_else(|| [end(1.0), end(-1.0)]))
+    }
+
     /// Pull of the second muscle where the first has one.
     fn second(&self, first_n: f64) -> f64 {
         match self.here {
