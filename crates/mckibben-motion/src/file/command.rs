@@ -289,4 +289,28 @@ mod tests {
         assert_eq!(read("3 bar"), Some(Command::Constant(0.3)));
         assert_eq!(read("saw 1..3 bar"), None);
     }
+
+    /// A bare number is what it is in a text, in MPa; and what `motion` writes is read.
+    #[test]
+    fn identity_bare_numbers_and_own_columns_are_read() {
+        let drive = |value: &str, table: &str| {
+            let text = format!(
+                "joint = 'j'\n[regulator]\ntime_constant = '0.1 s'\n[command]\npressure_1 = \
+                 {value}\npressure_2 = 0\nuntil = '1 s'\n"
+            );
+            let texts = [("t.csv".to_owned(), table.to_owned())].into();
+            let tables = Tables {
+                texts,
+                rest_length_mm: 1.0,
+            };
+            crate::parse_drive(&text, &tables).unwrap().target
+        };
+        assert_eq!(drive("0.2", ""), drive("'0.2'", ""));
+        assert_eq!(drive("0.2", ""), drive("'2 bar'", ""));
+        let own = "time_s,angle_deg,pressure_1_mpa,pressure_2_mpa\n0,1,0.2,0.1\n1,2,0.3,0.1\n";
+        let Target::Pressure(commands) = drive("'table:t.csv'", own) else {
+            panic!()
+        };
+        assert_eq!(commands[0].value(0.0), 0.2);
+    }
 }
