@@ -9,7 +9,7 @@ import json
 import sys
 
 import numpy as np
-from scipy.integrate import solve_ivp
+from scipy.integrate import Radau
 from scipy.optimize import brentq
 
 R, GAMMA, P_ATM, T0, RHO0 = 287.05, 1.4, 101325.0, 293.15, 1.185
@@ -68,19 +68,20 @@ def with_hose(c, b):
     return whole, 1 - whole**2 * ((1 - b) / c**2 + (1 - HOSE_B) / HOSE_C**2)
 
 
-def share(x, turns):
-    """z of Masing's rule after the beginning and the reversals (position, z); what a closed loop leaves is cut off."""
-    while len(turns) > 1 and abs(x - turns[-1][0]) >= abs(
-        turns[-1][0] - turns[-2][0]
-    ) * (2 if len(turns) == 2 else 1):
-        del turns[-1 if len(turns) == 2 else -2 :]
-    (begin, z), width = turns[-1], min(len(turns), 2)
-    return z + np.sign(x - begin) * width * (
-        1 - max(0, 1 - abs(x - begin) / (width * PRESLIDING)) ** 2
-    )
+# Elements that stick and slip: their limits follow the pressure, their stiffness the largest of them so far.
+ELEMENTS = (np.arange(3000) + 0.5) / 3000
 
 
-def rates(_, y, command, turns):
+def moved(x, gauge, memory):
+    """The forces of the elements, and the largest limit."""
+    forces, at, largest = memory
+    limit = LEVEL * (gauge * 1e-6) ** BETA
+    largest = max(largest, limit)
+    most = 2 * ELEMENTS * limit
+    return np.clip(forces + 2 * largest / PRESLIDING * (x - at), -most, most), largest
+
+
+def rates(y, command, memory):
     x, v, p, m, u = y
     e, gauge = x / L0, p - P_ATM
     vol, t = volume(e), p * volume(e) / (m * R)
@@ -95,7 +96,7 @@ def rates(_, y, command, turns):
         (GAMMA - 1) * (CP * (g_in * t_in + g_ex * t_ex) + heat)
         - GAMMA * p * volume_e(e) * v / L0
     ) / vol
-    pull = force(gauge, e) - LEVEL * (gauge * 1e-6) ** BETA * share(x, turns[:])
+    pull = force(gauge, e) - moved(x, gauge, memory)[0].mean()
     dv = (pull - MASS * 9.80665 - PRELOAD - SPRING * x - DAMPER * v) / MASS
     du = (np.clip(GAIN * (command + P_ATM - p), -1, 1) - u) / LAG
     return [v, dv, dp, g_in + g_ex, du]
@@ -110,40 +111,39 @@ x = brentq(
     xtol=1e-16,
 )
 y = np.array([x, 0, gauge + P_ATM, (gauge + P_ATM) * volume(x / L0) / (R * T0), 0])
-turns, sign = [(x, 0.0)], 1.0
+memory, sign = (0 * ELEMENTS, x, 0.0), 1.0
 
 times, states = np.array(answer["time_s"]), []
 done = 0
 for begin, end, command in [(0, 0.1, 0.1e6), (0.1, 0.6, 0.3e6), (0.6, 1.0, 0.15e6)]:
     t = begin
     while t < end - 1e-15:
-        # The sign of the speed is fixed between its zeros.
-        def zero(_, y, *args):
-            return y[1]
-
-        zero.terminal, zero.direction = True, -sign
-        found = solve_ivp(
-            rates,
-            (t, end),
+        solver = Radau(
+            lambda _, y: rates(y, command, memory),
+            t,
             y,
-            "Radau",
+            end,
             rtol=1e-11,
             atol=[1e-13, 1e-12, 1e-4, 1e-15, 1e-12],
-            events=zero,
-            args=(command, turns),
-            dense_output=True,
-            max_step=2e-3,
+            max_step=1e-4,
         )
-        assert found.success, found.message
-        while done < len(times) and times[done] <= found.t[-1] + (
-            1e-12 if end == 1.0 else -1e-12
-        ):
-            states.append(found.sol(min(times[done], found.t[-1])))
-            done += 1
-        t, y = found.t[-1], found.y[:, -1]
-        if found.status == 1:
-            turns.append((y[0], share(y[0], turns)))
-            sign, y[1] = -sign, -sign * 2e-9
+        reversal = False
+        while solver.status == "running" and not reversal:
+            solver.step()
+            assert solver.status != "failed"
+            within = solver.dense_output()
+            t, y = solver.t, solver.y
+            # The sign of the speed is fixed between its zeros.
+            reversal = sign * y[1] < -1e-9 and sign * within(solver.t_old)[1] > 0
+            if reversal:
+                t = brentq(lambda t: within(t)[1], solver.t_old, t, xtol=1e-16)
+                y, sign = within(t), -sign
+            last = t + (1e-12 if end == 1.0 else -1e-12)
+            while done < len(times) and times[done] <= last:
+                states.append(within(min(times[done], t)))
+                done += 1
+            forces, largest = moved(y[0], y[2] - P_ATM, memory)
+            memory = forces, y[0], largest
 
 states = np.array(states)
 assert len(states) == len(times), (len(states), len(times))

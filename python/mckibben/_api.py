@@ -3880,10 +3880,15 @@ class Motion(Record):
     energies
         Energies, J.
     efficiency
-        Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid.
+        Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid; not of a load that is released, nor
+        where what was stored does the work.
     bandwidth_hz : Hz
-        Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz; of two muscles of a joint, changes
-        against each other.
+        Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
+        followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
+    bandwidth_filling_hz : Hz
+        The same while the (first) muscle is filled, Hz.
+    bandwidth_venting_hz : Hz
+        The same while it is vented, Hz.
     events
         What happened: ends of stroke, slack, valve switching, reversals.
     end_contraction_uncertainty
@@ -3945,6 +3950,8 @@ class Motion(Record):
     air_normal_litres_per_cycle: float | None = None
     efficiency: float | None = None
     bandwidth_hz: float | None = None
+    bandwidth_filling_hz: float | None = None
+    bandwidth_venting_hz: float | None = None
     end_contraction_uncertainty: float | None = None
     end_angle_uncertainty_deg: float | None = None
     uncertainty_text: str | None = None
@@ -4003,10 +4010,15 @@ class MotionRun(Record):
     energies
         Energies, J.
     efficiency
-        Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid.
+        Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid; not of a load that is released, nor
+        where what was stored does the work.
     bandwidth_hz : Hz
-        Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz; of two muscles of a joint, changes
-        against each other.
+        Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
+        followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
+    bandwidth_filling_hz : Hz
+        The same while the (first) muscle is filled, Hz.
+    bandwidth_venting_hz : Hz
+        The same while it is vented, Hz.
     events
         What happened: ends of stroke, slack, valve switching, reversals.
     end_contraction_uncertainty
@@ -4040,6 +4052,8 @@ class MotionRun(Record):
     air_normal_litres_per_cycle: float | None = None
     efficiency: float | None = None
     bandwidth_hz: float | None = None
+    bandwidth_filling_hz: float | None = None
+    bandwidth_venting_hz: float | None = None
     end_contraction_uncertainty: float | None = None
     end_angle_uncertainty_deg: float | None = None
     uncertainty_text: str | None = None

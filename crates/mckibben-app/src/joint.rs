@@ -134,7 +134,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let mut solver = Solver {
         model: &model,
         workspaces: model.workspaces(),
-        warnings: vec![],
+        warnings: joint.doubts().into_iter().map(Warning::from).collect(),
     };
     let rows = solver.rows(request, progress);
     cancel::check()?;
@@ -342,7 +342,10 @@ impl Solver<'_> {
         let mut rows = vec![];
         for pressures in families {
             let workspaces = &mut self.workspaces;
-            for rest in self.model.rests(workspaces, pressures, torque_nm)? {
+            let (rests, gap) = self.model.rests_and_gap(workspaces, pressures, torque_nm)?;
+            let beside = gap.map(|gap| Warning::from(format!("other rests are not sought: {gap}")));
+            self.warnings.extend(beside);
+            for rest in rests {
                 let workspaces = &mut self.workspaces;
                 let angle_deg = rest.angle_deg();
                 let point = self

@@ -309,7 +309,7 @@ problems! {
         TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or leave \
             `up_to_stretch` out";
     };
-    JointError: File of Cancelled, around error in (JointError::Muscle { error, .. }) {
+    JointError: File of Cancelled, around error in (JointError::Muscle { error, .. } | JointError::At { error, .. }) {
         JointError::OutOfReach { .. } => NoAnswer "a value that it reaches, a higher \
             `max_pressure_mpa`, or a larger pulley or muscle";
         JointError::Angle { .. } => OutOfRange in "angles_deg";

@@ -4,7 +4,12 @@ use crate::{
     AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint,
     clamps::Tie, material, plug, test_points,
 };
-use mckibben_core::{analysis::burst::ends::clamp_load_n, muscle::Muscle, refused::Refused};
+use mckibben_core::{
+    analysis::{SAFETY, burst::ends::clamp_load_n},
+    model::ThickWall,
+    muscle::Muscle,
+    refused::Refused,
+};
 use std::f64::consts::PI;
 
 /// Choices of the builder.
@@ -155,6 +160,17 @@ impl Plan {
         })
     }
 
+    /// Of a muscle that extends, without a guide: the push in N at which it buckles at its length at
+    /// rest; a [`SAFETY`]th of it is allowed.
+    fn buckling_n(&self) -> Option<f64> {
+        let model = self
+            .muscle
+            .is_extensile()
+            .then(|| ThickWall::new(&self.muscle))?;
+        let pressure_mpa = self.operating.pressure_mpa;
+        model.buckling_n(pressure_mpa, 0.0).ok()
+    }
+
     /// Warnings, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let mut out = vec![];
@@ -172,6 +188,16 @@ impl Plan {
                  across: turn both plugs from metal, or take wider ones",
                 crate::text::significant(self.air_plug.stress_mpa(self.end_load_n), 2),
                 crate::plug::PRINTED_MPA
+            ));
+        }
+        if let Some(bears_n) = self.buckling_n() {
+            let [push, bears, allowed] =
+                [-self.operating.blocked_force_n, bears_n, bears_n / SAFETY]
+                    .map(|n| crate::text::significant(n.max(0.0), 2));
+            out.push(format!(
+                "the muscle pushes with up to {push}\u{a0}N, and between two joints it buckles at \
+                 {bears}\u{a0}N, by its wall alone: guide it in a tube or in a bundle, or keep \
+                 the push below {allowed}\u{a0}N"
             ));
         }
         if self.clamps == Clamps::Crimped {

@@ -245,12 +245,19 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
         warn(FallsWithPressure, -slope, sentence);
     }
     if let Some(bears_n) = buckling_load_n(muscle, response)
-        && response.force_n < -bears_n
+        && response.force_n < -bears_n / SAFETY
     {
         let push_n = -response.force_n;
+        let what = if push_n > bears_n {
+            "the muscle buckles between two joints"
+        } else {
+            "the muscle pushes with more than it may between two joints"
+        };
         let sentence = format!(
-            "the muscle buckles between two joints: it pushes with {push_n:.1}\u{a0}N, and its \
-             wall alone bears {bears_n:.1}\u{a0}N; guide it in a tube, or make it shorter"
+            "{what}: it pushes with {push_n:.1}\u{a0}N, its wall alone buckles at \
+             {bears_n:.1}\u{a0}N, and {:.1}\u{a0}N are allowed; guide it in a tube, or make it \
+             shorter",
+            bears_n / SAFETY
         );
         warn(Buckles, push_n / bears_n, sentence);
     }
@@ -279,6 +286,7 @@ mod tests {
     use crate::{
         model::{ForceModel, Workspace},
         muscle::{Braid, BraidStiffness, Strands},
+        rubber::RubberLaw,
     };
 
     #[test]
@@ -354,5 +362,42 @@ mod tests {
         let model = ThickWall::new(&Muscle::prototype());
         let response = model.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
         assert_eq!(of_response(model.muscle(), &response), []);
+    }
+
+    /// A push is warned of from a fourth of Euler's load on, as a pressure from a fourth of the
+    /// burst pressure on: at rest without pressure π² E I/L² with E I = 3 μ π (Ro⁴ − Ri⁴)/4.
+    #[test]
+    fn closed_form_a_push_has_the_factor_of_every_failure() {
+        let prototype = Muscle::prototype();
+        let braid = Braid {
+            angle_deg: 60.0,
+            ..prototype.braid().clone()
+        };
+        let muscle = prototype.with_braid(braid).unwrap();
+        let (tube, mu_mpa) = (muscle.tube(), muscle.tube().rubber.law.shear_modulus_mpa());
+        let (ro, ri) = (
+            tube.outer_radius_mm(),
+            tube.outer_radius_mm() - tube.wall_mm,
+        );
+        let length_mm = muscle.length_mm();
+        let load_n = std::f64::consts::PI.powi(3) * 3.0 * mu_mpa * (ro.powi(4) - ri.powi(4))
+            / 4.0
+            / (length_mm * length_mm);
+        for (share, word) in [
+            (0.24, None),
+            (0.26, Some("may")),
+            (1.01, Some("muscle buckles")),
+        ] {
+            let response = Response {
+                force_n: -share * load_n,
+                ..Response::default()
+            };
+            let said = of_response(&muscle, &response);
+            let said = said.iter().find(|w| w.kind == WarningKind::Buckles);
+            assert_eq!(said.is_some(), word.is_some(), "{share} {said:?}");
+            if let Some((said, word)) = said.zip(word) {
+                assert!(said.to_string().contains(word), "{said}");
+            }
+        }
     }
 }

@@ -16,6 +16,8 @@ use serde::Serialize;
 
 /// Angles and pressures at which the stiffness is compared.
 const STATES: [i32; 2] = [24, 8];
+/// The same where a host has other pulls than the form.
+const HOST_STATES: [i32; 2] = [240, 120];
 /// How many numbers a joint has beside its muscles.
 pub const JOINT_NUMBERS: usize = 23;
 
@@ -63,7 +65,22 @@ impl ExportedJoint {
             let all = angles
                 .iter()
                 .filter_map(|&angle| joint.contraction(i, angle));
-            let least = all.clone().map(|(e, _)| e).fold(f64::INFINITY, f64::min);
+            let at = |angle: &f64| joint.contraction(i, *angle).map(|(e, _)| (e, *angle));
+            let shortest = |a: (f64, f64), b: (f64, f64)| if b.0 < a.0 { b } else { a };
+            let (least, angle) = angles
+                .iter()
+                .filter_map(at)
+                .fold((f64::INFINITY, 0.0), shortest);
+            let reaches = |why: String| {
+                ExportError::Host(format!(
+                    "muscle {}: at {:.1} deg of the joint's range its contraction is {:.1} %, and \
+                     {why}; a narrower [joint] range or a larger contraction_at_neutral keeps it \
+                     shorter",
+                    i + 1,
+                    angle.to_degrees(),
+                    100.0 * least
+                ))
+            };
             let contraction_low = (least < BoxRequest::LOW).then_some(least - 1e-3);
             let wanted = BoxRequest {
                 supply_mpa,
@@ -78,22 +95,25 @@ impl ExportedJoint {
                 .iter()
                 .zip(models)
                 .position(|(of, other)| *of == wanted && is_same(*other));
-            let name = format!("{name}_{}", i + 1);
+            // Short enough that what tells the muscles apart stays in their identifiers.
+            let short: String = name.chars().take(36).collect();
+            let name = format!("{short}_{}", i + 1);
             let mut muscle = match known.and_then(|k| muscles.get(k)) {
                 Some(known) => ExportedMuscle {
                     name,
                     ..known.clone()
                 },
-                None => ExportedMuscle::fit(model, &name, wanted)?,
+                None => match ExportedMuscle::fit(model, &name, wanted) {
+                    Err(ExportError::Model(error)) if contraction_low.is_some() => {
+                        return Err(reaches(format!("its model has no answer there: {error}")));
+                    }
+                    fitted => fitted?,
+                },
             };
             boxes.push(wanted);
             if muscle.form.contraction_low > least {
-                return Err(ExportError::Host(format!(
-                    "muscle {}: in the range of the joint its contraction reaches {:.1} %, and its \
-                     form is accurate from {:.1} %; a narrower [joint] range or a larger \
-                     contraction_at_neutral keeps it shorter",
-                    i + 1,
-                    100.0 * least,
+                return Err(reaches(format!(
+                    "its form is accurate from {:.1} %",
                     100.0 * muscle.form.contraction_low
                 )));
             }
@@ -132,8 +152,13 @@ impl ExportedJoint {
         Ok(artefact)
     }
 
-    /// The facts in every artefact, a line each.
+    /// The facts in every artefact that has the form, a line each.
     pub fn facts(&self) -> Vec<String> {
+        self.facts_with([self.torque_error_nm, self.stiffness_error_nm_per_rad])
+    }
+
+    /// The same with the largest errors of an artefact's torque and stiffness.
+    pub(crate) fn facts_with(&self, [torque_nm, stiffness]: [f64; 2]) -> Vec<String> {
         let mut facts = vec![
             format!(
                 "Joint {}, {MARK} {}, hash {}. Licence of this file: MIT OR Apache-2.0.",
@@ -142,9 +167,8 @@ impl ExportedJoint {
                 self.hash
             ),
             format!(
-                "Against the joint of the program: torque {:.3} N m at most; stiffness {:.3} N \
-                 m/rad where each muscle is slack or pulls by more than 2 %.",
-                self.torque_error_nm, self.stiffness_error_nm_per_rad
+                "Against the joint of the program: torque {torque_nm:.3} N m at most; stiffness \
+                 {stiffness:.3} N m/rad where each muscle is slack or pulls by more than 2 %."
             ),
         ];
         facts.extend(
@@ -163,6 +187,50 @@ impl ExportedJoint {
         } else {
             format!("joint_{word}")
         }
+    }
+
+    /// The largest errors of torque and stiffness of an artefact in which the muscles have other
+    /// pulls (N, and their slopes in the length in N/m, at q and L/L0): those of the form, and the
+    /// largest differences from the form over angles and pressures.
+    pub(crate) fn errors_of(&self, pulls: impl Fn(usize, f64, f64) -> (f64, f64)) -> [f64; 2] {
+        let (low, high) = self.joint.range_deg();
+        let mut largest = [0.0_f64; 2];
+        for k in 0..=HOST_STATES[0] {
+            let share = f64::from(k) / f64::from(HOST_STATES[0]);
+            let angle = (low + (high - low) * share).to_radians();
+            // Of torque and stiffness the least and the largest difference.
+            let mut ends = [[0.0; 2]; 2];
+            for (i, muscle) in self.muscles.iter().enumerate() {
+                let Some((contraction, s)) = self.joint.contraction(i, angle) else {
+                    continue;
+                };
+                let mut own = [[0.0_f64; 2]; 2];
+                for n in 0..=HOST_STATES[1] {
+                    let q = f64::from(n) / f64::from(HOST_STATES[1]);
+                    let form = muscle.form.point_at(q * muscle.form.supply_pa, contraction);
+                    let (pull, slope) = pulls(i, q, 1.0 - contraction);
+                    let more = pull - form.force_n;
+                    let stiffer = 1e-3 * (slope - form.stiffness_n_per_m) * s.arm_mm * s.arm_mm
+                        - more * s.arm_by_angle_mm;
+                    let is_edge =
+                        form.force_n > 0.0 && form.force_n <= 0.02 * muscle.blocked_force_n;
+                    let off = [more * s.arm_mm, if is_edge { 0.0 } else { stiffer }];
+                    for (own, off) in own.iter_mut().zip(off) {
+                        *own = [own[0].min(1e-3 * off), own[1].max(1e-3 * off)];
+                    }
+                }
+                for (all, own) in ends.iter_mut().flatten().zip(own.iter().flatten()) {
+                    *all += own;
+                }
+            }
+            for (largest, [least, most]) in largest.iter_mut().zip(ends) {
+                *largest = largest.max(most).max(-least);
+            }
+        }
+        [
+            self.torque_error_nm + largest[0],
+            self.stiffness_error_nm_per_rad + largest[1],
+        ]
     }
 
     pub(crate) fn range_rad(&self) -> [f64; 2] {

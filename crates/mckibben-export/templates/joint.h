@@ -1,8 +1,8 @@
 /* The joint @{name}.
  * @{facts}
  */
-#ifndef MCKIBBEN_@{ID}_H
-#define MCKIBBEN_@{ID}_H
+#ifndef MCKIBBEN_NUMBERS_@{ID}_H
+#define MCKIBBEN_NUMBERS_@{ID}_H
 
 #include "mckibben_joint.h"
 @{includes}

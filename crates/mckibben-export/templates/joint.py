@@ -118,39 +118,65 @@ def _pressures(xp, torque, angle, stiffness):
     answered = (low <= full + 1e-6 * full) & (high >= without - 1e-6 * full)
     low = xp.where(low > without, xp.where(low < full, low, full), without)
     high = xp.where(high < full, xp.where(high > low, high, low), full)
-    if stiffness is None or len(MUSCLES) < 2:
-        return _pulled(xp, needed, ends, low), answered
+    sought = stiffness is not None and len(MUSCLES) > 1
+    wanted = needed + stiffness if sought else needed
+    finite = wanted - wanted == 0
+    answered = answered & finite
+    first = low
+    if sought:
+        first, met = _first(xp, angle, needed, stiffness, ends, low, high)
+        first, answered = xp.where(answered, first, low), answered & met
+    nothing = 0 * xp.ones_like(needed)
+    return tuple(xp.where(finite, p, nothing) for p in _pulled(xp, needed, ends, first)), answered
+
+
+def _first(xp, angle, needed, stiffness, ends, low, high):
+    """The pull of the first muscle for a stiffness, or that which comes near it, and whether it is met: where it jumps, no side has it."""
     still = [_stopped(xp, value) for value in (angle, needed, stiffness, low, high)]
     still_ends = [tuple(_stopped(xp, value) for value in end) for end in ends]
 
     def miss(first):
         return _at(xp, _pulled(xp, still[1], still_ends, first), still[0])[1] - still[2]
 
-    def looked(i, a, b, before, between, near, best):
-        """Both muscles are taut at the ends."""
-        at = still[3] + (still[4] - still[3]) * (1e-5 + (1 - 2e-5) * i / _PULLS)
-        here = miss(at)
-        size = xp.abs(here)
-        new = (between == 0) & (i > 0) & ((here < 0) != (before < 0))
-        b, between = xp.where(new, at, b), xp.where(new, 1 + 0 * at, between)
-        a, before = xp.where(between > 0, a, at), xp.where(between > 0, before, here)
-        return i + 1, a, b, before, between, xp.where(size < near, size, near), xp.where(size < near, at, best)
+    # Both muscles are taut at the ends.
+    (_, arm, _, full), (_, other_arm, _, other_full) = still_ends
+    taut, half = 1e-5 * (full + other_full * xp.abs(other_arm / arm)), 0.5 * (still[4] - still[3])
+    taut = xp.where(taut < half, taut, half)
+
+    def looked(i, a, b, before, both, between, at, near, best):
+        last, at = at, still[3] + taut + 2 * (half - taut) * i / _PULLS
+        pressures = _pulled(xp, still[1], still_ends, at)
+        here = _at(xp, pressures, still[0])[1] - still[2]
+        size, one = xp.abs(here), 1 + 0 * at
+        for muscle, p, (length, *_) in zip(MUSCLES, pressures, still_ends):
+            one = xp.where(muscle.force(p, length) > 0, one, 0 * at)
+        new = (between == 0) & (both > 0) & (one > 0) & ((here < 0) != (before < 0))
+        a, b, between = xp.where(new, last, a), xp.where(new, at, b), xp.where(new, 1 + 0 * at, between)
+        before = xp.where(between > 0, before, here)
+        nearer = (one > 0) & (size < near)
+        return i + 1, a, b, before, one, between, at, xp.where(nearer, size, near), xp.where(nearer, at, best)
 
     zero = 0 * still[3]
-    _, a, b, before, between, _, best = _repeated(xp, _PULLS + 1, looked, (zero, still[3], still[3], zero, zero, zero + 1e300, still[3]))
+    slack = xp.abs(miss(still[3]))
+    _, a, b, before, _, between, _, near, best = _repeated(xp, _PULLS + 1, looked, (zero, still[3], still[3], zero, zero, zero, still[3], slack, still[3]))
+    last = xp.abs(miss(still[4]))
+    near, best = xp.where(last < near, last, near), xp.where(last < near, still[4], best)
 
     def halved(a, b):
         middle = 0.5 * (a + b)
         same = (miss(middle) < 0) == (before < 0)
         return xp.where(same, middle, a), xp.where(same, b, middle)
 
-    first = xp.where(between > 0, 0.5 * sum(_repeated(xp, 50, halved, (a, b))), best)
+    enough = 1e-3 * xp.abs(still[2])
+    middle = 0.5 * sum(_repeated(xp, 50, halved, (a, b)))
+    between = (slack > enough) & (between > 0) & (xp.abs(miss(middle)) <= enough)
+    first = xp.where(between, middle, xp.where(slack > enough, best, still[3]))
     # The theorem of implicit functions: zero here, with the derivatives.
     step = 1e-5 * still_ends[0][3]
     slope = (miss(first + step) - miss(first - step)) / (2 * step)
     moving = _at(xp, _pulled(xp, needed, ends, first), angle)[1] - stiffness
     moving = (moving - _stopped(xp, moving)) / xp.where(slope != 0, slope, 1 + zero)
-    return _pulled(xp, needed, ends, xp.where(between > 0, first - moving, first)), answered & (between > 0)
+    return xp.where(between, first - moving, first), between | (near <= enough)
 
 
 def pressures(torque, angle, stiffness=None):

@@ -119,28 +119,36 @@ typedef struct {
 } mckibben_joint_place;
 
 /* The stiffness, and the pressures p at which the first muscle pulls with `first` and the second does the rest; 0 of a muscle that need not pull (a
- * millionth of its pull at the supply is rounding). */
-static inline mckibben_real mckibben_joint_pulled(const mckibben_joint *j, const mckibben_joint_place *at, mckibben_real first, mckibben_real p[2])
+ * millionth of its pull at the supply is rounding). `slack` becomes 1 where one does not pull, else 0. */
+static inline mckibben_real mckibben_joint_pulled(const mckibben_joint *j, const mckibben_joint_place *at, mckibben_real first, mckibben_real p[2],
+                                                  unsigned *slack)
 {
     const mckibben_real pull[2] = {first, j->muscles > 1 ? (at->needed - first * at->arm[0]) / at->arm[1] : MCKIBBEN_R(0)};
     mckibben_real stiffness = at->passive;
+    *slack = 0u;
     for (int i = 0; i < j->muscles; i++) {
         const mckibben_real force = pull[i] > at->least[i] ? (pull[i] < at->most[i] ? pull[i] : at->most[i]) : at->least[i];
+        unsigned one;
         p[i] = pull[i] > MCKIBBEN_R(1e-6) * at->most[i] ? mckibben_pressure(j->muscle[i], pull[i], at->length[i], 0) : MCKIBBEN_R(0);
-        stiffness += mckibben_stiffness(j->muscle[i], p[i], at->length[i], 0) * at->arm[i] * at->arm[i] - force * at->slope[i];
+        stiffness += mckibben_stiffness(j->muscle[i], p[i], at->length[i], &one) * at->arm[i] * at->arm[i] - force * at->slope[i];
+        *slack |= one & MCKIBBEN_SLACK;
     }
     return stiffness;
 }
 
+static inline mckibben_real mckibben_joint_apart(mckibben_real a, mckibben_real b) { return a < b ? b - a : a - b; }
+
 /* Pressures p, from 0 to the supply, for a torque and a stiffness at an angle; the lowest ones for the torque where `stiffness` is 0, and of those that
- * give the stiffness the lowest. `reached`, which may be 0, becomes the least and the largest stiffness with this torque. With one muscle the
- * stiffness is ignored. Where nothing gives what is wanted, the status has MCKIBBEN_NO_ANSWER, and p the pressures that come near it. */
+ * give the stiffness the lowest. `reached`, which may be 0, becomes the least and the largest stiffness with this torque while both muscles pull; with one
+ * of them slack it may have one more value below, with nothing between. With one muscle the stiffness is ignored. Where nothing gives what is wanted, the
+ * status has MCKIBBEN_NO_ANSWER, and p the pressures that come near it; of what is not a finite number they are 0. */
 static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_real angle, mckibben_real torque, mckibben_real stiffness,
                                             mckibben_real p[2], mckibben_real reached[2], unsigned *status)
 {
     mckibben_joint_place at;
-    mckibben_real ends[2], low, high, rounding, closest = MCKIBBEN_R(-1), best;
-    unsigned found = angle >= j->range[0] && angle <= j->range[1] ? 0u : MCKIBBEN_ANGLE_OUTSIDE;
+    mckibben_real ends[2], k[2], low, high, rounding, finite;
+    const int sought = j->muscles > 1 && !(stiffness <= MCKIBBEN_R(0) && stiffness >= MCKIBBEN_R(0));
+    unsigned slack, found = angle >= j->range[0] && angle <= j->range[1] ? 0u : MCKIBBEN_ANGLE_OUTSIDE;
     at.needed = torque - mckibben_joint_passive(j, angle, &at.passive);
     for (int i = 0; i < j->muscles; i++) {
         at.length[i] = mckibben_path_length(&j->path[i], angle, &at.arm[i], &at.slope[i]);
@@ -160,48 +168,65 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
         found |= MCKIBBEN_NO_ANSWER;
     low = low > at.least[0] ? (low < at.most[0] ? low : at.most[0]) : at.least[0];
     high = high < at.most[0] ? (high > low ? high : low) : at.most[0];
-    p[1] = MCKIBBEN_R(0);
-    (void)mckibben_joint_pulled(j, &at, low, p);
-    if (j->muscles > 1 && (stiffness > MCKIBBEN_R(0) || stiffness < MCKIBBEN_R(0) || reached)) {
-        mckibben_real pull, a = low, b = low, before = MCKIBBEN_R(0), k[2] = {MCKIBBEN_R(0), MCKIBBEN_R(0)};
-        int between = 0;
-        best = low;
+    finite = at.needed + (sought ? stiffness : MCKIBBEN_R(0));
+    p[0] = p[1] = k[0] = k[1] = MCKIBBEN_R(0);
+    if (!(finite - finite <= MCKIBBEN_R(0)))
+        found |= MCKIBBEN_NO_ANSWER;
+    else
+        k[0] = k[1] = mckibben_joint_pulled(j, &at, low, p, &slack);
+    if (!(found & MCKIBBEN_NO_ANSWER) && j->muscles > 1 && (sought || reached)) {
+        const mckibben_real enough = MCKIBBEN_R(1e-3) * mckibben_joint_apart(stiffness, MCKIBBEN_R(0));
+        mckibben_real a = low, b = low, q[2], here, before = MCKIBBEN_R(0), best = low, closest = mckibben_joint_apart(k[0], stiffness);
+        int both = 0, any = 0, met = closest <= enough;
+        /* Both muscles are taut at the ends. */
+        mckibben_real taut = MCKIBBEN_R(1e-5) * (at.most[0] + at.most[1] * mckibben_joint_apart(at.arm[1] / at.arm[0], MCKIBBEN_R(0)));
+        taut = taut < MCKIBBEN_R(0.5) * (high - low) ? taut : MCKIBBEN_R(0.5) * (high - low);
         for (int i = 0; i <= MCKIBBEN_PULLS; i++) {
-            /* Both muscles are taut at the ends. */
-            const mckibben_real share = (mckibben_real)i / MCKIBBEN_R(MCKIBBEN_PULLS);
-            mckibben_real q[2], here, miss;
-            pull = low + (high - low) * (MCKIBBEN_R(1e-5) + MCKIBBEN_R(1.0 - 2e-5) * share);
-            here = mckibben_joint_pulled(j, &at, pull, q);
-            k[0] = i == 0 || here < k[0] ? here : k[0];
-            k[1] = i == 0 || here > k[1] ? here : k[1];
-            miss = here - stiffness;
-            if (i > 0 && !between && (miss < MCKIBBEN_R(0)) != (before < MCKIBBEN_R(0))) {
-                between = 1;
-                b = pull;
+            const mckibben_real pull = low + taut + (high - low - MCKIBBEN_R(2) * taut) * (mckibben_real)i / MCKIBBEN_R(MCKIBBEN_PULLS);
+            here = mckibben_joint_pulled(j, &at, pull, q, &slack);
+            a = b;
+            b = pull;
+            if (slack) {
+                both = 0;
+                continue;
             }
-            a = between ? a : pull;
-            before = between ? before : miss;
-            miss = miss < MCKIBBEN_R(0) ? -miss : miss;
-            if (closest < MCKIBBEN_R(0) || miss < closest) {
-                closest = miss;
+            k[0] = !any || here < k[0] ? here : k[0];
+            k[1] = !any || here > k[1] ? here : k[1];
+            any = 1;
+            if (!met && both && (here - stiffness < MCKIBBEN_R(0)) != (before < MCKIBBEN_R(0))) {
+                mckibben_real from = a, to = b, middle = b, there = here;
+                for (int n = 0; n < 40; n++) {
+                    middle = MCKIBBEN_R(0.5) * (from + to);
+                    there = mckibben_joint_pulled(j, &at, middle, q, &slack);
+                    if ((there - stiffness < MCKIBBEN_R(0)) == (before < MCKIBBEN_R(0)))
+                        from = middle;
+                    else
+                        to = middle;
+                }
+                met = mckibben_joint_apart(there, stiffness) <= enough; /* where it jumps, no side has it */
+                best = met ? middle : best;
+            }
+            both = 1;
+            before = here - stiffness;
+            if (!met && mckibben_joint_apart(here, stiffness) < closest) {
+                closest = mckibben_joint_apart(here, stiffness);
                 best = pull;
             }
         }
-        if (reached) {
-            reached[0] = k[0];
-            reached[1] = k[1];
+        here = mckibben_joint_apart(mckibben_joint_pulled(j, &at, high, q, &slack), stiffness);
+        if (!met && here < closest) {
+            closest = here;
+            best = high;
         }
-        if (stiffness > MCKIBBEN_R(0) || stiffness < MCKIBBEN_R(0)) {
-            for (int i = 0; between && i < 40; i++) {
-                best = MCKIBBEN_R(0.5) * (a + b);
-                if ((mckibben_joint_pulled(j, &at, best, p) - stiffness < MCKIBBEN_R(0)) == (before < MCKIBBEN_R(0)))
-                    a = best;
-                else
-                    b = best;
-            }
-            found |= between ? 0u : MCKIBBEN_NO_ANSWER;
-            (void)mckibben_joint_pulled(j, &at, best, p);
+        met = met || closest <= enough;
+        if (sought) {
+            found |= met ? 0u : MCKIBBEN_NO_ANSWER;
+            (void)mckibben_joint_pulled(j, &at, best, p, &slack);
         }
+    }
+    if (reached) {
+        reached[0] = k[0];
+        reached[1] = k[1];
     }
     if (status)
         *status = found;

@@ -1,8 +1,8 @@
 /* The muscle @{name}.
  * @{facts}
  */
-#ifndef MCKIBBEN_MUSCLE_@{ID}_H
-#define MCKIBBEN_MUSCLE_@{ID}_H
+#ifndef MCKIBBEN_NUMBERS_@{ID}_H
+#define MCKIBBEN_NUMBERS_@{ID}_H
 
 #include "mckibben.h"
 

@@ -226,15 +226,7 @@ impl System<'_> {
                             Switch::Vent => EventKind::Venting,
                         };
                     }
-                    _ => {
-                        (mode.sign, event.kind) = (-mode.sign, EventKind::Reversal);
-                        let at = self.drive.mechanism.lever(i, state.coordinate).contraction;
-                        if let (Some(presliding), Some(member)) =
-                            (&mut mode.presliding, self.members.get(i))
-                        {
-                            presliding.travel(member.length_mm * at);
-                        }
-                    }
+                    _ => (mode.sign, event.kind) = (-mode.sign, EventKind::Reversal),
                 }
             }
         }

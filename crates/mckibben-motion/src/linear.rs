@@ -1,6 +1,9 @@
 //! The drive about an equilibrium, as a linear system.
 
-use crate::{Drive, MotionError, Result, integrate::Equations, system::System};
+use crate::{
+    Command, Drive, MotionError, Result, Target, integrate::Equations, metrics::reached,
+    system::System,
+};
 use mckibben_core::analysis::bisect;
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -26,6 +29,32 @@ impl Linear {
     /// # Errors
     /// As [`crate::equilibrium`]; [`MotionError::Refused`] on a stop, or where nothing moves.
     pub fn new(drive: &Drive<'_>) -> Result<Self> {
+        Self::on_side(drive, 0.0)
+    }
+
+    /// About the equilibrium that the first step of commanded pressures reaches (of a periodic
+    /// command the mean), on one side of the kink of the valves.
+    ///
+    /// # Errors
+    /// As of [`Linear::new`].
+    pub fn at_state_reached(drive: &Drive<'_>, side: f64) -> Result<Self> {
+        let mut held = Drive {
+            target: Target::Pressure(reached(drive).into_iter().map(Command::Constant).collect()),
+            initial_coordinate: None,
+            ..drive.clone()
+        };
+        held.muscles
+            .iter_mut()
+            .for_each(|muscle| muscle.initial_pressure_mpa = None);
+        Self::on_side(&held, side)
+    }
+
+    /// About that of [`Linear::new`] on one side of the kink of the valves: while the first muscle is filled (1) or
+    /// vented (−1), and a second one that turns the other way the opposite.
+    ///
+    /// # Errors
+    /// As of [`Linear::new`].
+    pub fn on_side(drive: &Drive<'_>, side: f64) -> Result<Self> {
         let not_at_rest = |why| {
             MotionError::Refused(format!(
                 "there is no equilibrium about which to linearise: {why}"
@@ -54,6 +83,14 @@ impl Linear {
                 .map(|(a, b)| (a - b) / width)
                 .collect()
         };
+        // To which side the pressures below their command and the openings lie.
+        let mut sides = system.layout.filled(0.0);
+        for (i, muscle) in sides.muscles.iter_mut().enumerate() {
+            let to = side * system.turns(i);
+            muscle.absolute_mpa = -to;
+            muscle.opening = muscle.opening.map(|_| to);
+        }
+        let sides = sides.to_vec();
         let mut a = DMatrix::zeros(n, n);
         for (column, scale) in system.scales().iter().enumerate().take(n) {
             let moved = |by: f64| {
@@ -72,8 +109,13 @@ impl Linear {
                 (2.0 * step, -2.0),
                 (4.0 * step, 1.0 / 3.0),
             ] {
-                best += weight
-                    * DVector::from_vec(difference(&moved(width)?, &moved(-width)?, 2.0 * width));
+                let [above, below] = match sides.get(column) {
+                    Some(to) if *to > 0.0 => [width, 0.0],
+                    Some(to) if *to < 0.0 => [0.0, -width],
+                    _ => [width, -width],
+                };
+                let change = difference(&moved(above)?, &moved(below)?, above - below);
+                best += weight * DVector::from_vec(change);
             }
             a.set_column(column, &best);
         }
@@ -84,9 +126,11 @@ impl Linear {
             system.offset.set(0.0);
             rates
         };
+        let above = if side < 0.0 { 0.0 } else { step };
+        let below = if side > 0.0 { 0.0 } else { -step };
         Ok(Self {
             a,
-            b: DVector::from_vec(difference(&offset(step)?, &offset(-step)?, 2.0 * step)),
+            b: DVector::from_vec(difference(&offset(above)?, &offset(below)?, above - below)),
             per_coordinate: drive.mechanism.position_per_coordinate(),
             coordinate,
         })

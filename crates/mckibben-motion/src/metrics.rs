@@ -113,6 +113,21 @@ pub fn changes(drive: &Drive<'_>) -> Vec<f64> {
     times
 }
 
+/// The commands of the state that the first step reaches: those after it; the mean of a periodic one,
+/// and the last of those that never change.
+pub fn reached(drive: &Drive<'_>) -> Vec<f64> {
+    let changes = changes(drive);
+    let end = changes.get(1).copied().unwrap_or(drive.until_s);
+    let at = 0.5 * (changes.first().copied().unwrap_or(0.0) + end);
+    let one = |command: &Command| match command {
+        Command::Sine { .. } | Command::Chirp { .. } => {
+            0.5 * (command.bounds().0 + command.bounds().1)
+        }
+        _ => command.value_within(end, at),
+    };
+    drive.target.commands().iter().map(one).collect()
+}
+
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of
 /// its series lie far apart.
 pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {

@@ -59,11 +59,16 @@ pub struct Motion {
     #[schemars(with = "serde_json::Value")]
     pub energies: Energies,
     /// Work of the muscles while they shorten over the exergy of the air, or the work of the pump
-    /// on the liquid.
+    /// on the liquid; not of a load that is released, nor where what was stored does the work.
     pub efficiency: Option<f64>,
-    /// Of commanded pressures: frequency up to which small changes of the highest commands are
-    /// followed (−3 dB), Hz; of two muscles of a joint, changes against each other.
+    /// Of commanded pressures: frequency up to which small changes about the state that the first
+    /// step reaches (the mean of a periodic command) are followed (−3 dB), Hz; of two muscles of a
+    /// joint, changes against each other. A valve lets air in and out half of the time each.
     pub bandwidth_hz: Option<f64>,
+    /// The same while the (first) muscle is filled, Hz.
+    pub bandwidth_filling_hz: Option<f64>,
+    /// The same while it is vented, Hz.
+    pub bandwidth_venting_hz: Option<f64>,
     /// What happened: ends of stroke, slack, valve switching, reversals.
     #[schemars(with = "Vec<serde_json::Value>")]
     pub events: Vec<Event>,

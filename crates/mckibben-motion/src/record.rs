@@ -159,7 +159,10 @@ impl Integration<'_, '_> {
         }
         let largest_speed = self.largest_speed.unwrap_or(0.0);
         let mut motion = self.motion;
-        motion.efficiency = (energies.exergy_j > 0.0).then(|| energies.work_j / energies.exergy_j);
+        // Of a load that is released, and of work that exceeds the exergy, what was stored did it.
+        let of_air = energies.exergy_j > 0.0 && system.drive.initial_coordinate.is_none();
+        let efficiency = of_air.then(|| energies.work_j / energies.exergy_j);
+        motion.efficiency = efficiency.filter(|share| *share <= 1.0);
         motion.energies = energies;
         motion.mass_defect = missing / flowed.max(f64::MIN_POSITIVE);
         let cycle = self.cycle.filter(|_| ended.is_none());

@@ -277,6 +277,7 @@ impl<'s, 'd> Integration<'s, 'd> {
             }
             self.fastest(&method, t);
             self.pass_by(t, &state);
+            system.remember(t, &state)?;
             (self.t, self.state) = (t, state);
         }
         self.t = end;

@@ -22,8 +22,8 @@ pub struct SizedValve {
 /// The largest conductance that is tried, in L/(s bar): a valve of 24,000 l/min.
 const LARGEST: f64 = 100.0;
 
-/// The smallest conductance with which the first step of a pressure's command rises (10–90 % of the
-/// way between the static equilibria) within a time. A larger valve is quicker: the root is
+/// The smallest conductance with which the first step of a pressure's command rises (10–90 % of its
+/// way: [`Motion::rise_time_s`]) within a time. A larger valve is quicker: the root is
 /// bracketed by factors of four, and halved to 0.1 %.
 ///
 /// # Errors
@@ -69,7 +69,16 @@ pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Res
             }
         }
         match run(&drive, progress) {
-            Ok(motion) => Ok((rise_time(&motion, from, to, (begin, end)), motion)),
+            Ok(motion) => {
+                // With friction it comes to rest beside the equilibrium: the rise time is that of
+                // the motion, once it has arrived at the one or settled beside it.
+                let is_there = rise_time(&motion, from, to, (begin, end)).is_some()
+                    || motion
+                        .steps
+                        .first()
+                        .is_some_and(|s| s.settling_time_s.is_some());
+                Ok((motion.rise_time_s.filter(|_| is_there), motion))
+            }
             // With a small valve the load may not be lifted in time.
             Err(MotionError::NeverLifted(_)) => Ok((None, Motion::default())),
             Err(error) => Err(error),

@@ -33,7 +33,7 @@ pub struct Mode {
     pub slack: bool,
     /// The sign of the shortening speed, where there is friction.
     pub sign: f64,
-    /// Of the friction: up to the last reversal, and without one from there on.
+    /// Of the friction: up to the last step, and without a reversal from there on.
     pub presliding: Option<Presliding>,
     pub switch: Switch,
 }
@@ -218,6 +218,28 @@ impl<'a> System<'a> {
         answer.map_err(|error| MotionError::model(error, t, i, p, e))
     }
 
+    /// After a step: the friction of each muscle remembers where it went, and its pressure there.
+    pub fn remember(&self, t: f64, state: &State) -> Result<()> {
+        let mut modes = self.modes.borrow_mut();
+        let parts = self
+            .members
+            .iter()
+            .zip(&state.muscles)
+            .zip(&mut modes.muscles);
+        for (i, ((member, now), mode)) in parts.enumerate() {
+            if mode.presliding.is_none() {
+                continue;
+            }
+            let e = self.drive.mechanism.lever(i, state.coordinate).contraction;
+            let at = self.answer_at(t, i, mode, now.gauge_mpa(), e)?;
+            let limit_n = half_width_n(member, now, &at);
+            if let Some(presliding) = &mut mode.presliding {
+                presliding.go(member.length_mm * e, limit_n);
+            }
+        }
+        Ok(())
+    }
+
     /// What each muscle answers at a time, with its derivative in time: for everything between two
     /// of them.
     pub fn answers(&self, t: f64, state: &State) -> Result<Vec<Moment>> {
@@ -310,13 +332,13 @@ fn pulls(
     if mode.slack {
         return (wall_n, Pulls::default());
     }
-    let presliding = mode.presliding.as_ref();
-    let share = presliding.map_or(0.0, |p| p.share(member.length_mm * contraction));
     let model_n = at.force_n.value;
     let excess_n = muscle.rubber.excess_n(wall_n, &now.branches_n);
-    let pivoting = at.pivoting_n_per_mm.value.max(0.0);
-    let friction_n = muscle.friction.map_or(0.0, |friction| {
-        friction.half_width_n(pressure_mpa, pivoting) * share
+    let friction_n = mode.presliding.as_ref().map_or(0.0, |presliding| {
+        presliding.friction(
+            member.length_mm * contraction,
+            half_width_n(member, now, at),
+        )
     });
     // A rope cannot push, and its end is free of force where it goes slack: friction and overstress
     // are no larger than the pull.
@@ -329,6 +351,13 @@ fn pulls(
         pull_n,
     };
     (wall_n, pulls)
+}
+
+/// Half the width of the hysteresis at a pressure and an answer.
+fn half_width_n(member: &Member<'_>, now: &MuscleState, at: &Answer) -> f64 {
+    let pivoting = at.pivoting_n_per_mm.value.max(0.0);
+    let friction = member.muscle.friction;
+    friction.map_or(0.0, |f| f.half_width_n(now.gauge_mpa(), pivoting))
 }
 
 /// The size of each number of the state.

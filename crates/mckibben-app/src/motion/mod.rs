@@ -19,8 +19,8 @@ use crate::{
 };
 use mckibben_core::{extremes::peak, muscle::file::FileError, progress::Progress};
 use mckibben_motion::{
-    Command, Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target,
-    drive_names, parse_drive, run_as_far, size, with_value,
+    Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target, drive_names,
+    parse_drive, run_as_far, size, with_value,
 };
 use moved::Moved;
 use std::path::Path;
@@ -193,19 +193,10 @@ fn go(
     rise_time_s: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<(Motion, Option<f64>)> {
-    let bandwidth_hz = match &drive.target {
-        Target::Pressure(list) if !list.is_empty() => {
-            let most = list
-                .iter()
-                .map(|c| Command::Constant(c.bounds().1))
-                .collect();
-            let held = Drive {
-                target: Target::Pressure(most),
-                ..drive.clone()
-            };
-            Linear::new(&held).ok().and_then(|l| l.bandwidth_hz())
-        }
-        _ => None,
+    let bandwidth_hz = |side: f64| {
+        let of_pressure = matches!(&drive.target, Target::Pressure(list) if !list.is_empty());
+        let reached = of_pressure.then(|| Linear::at_state_reached(drive, side))?;
+        reached.ok()?.bandwidth_hz()
     };
     let (mut motion, conductance) = match rise_time_s {
         None => (run_as_far(drive, progress)?, None),
@@ -214,7 +205,9 @@ fn go(
             (sized.motion, Some(sized.conductance_l_per_s_bar))
         }
     };
-    motion.bandwidth_hz = bandwidth_hz;
+    motion.bandwidth_hz = bandwidth_hz(0.0);
+    motion.bandwidth_filling_hz = bandwidth_hz(1.0);
+    motion.bandwidth_venting_hz = bandwidth_hz(-1.0);
     motion
         .never_lifted
         .take()

@@ -124,6 +124,16 @@ impl MotionRun {
             )
             .quantity("work over exergy", &PERCENT, run.efficiency)
             .quantity("bandwidth (−3 dB)", &Scale::fixed("Hz"), run.bandwidth_hz)
+            .quantity(
+                "while filling",
+                &Scale::fixed("Hz"),
+                run.bandwidth_filling_hz,
+            )
+            .quantity(
+                "while venting",
+                &Scale::fixed("Hz"),
+                run.bandwidth_venting_hz,
+            )
     }
 
     fn events(&self, page: &mut Page) {

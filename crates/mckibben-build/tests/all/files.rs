@@ -208,3 +208,34 @@ fn a_muscle_that_no_clamp_holds_is_refused() {
     assert!(refused.message.contains("holds no clamp"), "{refused}");
     assert_eq!(refused.fields, ["insertion_mm"]);
 }
+
+/// A muscle that extends is a column: at rest without pressure its wall buckles at π² E I/L² with
+/// E I = 3 μ π (Ro⁴ − Ri⁴)/4, 1.27 N here, and the sheet says it, with a fourth as what is allowed.
+#[test]
+fn closed_form_the_sheet_of_a_muscle_that_extends_names_the_load_at_which_it_buckles() {
+    let plan = |angle: f64| {
+        let text = format!(
+            "[tube]\nouter_diameter = 10\nwall_thickness = 1.5\nlength = 200\n[tube.material]\nlaw \
+             = \"neo-hookean\"\nmu = \"0.3 MPa\"\n[braid]\nangle = {angle}\n"
+        );
+        let muscle = parse_muscle(&text).unwrap();
+        let mut operating = operating(&muscle, 1e-5);
+        operating.blocked_force_n *= -1.0;
+        Plan::new(muscle, operating, &Wishes::default()).unwrap()
+    };
+    let said = |plan: &Plan| {
+        let all = plan.warnings();
+        all.into_iter().find(|w| w.contains("buckles"))
+    };
+    let pi = std::f64::consts::PI;
+    let load_n = pi.powi(3) * 3.0 * 0.3 * (5f64.powi(4) - 3.5f64.powi(4)) / 4.0 / 200f64.powi(2);
+    let sentence = said(&plan(60.0)).unwrap();
+    let [bears, allowed] = [load_n, load_n / 4.0].map(|n| format!("{n:.3}")[..3].to_owned());
+    assert!(
+        sentence.contains(&bears) && sentence.contains(&allowed),
+        "{sentence} {load_n}"
+    );
+    assert!(said(&plan(30.0)).is_none());
+    let sheet = files(&plan(60.0));
+    assert!(format!("{sheet:?}").contains("buckles"));
+}

@@ -55,12 +55,45 @@ pub enum JointError {
         /// Why.
         error: AnalysisError,
     },
+    /// An angle of the range at which a muscle has no state.
+    #[error("at {angle_deg:.1} deg of the joint's range muscle {muscle}: {error}")]
+    At {
+        /// The angle in degrees.
+        angle_deg: f64,
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// Why.
+        error: AnalysisError,
+    },
     /// The caller wanted the work to end.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
 }
 
 impl JointError {
+    /// Whether a number of a request is finite.
+    pub(super) fn unless_finite(what: &str, value: f64) -> Result<()> {
+        if value.is_finite() {
+            Ok(())
+        } else {
+            Err(Self::Refused(format!(
+                "{what} is {value}; give a finite number"
+            )))
+        }
+    }
+
+    /// The same at an angle of the range.
+    pub(super) fn at(self, angle_rad: f64) -> Self {
+        match self {
+            Self::Muscle { muscle, error } => Self::At {
+                angle_deg: angle_rad.to_degrees(),
+                muscle,
+                error,
+            },
+            error => error,
+        }
+    }
+
     pub(super) fn in_muscle<E: Into<AnalysisError>>(muscle: usize) -> impl Fn(E) -> Self {
         move |error| Self::Muscle {
             muscle: muscle + 1,
@@ -71,6 +104,16 @@ impl JointError {
     /// Whether a muscle has no state at the pressures and the angle of the question: others may
     /// have one.
     pub fn is_of_point(&self) -> bool {
-        matches!(self, Self::Muscle { error: AnalysisError::Model(error), .. } if error.is_of_point())
+        match self {
+            Self::Muscle {
+                error: AnalysisError::Model(error),
+                ..
+            }
+            | Self::At {
+                error: AnalysisError::Model(error),
+                ..
+            } => error.is_of_point(),
+            _ => false,
+        }
     }
 }

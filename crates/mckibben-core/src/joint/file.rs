@@ -87,7 +87,8 @@ struct OfJoint {
     radius: Option<Positive<Length>>,
     /// Limits of the angle, such as "-60..60 deg"
     range: Option<Interval<Angle>>,
-    /// Moment of inertia about the axis, for motion
+    /// Moment of inertia about the axis, with that of the link's mass and without the payload's, for
+    /// motion
     inertia: Option<Positive<Inertia>>,
     /// Damping, for motion
     damping: AngularDamping,

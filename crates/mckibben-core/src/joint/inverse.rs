@@ -1,12 +1,18 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::{analysis::Sweep, model::Workspace, muscle::Direction};
+use crate::{analysis::Sweep, joined, model::Workspace, muscle::Direction};
 
 /// Parts into which the pulls that give the torque are cut in search of the stiffness.
 const SCAN: usize = 40;
 /// Share of the pulls' range by which both muscles are kept taut at its ends.
 const TAUT: f64 = 1e-8;
+/// The same, where rounding leaves a muscle slack there.
+const BESIDE: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
+/// A stiffness with one muscle slack is met within half a unit of the third digit, or of the second
+/// digit of its ±: what an answer prints is asked for again.
+const PRINTED: f64 = 5e-3;
+const PRINTED_HALF: f64 = 0.05;
 
 /// What a joint shall do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +48,12 @@ impl JointModel<'_> {
         wanted: JointTarget,
         max_pressure_mpa: f64,
     ) -> Result<JointPoint> {
+        self.check_workspaces(workspaces)?;
         self.check_angle(wanted.angle_deg)?;
+        JointError::unless_finite("the torque in N m", wanted.torque_nm)?;
+        let stiffness = wanted.stiffness_nm_per_rad.unwrap_or(0.0);
+        JointError::unless_finite("the stiffness in N m/rad", stiffness)?;
+        JointError::unless_finite("the highest pressure in MPa", max_pressure_mpa)?;
         let angle = wanted.angle_deg.to_radians();
         let mut here = vec![];
         for (i, workspace) in workspaces
@@ -71,7 +82,7 @@ impl JointModel<'_> {
                 most,
                 message: format!(
                     "no pressures up to {max_pressure_mpa}\u{a0}MPa give {sought} at {} deg; the \
-                     joint reaches {least:.4} to {most:.4} {unit} there",
+                     joint reaches {least:.4} to {most:.4} {unit}",
                     wanted.angle_deg
                 ),
             };
@@ -82,7 +93,7 @@ impl JointModel<'_> {
                     .sum::<f64>()
             };
             let reached = [-1.0, 1.0].map(|sign| passive + 1e-3 * reach(sign));
-            out_of_reach(format!("{} N m", wanted.torque_nm), reached, "N m")
+            out_of_reach(format!("{} N m", wanted.torque_nm), reached, "N m there")
         };
         let line = Line {
             model: self,
@@ -93,27 +104,21 @@ impl JointModel<'_> {
         let pressures = match (wanted.stiffness_nm_per_rad, &here[..]) {
             (None, _) => line.pressures(workspaces, low)?,
             (Some(_), [_]) => return Err(JointError::OneMuscle),
-            (Some(stiffness), _) => {
-                let (low, high) = (low + TAUT * (high - low), high - TAUT * (high - low));
-                let excess = |pull| -> Result<f64> {
-                    Ok(line.stiffness(workspaces, pull)? - passive_slope - stiffness)
+            (Some(_), _) => {
+                let slack = match line.slack_ends(workspaces, &wanted, [low, high])? {
+                    Ok(there) => return Ok(there),
+                    Err(slack) => slack,
                 };
-                let mut sweep = Sweep::new(true, 0.0, excess);
-                sweep.fill((low, high), SCAN)?;
-                let zero = sweep.zeros(0)?.first().copied();
-                if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {
-                    return Err(error);
-                }
-                let end = |sign: f64| {
-                    sweep
-                        .least(|k| sign * k)
-                        .map_or(f64::NAN, |(_, k)| k + stiffness)
-                };
-                let zero = zero.ok_or_else(|| {
+                let sought = [passive_slope, stiffness];
+                let found = line.first_pull(workspaces, (low, high), sought)?;
+                let pull = found.map_err(|reached| {
                     let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
-                    out_of_reach(sought, [end(1.0), end(-1.0)], "N m/rad")
+                    let one = |k: &f64| format!(", and {k:.4} with one of them slack");
+                    let beside = joined(slack.iter().map(one), "");
+                    let unit = format!("N m/rad there while both muscles pull{beside}");
+                    out_of_reach(sought, reached, &unit)
                 })?;
-                line.pressures(workspaces, zero.at)?
+                line.pressures(workspaces, pull)?
             }
         };
         self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
@@ -129,6 +134,68 @@ struct Line<'l, 'm> {
 }
 
 impl Line<'_, '_> {
+    /// The joint at the first of these pulls of the first muscle at which a muscle is slack and that
+    /// has the stiffness as an answer prints it: where a muscle goes slack the stiffness jumps. Else
+    /// the stiffnesses with a slack muscle.
+    fn slack_ends(
+        &self,
+        workspaces: &mut [Workspace],
+        wanted: &JointTarget,
+        pulls: [f64; 2],
+    ) -> Result<Result<JointPoint, Vec<f64>>> {
+        let stiffness = wanted.stiffness_nm_per_rad.unwrap_or(0.0);
+        let mut slack = vec![];
+        for pull in pulls {
+            let pressures = self.pressures(workspaces, pull)?;
+            let there =
+                self.model
+                    .point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)?;
+            if there.muscles.iter().any(|m| m.answer.slack) {
+                let half = there.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
+                let printed = (PRINTED * stiffness.abs()).max(PRINTED_HALF * half);
+                if (there.stiffness_nm_per_rad - stiffness).abs() <= printed {
+                    return Ok(Ok(there));
+                }
+                slack.push(there.stiffness_nm_per_rad);
+            }
+        }
+        Ok(Err(slack))
+    }
+
+    /// The least pull of the first muscle at which both muscles pull and have a stiffness, or the
+    /// least and the largest stiffness that they have.
+    fn first_pull(
+        &self,
+        workspaces: &mut [Workspace],
+        (low, high): (f64, f64),
+        [passive_slope, stiffness]: [f64; 2],
+    ) -> Result<Result<f64, [f64; 2]>> {
+        let (low, high) = (low + TAUT * (high - low), high - TAUT * (high - low));
+        let excess = |pull| -> Result<f64> {
+            Ok(self.stiffness(workspaces, pull)? - passive_slope - stiffness)
+        };
+        let mut sweep = Sweep::new(true, 0.0, excess);
+        sweep.fill((low, high), SCAN)?;
+        for (end, other) in [(low, high), (high, low)] {
+            if sweep.sample(end)?.is_none() {
+                for share in BESIDE {
+                    sweep.sample(end + share * (other - end))?;
+                }
+            }
+        }
+        let zero = sweep.zeros(0)?.first().copied();
+        if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {
+            return Err(error);
+        }
+        let end = |sign: f64| {
+            let least = sweep.least(|k| sign * k);
+            least.map_or(f64::NAN, |(_, k)| k + stiffness)
+        };
+        Ok(zero
+            .map(|zero| zero.at)
+            .ok_or_else(|| [end(1.0), end(-1.0)]))
+    }
+
     /// Pull of the second muscle where the first has one.
     fn second(&self, first_n: f64) -> f64 {
         match self.here {
@@ -174,7 +241,7 @@ impl Line<'_, '_> {
         .collect()
     }
 
-    /// Σ (K Δ′² − F Δ″) in N m/rad.
+    /// Σ (K Δ′² − F Δ″) in N m/rad; not a number where a muscle is slack.
     fn stiffness(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<f64> {
         let pressures = self.pressures(workspaces, first_n)?;
         let mut sum = 0.0;
@@ -185,12 +252,14 @@ impl Line<'_, '_> {
             let r = muscle
                 .response(p, here.contraction)
                 .map_err(JointError::in_muscle(i))?;
-            if r.force_n > 0.0 {
-                let k = muscle
-                    .stiffness_n_per_mm(&r)
-                    .map_err(JointError::in_muscle(i))?;
-                sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
+            // The least pulls of a taut muscle are rounding: it is slack.
+            if r.force_n <= 0.0 {
+                return Ok(f64::NAN);
             }
+            let k = muscle
+                .stiffness_n_per_mm(&r)
+                .map_err(JointError::in_muscle(i))?;
+            sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
         }
         Ok(1e-3 * sum)
     }

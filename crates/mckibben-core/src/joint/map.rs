@@ -244,7 +244,7 @@ impl JointModel<'_> {
             before = Some((angle, slope));
             angle = next.clamp(low, high);
         }
-        let rests = self.rests_beside_gaps(fixed)?;
+        let (rests, _) = self.rests_beside_gaps(fixed, 0.0)?;
         let from = near_deg.unwrap_or(0.0);
         let far = |r: &&Rest| (r.angle_deg() - from).abs();
         let Some(rest) = rests

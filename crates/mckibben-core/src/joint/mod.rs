@@ -168,15 +168,20 @@ impl Joint {
             ("payload_at", link.payload_at_mm),
             ("inertia", link.inertia_kg_m2.unwrap_or(0.0)),
             ("damping", link.damping_nm_s_per_rad),
+            ("inclination", link.inclination_deg.abs()),
         ];
-        if let Some((what, value)) = values
-            .into_iter()
-            .find(|(_, v)| !(v.is_finite() && *v >= 0.0))
+        not_negative("link", &values)?;
+        let least = link.mass_kg * (1e-3 * link.centre_mm).powi(2);
+        if let Some(inertia) = link.inertia_kg_m2
+            && inertia < (1.0 - 1e-9) * least
         {
             return wrong(format!(
-                "{what} of the link is {value}; it must be zero or above"
+                "the joint's inertia of {inertia} kg m2 is below {least:.4e} kg m2, that of the \
+                 link's mass as a point at its centre: state the whole inertia about the axis, \
+                 with the mass of the link and without the payload"
             ));
         }
+        self.check_spring()?;
         for (i, m) in (1..).zip(&self.muscles) {
             let of_muscle =
                 |error| JointError::Refused(format!("muscle {i} of the joint: {error}"));
@@ -188,7 +193,7 @@ impl Joint {
                      below 1"
                 ));
             }
-            self.check_path(i, &m.path)?;
+            self.check_path(&format!("muscle {i}"), &m.path)?;
             let apart = m.path.length_mm(0.0);
             let long = m.muscle.length_mm() * (1.0 - e);
             if matches!(m.path, Path::Points { .. }) && apart < long {
@@ -202,13 +207,43 @@ impl Joint {
         Ok(())
     }
 
+    fn check_spring(&self) -> Result<(), JointError> {
+        match &self.spring {
+            None => Ok(()),
+            Some(JointSpring::Torsion {
+                rate_nm_per_rad,
+                preload_nm,
+            }) => not_negative(
+                "spring",
+                &[("rate", *rate_nm_per_rad), ("preload", preload_nm.abs())],
+            ),
+            Some(JointSpring::Rope {
+                path,
+                rate_n_per_mm,
+                preload_n,
+            }) => {
+                not_negative(
+                    "spring",
+                    &[("rate", *rate_n_per_mm), ("preload", preload_n.abs())],
+                )?;
+                self.check_path("the spring", path)
+            }
+        }
+    }
+
     /// The two points of a muscle do not meet, and a pulley has a radius.
-    fn check_path(&self, muscle: usize, path: &Path) -> Result<(), JointError> {
-        if let Path::Pulley { radius_mm } = path
-            && !(radius_mm.is_finite() && *radius_mm != 0.0)
-        {
+    fn check_path(&self, of: &str, path: &Path) -> Result<(), JointError> {
+        let sizes = match path {
+            Path::Pulley { radius_mm } => vec![*radius_mm],
+            Path::Points {
+                origin_mm,
+                insertion_mm,
+            } => [*origin_mm, *insertion_mm].concat(),
+        };
+        if sizes == [0.0] || !sizes.iter().all(|mm| mm.is_finite()) {
             return Err(JointError::Refused(format!(
-                "muscle {muscle}: a pulley of {radius_mm} mm; its radius must be above zero"
+                "{of}: a path of {sizes:?} mm; the radius of a pulley must be above zero, and \
+                 points are finite"
             )));
         }
         // Nearer than this the arm turns faster than anything that can be built.
@@ -219,7 +254,7 @@ impl Joint {
         match self.angles_deg(181).find(meet) {
             None => Ok(()),
             Some(angle_deg) => Err(JointError::Refused(format!(
-                "muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the \
+                "{of}: its two attachment points meet at {angle_deg:.1} deg; narrow the \
                  joint's range or move them"
             ))),
         }
@@ -229,6 +264,41 @@ impl Joint {
     fn angles_deg(&self, count: u32) -> impl Iterator<Item = f64> {
         let (low, high) = self.range_deg;
         (0..count).map(move |k| low + (high - low) * f64::from(k) / f64::from(count - 1))
+    }
+
+    /// What is unlikely, a sentence each: a muscle whose points turn the joint to the other side than
+    /// its place in the file says (the first to +, the second to −), and sizes in another unit.
+    pub fn doubts(&self) -> Vec<String> {
+        let (low, high) = self.range_deg;
+        let deg = 0f64.clamp(low, high);
+        let mut out = vec![];
+        for (i, wrong) in (0..self.muscles.len()).zip(["\u{2212}", "+"]) {
+            let Some((_, at)) = self.contraction(i, deg.to_radians()) else {
+                continue;
+            };
+            let number = i + 1;
+            if (i == 0) != (at.arm_mm > 0.0) {
+                out.push(format!(
+                    "muscle {number} turns the joint to {wrong} at {deg} deg: its points lie on \
+                     the other side of the axis, or the muscles are swapped"
+                ));
+            }
+            if at.arm_mm.abs() < 1.0 || at.arm_mm.abs() > 1e3 {
+                out.push(format!(
+                    "muscle {number} has an arm of {:.3}\u{a0}mm at {deg} deg: a bare number is in mm",
+                    at.arm_mm.abs()
+                ));
+            }
+        }
+        let link = &self.link;
+        for (what, kg) in [("mass", link.mass_kg), ("payload", link.payload_kg)] {
+            if kg > 100.0 {
+                out.push(format!(
+                    "{what} of the link is {kg}\u{a0}kg: a bare number is in kg"
+                ));
+            }
+        }
+        out
     }
 
     /// Its muscles: one or two.
@@ -316,4 +386,14 @@ impl Joint {
             }
         }
     }
+}
+
+/// Whether the values of a part of the joint are finite and none is below zero.
+fn not_negative(part: &str, values: &[(&str, f64)]) -> Result<(), JointError> {
+    let wrong = values.iter().find(|(_, v)| !(v.is_finite() && *v >= 0.0));
+    wrong.map_or(Ok(()), |(what, value)| {
+        Err(JointError::Refused(format!(
+            "{what} of the {part} is {value}; it must be zero or above"
+        )))
+    })
 }

@@ -98,13 +98,22 @@ impl<'m> JointModel<'m> {
     /// A joint with a model of each of its muscles.
     ///
     /// # Errors
-    /// [`JointError::Muscles`] where these are not as many.
+    /// [`JointError::Muscles`] where these are not as many; [`JointError::Refused`] of a model that is
+    /// bound to another muscle.
     pub fn new(
         joint: &'m Joint,
         models: Vec<&'m dyn ForceModel>,
         extrapolate: bool,
     ) -> Result<Self> {
         if models.len() == joint.muscles().len() {
+            for (i, (model, of)) in (1..).zip(models.iter().zip(joint.muscles())) {
+                if model.muscle().digest() != of.muscle.digest() {
+                    return Err(JointError::Refused(format!(
+                        "muscle {i}: its model is that of another muscle; make the model of the \
+                         muscle that the joint has"
+                    )));
+                }
+            }
             let mut digests = joint.muscles().iter().map(|m| m.muscle.digest());
             let alike = digests
                 .next()
@@ -209,7 +218,7 @@ impl<'m> JointModel<'m> {
         turning: Turning,
         hanging: &mut [Option<SlackState>],
     ) -> Result<JointPoint> {
-        self.check_pressures(pressures_mpa)?;
+        self.check_pressures(workspaces, pressures_mpa)?;
         self.check_angle(angle_deg)?;
         let angle = angle_deg.to_radians();
         let (mut torque, slope) = self.joint.passive_nm(angle);
@@ -262,7 +271,19 @@ impl<'m> JointModel<'m> {
         })
     }
 
-    pub(super) fn check_pressures(&self, pressures_mpa: &[f64]) -> Result<()> {
+    pub(super) fn check_workspaces(&self, workspaces: &[Workspace]) -> Result<()> {
+        let (muscles, given) = (self.models.len(), workspaces.len());
+        if given == muscles {
+            return Ok(());
+        }
+        Err(JointError::Refused(format!(
+            "the joint has {muscles} muscles and takes as many workspaces; {given} were given: \
+             `workspaces` of the joint makes them"
+        )))
+    }
+
+    fn check_pressures(&self, workspaces: &[Workspace], pressures_mpa: &[f64]) -> Result<()> {
+        self.check_workspaces(workspaces)?;
         if pressures_mpa.len() == self.models.len() {
             Ok(())
         } else {
@@ -279,7 +300,7 @@ impl<'m> JointModel<'m> {
         workspaces: &'w mut [Workspace],
         pressures_mpa: &[f64],
     ) -> Result<Fixed<'w>> {
-        self.check_pressures(pressures_mpa)?;
+        self.check_pressures(workspaces, pressures_mpa)?;
         let each = workspaces.iter_mut().zip(pressures_mpa).enumerate();
         let free = each
             .map(|(i, (workspace, &p))| self.free(i, workspace, p))

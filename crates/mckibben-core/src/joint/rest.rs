@@ -49,27 +49,42 @@ impl Rest {
 
 impl JointModel<'_> {
     /// Every rest at pressures, by rising angle, with a torque from outside in N m that turns to +;
-    /// at least one is stable.
+    /// at least one is stable. They lie between neighbouring angles at which every muscle has a
+    /// state.
+    ///
+    /// # Errors
+    /// That of the first angle without a state, where no stable rest is found.
     pub fn rests(
         &self,
         workspaces: &mut [Workspace],
         pressures_mpa: &[f64],
         outside_nm: f64,
     ) -> Result<Vec<Rest>> {
-        match self.scan(&mut self.fixed(workspaces, pressures_mpa)?, outside_nm)? {
-            (_, Some(error)) => Err(error),
-            (rests, None) => Ok(rests),
-        }
+        Ok(self.rests_and_gap(workspaces, pressures_mpa, outside_nm)?.0)
     }
 
-    /// The rests between neighbouring angles at which every muscle has a state.
+    /// The same, and the first angle of the range at which a muscle has no state, with the reason.
     ///
     /// # Errors
-    /// That of the first angle without a state, where no stable rest is found.
-    pub(super) fn rests_beside_gaps(&self, fixed: &mut Fixed<'_>) -> Result<Vec<Rest>> {
-        match self.scan(fixed, 0.0)? {
+    /// As of [`JointModel::rests`].
+    pub fn rests_and_gap(
+        &self,
+        workspaces: &mut [Workspace],
+        pressures_mpa: &[f64],
+        outside_nm: f64,
+    ) -> Result<(Vec<Rest>, Option<JointError>)> {
+        JointError::unless_finite("the torque from outside in N m", outside_nm)?;
+        self.rests_beside_gaps(&mut self.fixed(workspaces, pressures_mpa)?, outside_nm)
+    }
+
+    pub(super) fn rests_beside_gaps(
+        &self,
+        fixed: &mut Fixed<'_>,
+        outside_nm: f64,
+    ) -> Result<(Vec<Rest>, Option<JointError>)> {
+        match self.scan(fixed, outside_nm)? {
             (rests, Some(error)) if !rests.iter().any(Rest::is_stable) => Err(error),
-            (rests, _) => Ok(rests),
+            found => Ok(found),
         }
     }
 
@@ -98,7 +113,7 @@ impl JointModel<'_> {
                 Err(error) if error.is_of_point() => {
                     let ended = loose.take().zip(before.take());
                     rests.extend(ended.map(|(from, (to, _))| stretch(from, to, 0.0)));
-                    without = without.or(Some(error));
+                    without = without.or_else(|| Some(error.at(angle)));
                     continue;
                 }
                 torque => torque?,

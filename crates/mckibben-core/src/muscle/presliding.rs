@@ -4,94 +4,150 @@
 /// one stiffness, their yields spread evenly from 0 to x_s.
 ///
 /// ```text
-/// F_f = F_c z,   −1 ≤ z ≤ 1,   z opposes shortening x
+/// F_f = ∫₀¹ s(w) dw,   |s(w)| ≤ 2 w F_c,   ds = (2 F_m/x_s) dx where an element sticks
+/// ```
+///
+/// An element slips where its limit is reached, by its way or because F_c falls with the pressure;
+/// its stiffness does not follow F_c down, so that a closed cycle of position and pressure gives no
+/// work. F_m is the largest F_c so far: while F_c rises above it the elements become stiffer under
+/// the forces that they have, and lose energy. So x_s belongs to F_m, and x_s F_c/F_m to a lower F_c.
+/// At a constant F_c, with z = F_f/F_c,
+///
+/// ```text
 /// from rest at x₀:           z = ± g(|x − x₀|),          g(u) = 1 − (1 − u/x_s)² up to x_s, then 1
 /// after a reversal at x_r:   z = z_r ± 2 g(|x − x_r|/2)
 /// ```
 ///
 /// The second rule is Masing's. A branch that comes back to the reversal before the last one closes
-/// a loop, and goes on as if that loop had not been (Madelung's rule): z depends on the reversals
-/// that are remembered and on x alone, at any speed. At a constant F_c a loop of a stroke S ≥ 2 x_s
-/// encloses 2 F_c (S − 4 x_s/3), a smaller one F_c S³/(6 x_s²); no loop gives work. Infinitely many
-/// elements in closed form: z has no steps of its slope but where a loop closes. Sources: Iwan
-/// (1966) \[iwan1966\]; Al-Bender, Lampaert & Swevers (2005) \[al-bender2005\].
+/// a loop, and goes on as if that loop had not been (Madelung's rule), at any speed. A loop of a
+/// stroke S ≥ 2 x_s encloses 2 F_c (S − 4 x_s/3), a smaller one F_c S³/(6 x_s²). s(w) is a chain of
+/// straight lines, whose ends are remembered: z has no steps of its slope but where a loop closes.
+/// Sources: Iwan (1966) \[iwan1966\]; Al-Bender, Lampaert & Swevers (2005) \[al-bender2005\].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Presliding {
     /// x_s in mm.
     length_mm: f64,
-    /// x in mm and z where it began, and at each reversal that is remembered.
-    turns: Vec<(f64, f64)>,
+    /// x in mm.
+    at_mm: f64,
+    /// F_m.
+    largest: f64,
+    /// w and s, by rising w from 0 to 1.
+    elements: Vec<(f64, f64)>,
 }
 
+/// A bend of s(w) below this share of F_m is none.
+const STRAIGHT: f64 = 1e-12;
+/// Of more bends the least is forgotten.
+const BENDS: usize = 100;
+
 impl Presliding {
-    /// At a position in mm, after sliding towards `sign`; at rest where that is 0.
+    /// At a position in mm, after sliding towards `sign` with a friction of 1; at rest where that is
+    /// 0.
     pub fn new(length_mm: f64, at_mm: f64, sign: f64) -> Self {
-        let mut presliding = Self {
+        Self {
             length_mm,
-            turns: vec![(at_mm - sign * length_mm, 0.0)],
-        };
-        presliding.travel(at_mm);
-        presliding
+            at_mm,
+            largest: sign.abs(),
+            elements: vec![(0.0, 0.0), (1.0, 2.0 * sign)],
+        }
     }
 
     /// What it remembers, as numbers.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
-        self.turns.iter().flat_map(|&(x, z)| [x, z])
+        let elements = self.elements.iter().flat_map(|&(w, s)| [w, s]);
+        [self.at_mm, self.largest].into_iter().chain(elements)
     }
 
     /// The same with other things to remember, an even count of [numbers](Self::numbers).
     #[must_use]
     pub fn remembering(&self, numbers: &[f64]) -> Self {
-        let turns = numbers
+        let mut pairs = numbers
             .chunks_exact(2)
-            .filter_map(|turn| Some((*turn.first()?, *turn.last()?)));
+            .filter_map(|pair| Some((*pair.first()?, *pair.last()?)));
+        let (at_mm, largest) = pairs.next().unwrap_or((self.at_mm, self.largest));
         Self {
             length_mm: self.length_mm,
-            turns: turns.collect(),
+            at_mm,
+            largest,
+            elements: pairs.collect(),
         }
     }
 
-    /// z at a position that is reached without a reversal.
-    pub fn share(&self, at_mm: f64) -> f64 {
-        self.branch(at_mm).1
+    /// F_f at a position that is reached without a reversal, with F_c there.
+    pub fn friction(&self, at_mm: f64, limit: f64) -> f64 {
+        sum(&self.moved(at_mm, limit))
     }
 
-    /// Goes to a position without a reversal on the way; the next way may be one. z there.
-    pub fn travel(&mut self, to_mm: f64) -> f64 {
-        let (remembered, z) = self.branch(to_mm);
-        self.turns.truncate(remembered);
-        self.turns.push((to_mm, z));
-        z
-    }
-
-    /// How many turns are remembered at a position, and z.
-    fn branch(&self, x: f64) -> (usize, f64) {
-        let mut turns = self.turns.as_slice();
-        while let [earlier @ .., (before, _), (turn, _)] = turns {
-            let leg = turn - before;
-            let way = x - turn;
-            // The curve from rest is half as wide as one after a reversal.
-            let closing = if earlier.is_empty() { 2.0 * leg } else { leg };
-            let is_reversal = way * leg < 0.0;
-            if is_reversal && way.abs() < closing.abs() {
+    /// Goes to a position without a reversal on the way, with F_c there; the next way may be one.
+    /// F_f there.
+    pub fn go(&mut self, to_mm: f64, limit: f64) -> f64 {
+        let mut elements = self.moved(to_mm, limit);
+        self.at_mm = to_mm;
+        self.largest = self.largest.max(limit);
+        // By how much s(w) changes where a bend is left out.
+        let bend = |three: &[(f64, f64)]| match *three {
+            [(a, x), (b, y), (c, z)] => ((b - a) * (z - y) - (c - b) * (y - x)).abs(),
+            _ => f64::INFINITY,
+        };
+        while elements.len() > 2 {
+            let bends = elements.windows(3).map(bend).enumerate();
+            let least = bends.min_by(|a, b| a.1.total_cmp(&b.1));
+            let Some((i, _)) = least
+                .filter(|(_, least)| *least <= STRAIGHT * self.largest || elements.len() > BENDS)
+            else {
                 break;
-            }
-            let forgotten = if is_reversal && !earlier.is_empty() {
-                2
-            } else {
-                1
             };
-            turns = turns.get(..turns.len() - forgotten).unwrap_or_default();
+            elements.remove(i + 1);
         }
-        let (from, z) = turns.last().copied().unwrap_or_default();
-        let way = x - from;
-        let width = if turns.len() > 1 { 2.0 } else { 1.0 };
-        let sticking = (1.0 - way.abs() / (width * self.length_mm)).max(0.0);
-        (
-            turns.len(),
-            z + width * (1.0 - sticking * sticking).copysign(way),
-        )
+        self.elements = elements;
+        sum(&self.elements)
     }
+
+    /// z at a position that is reached without a reversal, at a constant F_c.
+    pub fn share(&self, at_mm: f64) -> f64 {
+        self.friction(at_mm, 1.0)
+    }
+
+    /// Goes to a position without a reversal on the way, at a constant F_c. z there.
+    pub fn travel(&mut self, to_mm: f64) -> f64 {
+        self.go(to_mm, 1.0)
+    }
+
+    /// s(w) at a position, cut by the limits.
+    fn moved(&self, at_mm: f64, limit: f64) -> Vec<(f64, f64)> {
+        let stretched = 2.0 * self.largest.max(limit) / self.length_mm * (at_mm - self.at_mm);
+        let most = 2.0 * limit.max(0.0);
+        let mut out: Vec<(f64, f64)> = Vec::with_capacity(2 * self.elements.len());
+        let mut before = None;
+        for &(w, s) in &self.elements {
+            let s = s + stretched;
+            if let Some((v, r)) = before {
+                let mut cuts = [1.0, -1.0].map(|sign| {
+                    let (from, to) = (r - sign * most * v, s - sign * most * w);
+                    if from * to < 0.0 {
+                        from / (from - to)
+                    } else {
+                        0.0
+                    }
+                });
+                cuts.sort_by(f64::total_cmp);
+                let cuts = cuts.into_iter().filter(|cut| *cut > 0.0);
+                out.extend(cuts.map(|cut| (v + cut * (w - v), r + cut * (s - r))));
+            }
+            before = Some((w, s));
+            out.push((w, s));
+        }
+        for (w, s) in &mut out {
+            *s = s.clamp(-most * *w, most * *w);
+        }
+        out
+    }
+}
+
+/// ∫ s dw.
+fn sum(elements: &[(f64, f64)]) -> f64 {
+    let parts = elements.iter().zip(elements.iter().skip(1));
+    parts.map(|((v, r), (w, s))| 0.5 * (w - v) * (r + s)).sum()
 }
 
 #[cfg(test)]
@@ -182,5 +238,68 @@ mod tests {
         );
         stuck.travel(0.3);
         inside(&stuck, 0.3, -0.7);
+    }
+
+    /// Elements one by one, of one stiffness and with limits that follow F_c: our friction is theirs
+    /// in steps of position and pressure.
+    #[test]
+    fn identity_limits_that_move_are_those_of_single_elements() {
+        let mut random = crate::random::Random(13);
+        let mut elements = vec![0.0_f64; 4000];
+        let mut ours = Presliding::new(LENGTH_MM, 0.0, 0.0);
+        let (mut x, mut largest) = (0.0, 0.0_f64);
+        for i in 0..400 {
+            let to = random.between(-1.0, 1.0) * LENGTH_MM;
+            let limit = random.between(0.0, 50.0);
+            let stiffer = 2.0 * largest.max(limit) / LENGTH_MM;
+            largest = largest.max(limit);
+            for (k, s) in (0..).zip(&mut elements) {
+                let most = 2.0 * limit * (f64::from(k) + 0.5) / 4e3;
+                *s = (*s + stiffer * (to - x)).clamp(-most, most);
+            }
+            x = to;
+            let theirs = elements.iter().sum::<f64>() / 4e3;
+            let friction = ours.go(to, limit);
+            assert!((friction - theirs).abs() < 1e-4, "{i}: {friction} {theirs}");
+        }
+    }
+
+    /// Closed cycles of position and pressure of random amplitudes and phases, the pressure at once,
+    /// twice or three times the frequency: none gives work. Of F_c z with z of the position alone
+    /// one in ten does.
+    #[test]
+    fn bound_no_cycle_of_position_and_pressure_gives_work() {
+        let mut random = crate::random::Random(2);
+        let cycles = crate::random::rounds(400);
+        let mut old_gives = 0;
+        for _ in 0..cycles {
+            let stroke = LENGTH_MM * 10f64.powf(random.between(-2.0, 0.5));
+            let (swing, phase) = (random.between(0.0, 1.0), random.between(0.0, 6.3));
+            let times = random.one_of(&[1.0, 2.0, 3.0]);
+            let mut ours = Presliding::new(LENGTH_MM, 0.0, 0.0);
+            let mut shares = Presliding::new(LENGTH_MM, 0.0, 0.0);
+            let (mut works, mut old) = ([0.0; 3], 0.0);
+            let (mut x, mut before, mut old_before) = (0.0, 0.0, 0.0);
+            for work in &mut works {
+                old = 0.0;
+                for i in 0..800 {
+                    let turn = std::f64::consts::TAU * f64::from(i) / 800.0;
+                    let to = stroke * turn.sin();
+                    let limit = 60.0 * (0.5 + 0.5 * swing * (times * turn + phase).sin());
+                    let friction = ours.go(to, limit);
+                    let of_share = limit * shares.travel(to);
+                    *work += 0.5 * (friction + before) * (to - x);
+                    old += 0.5 * (of_share + old_before) * (to - x);
+                    (x, before, old_before) = (to, friction, of_share);
+                }
+            }
+            let rounding = 1e-5 * 60.0 * stroke;
+            assert!(
+                works[2] > -rounding,
+                "{works:?}: {stroke} {swing} {phase} {times}"
+            );
+            old_gives += usize::from(old < -rounding);
+        }
+        assert!(old_gives > cycles / 20, "{old_gives} of {cycles}");
     }
 }

@@ -64,21 +64,33 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
         .iter()
         .filter(|p| p.contraction >= 0.0 && p.pull.is_some_and(|pull| pull > 0.0))
         .filter_map(|p| {
-            let q = p.q;
-            let x = 1.0 - p.contraction;
-            let pulls = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x > 0.0;
-            let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
+            let (pull, slope) = pull(muscle, k, p.q, 1.0 - p.contraction);
             let stiffness = form
-                .point_at(q * form.supply_pa, p.contraction)
+                .point_at(p.q * form.supply_pa, p.contraction)
                 .stiffness_n_per_m;
-            pulls.then_some((slope - stiffness * form.length_m / blocked_n) * form.contraction_high)
+            let of_blocked = form.length_m * form.contraction_high / blocked_n;
+            (pull > 0.0).then_some((slope - stiffness) * of_blocked)
         })
         .collect();
     HostError::from_errors(&errors)
 }
 
-/// The muscle of native actuators as a part of any model, and what is to be known of it.
-fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> {
+/// The pull in N of native actuators with these constants at q and L/L0, and its slope in the length
+/// in N/m.
+fn pull(muscle: &ExportedMuscle, k: &[f64; 6], q: f64, x: f64) -> (f64, f64) {
+    let pull = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x;
+    let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
+    let blocked_n = muscle.blocked_force_n;
+    if pull > 0.0 {
+        (blocked_n * pull, blocked_n * slope / muscle.form.length_m)
+    } else {
+        (0.0, 0.0)
+    }
+}
+
+/// The muscle of native actuators as a part of any model, what is to be known of it, and its
+/// constants.
+fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>, [f64; 6])> {
     let f = &muscle.form;
     let blocked_n = muscle.blocked_force_n;
     let refused = || {
@@ -154,6 +166,7 @@ fn native(muscle: &ExportedMuscle, way: Way<'_>) -> Result<(File, Vec<String>)> 
             &places,
         ),
         notes,
+        k,
     ))
 }
 
@@ -244,7 +257,7 @@ fn part(
 }
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    let (part, mut notes) = native(muscle, None)?;
+    let (part, mut notes, _) = native(muscle, None)?;
     let facts = [muscle.facts(), notes.clone()].concat();
     notes.push("both actuators of a muscle take the same control: its gauge pressure in Pa".into());
     let half = number(0.5 * muscle.form.supply_pa);
@@ -281,7 +294,7 @@ fn scene(muscle: &ExportedMuscle, facts: &[String], kind: &str, half: &str) -> F
 }
 
 /// Body, sites and springs of a joint.
-fn places(joint: &ExportedJoint) -> Result<Vec<Place>> {
+fn places(joint: &ExportedJoint) -> Vec<Place> {
     let id = joint.identifier();
     let link = joint.joint.link();
     let paths = joint.paths();
@@ -290,12 +303,6 @@ fn places(joint: &ExportedJoint) -> Result<Vec<Place>> {
     let centre = if mass > 0.0 { moment / mass } else { 0.0 };
     let inertia = link.whole_inertia_kg_m2();
     let least = moment * centre;
-    if inertia < (1.0 - 1e-9) * least {
-        return Err(ExportError::Host(format!(
-            "[joint] inertia: {inertia:.3e} kg m2 with the payload is less than {least:.3e} kg m2, \
-             that of a point of this mass at its centre; MuJoCo has no such body"
-        )));
-    }
     let along = link.inclination_deg.to_radians().sin_cos();
     let at = |r: f64| format!("{:.9} {:.9} 0", r * along.1, r * along.0);
     let spring = format!("{id}_spring");
@@ -352,7 +359,7 @@ fn places(joint: &ExportedJoint) -> Result<Vec<Place>> {
         ]),
     }
     places.push(("id", id));
-    Ok(places)
+    places
 }
 
 /// The joint as a hinge with its link, by native actuators and by the plugins of its muscles.
@@ -361,8 +368,10 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let mut parts = vec![];
     let mut plugins = vec![];
     let mut notes = vec![];
+    let mut constants = vec![];
     for (muscle, path) in joint.muscles.iter().zip(&joint.paths()) {
-        let (part, said) = native(muscle, Some((path, &id)))?;
+        let (part, said, k) = native(muscle, Some((path, &id)))?;
+        constants.push(k);
         notes.extend(
             said.into_iter()
                 .map(|said| format!("{}: {said}", muscle.name)),
@@ -370,7 +379,14 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         parts.push(part);
         plugins.extend(plugin(muscle, Some((path, &id))));
     }
-    let places = places(joint)?;
+    let places = places(joint);
+    let errors = joint.errors_of(|i, q, x| pull(&joint.muscles[i], &constants[i], q, x));
+    notes.push(format!(
+        "{id}.xml, by native actuators, against the joint of the program: torque {:.3} N m at \
+         most, stiffness {:.3} N m/rad where each muscle is slack or pulls by more than 2 %; \
+         {id}{PLUGIN}.xml has the errors of the form",
+        errors[0], errors[1]
+    ));
     let scene = |kind: &str, about: &'static str| {
         let include =
             |m: &ExportedMuscle| format!("<include file=\"{}{kind}_part.xml\"/>", m.identifier());
@@ -382,11 +398,15 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
             ("includes", joint.muscles.iter().map(include).collect()),
             ("half", halves.join(" ")),
         ];
+        let facts = match kind {
+            NATIVE => joint.facts_with(errors),
+            _ => joint.facts(),
+        };
         let text = include_str!("../../templates/joint.xml");
         File::text(
             format!("{id}{kind}.xml"),
             about,
-            render(text, &joint.facts(), &[&own[..], &places].concat()),
+            render(text, &facts, &[&own[..], &places].concat()),
         )
     };
     let mut files = vec![scene(

@@ -36,6 +36,8 @@ pub enum Course<Q> {
     /// A value, "ramp 0..3 bar in 2 s", "sine 1..3 bar at 2 Hz",
     /// "chirp 1..3 bar from 0.1..5 Hz in 10 s" or "table:command.csv"
     Said(String),
+    /// A value in MPa, mm³, degrees, or a ratio
+    Number(f64),
     /// Values from their times on, in pairs such as [["0 s", "0 bar"], ["0.1 s", "3 bar"]]
     Pairs(Vec<(Time, Q)>),
 }
@@ -53,6 +55,14 @@ impl<'de, Q: Deserialize<'de>> Deserialize<'de> for Course<Q> {
 
             fn visit_str<E>(self, text: &str) -> Result<Course<Q>, E> {
                 Ok(Course::Said(text.to_owned()))
+            }
+
+            fn visit_f64<E>(self, number: f64) -> Result<Course<Q>, E> {
+                Ok(Course::Number(number))
+            }
+
+            fn visit_i64<E>(self, number: i64) -> Result<Course<Q>, E> {
+                Ok(Course::Number(number as f64))
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Course<Q>, A::Error> {
@@ -195,6 +205,7 @@ impl Commands<'_> {
         let command = match course {
             Course::Said(text) => spoken(&text, Q::DIMENSION)
                 .ok_or_else(|| wrong(format!("is not a command; write {OVER_TIME}")))?,
+            Course::Number(number) => Command::Constant(number),
             Course::Pairs(pairs) => {
                 Command::Steps(pairs.into_iter().map(|(t, v)| (t.0, v.into())).collect())
             }
@@ -277,5 +288,29 @@ mod tests {
         assert!(read("chirp 1..3 bar from 0.1..5 Hz in 10 s").is_some());
         assert_eq!(read("3 bar"), Some(Command::Constant(0.3)));
         assert_eq!(read("saw 1..3 bar"), None);
+    }
+
+    /// A bare number is what it is in a text, in MPa; and what `motion` writes is read.
+    #[test]
+    fn identity_bare_numbers_and_own_columns_are_read() {
+        let drive = |value: &str, table: &str| {
+            let text = format!(
+                "joint = 'j'\n[regulator]\ntime_constant = '0.1 s'\n[command]\npressure_1 = \
+                 {value}\npressure_2 = 0\nuntil = '1 s'\n"
+            );
+            let texts = [("t.csv".to_owned(), table.to_owned())].into();
+            let tables = Tables {
+                texts,
+                rest_length_mm: 1.0,
+            };
+            crate::parse_drive(&text, &tables).unwrap().target
+        };
+        assert_eq!(drive("0.2", ""), drive("'0.2'", ""));
+        assert_eq!(drive("0.2", ""), drive("'2 bar'", ""));
+        let own = "time_s,angle_deg,pressure_1_mpa,pressure_2_mpa\n0,1,0.2,0.1\n1,2,0.3,0.1\n";
+        let Target::Pressure(commands) = drive("'table:t.csv'", own) else {
+            panic!()
+        };
+        assert_eq!(commands[0].value(0.0), 0.2);
     }
 }

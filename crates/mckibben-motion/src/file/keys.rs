@@ -236,7 +236,8 @@ pub struct OfRubber {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OfController {
-    /// Gain in MPa (or opening) per unit of position
+    /// Gain in MPa (or opening) per contraction of 1, or per radian of a joint, whose commands are
+    /// in degrees
     pub proportional: f64,
     /// Integral gain, 1/s
     #[serde(default)]

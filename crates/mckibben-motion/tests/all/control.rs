@@ -1,7 +1,7 @@
 //! Valves and controllers that act.
 
 use crate::support::{close, damped, elbow, last, note_muscle, ran, regulator, steps, valve};
-use mckibben_core::model::ModelKind;
+use mckibben_core::{model::ModelKind, muscle::Muscle};
 use mckibben_motion::*;
 
 fn on_off(closed_centre: bool) -> Actuator {
@@ -181,4 +181,41 @@ fn identity_the_smallest_valve_meets_the_rise_time_and_a_smaller_one_does_not() 
     assert!(ran(&drive).rise_time_s.unwrap() > 0.2);
     let error = size(&drive, 1e-3, &mckibben_core::progress::Silent).unwrap_err();
     assert!(matches!(error, MotionError::NoAnswer(_)), "{error}");
+}
+
+/// With friction a load rests beside its static equilibrium: the valve whose motion has the rise time
+/// that was asked for, as it is printed.
+#[test]
+fn identity_a_valve_is_sized_by_the_rise_time_that_is_printed() {
+    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let load = damped(&*model, 10.0, 400.0, (-1e3, 1e3));
+    let mut muscle = Actuated::new(&*model, valve());
+    muscle.friction = Some(mckibben_core::muscle::Friction::power_law(40.0, 0.6));
+    let target = steps(&[(0.0, 0.15), (0.1, 0.3)]);
+    let drive = Drive::new(&load, vec![muscle], target, 3.0);
+    for asked_s in [0.15, 0.3] {
+        let sized = size(&drive, asked_s, &mckibben_core::progress::Silent).unwrap();
+        let printed_s = sized.motion.rise_time_s.unwrap();
+        assert_eq!(printed_s, sized.rise_time_s);
+        assert!(
+            printed_s <= asked_s && printed_s > 0.97 * asked_s,
+            "{printed_s} for {asked_s}"
+        );
+    }
+}
+
+/// A load that is released at a held pressure gets its work from what was stored: no share of the
+/// air's exergy is stated (191 % and 7613 % were), nor any above 1.
+#[test]
+fn bound_work_over_exergy_is_of_air_alone() {
+    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let load = damped(&*model, 10.0, 50.0, (-1e3, 1e3));
+    let muscle = || vec![Actuated::new(&*model, valve())];
+    let mut released = Drive::new(&load, muscle(), steps(&[(0.0, 0.2)]), 1.0);
+    released.initial_coordinate = Some(5.0);
+    let motion = ran(&released);
+    assert!(motion.energies.work_j > 0.0 && motion.efficiency.is_none());
+    let filled = Drive::new(&load, muscle(), steps(&[(0.0, 0.15), (0.1, 0.3)]), 2.0);
+    let share = ran(&filled).efficiency.unwrap();
+    assert!(share > 0.0 && share < 1.0, "{share}");
 }

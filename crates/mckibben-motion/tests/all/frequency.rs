@@ -147,3 +147,53 @@ fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
     let most = late.map(|(_, q)| q.abs()).fold(0.0, f64::max);
     close(most / 1e-3, still / 2f64.sqrt(), 5e-3);
 }
+
+/// About the state that a step reaches, not about the highest commands of its muscles: that of the
+/// constant commands after it. One side of the valves: a larger way out changes nothing while a
+/// muscle is filled, and of regulators, which have no kink, both sides are the mean.
+#[test]
+fn identity_the_bandwidth_is_that_of_the_state_reached_on_each_side_of_the_valves() {
+    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let load = SingleMuscle {
+        damping_n_s_per_m: 600.0,
+        ..SingleMuscle::hanging(&*model, 10.0)
+    };
+    let hertz = |actuator: Actuator, command: Command, side: f64| {
+        let target = Target::Pressure(vec![command]);
+        let drive = Drive::new(&load, vec![Actuated::new(&*model, actuator)], target, 4.0);
+        Linear::at_state_reached(&drive, side)
+            .unwrap()
+            .bandwidth_hz()
+            .unwrap()
+    };
+    let steps = || Command::Steps(vec![(0.0, 0.3), (0.1, 0.15), (2.0, 0.35)]);
+    let constant = || Command::Constant(0.15);
+    let out = |times: f64| {
+        let mut valve = Valve::new(Orifice::new(0.05, 0.3).unwrap());
+        valve.exhaust = valve.exhaust.scaled(times);
+        Actuator::Valve(valve)
+    };
+    close(
+        hertz(out(1.0), steps(), 0.0),
+        hertz(out(1.0), constant(), 0.0),
+        1e-12,
+    );
+    close(
+        hertz(out(1.0), steps(), 1.0),
+        hertz(out(4.0), steps(), 1.0),
+        1e-9,
+    );
+    close(
+        hertz(regulator(0.02), steps(), -1.0),
+        hertz(regulator(0.02), constant(), 0.0),
+        1e-6,
+    );
+    let [narrow, wide] = [0.25, 4.0].map(|times| hertz(out(times), steps(), -1.0));
+    assert!(narrow < 0.8 * wide, "{narrow} {wide}");
+    let [fills, vents] = [1.0, -1.0].map(|side| hertz(out(1.0), steps(), side));
+    let mean = hertz(out(1.0), steps(), 0.0);
+    assert!(
+        (fills - mean) * (mean - vents) > 0.0,
+        "{fills} {mean} {vents}"
+    );
+}
