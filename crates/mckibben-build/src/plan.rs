@@ -5,7 +5,7 @@ use crate::{
     clamps::Tie, material, plug, test_points,
 };
 use mckibben_core::{
-    analysis::{SAFETY, burst::ends::clamp_load_n},
+    analysis::{BUCKLING, burst::ends::clamp_load_n},
     model::ThickWall,
     muscle::Muscle,
     refused::Refused,
@@ -161,7 +161,7 @@ impl Plan {
     }
 
     /// Of a muscle that extends, without a guide: the push in N at which it buckles at its length at
-    /// rest; a [`SAFETY`]th of it is allowed.
+    /// rest; over [`BUCKLING`] it is the allowed push.
     fn buckling_n(&self) -> Option<f64> {
         let model = self
             .muscle
@@ -192,7 +192,7 @@ impl Plan {
         }
         if let Some(bears_n) = self.buckling_n() {
             let [push, bears, allowed] =
-                [-self.operating.blocked_force_n, bears_n, bears_n / SAFETY]
+                [-self.operating.blocked_force_n, bears_n, bears_n / BUCKLING]
                     .map(|n| crate::text::significant(n.max(0.0), 2));
             out.push(format!(
                 "the muscle pushes with up to {push}\u{a0}N, and between two joints it buckles at \

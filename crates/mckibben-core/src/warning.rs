@@ -1,7 +1,7 @@
 //! What the user should know of an answer.
 
 use crate::{
-    analysis::{Allowed, FailureMode, NoBurst, PROVED, SAFETY},
+    analysis::{Allowed, BUCKLING, FailureMode, NoBurst, PROVED, SAFETY},
     model::{Response, ThickWall},
     muscle::{Muscle, Rubber},
     units::{rounded, short_numbers},
@@ -245,7 +245,7 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
         warn(FallsWithPressure, -slope, sentence);
     }
     if let Some(bears_n) = buckling_load_n(muscle, response)
-        && response.force_n < -bears_n / SAFETY
+        && response.force_n < -bears_n / BUCKLING
     {
         let push_n = -response.force_n;
         let what = if push_n > bears_n {
@@ -257,7 +257,7 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
             "{what}: it pushes with {push_n:.1}\u{a0}N, its wall alone buckles at \
              {bears_n:.1}\u{a0}N, and {:.1}\u{a0}N are allowed; guide it in a tube, or make it \
              shorter",
-            bears_n / SAFETY
+            bears_n / BUCKLING
         );
         warn(Buckles, push_n / bears_n, sentence);
     }
@@ -384,8 +384,8 @@ mod tests {
             / 4.0
             / (length_mm * length_mm);
         for (share, word) in [
-            (0.24, None),
-            (0.26, Some("may")),
+            (0.49, None),
+            (0.51, Some("may")),
             (1.01, Some("muscle buckles")),
         ] {
             let response = Response {

@@ -10,7 +10,7 @@ use crate::{Relaxation, Spec, bundle::envelope_ratio};
 use check::{AtPoint, Show, round};
 pub use mckibben_core::analysis::SAFETY;
 use mckibben_core::{
-    analysis::Safety,
+    analysis::{BUCKLING, Safety},
     model::{ModelError, Result, ThickWall},
     units::Dimension,
     warning::VALIDATED_STRAND_STRAIN,
@@ -134,14 +134,14 @@ pub static AT_POINTS: [LimitAtPoints; 4] = [
             }
             let column = ThickWall::new(at.trial.muscle);
             Ok(Some(
-                column.buckling_n(at.pressure_mpa()?, at.point.contraction)?,
+                column.buckling_n(at.pressure_mpa()?, at.point.contraction)? / BUCKLING,
             ))
         },
         value: |at| Ok(Some(at.point.force_n.abs())),
         missed: |value_n, bound_n, show| {
             let [push, limit] =
                 [value_n.ceil(), bound_n.floor()].map(|n| show(Dimension::Force, n));
-            format!("buckles at {limit} between two joints, {push} required")
+            format!("between two joints half the buckling load is {limit}, {push} required")
         },
         allow: |_| Relaxation::Guided {},
     },

@@ -59,7 +59,7 @@ fn the_smallest_diameter_just_pushes_enough_at_the_maximum_pressure() {
     assert!(best.work_j.is_some_and(|work| work > 0.0));
 }
 
-/// Between two joints a push is at most the load of Euler's column; a muscle that is guided may be
+/// Between two joints a push is at most half the load of Euler's column; a muscle that is guided may be
 /// thinner, and the other is told how.
 #[test]
 fn a_push_is_below_the_buckling_load_unless_the_muscle_is_guided() {
@@ -81,7 +81,7 @@ fn a_push_is_below_the_buckling_load_unless_the_muscle_is_guided() {
         let least_n = ThickWall::new(&candidate.muscle)
             .buckling_n(q.pressure_mpa, q.contraction)
             .unwrap();
-        assert!(30.0 <= least_n * (1.0 + 1e-9), "{least_n}");
+        assert!(30.0 <= 0.5 * least_n * (1.0 + 1e-9), "{least_n}");
     }
     // Thin tubes alone: the closest would do if it were guided.
     let thin = Spec {

@@ -14,6 +14,10 @@ pub const SAFETY: f64 = 4.0;
 /// them.
 pub const PROVED: f64 = 1.5;
 
+/// The load at which a muscle that extends buckles over the allowed push: half of [`SAFETY`], as of
+/// the tube, since what buckles bends and flies apart in no case.
+pub const BUCKLING: f64 = 2.0;
+
 /// A relief valve opens at this multiple of the pressure that is set: it needs about a tenth to
 /// close again, and a regulator holds its pressure within 2 to 5 %.
 pub const RELIEF: f64 = 1.1;

@@ -24,7 +24,7 @@ mod radii;
 pub mod strands;
 
 pub use failure::{
-    Allowed, Burst, FailureMode, FailurePressure, NoBurst, PROVED, RELIEF, SAFETY, Safety,
+    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, NoBurst, PROVED, RELIEF, SAFETY, Safety,
 };
 
 use super::error::Result;
