@@ -72,12 +72,12 @@ pub fn bought<'a>(
 
 /// What a muscle does, where it meets the specification.
 fn meets(spec: &Spec, is_cut: bool, build: &Build<'_>, product: Product<'_>) -> Option<Bought> {
-    let max_pressure_mpa = spec
-        .max_pressure_mpa
-        .min(product.muscle.bench()?.pressure_mpa.1);
+    let max_pressure_mpa =
+        (spec.supply_share * spec.max_pressure_mpa).min(product.muscle.bench()?.pressure_mpa.1);
     let muscle = of_length(spec, is_cut, product.muscle)?;
     let held = Spec {
         max_pressure_mpa,
+        supply_share: 1.0,
         base: muscle.clone(),
         limits: Limits {
             bulged_diameter_mm: spec.limits.bulged_diameter_mm,

@@ -32,7 +32,11 @@ fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
     );
     let promised = number(&best["points"][0], "force_at_max_pressure_n");
     let highest_mpa = number(best, "highest_pressure_mpa");
-    assert!(promised >= 700.0 && highest_mpa == number(best, "allowed_pressure_mpa").min(0.25));
+    assert!(
+        promised >= 700.0
+            && (highest_mpa - (number(best, "allowed_pressure_mpa") / 1.1).min(0.95 * 0.25)).abs()
+                < 1e-12
+    );
     // Of a muscle that shortens.
     for line in ["force winner.toml", "curve isobaric winner.toml"] {
         let answer = json_in(

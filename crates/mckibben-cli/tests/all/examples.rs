@@ -258,7 +258,7 @@ fn the_tables_of_pages_are_what_their_commands_print() {
         ),
         (
             "docs/models.md",
-            "design -F 50N -e 15% --max-pressure 2.5bar --length 200 --liquid water --max-liquid \
+            "design -F 50N -e 15% --max-pressure 3bar --length 200 --liquid water --max-liquid \
              20mL",
         ),
     ] {

@@ -3,7 +3,7 @@
 use super::{Braid, BraidStiffness, Muscle, MuscleError, Strands};
 use crate::{
     joined,
-    sleeve::{COUNT_FACTOR, ESTIMATE_FACTOR, Sleeve, library, refused},
+    sleeve::{ESTIMATE_FACTOR, Sleeve, library, refused},
 };
 
 impl Sleeve {
@@ -33,13 +33,8 @@ impl Sleeve {
 
     /// Strands with the factors within which their number and strength are known.
     fn with_factors(&self, strands: Strands) -> Strands {
-        let is_estimate = |key| self.estimated.contains(&key);
-        let count_factor = match self.strands {
-            Some(_) => 1.0,
-            None if is_estimate("strand_diameter") => ESTIMATE_FACTOR,
-            None => COUNT_FACTOR,
-        };
-        let strength_factor = if is_estimate("strand_strength") {
+        let count_factor = self.strands.map_or(self.count_factor, |_| 1.0);
+        let strength_factor = if self.estimated.contains(&"strand_strength") {
             ESTIMATE_FACTOR
         } else {
             1.0

@@ -65,13 +65,16 @@ pub struct Sleeve {
     /// Factor within which the stiffness is known with all estimates; 1 without any.
     #[serde(skip)]
     pub factor: f64,
+    /// Factor by which there may be fewer strands, where their number is not stated.
+    #[serde(skip)]
+    pub count_factor: f64,
 }
 
 /// What a number of strands that follows from range and diameter may be above the true one: where
 /// strands cross they cannot touch all along, which costs 17 to 25 % of them.
-pub(crate) const COUNT_FACTOR: f64 = 1.25;
-/// By what factor strands whose diameter is an estimate may be fewer than those that touch, and
-/// strands whose strength is an estimate may be weaker.
+const COUNT_FACTOR: f64 = 1.25;
+/// By what factor strands may be fewer than those that touch at the ends of a range that is a rule
+/// for all sizes of a family, and strands whose strength is an estimate may be weaker.
 pub(crate) const ESTIMATE_FACTOR: f64 = 2.0;
 
 /// Estimates on which the stiffness depends.
@@ -153,6 +156,7 @@ impl Sleeve {
             strands_per_carrier: None,
             estimated: vec![],
             factor: 1.0,
+            count_factor: COUNT_FACTOR,
         }
     }
 

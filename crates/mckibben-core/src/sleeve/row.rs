@@ -1,7 +1,7 @@
 //! A row of a table of sleeves, and the sleeves that follow from it.
 
 use super::{
-    Helix, Sleeve, SleeveShape,
+    ESTIMATE_FACTOR, Helix, Sleeve, SleeveShape,
     library::{Material, SleeveEntry, estimated},
 };
 use crate::{
@@ -186,6 +186,11 @@ impl SleeveRow {
                 least_mm,
                 largest_mm,
             })
+        };
+        // The range of a family is a rule, not that of a sleeve.
+        let stated = Sleeve {
+            count_factor: size.map_or(stated.count_factor, |_| ESTIMATE_FACTOR),
+            ..stated
         };
         Ok(SleeveEntry {
             modulus_of: modulus_of.filter(|_| stated.strand_modulus_mpa.is_none()),

@@ -297,7 +297,10 @@ fn two_diameters_are_a_sleeve_and_a_family_has_its_sizes() {
     let mut family = library::find("pet-sleeve-8").unwrap();
     let same = library::find("pet:4.8..14.4mm").unwrap();
     assert_eq!((family.factor, same.factor), (3.0, 2.5));
-    (family.factor, family.shape.name) = (same.factor, same.shape.name.clone());
+    // Nor is the range of a family that of a sleeve.
+    assert_eq!((family.count_factor, same.count_factor), (2.0, 1.25));
+    (family.factor, family.count_factor) = (same.factor, same.count_factor);
+    family.shape.name.clone_from(&same.shape.name);
     assert_eq!(family, same);
     let mine =
         library::read("[[sleeve]]\nname = \"mine\"\nleast_diameter = 6\nlargest_diameter = 8\n")
