@@ -4,7 +4,9 @@ use crate::{
     AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint,
     clamps::Tie, material, plug, test_points,
 };
-use mckibben_core::{analysis::burst::ends::clamp_load_n, muscle::Muscle, refused::Refused};
+use mckibben_core::{
+    analysis::burst::ends::clamp_load_n, muscle::Muscle, refused::Refused, sleeve::library,
+};
 use std::f64::consts::PI;
 
 /// Choices of the builder.
@@ -134,6 +136,17 @@ impl Plan {
     /// Whether a printed air plug bears the load of its end; else both plugs are turned from metal.
     pub fn is_printed(&self) -> bool {
         self.air_plug.is_printed(self.end_load_n)
+    }
+
+    /// Whether the strands are known to be of aramid.
+    pub fn is_aramid(&self) -> bool {
+        let shape = self.muscle.braid().sleeve.as_ref();
+        shape.is_some_and(|shape| {
+            let entry = library::entry(&shape.name).ok();
+            entry
+                .map_or(&*shape.name, |e| &e.material)
+                .contains("aramid")
+        })
     }
 
     /// Mass in g of the parts whose mass is known.
