@@ -83,8 +83,9 @@ function spec(panel, figure) {
     );
     const line = {
       colour: colour(s, i),
-      x: s.points.map((p) => kx * p[0]),
-      y: s.points.map((p) => ky * p[1]),
+      // A gap is no number.
+      x: s.points.map((p) => kx * (p[0] ?? NaN)),
+      y: s.points.map((p) => ky * (p[1] ?? NaN)),
     };
     if (s.style === "band")
       return { ...line, name: "±", band: true, legend: "" };

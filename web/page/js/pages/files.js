@@ -96,6 +96,9 @@ function card(title, about, fields, [label, command], request, shown) {
   };
 }
 
+/** The units that people read. */
+const readUnits = () => ["pressure", "force", "length"].map(unitName).join(",");
+
 /** The muscle at its pressure, where it has one. */
 const atPressure = () => ({
   pressure_mpa: muscle.p || undefined,
@@ -114,7 +117,7 @@ const report = () =>
       name: muscle.name,
       ...read,
       report: true,
-      units: ["pressure", "force", "length"].map(unitName).join(","),
+      units: readUnits(),
     }),
     async (answer) => {
       const html = await withViewer(
@@ -146,7 +149,7 @@ const workshop = () =>
     "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.",
     [],
     ["Make the build sheet", "build"],
-    atPressure,
+    () => ({ ...atPressure(), units: readUnits() }),
     (answer) => {
       const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map(
         (p) => show("pressure", p, 3),
@@ -183,8 +186,8 @@ const code = () =>
       ...atPressure(),
       ...read,
       target: read.target,
-      name: muscle.called
-        ? fileName(muscle.called, "").replace(/\W/g, "_")
+      name: muscle.given
+        ? fileName(muscle.given, "").replace(/\W/g, "_")
         : undefined,
     }),
     (answer) => [
