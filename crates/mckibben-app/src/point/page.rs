@@ -49,28 +49,25 @@ impl PointQuantity {
     /// The 95 % interval in a unit, where its ends are not a half-width on either side.
     fn interval(self, of: &Answer, scale: &Scale) -> Option<String> {
         const EVEN: f64 = 0.2;
-        let (low, high) = match self {
+        let ends = match self {
             Self::Force => return None,
-            Self::Pressure => (of.pressure_low_mpa, of.pressure_high_mpa),
-            Self::Contraction => (of.contraction_low, of.contraction_high),
+            Self::Pressure => [of.pressure_low_mpa, of.pressure_high_mpa],
+            Self::Contraction => [of.contraction_low, of.contraction_high],
         };
-        let half = self.half_width(of)?;
-        let is_even = |end: Option<f64>| {
-            end.is_some_and(|end| ((end - self.value(of)).abs() - half).abs() < EVEN * half)
-        };
-        if is_even(low) && is_even(high) {
+        let (value, half) = (self.value(of), self.half_width(of)?);
+        let is_even = |end: f64| ((end - value).abs() - half).abs() < EVEN * half;
+        if ends.iter().all(|end| end.is_some_and(is_even)) {
             return None;
         }
-        let [low, high] = [low, high].map(|end| end.map(|end| scale.to(end, 2)));
-        let words = match (low, high) {
-            (Some(low), Some(high)) => format!("{low} to {high}"),
-            (Some(low), None) => format!("{low} or more"),
-            (None, Some(high)) => format!("{high} or less"),
-            (None, None) => return None,
+        let words = match ends.map(|end| end.map(|end| scale.to(end, 2))) {
+            [Some(low), Some(high)] => format!("{low} to {high}"),
+            [Some(low), None] => format!("{low} or more"),
+            [None, Some(high)] => format!("{high} or less"),
+            [None, None] => return None,
         };
         Some(format!(
             "{} {} ({words}, 95 %)",
-            scale.bare(self.value(of)),
+            scale.bare(value),
             scale.name
         ))
     }

@@ -6,7 +6,7 @@ use super::{
     parameter::{NO_LOCK, sets_limit},
 };
 use crate::{
-    least_squares::{Loss, robust_deviation},
+    least_squares::{Loss, Unknown, estimate, robust_deviation},
     measured::{DataPoint, Quantity, distinct},
     rubber::MODULI,
 };
@@ -336,48 +336,31 @@ pub fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
     notes
 }
 
-/// Residuals that a zero of the load cell explains: a constant in every pull, besides what the
-/// constants do, whose slopes are given in `columns`. It is a step of linear least squares.
+/// Residuals of which a zero of the load cell explains half of the squares: with the constants,
+/// whose slopes are in `columns`, as a linear problem.
 pub fn zero_of_load_cell(result: &Identification, columns: &[Vec<f64>]) -> Option<String> {
-    /// The share of the squares that it explains at least.
-    const SHARE: f64 = 0.5;
-    /// The least that is left of the constant beside the others.
-    const APART: f64 = 1e-6;
     let points = &result.points;
-    let weighted = |of: &dyn Fn(usize) -> f64| -> Vec<f64> {
-        let all = points.iter().enumerate();
-        all.map(|(i, p)| p.weight.sqrt() * of(i)).collect()
+    let is_force = |p: &PointFit| f64::from(p.point.measured == Quantity::Force);
+    let zero = points.iter().map(is_force).collect();
+    let columns: Vec<Vec<f64>> = columns.iter().cloned().chain([zero]).collect();
+    let moved = |x: &[f64]| {
+        let by = |i: usize| columns.iter().zip(x).map(|(c, x)| c[i] * x).sum::<f64>();
+        let rows = points.iter().enumerate();
+        Some(
+            rows.map(|(i, p)| p.residual_n + by(i))
+                .collect::<Vec<f64>>(),
+        )
     };
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let without = |v: &mut Vec<f64>, from: &[Vec<f64>]| {
-        for q in from {
-            let share = dot(q, v);
-            v.iter_mut().zip(q).for_each(|(v, q)| *v -= share * q);
-        }
-    };
-    let mut basis: Vec<Vec<f64>> = vec![];
-    for column in columns {
-        let mut q = weighted(&|i| column[i]);
-        let whole = dot(&q, &q).sqrt();
-        without(&mut q, &basis);
-        let left = dot(&q, &q).sqrt();
-        if left > APART * whole {
-            basis.push(q.into_iter().map(|v| v / left).collect());
-        }
-    }
-    let is_force = |i: usize| f64::from(points[i].point.measured == Quantity::Force);
-    let mut zero = weighted(&is_force);
-    let whole = dot(&zero, &zero);
-    without(&mut zero, &basis);
-    let left = dot(&zero, &zero);
-    let residuals = weighted(&|i| points[i].residual_n);
-    let (along, squares) = (dot(&zero, &residuals), dot(&residuals, &residuals));
-    let explains = along * along > SHARE * left * squares && result.freedom > 2;
-    (left > APART * whole && explains).then(|| {
+    let weights: Vec<f64> = points.iter().map(|p| p.weight).collect();
+    let unknowns = vec![Unknown::free(0.0, 1.0); columns.len()];
+    let with = estimate(&moved, &unknowns, &weights, Loss::Squares).ok()?;
+    let before: f64 = points.iter().map(|p| p.weight * p.residual_n.powi(2)).sum();
+    let (zero_n, half_n) = (with.x.last()?, with.half_widths.last()?);
+    (with.squares < 0.5 * before && zero_n.abs() > *half_n).then(|| {
         format!(
-            "the residuals are those of a load cell that shows about {} N without a pull: look at \
-             its zero, or free `force_offset`",
-            show(-along / left)
+            "the load cell seems to show {} N without a pull: look at its zero, or free \
+             `force_offset`",
+            show(*zero_n)
         )
     })
 }
