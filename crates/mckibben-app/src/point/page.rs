@@ -46,32 +46,6 @@ impl PointQuantity {
         }
     }
 
-    /// The 95 % interval in a unit, where its ends are not a half-width on either side.
-    fn interval(self, of: &Answer, scale: &Scale) -> Option<String> {
-        const EVEN: f64 = 0.2;
-        let ends = match self {
-            Self::Force => return None,
-            Self::Pressure => [of.pressure_low_mpa, of.pressure_high_mpa],
-            Self::Contraction => [of.contraction_low, of.contraction_high],
-        };
-        let (value, half) = (self.value(of), self.half_width(of)?);
-        let is_even = |end: f64| ((end - value).abs() - half).abs() < EVEN * half;
-        if ends.iter().all(|end| end.is_some_and(is_even)) {
-            return None;
-        }
-        let words = match ends.map(|end| end.map(|end| scale.to(end, 2))) {
-            [Some(low), Some(high)] => format!("{low} to {high}"),
-            [Some(low), None] => format!("{low} or more"),
-            [None, Some(high)] => format!("{high} or less"),
-            [None, None] => return None,
-        };
-        Some(format!(
-            "{} {} ({words}, 95 %)",
-            scale.bare(value),
-            scale.name
-        ))
-    }
-
     fn half_width(self, of: &Answer) -> Option<f64> {
         match self {
             Self::Force => of.uncertainty_n,
@@ -93,7 +67,6 @@ impl PointAnswer {
             let value = quantity.value(a);
             match quantity.half_width(a) {
                 _ if quantity != self.sought => scale.of(value),
-                Some(_) if quantity.interval(a, &scale).is_some() => quantity.interval(a, &scale),
                 None => Some(format!("{} ± unknown {}", scale.bare(value), scale.name)),
                 half => scale.of((value, half)),
             }
@@ -116,7 +89,11 @@ impl PointAnswer {
                 format!("{} ({})", a.model, background.about.source),
             )
             .text("pressure", quantity(PointQuantity::Pressure))
+            .quantity("pressure from (95 %)", &u.pressure, a.pressure_low_mpa)
+            .quantity("pressure to (95 %)", &u.pressure, a.pressure_high_mpa)
             .text("contraction", quantity(PointQuantity::Contraction))
+            .quantity("contraction from (95 %)", &PERCENT, a.contraction_low)
+            .quantity("contraction to (95 %)", &PERCENT, a.contraction_high)
             .quantity(
                 "shortening",
                 &length,

@@ -3,7 +3,7 @@
 use super::{IdentifyError, Result, advice};
 use crate::{
     least_squares::Line,
-    measured::{DataPoint, Quantity, halves},
+    measured::{DataPoint, MeasuredPoint, Quantity, means},
 };
 use mckibben_core::{cancel, extremes::peak, muscle::Muscle};
 
@@ -79,7 +79,11 @@ fn swapped(points: &[&DataPoint]) -> Result<()> {
     let pulls = points
         .iter()
         .filter(|p| p.measured == Quantity::Force && p.at.force_n > 0.0);
-    let loops: Vec<f64> = halves(pulls.map(|p| p.at)).collect();
+    let pulls: Vec<MeasuredPoint> = pulls.map(|p| p.at).collect();
+    let of_loop = |(i, mean): &(usize, MeasuredPoint)| {
+        (pulls[*i].branch != mean.branch).then_some(mean.force_n - pulls[*i].force_n)
+    };
+    let loops: Vec<f64> = means(&pulls).iter().filter_map(of_loop).collect();
     let lower = loops.iter().filter(|half| **half < 0.0).count();
     if loops.len() > 2 && 10 * lower > 9 * loops.len() {
         let message = "the pulls of the branch `elongation` are the lower ones: are the names of \

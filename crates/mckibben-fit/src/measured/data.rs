@@ -224,18 +224,6 @@ pub fn means(points: &[MeasuredPoint]) -> Vec<(usize, MeasuredPoint)> {
     out
 }
 
-/// Half the distance of the branches in N, wherever both were measured.
-pub fn halves(points: impl Iterator<Item = MeasuredPoint>) -> impl Iterator<Item = f64> {
-    let points: Vec<MeasuredPoint> = points.collect();
-    held_pressures(&points).into_iter().flat_map(|at_pressure| {
-        let [lower, upper] = branches(&at_pressure);
-        let half = move |(_, p): (usize, MeasuredPoint)| {
-            Some(0.5 * (at_contraction(&upper, p.contraction)?.force_n - p.force_n))
-        };
-        lower.into_iter().filter_map(half).collect::<Vec<f64>>()
-    })
-}
-
 type Indexed = Vec<(usize, MeasuredPoint)>;
 
 /// Points by the pressure that was held, which a regulator keeps within [`HELD`].

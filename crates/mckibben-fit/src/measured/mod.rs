@@ -5,7 +5,7 @@ mod over_time;
 mod read;
 
 pub use data::{
-    DataPoint, MeasuredPoint, Quantity, Section, distinct, halves, mean_of_branches, mean_of_data,
+    DataPoint, MeasuredPoint, Quantity, Section, distinct, mean_of_branches, mean_of_data, means,
     same,
 };
 pub use over_time::PressureLog;

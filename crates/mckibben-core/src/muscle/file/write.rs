@@ -4,6 +4,7 @@ use super::text::{Text, list, number, percent, quantity, text};
 use crate::{
     muscle::{
         Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber,
+        Strands,
         measures::{STRANDS_FACTOR, STRENGTH_FACTOR, of_section},
     },
     rubber::{
@@ -211,6 +212,35 @@ impl Text {
         );
     }
 
+    /// The strands, beside a stiffness that is stated or not.
+    fn strands(&mut self, muscle: &Muscle, strands: Strands, is_stated: bool) {
+        self.key(
+            "strands",
+            &strands.count.to_string(),
+            "both families together",
+        );
+        let (unused, why) = if is_stated {
+            ("# ", "not used: `stiffness` is given")
+        } else {
+            ("", "of one strand")
+        };
+        let area = strands.section.map(|section| quantity(section.0, "mm2"));
+        self.stated(&format!("{unused}strand_area"), area, why);
+        let modulus = strands.section.map(|section| quantity(section.1, "MPa"));
+        self.stated(&format!("{unused}strand_modulus"), modulus, "");
+        let strength = strands
+            .strength_n
+            .map(|strength_n| quantity(strength_n, "N"));
+        self.stated(
+            "strand_strength",
+            strength,
+            "force at which one strand breaks",
+        );
+        for m in [&STRANDS_FACTOR, &STRENGTH_FACTOR] {
+            self.stated(m.name(), (m.get)(muscle.parts()).map(number), m.comment);
+        }
+    }
+
     fn braid(&mut self, muscle: &Muscle, outer_diameter_mm: f64) {
         let braid = muscle.braid();
         self.table("braid");
@@ -220,13 +250,14 @@ impl Text {
             sleeve.as_ref().map(|s| text(s.name())),
             "a sleeve: `mckibben parts show`",
         );
-        let own = sleeve
+        if let Some(own) = sleeve
             .as_ref()
-            .filter(|s| library_sleeve(&s.shape).is_none());
-        for (key, at) in [("least_diameter", 0), ("largest_diameter", 1)] {
-            let mm = own.map(|sleeve| <[f64; 2]>::from(sleeve.diameters())[at]);
-            let comment = "between its strands that touch: a sleeve of your own";
-            self.stated(key, mm.map(|mm| quantity(mm, "mm")), comment);
+            .filter(|s| library_sleeve(&s.shape).is_none())
+        {
+            let (least, largest) = own.diameters();
+            let comment = "at which its strands touch";
+            self.key("least_diameter", &quantity(least, "mm"), comment);
+            self.key("largest_diameter", &quantity(largest, "mm"), comment);
         }
         let angle_deg = braid
             .clone()
@@ -252,32 +283,8 @@ impl Text {
                 sleeve.of_strands().ok()
             }
         });
-        if let Some(strands) = braid.strands.as_ref().filter(|s| known.as_ref() != Some(s)) {
-            self.key(
-                "strands",
-                &strands.count.to_string(),
-                "both families together",
-            );
-            let (unused, why) = if is_stated {
-                ("# ", "not used: `stiffness` is given")
-            } else {
-                ("", "of one strand")
-            };
-            let area = strands.section.map(|section| quantity(section.0, "mm2"));
-            self.stated(&format!("{unused}strand_area"), area, why);
-            let modulus = strands.section.map(|section| quantity(section.1, "MPa"));
-            self.stated(&format!("{unused}strand_modulus"), modulus, "");
-            let strength = strands
-                .strength_n
-                .map(|strength_n| quantity(strength_n, "N"));
-            self.stated(
-                "strand_strength",
-                strength,
-                "force at which one strand breaks",
-            );
-            for m in [&STRANDS_FACTOR, &STRENGTH_FACTOR] {
-                self.stated(m.name(), (m.get)(muscle.parts()).map(number), m.comment);
-            }
+        if let Some(strands) = braid.strands.filter(|s| known != Some(*s)) {
+            self.strands(muscle, strands, is_stated);
         }
         let follows = match &sleeve {
             Some(sleeve) if !is_stated && braid.strands == known => sleeve.stiffness_factor(),
