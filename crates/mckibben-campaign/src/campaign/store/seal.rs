@@ -1,8 +1,9 @@
 //! The checksum of a file, in its own metadata: the SHA-256 of all its other bytes. Parquet has
 //! checksums of pages, which the library does not write, and none of the metadata.
 
-use crate::hash::Running;
-use std::io::{Read, Result, Seek, SeekFrom, Write};
+use crate::hash::digits;
+use sha2::{Digest, Sha256};
+use std::io::{BufRead, BufReader, Read, Result, Seek, SeekFrom, Write};
 
 /// The key of the checksum; its pair is the last of the metadata.
 pub const KEY: &str = "mckibben.sha256";
@@ -29,14 +30,19 @@ pub fn checksum(file: &mut (impl Read + Seek)) -> Result<Option<(u64, String, bo
         return Ok(None);
     };
     let (before, rest) = end.split_at(at + MARK.len());
-    let (digits, behind) = rest.split_at(DIGITS);
-    let mut hash = Running::default();
+    let (written, behind) = rest.split_at(DIGITS);
+    let mut hash = Sha256::new();
     file.rewind()?;
-    hash.add_all(file.take(from))?;
-    hash.add(before);
-    hash.add(behind);
-    let right = hash.digits();
-    let is_right = digits == right.as_bytes();
+    let mut first = BufReader::new(file.take(from));
+    while let bytes @ [_, ..] = first.fill_buf()? {
+        hash.update(bytes);
+        let read = bytes.len();
+        first.consume(read);
+    }
+    hash.update(before);
+    hash.update(behind);
+    let right = digits(hash);
+    let is_right = written == right.as_bytes();
     Ok(Some((from + before.len() as u64, right, is_right)))
 }
 
