@@ -7,13 +7,16 @@ use crate::{
     finite,
     flags::{self, Args},
 };
-use mckibben_campaign::fit::{
-    FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
-    data::{FitPoint, points},
-    made_for, make,
-    results::{Results, results},
-    tables::{Table, tables},
-    universal::{self, UniversalRequest},
+use mckibben_campaign::{
+    PointRow,
+    fit::{
+        FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
+        data::{FitPoint, points},
+        made_for, make,
+        results::{Results, results},
+        tables::{Table, tables},
+        universal::{self, UniversalRequest},
+    },
 };
 use mckibben_core::{
     formula::{Document, Form, Made, Provenance, UniversalFormula},
@@ -208,12 +211,12 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
             "`mckibben campaign` makes one",
         ));
     };
-    let (rows, origin) = rows(path, OF_MUSCLE)?;
+    let (rows, origin) = rows(path, OF_UNIVERSAL)?;
     let usual = match form {
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
     };
-    let samples = universal::samples(rows)?.map_err(|e| no_fit(&origin.name, e))?;
+    let samples = universal::samples(&rows).map_err(|e| no_fit(&origin.name, e))?;
     let wanted = UniversalRequest {
         samples: &samples,
         form,
@@ -409,44 +412,39 @@ fn file_name(name: &Path) -> Option<String> {
     name.file_name().map(|n| n.to_string_lossy().into_owned())
 }
 
-/// Bytes that a point takes: as a row and in the matrices of `global`, and as one of a muscle.
-const AS_ROW: f64 = 8000.0;
-const OF_MUSCLE: f64 = 150.0;
+/// Bytes of memory that a point takes: of the universal formulas, and in the matrices of the others.
+const OF_UNIVERSAL: f64 = 1200.0;
+const OF_OTHERS: f64 = 8000.0;
 
 /// The rows of a campaign's file, or of its folder of parts, if they fit into memory.
 #[cfg(feature = "files")]
-fn rows(path: &Path, point: f64) -> Result<(mckibben_campaign::campaign::Rows, Origin)> {
+fn rows(path: &Path, bytes: f64) -> Result<(Vec<PointRow>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
-    let of = &table.provenance;
-    // A muscle takes 2000 bytes.
-    let bytes = 2000.0 * of.muscles as f64 + point * of.points() as f64;
-    size::bytes("campaign", bytes)?;
+    size::bytes("campaign", bytes * table.provenance.points() as f64)?;
     let from = Provenance {
         table: file_name(path),
-        plan_hash: Some(of.plan_sha256.clone()),
-        seed: of.seed,
+        plan_hash: Some(table.provenance.plan_sha256.clone()),
+        seed: table.provenance.seed,
         ..Provenance::default()
     };
-    let name = path.display().to_string();
-    Ok((table, Origin { name, from }))
+    Ok((
+        table.collect::<Result<_, _>>()?,
+        Origin {
+            name: path.display().to_string(),
+            from,
+        },
+    ))
 }
 
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
-fn rows(
-    _: &Path,
-    _: [f64; 2],
-) -> Result<(
-    std::iter::Empty<Result<mckibben_campaign::PointRow>>,
-    Origin,
-)> {
+fn rows(_: &Path, _: f64) -> Result<(Vec<PointRow>, Origin)> {
     let message = "this build of the program cannot read campaigns from disk";
     Err(Problem::new(ProblemKind::Usage, message, "").in_field("campaign"))
 }
 
 fn of_campaign(path: &Path) -> Result<Points> {
-    let (rows, origin) = rows(path, AS_ROW)?;
-    let rows = rows.collect::<Result<Vec<_>, _>>()?;
+    let (rows, origin) = rows(path, OF_OTHERS)?;
     let points = points(&rows);
     let made_for = made_for(&rows)?;
     Ok(Points {

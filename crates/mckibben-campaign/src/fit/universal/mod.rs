@@ -31,7 +31,7 @@ use mckibben_core::{
     rubber::RubberLaw,
     threads,
 };
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 pub use points::{PullPoint, Sample, samples, shares, summary};
 use std::sync::Arc;
 
@@ -65,8 +65,12 @@ pub struct UniversalRequest<'a> {
     pub from: Provenance,
 }
 
-/// One row of the linear problem, its right side last, and the number of its muscle.
-type Equation = (u64, Vec<f64>);
+/// One row of the linear problem.
+struct Equation {
+    muscle: u64,
+    left: Vec<f64>,
+    right: f64,
+}
 
 /// Fits a formula.
 ///
@@ -109,7 +113,7 @@ pub fn universal(
         },
     };
     step(0)?;
-    let folds = reduced(samples, &empty, &products, progress)?;
+    let equations = equations(samples, &empty, &products);
     step(1)?;
     let formula_of = |terms: Vec<UniversalTerm>| {
         let deficit = Deficit {
@@ -121,8 +125,7 @@ pub fn universal(
             ..empty.clone()
         })
     };
-    let all: Vec<&Reduced> = folds.iter().collect();
-    let formula = formula_of(solve(&products, &all)?);
+    let formula = formula_of(solve(&products, &equations.iter().collect::<Vec<_>>())?);
     let errors = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
         let build = |s: &Sample| -> Option<Box<dyn ForceModel>> {
             chosen(s.number).then(|| {
@@ -136,15 +139,17 @@ pub fn universal(
     let mut left_out = vec![];
     for fold in 0..FOLDS {
         step(2 + fold as usize)?;
-        let mut kept = all.clone();
-        kept.remove(fold as usize);
+        let kept: Vec<&Equation> = equations
+            .iter()
+            .filter(|e| e.muscle % FOLDS != fold)
+            .collect();
         let of_others = formula_of(solve(&products, &kept)?);
         left_out.extend(errors(&of_others, &|number| number % FOLDS == fold));
     }
     let mut done = Arc::unwrap_or_clone(formula);
     done.errors.fit = fit;
     done.errors.left_out = summary(&left_out);
-    done.provenance.points = folds.iter().map(|fold| fold.1).sum();
+    done.provenance.points = equations.len();
     progress.report(steps, steps);
     Ok(done)
 }
@@ -209,10 +214,14 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
             let low = pressure < LOW_PRESSURE.0 * mu;
             let weight =
                 force_by_deficit_n_per_mm / p.blocked_n * if low { LOW_PRESSURE.1 } else { 1.0 };
-            let right = deficit_mm - start_mm;
-            let row = columns_mm.into_iter().chain([right]);
-            let row: Vec<f64> = row.map(|c| weight * c).collect();
-            row.iter().all(|v| v.is_finite()).then_some((s.number, row))
+            let left: Vec<f64> = columns_mm.into_iter().map(|c| weight * c).collect();
+            let right = weight * (deficit_mm - start_mm);
+            let finite = right.is_finite() && left.iter().all(|v| v.is_finite());
+            finite.then_some(Equation {
+                muscle: s.number,
+                left,
+                right,
+            })
         };
         let chosen = s
             .points
@@ -226,54 +235,19 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
         .collect()
 }
 
-/// Muscles whose equations are made at once.
-const AT_ONCE: usize = 256;
-
-/// Equations, row after row, and how many they stand for.
-type Reduced = (Vec<f64>, usize);
-
-/// R of their QR: as many equations as there are unknowns have the least squares of all.
-fn reduce(rows: &[f64], width: usize) -> Vec<f64> {
-    let all = DMatrix::from_row_slice(rows.len() / width, width, rows);
-    all.qr().r().transpose().as_slice().to_vec()
-}
-
-/// The equations of every fifth muscle.
-fn reduced(
-    samples: &[Sample],
-    empty: &UniversalFormula,
-    products: &[[u8; 5]],
-    progress: &dyn Progress,
-) -> Result<Vec<Reduced>> {
-    let mut folds = vec![Reduced::default(); FOLDS as usize];
-    let width = products.len() + 1;
-    for some in samples.chunks(AT_ONCE) {
-        progress.check()?;
-        for (muscle, row) in equations(some, empty, products) {
-            let (rows, count) = &mut folds[(muscle % FOLDS) as usize];
-            rows.extend(row);
-            *count += 1;
-        }
-        for (rows, _) in folds.iter_mut().filter(|f| f.0.len() > width * width) {
-            *rows = reduce(rows, width);
-        }
-    }
-    Ok(folds)
-}
-
 /// Least squares by Householder's QR; coefficients are rounded to nine digits.
-fn solve(products: &[[u8; 5]], equations: &[&Reduced]) -> Result<Vec<UniversalTerm>> {
+fn solve(products: &[[u8; 5]], equations: &[&Equation]) -> Result<Vec<UniversalTerm>> {
+    let rows = equations.len();
     let columns = products.len();
-    if equations.iter().map(|e| e.1).sum::<usize>() < 2 * columns {
+    if rows < 2 * columns {
         return Err(FitError::empty(
             " inside of the box of the method universal, or too few of them",
         ));
     }
-    let rows: Vec<f64> = equations.iter().flat_map(|e| &e.0).copied().collect();
-    let all = DMatrix::from_row_slice(rows.len() / (columns + 1), columns + 1, &rows);
-    let right = all.column(columns).into_owned();
-    let x = least_squares(all.remove_column(columns), right)
-        .ok_or_else(|| FitError::singular("the universal formula"))?;
+    let matrix = DMatrix::from_fn(rows, columns, |i, j| equations[i].left[j]);
+    let right = DVector::from_fn(rows, |i, _| equations[i].right);
+    let x =
+        least_squares(matrix, right).ok_or_else(|| FitError::singular("the universal formula"))?;
     let rounded = |v: f64| format!("{v:.8e}").parse().unwrap_or(v);
     let term = |(&powers, &v): (&[u8; 5], &f64)| UniversalTerm {
         powers,
@@ -335,57 +309,6 @@ pub fn products(form: Form) -> Vec<[u8; 5]> {
                 .chain((0..5).map(unit))
                 .chain(pairs)
                 .collect()
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use mckibben_core::random::Random;
-
-    /// Row C8 of the trials: equations are reduced while they come. Of ten thousand without noise
-    /// the coefficients come back, with noise those of least squares: their residual is orthogonal
-    /// to every column.
-    #[test]
-    fn reduced_equations_have_the_least_squares_of_all() {
-        let products = products(Form::Bulge);
-        let mut random = Random(8);
-        for noise in [0.0, 0.1] {
-            let mut rows = vec![];
-            let width = products.len() + 1;
-            let truth = |column: usize| 1.0 + column as f64 / 7.0;
-            let mut all = vec![];
-            for muscle in 0..10_000 {
-                let left: Vec<f64> = products.iter().map(|_| random.between(-1.0, 1.0)).collect();
-                let exact: f64 = left.iter().enumerate().map(|(i, v)| v * truth(i)).sum();
-                let right = exact + noise * random.between(-1.0, 1.0);
-                rows.extend(left.iter().copied().chain([right]));
-                if muscle % 1000 == 0 {
-                    rows = reduce(&rows, width);
-                }
-                all.push((left, right));
-            }
-            assert!(rows.len() < 1100 * width);
-            let x: Vec<f64> = solve(&products, &[&(rows, 10_000)])
-                .unwrap()
-                .iter()
-                .map(|term| term.value)
-                .collect();
-            for column in 0..x.len() {
-                if noise == 0.0 {
-                    assert!((x[column] - truth(column)).abs() < 1e-7);
-                }
-                let along: f64 = all
-                    .iter()
-                    .map(|(left, right)| {
-                        let fitted: f64 = left.iter().zip(&x).map(|(a, b)| a * b).sum();
-                        (right - fitted) * left[column]
-                    })
-                    .sum();
-                // Coefficients are rounded to nine digits.
-                assert!(along.abs() < 1e-4, "{along}");
-            }
         }
     }
 }

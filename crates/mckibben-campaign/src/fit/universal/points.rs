@@ -51,66 +51,49 @@ fn muscle(row: &PointRow) -> Option<Muscle> {
     Muscle::new(tube, braid, Terminals::default(), None).ok()
 }
 
-/// Muscles with the points where they pull; pressures without a blocked force are left out. The
-/// rows of one muscle are held at a time.
-///
-/// # Errors
-/// Those of the rows, and behind them [`FitError`] where they are of no use.
-pub fn samples<E>(
-    rows: impl IntoIterator<Item = Result<PointRow, E>>,
-) -> Result<Result<Vec<Sample>>, E> {
-    let mut out = vec![];
-    let mut of_one: Vec<PointRow> = vec![];
-    for row in rows {
-        let row = row?;
-        if let Some((column, _)) = row.measures.first() {
-            return Ok(Err(FitError::varies(column)));
-        }
-        if of_one
-            .first()
-            .is_some_and(|first| first.muscle != row.muscle)
-        {
-            out.extend(sample(&of_one));
-            of_one.clear();
-        }
-        of_one.push(row);
+/// Muscles with the points where they pull; pressures without a blocked force are left out.
+pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>> {
+    let known = |r: &&PointRow| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
+    if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
+        return Err(FitError::varies(column));
     }
-    out.extend(sample(&of_one));
-    Ok(if out.is_empty() {
+    let mut out = vec![];
+    for group in rows.chunk_by(|a, b| a.muscle == b.muscle) {
+        let Some((first, muscle)) = group.first().and_then(|r| Some((r, muscle(r)?))) else {
+            continue;
+        };
+        let blocked: Vec<(f64, f64)> = group
+            .iter()
+            .filter(known)
+            .filter(|r| r.contraction == 0.0)
+            .filter_map(|r| Some((r.pressure_mpa, r.force_n.filter(|f| *f > 0.0)?)))
+            .collect();
+        let point = |r: &PointRow| {
+            let &(_, blocked_n) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
+            let (pressure_mpa, contraction, volume_mm3) =
+                (r.pressure_mpa, r.contraction, r.volume_mm3);
+            Some(PullPoint {
+                pressure_mpa,
+                contraction,
+                force_n: r.force_n.filter(|f| *f > 0.0)?,
+                blocked_n,
+                volume_mm3,
+            })
+        };
+        let points: Vec<PullPoint> = group.iter().filter(known).filter_map(point).collect();
+        if !points.is_empty() {
+            out.push(Sample {
+                number: first.muscle,
+                muscle,
+                points,
+            });
+        }
+    }
+    if out.is_empty() {
         Err(FitError::empty(" where the muscle pulls"))
     } else {
         Ok(out)
-    })
-}
-
-/// A muscle from its rows, if it pulls.
-fn sample(rows: &[PointRow]) -> Option<Sample> {
-    let known = |r: &&PointRow| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
-    let first = rows.first()?;
-    let muscle = muscle(first)?;
-    let blocked: Vec<(f64, f64)> = rows
-        .iter()
-        .filter(known)
-        .filter(|r| r.contraction == 0.0)
-        .filter_map(|r| Some((r.pressure_mpa, r.force_n.filter(|f| *f > 0.0)?)))
-        .collect();
-    let point = |r: &PointRow| {
-        let &(_, blocked_n) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
-        let (pressure_mpa, contraction, volume_mm3) = (r.pressure_mpa, r.contraction, r.volume_mm3);
-        Some(PullPoint {
-            pressure_mpa,
-            contraction,
-            force_n: r.force_n.filter(|f| *f > 0.0)?,
-            blocked_n,
-            volume_mm3,
-        })
-    };
-    let points: Vec<PullPoint> = rows.iter().filter(known).filter_map(point).collect();
-    (!points.is_empty()).then_some(Sample {
-        number: first.muscle,
-        muscle,
-        points,
-    })
+    }
 }
 
 /// The errors of a model at the compared points, as shares of the blocked force; infinite where it
