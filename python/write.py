@@ -133,7 +133,7 @@ ROWS = {
     "measures": "measures",
     "motion": "series",
     "fit-report": "findings",
-    "parts-list": "tubes sleeves rubbers muscles models",
+    "parts-list": "tubes",
     "curve": "points",
     "plan": "table",
 }

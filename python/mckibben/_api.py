@@ -4347,7 +4347,7 @@ class PartsListAnswer(Record):
         Force models.
     """
 
-    _rows: ClassVar[str | None] = "tubes sleeves rubbers muscles models"
+    _rows: ClassVar[str | None] = "tubes"
     tubes: list[TubeSummary]
     sleeves: list[BraidSummary]
     rubbers: list[RubberSummary]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -30,14 +29,12 @@ PAIRS = {
 }
 # A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
 _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
-# Contractions at which a muscle is looked at for what is to be said of it, and of how many points of an array, those of the highest pressures.
-_PROBED, _MOST = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35), 64
 
 
 class Bound:
-    """A model that is bound to a muscle, and up to which pressure nothing is to be said of its points."""
+    """A model that is bound to a muscle, and what was said of its highest pressure."""
 
-    __slots__ = ("muscle", "native", "quiet")
+    __slots__ = ("muscle", "native", "quiet", "said")
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         self.muscle, self.native = (
@@ -45,48 +42,45 @@ class Bound:
             muscle._held.model(fields(modelled(known(given, _api.Options)))),
         )
         allowed = self.native.allowed_mpa()
-        highest = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
-        # Elements would take long, and warn of what a long muscle does.
-        model = {"model": "thick-wall"} if self.native.is_elements else None
-        probe = muscle._held.model(fields(modelled(model))) if model else self.native
-        self.quiet = next(
-            (
-                pressure
-                for pressure in (highest, highest / 2, highest / 4)
-                if not any(
-                    row.get("warnings")
-                    for row in probe.solve(
-                        [pressure] * len(_PROBED), list(_PROBED), True
-                    )
-                )
-            ),
-            0.0,
+        # Up to this pressure in MPa a single number needs no look.
+        self.quiet = min(
+            _LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed
         )
-
-    def is_quiet(self, pressure: Any, contraction: Any) -> Any:
-        """Whether nothing is to be said of a point, or of each of several."""
-        low, high = contraction >= _PROBED[0], contraction <= _PROBED[-1]
-        return (pressure <= self.quiet) & low & high
+        # A pressure, the contractions between which it was looked at, and its warnings.
+        self.said: tuple[float, float, float, str] = float("-inf"), 0.0, 0.0, ""
 
     def look(
-        self, pressures: list[float], contractions: list[float], is_text: bool
+        self,
+        highest: float,
+        low: float,
+        high: float,
+        is_text: bool,
+        is_one: bool = False,
     ) -> None:
-        """Warns of points."""
-        if not is_text and (
-            unlikely := _native.unlikely("pressure_mpa", max(pressures))
-        ):
+        """Warns of a pressure at contractions from one to another; of a single number again what was said of a higher pressure."""
+        if not is_text and (unlikely := _native.unlikely("pressure_mpa", highest)):
             warned(unlikely)
-        rows = self.native.solve(pressures, contractions, True)
-        if said := dict.fromkeys(
-            text for row in rows for text in row.get("warnings", ())
+        if (
+            highest > self.said[0]
+            or not is_one
+            and (self.said[3] or low < self.said[1] or high > self.said[2])
         ):
-            warned("; ".join(said), MuscleWarning)
-
-
-def _plain(value: Any) -> Any:
-    """A number of NumPy as one of Python."""
-    numpy = sys.modules.get("numpy")
-    return value.item() if numpy and isinstance(value, numpy.generic) else value
+            rows = (
+                self.native.solve([highest], [contraction], True)[0]
+                for contraction in {low, high}
+            )
+            self.said = (
+                highest,
+                low,
+                high,
+                "; ".join(
+                    dict.fromkeys(
+                        text for row in rows for text in row.get("warnings", ())
+                    )
+                ),
+            )
+        if self.said[3]:
+            warned(self.said[3], MuscleWarning)
 
 
 class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
@@ -112,9 +106,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return self._hold(_held=native, _models={}, _own=None)
 
     def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
-        missing = [n for n in MEASURES[:3] if not base and given.get(n, 0) is None]
-        if missing:
-            raise TypeError(f'{missing[0]}: a length such as 30 or "30 mm", not None')
         return self._of(_native.Muscle({"muscle": fields({**given, "file": base})}))
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
@@ -198,8 +189,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         options: Mapping[str, Any],
     ) -> Any:
         bound, nan = self._bound(options), is_nan(errors)
-        if type(a) not in (float, int) or type(b) not in (float, int):
-            a, b = _plain(a), _plain(b)
         if (
             jac is False
             and progress is None
@@ -210,9 +199,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             pressure = (
                 a if wanted == "force" else b if wanted == "contraction" else found
             )
-            at = found if wanted == "contraction" else b
-            if not bound.is_quiet(pressure, at) and pressure == pressure and at == at:
-                bound.look([pressure], [at], wanted == "pressure")
+            if pressure > bound.quiet:
+                at = found if wanted == "contraction" else b
+                bound.look(pressure, at, at, wanted == "pressure", True)
             return found
         return _arrays(bound, wanted, a, b, jac, nan, progress)
 
@@ -436,10 +425,11 @@ def _arrays(
         "pressure": (value.ravel(), second),
         "contraction": (second, value.ravel()),
     }[wanted]
-    loud = np.flatnonzero(~bound.is_quiet(p, e) & np.isfinite(p) & np.isfinite(e))
-    if loud.size:
-        loud = loud[np.argsort(p[loud], kind="stable")[-_MOST:]]
-        bound.look(p[loud].tolist(), e[loud].tolist(), texts[wanted == "contraction"])
+    if p.size and np.isfinite(highest := float(np.max(p))):
+        at = e[p == highest]
+        bound.look(
+            highest, float(at.min()), float(at.max()), texts[wanted == "contraction"]
+        )
     if by is not None:
         rates = np.concatenate([out[..., 1:3], out[..., 3:] @ by], axis=-1)
     if mask is not None:

@@ -112,8 +112,7 @@ class Record(Fixed):
         """The columns of its table: NumPy arrays of numbers, lists of texts. ``polars.DataFrame`` and ``pyarrow.table`` take them."""
         if self._rows is None:
             raise TypeError(f"{type(self).__name__} holds no table")
-        lists = (self.__dict__.get(name) for name in self._rows.split())
-        held: Any = next(filter(None, lists), [])
+        held: Any = self.__dict__.get(self._rows) or []
         if isinstance(held, Record) and hasattr(held, "text"):
             import csv
 
@@ -179,9 +178,7 @@ class Record(Fixed):
         return json.dumps(self.to_dict(), sort_keys=True)
 
     def __repr__(self) -> str:
-        text = f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
-        # Not more than a screen.
-        return text if len(text) <= 2000 else text[:1999] + "…"
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
 
     def __str__(self) -> str:
         text = repr(self)

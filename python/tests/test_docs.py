@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import doctest
-import importlib.util
+import importlib
 import io
 import re
 from pathlib import Path
 
-import mckibben as mk
 import pytest
 
 
@@ -28,30 +27,6 @@ def test_code_of_pages_runs(
             exec(compile(block, page, "exec"), names)
         expected = re.findall(r"print\(.*\)  # (.*)", block)
         assert out.getvalue().splitlines() == expected, block
-
-
-def test_code_in_sentences_runs(
-    root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Names of the package exist in all pages; what reads an example of the repository runs."""
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "examples").symlink_to(root / "examples")
-    ran = 0
-    for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
-        text = re.sub(r"\n```.*?\n```", "", page.read_text("utf-8"), flags=re.DOTALL)
-        for code in re.findall(r"`((?:mk|mckibben)\.[a-zA-Z_][^`]*)`", text):
-            name = re.split(r"\W", code)[1]
-            if name in ("toml", "h", "c", "py", "exe"):
-                continue
-            if hasattr(mk, name) and "examples/" in code and "(" in code:
-                exec(compile(code, page.name, "eval"), {"mk": mk, "mckibben": mk})
-                ran += 1
-            elif "(" in code:
-                known = hasattr(mk, name) or importlib.util.find_spec(
-                    f"mckibben.{name}"
-                )
-                assert known, (page.name, code)
-    assert ran >= 2
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@
 pub use crate::analysis::Options;
 
 use crate::{
-    analysis::{AnalysisError, Evaluation, find_root},
+    analysis::{AnalysisError, Evaluation},
     model::{ModelError, Response, Result},
     muscle::Direction,
     rubber::RubberLaw,
@@ -284,31 +284,30 @@ impl Evaluation<'_> {
         at: impl Fn(f64) -> (f64, f64),
     ) -> [Option<f64>; 2] {
         // How far an end is sought, in half-widths, and how well it is known.
-        const REACH: [f64; 3] = [1.0, 2.0, 4.0];
+        const REACH: f64 = 4.0;
         const KNOWN: f64 = 1e-3;
+        const STEPS: usize = 20;
         let two_sided = Options {
             two_sided: true,
             ..self.options
         };
-        let Some(half) = half.filter(|half| *half > 0.0) else {
-            return [None; 2];
-        };
-        [-half, half].map(|step| {
-            // How far the wanted pull lies inside of the ±; at the value it is its middle.
-            let mut inside = |place: f64| {
-                let (p, e) = at(place);
-                let mut model = self.with(two_sided);
+        let mut model = self.with(two_sided);
+        let half = half.filter(|half| *half > 0.0);
+        [-1.0, 1.0].map(|sign| {
+            let half = half?;
+            let mut step = sign * half;
+            for _ in 0..STEPS {
+                let (p, e) = at(value + step);
                 let pull_n = model.force_n(p, e).ok()?;
-                Some(model.uncertainty(p, e, pull_n)?.total() - (pull_n - force_n).abs())
-            };
-            let mut near = value;
-            for reach in REACH {
-                let far = value + reach * step;
-                if inside(far)? <= 0.0 {
-                    let missed = |place: f64| inside(place).ok_or(());
-                    return find_root(missed, near, far, KNOWN * half).ok()?;
+                // The step is right where the pull is off by its own half-width.
+                let ratio = model.uncertainty(p, e, pull_n)?.total() / (pull_n - force_n).abs();
+                if (ratio - 1.0).abs() < KNOWN {
+                    return Some(value + step);
                 }
-                near = far;
+                step *= ratio.clamp(0.5, 2.0);
+                if step.abs() > REACH * half {
+                    return None;
+                }
             }
             None
         })

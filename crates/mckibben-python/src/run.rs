@@ -33,9 +33,8 @@ struct Watched {
 
 impl Progress for Watched {
     fn report(&self, done: usize, total: usize) {
-        // Parts of the work may tell of themselves.
-        self.done.fetch_max(done, Ordering::Relaxed);
-        self.total.fetch_max(total, Ordering::Relaxed);
+        self.done.store(done, Ordering::Relaxed);
+        self.total.store(total, Ordering::Relaxed);
     }
 }
 
@@ -95,10 +94,6 @@ pub fn long<T: Send>(
             if let Some(error) = raised {
                 Err(error.into())
             } else {
-                if done.is_ok() {
-                    let all = watched.total.load(Ordering::Relaxed);
-                    watched.done.store(all, Ordering::Relaxed);
-                }
                 Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported))?;
                 done
             }

@@ -14,7 +14,6 @@ import {
   unitName,
 } from "./units.js";
 import { sketched } from "./sketch.js";
-import { noticeProblem } from "./notice.js";
 import { inWords } from "./words.js";
 
 let count = 0;
@@ -390,16 +389,6 @@ export function choice(label, options, value, change) {
   };
 }
 
-/** The text of a file. @param {File} file */
-export async function textOf(file) {
-  const text = await file.text();
-  if (/^(PK\x03|\ufffd)/.test(text))
-    throw new Error(
-      `${file.name} is a workbook: save its sheet as CSV in UTF-8, or copy its cells and paste them here.`,
-    );
-  return text;
-}
-
 /** Boxes that take a file which is dropped on them. @type {WeakMap<Element, (file: File | undefined) => void>} */
 export const boxes = new WeakMap();
 
@@ -409,11 +398,7 @@ export const boxes = new WeakMap();
  */
 export function fileField(label, accept, take) {
   const read = async (/** @type {File | undefined} */ file) => {
-    try {
-      if (file) take(file.name, await textOf(file));
-    } catch (problem) {
-      noticeProblem(problem);
-    }
+    if (file) take(file.name, await file.text());
   };
   const input = el("input", {
     type: "file",

@@ -83,9 +83,8 @@ function spec(panel, figure) {
     );
     const line = {
       colour: colour(s, i),
-      // A gap is no number.
-      x: s.points.map((p) => kx * (p[0] ?? NaN)),
-      y: s.points.map((p) => ky * (p[1] ?? NaN)),
+      x: s.points.map((p) => kx * p[0]),
+      y: s.points.map((p) => ky * p[1]),
     };
     if (s.style === "band")
       return { ...line, name: "±", band: true, legend: "" };

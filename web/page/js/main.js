@@ -139,19 +139,6 @@ function frame(name) {
   document.body.classList.toggle("first", name === "muscle");
 }
 
-/** How often a page could not be loaded: browsers keep a failure with its address. @type {Record<string, number>} */
-const failures = {};
-/** @param {string} name */
-async function pageOfServer(name) {
-  const again = failures[name] ? `?again=${failures[name]}` : "";
-  try {
-    return await import(`./pages/${name}.js${again}`);
-  } catch (problem) {
-    failures[name] = (failures[name] ?? 0) + 1;
-    throw problem;
-  }
-}
-
 async function route() {
   const mine = ++routes,
     { page: wanted, params, lost, bare } = await read();
@@ -167,7 +154,7 @@ async function route() {
   welcome(bare && name === "muscle");
   try {
     if (shown?.name !== name) {
-      const { mount } = await pageOfServer(name);
+      const { mount } = await import(`./pages/${name}.js`);
       if (mine !== routes) return;
       leave();
       shown = { name, page: mount(main) };

@@ -87,15 +87,12 @@ export class MuscleState {
     this.#changed.tell();
   }
 
-  /** The name that it was given, here or in its file. */
-  get given() {
-    return this.called || nameIn(this.state.file);
-  }
   /** Its name. */
   get name() {
     const { file, said } = this.state;
     return (
-      this.given ||
+      this.called ||
+      nameIn(file) ||
       (file || Object.keys(said).length
         ? "My muscle"
         : "Reference muscle (Antonelli 2018)")

@@ -39,9 +39,7 @@ pub struct MuscleSection {
 }
 
 impl Axisymmetric {
-    /// The model of a muscle with a mesh of the program's choice,
-    /// of what is between its ends; where its terminals state a seating, a slip or a grip,
-    /// [`with_ends`](mckibben_core::model::with_ends) makes the model of the whole muscle.
+    /// The model of a muscle with a mesh of the program's choice.
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.

@@ -18,7 +18,6 @@
 mod column;
 mod error;
 mod read;
-mod schema;
 mod write;
 
 pub use column::{Column, Field, Packing, Text};

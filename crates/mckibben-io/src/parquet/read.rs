@@ -1,6 +1,6 @@
 //! Parquet → tables.
 
-use super::{column::Column, error::TableError, schema, write::GROUP};
+use super::{column::Column, error::TableError, write::GROUP};
 use parquet::{
     column::{
         page::{Page, PageMetadata, PageReader},
@@ -22,8 +22,7 @@ pub struct Reader {
 
 impl Reader {
     /// Reads the metadata of a file.
-    pub fn new(mut file: File) -> std::result::Result<Self, TableError> {
-        schema::check(&mut file)?;
+    pub fn new(file: File) -> std::result::Result<Self, TableError> {
         Ok(Self {
             file: guarded(|| SerializedFileReader::new(file))?,
         })

@@ -96,9 +96,6 @@ function card(title, about, fields, [label, command], request, shown) {
   };
 }
 
-/** The units that people read. */
-const readUnits = () => ["pressure", "force", "length"].map(unitName).join(",");
-
 /** The muscle at its pressure, where it has one. */
 const atPressure = () => ({
   pressure_mpa: muscle.p || undefined,
@@ -117,7 +114,7 @@ const report = () =>
       name: muscle.name,
       ...read,
       report: true,
-      units: readUnits(),
+      units: ["pressure", "force", "length"].map(unitName).join(","),
     }),
     async (answer) => {
       const html = await withViewer(
@@ -149,7 +146,7 @@ const workshop = () =>
     "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.",
     [],
     ["Make the build sheet", "build"],
-    () => ({ ...atPressure(), units: readUnits() }),
+    atPressure,
     (answer) => {
       const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map(
         (p) => show("pressure", p, 3),
@@ -186,8 +183,8 @@ const code = () =>
       ...atPressure(),
       ...read,
       target: read.target,
-      name: muscle.given
-        ? fileName(muscle.given, "").replace(/\W/g, "_")
+      name: muscle.called
+        ? fileName(muscle.called, "").replace(/\W/g, "_")
         : undefined,
     }),
     (answer) => [
