@@ -9,10 +9,9 @@ const SCAN: usize = 40;
 const TAUT: f64 = 1e-8;
 /// The same, where rounding leaves a muscle slack there.
 const BESIDE: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
-/// A stiffness with one muscle slack is met within half a unit of the third digit, or of the second
-/// digit of its ±: what an answer prints is asked for again.
-const PRINTED: f64 = 5e-3;
-const PRINTED_HALF: f64 = 0.05;
+/// A stiffness with one muscle slack is met within half a unit of the second digit of its ±, or of
+/// its own third digit: what an answer prints is asked for again.
+const PRINTED: f64 = 0.05;
 
 /// What a joint shall do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,10 +49,14 @@ impl JointModel<'_> {
     ) -> Result<JointPoint> {
         self.check_workspaces(workspaces)?;
         self.check_angle(wanted.angle_deg)?;
-        JointError::unless_finite("the torque in N m", wanted.torque_nm)?;
         let stiffness = wanted.stiffness_nm_per_rad.unwrap_or(0.0);
-        JointError::unless_finite("the stiffness in N m/rad", stiffness)?;
-        JointError::unless_finite("the highest pressure in MPa", max_pressure_mpa)?;
+        for (what, value) in [
+            ("torque", wanted.torque_nm),
+            ("stiffness", stiffness),
+            ("highest pressure", max_pressure_mpa),
+        ] {
+            JointError::unless_finite(what, value)?;
+        }
         let angle = wanted.angle_deg.to_radians();
         let mut here = vec![];
         for (i, workspace) in workspaces
@@ -152,8 +155,8 @@ impl Line<'_, '_> {
                     .point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)?;
             if there.muscles.iter().any(|m| m.answer.slack) {
                 let half = there.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
-                let printed = (PRINTED * stiffness.abs()).max(PRINTED_HALF * half);
-                if (there.stiffness_nm_per_rad - stiffness).abs() <= printed {
+                let off = (there.stiffness_nm_per_rad - stiffness).abs();
+                if off <= PRINTED * half.max(0.1 * stiffness.abs()) {
                     return Ok(Ok(there));
                 }
                 slack.push(there.stiffness_nm_per_rad);
@@ -176,12 +179,8 @@ impl Line<'_, '_> {
         };
         let mut sweep = Sweep::new(true, 0.0, excess);
         sweep.fill((low, high), SCAN)?;
-        for (end, other) in [(low, high), (high, low)] {
-            if sweep.sample(end)?.is_none() {
-                for share in BESIDE {
-                    sweep.sample(end + share * (other - end))?;
-                }
-            }
+        for share in BESIDE.into_iter().flat_map(|share| [share, 1.0 - share]) {
+            sweep.sample(low + share * (high - low))?;
         }
         let zero = sweep.zeros(0)?.first().copied();
         if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {
