@@ -1,7 +1,7 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::{analysis::Sweep, joined, model::Workspace, muscle::Direction};
+use crate::{analysis::Sweep, model::Workspace, muscle::Direction};
 
 /// Parts into which the pulls that give the torque are cut in search of the stiffness.
 const SCAN: usize = 40;
@@ -33,7 +33,34 @@ struct Here {
     most_n: f64,
 }
 
+impl JointPoint {
+    /// Whether an answer prints its stiffness as it prints this one.
+    fn prints_stiffness(&self, stiffness: f64) -> bool {
+        let half = self.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
+        let printed = PRINTED * half.max(0.1 * stiffness.abs());
+        (self.stiffness_nm_per_rad - stiffness).abs() <= printed
+    }
+}
+
 impl JointModel<'_> {
+    /// The muscles at an angle in rad, up to a pressure.
+    fn here(&self, workspaces: &mut [Workspace], angle: f64, max_pressure_mpa: f64) -> Vec<Here> {
+        let one = |(i, workspace): (usize, &mut Workspace)| {
+            let (contraction, s) = self.joint().contraction(i, angle)?;
+            let most = self
+                .evaluation(i, workspace, Direction::Mean)
+                .force_n(max_pressure_mpa, contraction);
+            // Beyond its free contraction there may be no answer, and there is no pull.
+            Some(Here {
+                contraction,
+                arm_mm: s.arm_mm,
+                arm_by_angle_mm: s.arm_by_angle_mm,
+                most_n: most.unwrap_or(0.0).max(0.0),
+            })
+        };
+        workspaces.iter_mut().enumerate().filter_map(one).collect()
+    }
+
     /// The pressures, up to `max_pressure_mpa`, and the joint at them.
     ///
     /// Of two muscles the pull of the first decides that of the second, F2 = (τ − F1 Δ1′)/Δ2′;
@@ -58,26 +85,7 @@ impl JointModel<'_> {
             JointError::unless_finite(what, value)?;
         }
         let angle = wanted.angle_deg.to_radians();
-        let mut here = vec![];
-        for (i, workspace) in workspaces
-            .iter_mut()
-            .enumerate()
-            .take(self.joint().muscles().len())
-        {
-            let Some((contraction, s)) = self.joint().contraction(i, angle) else {
-                break;
-            };
-            let most = self
-                .evaluation(i, workspace, Direction::Mean)
-                .force_n(max_pressure_mpa, contraction);
-            // Beyond its free contraction there may be no answer, and there is no pull.
-            here.push(Here {
-                contraction,
-                arm_mm: s.arm_mm,
-                arm_by_angle_mm: s.arm_by_angle_mm,
-                most_n: most.unwrap_or(0.0).max(0.0),
-            });
-        }
+        let here = self.here(workspaces, angle, max_pressure_mpa);
         let (passive, passive_slope) = self.joint().passive_nm(angle);
         let needed = 1e3 * (wanted.torque_nm - passive);
         let out_of_reach =
@@ -104,27 +112,34 @@ impl JointModel<'_> {
             needed,
         };
         let (low, high) = line.pulls().ok_or_else(no_torque)?;
-        let pressures = match (wanted.stiffness_nm_per_rad, &here[..]) {
-            (None, _) => line.pressures(workspaces, low)?,
+        let point = |workspaces: &mut [Workspace], pull: f64| {
+            let pressures = line.pressures(workspaces, pull)?;
+            self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
+        };
+        let pull = match (wanted.stiffness_nm_per_rad, &here[..]) {
+            (None, _) => low,
             (Some(_), [_]) => return Err(JointError::OneMuscle),
             (Some(_), _) => {
-                let slack = match line.slack_ends(workspaces, &wanted, [low, high])? {
-                    Ok(there) => return Ok(there),
-                    Err(slack) => slack,
-                };
+                let mut unit = "N m/rad there while both muscles pull".to_owned();
+                for pull in [low, high] {
+                    let there = point(workspaces, pull)?;
+                    if there.muscles.iter().any(|m| m.answer.slack) {
+                        if there.prints_stiffness(stiffness) {
+                            return Ok(there);
+                        }
+                        let k = there.stiffness_nm_per_rad;
+                        unit += &format!(", and {k:.4} with one of them slack");
+                    }
+                }
                 let sought = [passive_slope, stiffness];
                 let found = line.first_pull(workspaces, (low, high), sought)?;
-                let pull = found.map_err(|reached| {
+                found.map_err(|reached| {
                     let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
-                    let one = |k: &f64| format!(", and {k:.4} with one of them slack");
-                    let beside = joined(slack.iter().map(one), "");
-                    let unit = format!("N m/rad there while both muscles pull{beside}");
                     out_of_reach(sought, reached, &unit)
-                })?;
-                line.pressures(workspaces, pull)?
+                })?
             }
         };
-        self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
+        point(workspaces, pull)
     }
 }
 
@@ -137,34 +152,6 @@ struct Line<'l, 'm> {
 }
 
 impl Line<'_, '_> {
-    /// The joint at the first of these pulls of the first muscle at which a muscle is slack and that
-    /// has the stiffness as an answer prints it: where a muscle goes slack the stiffness jumps. Else
-    /// the stiffnesses with a slack muscle.
-    fn slack_ends(
-        &self,
-        workspaces: &mut [Workspace],
-        wanted: &JointTarget,
-        pulls: [f64; 2],
-    ) -> Result<Result<JointPoint, Vec<f64>>> {
-        let stiffness = wanted.stiffness_nm_per_rad.unwrap_or(0.0);
-        let mut slack = vec![];
-        for pull in pulls {
-            let pressures = self.pressures(workspaces, pull)?;
-            let there =
-                self.model
-                    .point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)?;
-            if there.muscles.iter().any(|m| m.answer.slack) {
-                let half = there.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
-                let off = (there.stiffness_nm_per_rad - stiffness).abs();
-                if off <= PRINTED * half.max(0.1 * stiffness.abs()) {
-                    return Ok(Ok(there));
-                }
-                slack.push(there.stiffness_nm_per_rad);
-            }
-        }
-        Ok(Err(slack))
-    }
-
     /// The least pull of the first muscle at which both muscles pull and have a stiffness, or the
     /// least and the largest stiffness that they have.
     fn first_pull(
