@@ -182,17 +182,24 @@ impl ExportedJoint {
     }
 
     /// The same joint where its muscles have other pulls (N, and their slopes in the length in N/m, at
-    /// q and L/L0): its errors are those of the form and, of each muscle, the largest differences from
-    /// the form.
+    /// q and L/L0): its errors are those of the form and the largest differences of its muscles from the
+    /// form.
     pub(crate) fn with_pulls(&self, pulls: impl Fn(usize, f64, f64) -> (f64, f64)) -> Self {
-        let mut all = self.clone();
-        for (i, muscle) in self.muscles.iter().enumerate() {
-            let at = |q, contraction| Some(pulls(i, q, 1.0 - contraction));
-            let [torque, stiffness] = differences(&self.joint, i, muscle, HOST_STATES, at);
-            all.torque_error_nm += torque;
-            all.stiffness_error_nm_per_rad += stiffness;
+        let mut largest = [0.0_f64; 2];
+        for angle in angles(&self.joint, HOST_STATES[0]) {
+            let mut both = [0.0; 2];
+            for (i, muscle) in self.muscles.iter().enumerate() {
+                let at = |q, contraction| Some(pulls(i, q, 1.0 - contraction));
+                let off = differences(&self.joint, i, muscle, (angle, HOST_STATES[1]), at);
+                both = [both[0] + off[0], both[1] + off[1]];
+            }
+            largest = [largest[0].max(both[0]), largest[1].max(both[1])];
         }
-        all
+        Self {
+            torque_error_nm: self.torque_error_nm + largest[0],
+            stiffness_error_nm_per_rad: self.stiffness_error_nm_per_rad + largest[1],
+            ..self.clone()
+        }
     }
 
     pub(crate) fn range_rad(&self) -> [f64; 2] {
@@ -307,41 +314,42 @@ fn stiffness_error(
         ..Direction::Mean.into()
     };
     let mut evaluation = Evaluation::new(model, w, options);
-    let pulls = |q: f64, contraction| {
+    let mut pulls = |q: f64, contraction| {
         let pressure_mpa = 1e-6 * muscle.form.supply_pa * q;
         let r = evaluation.response(pressure_mpa, contraction).ok()?;
         let n_per_mm = evaluation.stiffness_n_per_mm(&r).ok()?;
         let is_taut = r.force_n > 0.02 * muscle.blocked_force_n;
         is_taut.then_some((r.force_n, 1e3 * n_per_mm))
     };
-    differences(joint, i, muscle, STATES, pulls)[1]
+    let at = |angle| differences(joint, i, muscle, (angle, STATES[1]), &mut pulls)[1];
+    peak(angles(joint, STATES[0]).into_iter().map(at))
 }
 
 /// Largest differences of a muscle's parts of the torque and the stiffness, N m and N m/rad, from
-/// pulls (N, and their slopes in the length in N/m) at q and ε, at so many angles and pressures; of
+/// pulls (N, and their slopes in the length in N/m) at q and ε, at an angle and so many pressures; of
 /// the stiffness where it is slack or pulls by more than 2 % of its blocked force.
 fn differences(
     joint: &Joint,
     i: usize,
     muscle: &ExportedMuscle,
-    [parts, pressures]: [i32; 2],
+    (angle, pressures): (f64, i32),
     mut other: impl FnMut(f64, f64) -> Option<(f64, f64)>,
 ) -> [f64; 2] {
     let mut largest = [0.0_f64; 2];
-    let at = |angle| joint.contraction(i, angle);
-    for (contraction, s) in angles(joint, parts).into_iter().filter_map(at) {
-        for n in 0..=pressures {
-            let q = f64::from(n) / f64::from(pressures);
-            let form = muscle.form.point_at(q * muscle.form.supply_pa, contraction);
-            let Some((pull, slope)) = other(q, contraction) else {
-                continue;
-            };
-            let more = 1e-3 * (pull - form.force_n);
-            largest[0] = largest[0].max((more * s.arm_mm).abs());
-            if form.force_n == 0.0 || form.force_n > 0.02 * muscle.blocked_force_n {
-                let stiffer = 1e-6 * (slope - form.stiffness_n_per_m) * s.arm_mm * s.arm_mm;
-                largest[1] = largest[1].max((stiffer - more * s.arm_by_angle_mm).abs());
-            }
+    let Some((contraction, s)) = joint.contraction(i, angle) else {
+        return largest;
+    };
+    for n in 0..=pressures {
+        let q = f64::from(n) / f64::from(pressures);
+        let form = muscle.form.point_at(q * muscle.form.supply_pa, contraction);
+        let Some((pull, slope)) = other(q, contraction) else {
+            continue;
+        };
+        let more = 1e-3 * (pull - form.force_n);
+        largest[0] = largest[0].max((more * s.arm_mm).abs());
+        if form.force_n == 0.0 || form.force_n > 0.02 * muscle.blocked_force_n {
+            let stiffer = 1e-6 * (slope - form.stiffness_n_per_m) * s.arm_mm * s.arm_mm;
+            largest[1] = largest[1].max((stiffer - more * s.arm_by_angle_mm).abs());
         }
     }
     largest
