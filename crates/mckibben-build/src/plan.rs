@@ -6,9 +6,10 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{BUCKLING, burst::ends::clamp_load_n},
-    model::ThickWall,
+    model::Response,
     muscle::Muscle,
     refused::Refused,
+    warning::buckling_load_n,
 };
 use std::f64::consts::PI;
 
@@ -163,12 +164,11 @@ impl Plan {
     /// Of a muscle that extends, without a guide: the push in N at which it buckles at its length at
     /// rest; over [`BUCKLING`] it is the allowed push.
     fn buckling_n(&self) -> Option<f64> {
-        let model = self
-            .muscle
-            .is_extensile()
-            .then(|| ThickWall::new(&self.muscle))?;
-        let pressure_mpa = self.operating.pressure_mpa;
-        model.buckling_n(pressure_mpa, 0.0).ok()
+        let at_rest = Response {
+            pressure_mpa: self.operating.pressure_mpa,
+            ..Response::default()
+        };
+        buckling_load_n(&self.muscle, &at_rest)
     }
 
     /// Warnings, in sentences.
@@ -195,9 +195,8 @@ impl Plan {
                 [-self.operating.blocked_force_n, bears_n, bears_n / BUCKLING]
                     .map(|n| crate::text::significant(n.max(0.0), 2));
             out.push(format!(
-                "the muscle pushes with up to {push}\u{a0}N, and between two joints it buckles at \
-                 {bears}\u{a0}N, by its wall alone: guide it in a tube or in a bundle, or keep \
-                 the push below {allowed}\u{a0}N"
+                "the muscle pushes with up to {push}\u{a0}N, and its wall alone buckles at \
+                 {bears}\u{a0}N: guide it in a tube, or keep the push below {allowed}\u{a0}N"
             ));
         }
         if self.clamps == Clamps::Crimped {

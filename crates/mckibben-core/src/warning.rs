@@ -249,14 +249,14 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     {
         let push_n = -response.force_n;
         let what = if push_n > bears_n {
-            "the muscle buckles between two joints"
+            "buckles"
         } else {
-            "the muscle pushes with more than it may between two joints"
+            "may buckle"
         };
         let sentence = format!(
-            "{what}: it pushes with {push_n:.1}\u{a0}N, its wall alone buckles at \
-             {bears_n:.1}\u{a0}N, and {:.1}\u{a0}N are allowed; guide it in a tube, or make it \
-             shorter",
+            "the muscle {what} between two joints: it pushes with {push_n:.1}\u{a0}N, its wall alone \
+             bears {bears_n:.1}\u{a0}N, and {:.1}\u{a0}N are allowed; guide it in a tube, or make \
+             it shorter",
             bears_n / BUCKLING
         );
         warn(Buckles, push_n / bears_n, sentence);

@@ -53,10 +53,7 @@ impl ExportedJoint {
         name: &str,
         supply_mpa: f64,
     ) -> Result<Self> {
-        let (low, high) = joint.range_deg();
-        let angles: Vec<f64> = (0..=STATES[0])
-            .map(|k| (low + (high - low) * f64::from(k) / f64::from(STATES[0])).to_radians())
-            .collect();
+        let angles = angles(joint, STATES[0]);
         let mut muscles = Vec::<ExportedMuscle>::new();
         let mut torque = 0.0;
         let mut stiffness = 0.0;
@@ -65,17 +62,16 @@ impl ExportedJoint {
             let all = angles
                 .iter()
                 .filter_map(|&angle| joint.contraction(i, angle));
-            let at = |angle: &f64| joint.contraction(i, *angle).map(|(e, _)| (e, *angle));
-            let shortest = |a: (f64, f64), b: (f64, f64)| if b.0 < a.0 { b } else { a };
-            let (least, angle) = angles
+            let at = |&angle: &f64| Some((joint.contraction(i, angle)?.0, angle));
+            let shortest = angles
                 .iter()
                 .filter_map(at)
-                .fold((f64::INFINITY, 0.0), shortest);
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            let (least, angle) = shortest.unwrap_or_default();
             let reaches = |why: String| {
                 ExportError::Host(format!(
-                    "muscle {}: at {:.1} deg of the joint's range its contraction is {:.1} %, and \
-                     {why}; a narrower [joint] range or a larger contraction_at_neutral keeps it \
-                     shorter",
+                    "muscle {}: at {:.1} deg its contraction is {:.1} %, and {why}; a narrower [joint] \
+                     range or a larger contraction_at_neutral keeps it shorter",
                     i + 1,
                     angle.to_degrees(),
                     100.0 * least
@@ -121,7 +117,7 @@ impl ExportedJoint {
             muscle.cord_m = 1e-3 * held.path.length_mm(0.0) - neutral_m;
             let arm_m = peak(all.map(|(_, s)| 1e-3 * s.arm_mm.abs()));
             torque += arm_m * muscle.errors.force_worst_ratio * muscle.blocked_force_n;
-            stiffness += 1.5 * stiffness_error(joint, i, model, &muscle, &angles);
+            stiffness += 1.5 * stiffness_error(joint, i, model, &muscle);
             muscles.push(muscle);
         }
         let hashes: String = muscles.iter().map(|muscle| muscle.hash.as_str()).collect();
@@ -152,13 +148,8 @@ impl ExportedJoint {
         Ok(artefact)
     }
 
-    /// The facts in every artefact that has the form, a line each.
+    /// The facts in every artefact, a line each.
     pub fn facts(&self) -> Vec<String> {
-        self.facts_with([self.torque_error_nm, self.stiffness_error_nm_per_rad])
-    }
-
-    /// The same with the largest errors of an artefact's torque and stiffness.
-    pub(crate) fn facts_with(&self, [torque_nm, stiffness]: [f64; 2]) -> Vec<String> {
         let mut facts = vec![
             format!(
                 "Joint {}, {MARK} {}, hash {}. Licence of this file: MIT OR Apache-2.0.",
@@ -167,8 +158,9 @@ impl ExportedJoint {
                 self.hash
             ),
             format!(
-                "Against the joint of the program: torque {torque_nm:.3} N m at most; stiffness \
-                 {stiffness:.3} N m/rad where each muscle is slack or pulls by more than 2 %."
+                "Against the joint of the program: torque {:.3} N m at most; stiffness {:.3} N \
+                 m/rad where each muscle is slack or pulls by more than 2 %.",
+                self.torque_error_nm, self.stiffness_error_nm_per_rad
             ),
         ];
         facts.extend(
@@ -189,48 +181,25 @@ impl ExportedJoint {
         }
     }
 
-    /// The largest errors of torque and stiffness of an artefact in which the muscles have other
-    /// pulls (N, and their slopes in the length in N/m, at q and L/L0): those of the form, and the
-    /// largest differences from the form over angles and pressures.
-    pub(crate) fn errors_of(&self, pulls: impl Fn(usize, f64, f64) -> (f64, f64)) -> [f64; 2] {
-        let (low, high) = self.joint.range_deg();
+    /// The same joint where its muscles have other pulls (N, and their slopes in the length in N/m, at
+    /// q and L/L0): its errors are those of the form and the largest differences of its muscles from the
+    /// form.
+    pub(crate) fn with_pulls(&self, pulls: impl Fn(usize, f64, f64) -> (f64, f64)) -> Self {
         let mut largest = [0.0_f64; 2];
-        for k in 0..=HOST_STATES[0] {
-            let share = f64::from(k) / f64::from(HOST_STATES[0]);
-            let angle = (low + (high - low) * share).to_radians();
-            // Of torque and stiffness the least and the largest difference.
-            let mut ends = [[0.0; 2]; 2];
+        for angle in angles(&self.joint, HOST_STATES[0]) {
+            let mut both = [0.0; 2];
             for (i, muscle) in self.muscles.iter().enumerate() {
-                let Some((contraction, s)) = self.joint.contraction(i, angle) else {
-                    continue;
-                };
-                let mut own = [[0.0_f64; 2]; 2];
-                for n in 0..=HOST_STATES[1] {
-                    let q = f64::from(n) / f64::from(HOST_STATES[1]);
-                    let form = muscle.form.point_at(q * muscle.form.supply_pa, contraction);
-                    let (pull, slope) = pulls(i, q, 1.0 - contraction);
-                    let more = pull - form.force_n;
-                    let stiffer = 1e-3 * (slope - form.stiffness_n_per_m) * s.arm_mm * s.arm_mm
-                        - more * s.arm_by_angle_mm;
-                    let is_edge =
-                        form.force_n > 0.0 && form.force_n <= 0.02 * muscle.blocked_force_n;
-                    let off = [more * s.arm_mm, if is_edge { 0.0 } else { stiffer }];
-                    for (own, off) in own.iter_mut().zip(off) {
-                        *own = [own[0].min(1e-3 * off), own[1].max(1e-3 * off)];
-                    }
-                }
-                for (all, own) in ends.iter_mut().flatten().zip(own.iter().flatten()) {
-                    *all += own;
-                }
+                let at = |q, contraction| Some(pulls(i, q, 1.0 - contraction));
+                let off = differences(&self.joint, i, muscle, (angle, HOST_STATES[1]), at);
+                both = [both[0] + off[0], both[1] + off[1]];
             }
-            for (largest, [least, most]) in largest.iter_mut().zip(ends) {
-                *largest = largest.max(most).max(-least);
-            }
+            largest = [largest[0].max(both[0]), largest[1].max(both[1])];
         }
-        [
-            self.torque_error_nm + largest[0],
-            self.stiffness_error_nm_per_rad + largest[1],
-        ]
+        Self {
+            torque_error_nm: self.torque_error_nm + largest[0],
+            stiffness_error_nm_per_rad: self.stiffness_error_nm_per_rad + largest[1],
+            ..self.clone()
+        }
     }
 
     pub(crate) fn range_rad(&self) -> [f64; 2] {
@@ -325,40 +294,62 @@ impl ExportedJoint {
     }
 }
 
-/// Largest difference of a muscle's part of the stiffness, N m/rad, where it pulls by more than 2 %
-/// of its blocked force.
+/// So many angles and one, even over the range, in rad.
+fn angles(joint: &Joint, parts: i32) -> Vec<f64> {
+    let (low, high) = joint.range_deg();
+    let at = |k: i32| (low + (high - low) * f64::from(k) / f64::from(parts)).to_radians();
+    (0..=parts).map(at).collect()
+}
+
+/// Largest difference of a muscle's part of the stiffness from its model, N m/rad.
 fn stiffness_error(
     joint: &Joint,
     i: usize,
     model: &dyn ForceModel,
     muscle: &ExportedMuscle,
-    angles: &[f64],
 ) -> f64 {
     let w = &mut Workspace::new();
     let options = Options {
         extrapolate: true,
-        direction: Direction::Mean,
-        ..Options::default()
+        ..Direction::Mean.into()
     };
     let mut evaluation = Evaluation::new(model, w, options);
-    let mut largest = 0.0_f64;
-    for (contraction, s) in angles
-        .iter()
-        .filter_map(|&angle| joint.contraction(i, angle))
-    {
-        for k in 1..=STATES[1] {
-            let pressure_mpa = 1e-6 * muscle.form.supply_pa * f64::from(k) / f64::from(STATES[1]);
-            let point = muscle.form.point_at(1e6 * pressure_mpa, contraction);
-            let Ok(r) = evaluation.response(pressure_mpa, contraction) else {
-                continue;
-            };
-            if point.force_n.min(r.force_n) > 0.02 * muscle.blocked_force_n
-                && let Ok(n_per_mm) = evaluation.stiffness_n_per_mm(&r)
-            {
-                let more = (1e-3 * point.stiffness_n_per_m - n_per_mm) * s.arm_mm * s.arm_mm
-                    - (point.force_n - r.force_n) * s.arm_by_angle_mm;
-                largest = largest.max(1e-3 * more.abs());
-            }
+    let mut pulls = |q: f64, contraction| {
+        let pressure_mpa = 1e-6 * muscle.form.supply_pa * q;
+        let r = evaluation.response(pressure_mpa, contraction).ok()?;
+        let n_per_mm = evaluation.stiffness_n_per_mm(&r).ok()?;
+        let is_taut = r.force_n > 0.02 * muscle.blocked_force_n;
+        is_taut.then_some((r.force_n, 1e3 * n_per_mm))
+    };
+    let at = |angle| differences(joint, i, muscle, (angle, STATES[1]), &mut pulls)[1];
+    peak(angles(joint, STATES[0]).into_iter().map(at))
+}
+
+/// Largest differences of a muscle's parts of the torque and the stiffness, N m and N m/rad, from
+/// pulls (N, and their slopes in the length in N/m) at q and ε, at an angle and so many pressures; of
+/// the stiffness where it is slack or pulls by more than 2 % of its blocked force.
+fn differences(
+    joint: &Joint,
+    i: usize,
+    muscle: &ExportedMuscle,
+    (angle, pressures): (f64, i32),
+    mut other: impl FnMut(f64, f64) -> Option<(f64, f64)>,
+) -> [f64; 2] {
+    let mut largest = [0.0_f64; 2];
+    let Some((contraction, s)) = joint.contraction(i, angle) else {
+        return largest;
+    };
+    for n in 0..=pressures {
+        let q = f64::from(n) / f64::from(pressures);
+        let form = muscle.form.point_at(q * muscle.form.supply_pa, contraction);
+        let Some((pull, slope)) = other(q, contraction) else {
+            continue;
+        };
+        let more = 1e-3 * (pull - form.force_n);
+        largest[0] = largest[0].max((more * s.arm_mm).abs());
+        if form.force_n == 0.0 || form.force_n > 0.02 * muscle.blocked_force_n {
+            let stiffer = 1e-6 * (slope - form.stiffness_n_per_m) * s.arm_mm * s.arm_mm;
+            largest[1] = largest[1].max((stiffer - more * s.arm_by_angle_mm).abs());
         }
     }
     largest

@@ -43,9 +43,9 @@ impl Linear {
             initial_coordinate: None,
             ..drive.clone()
         };
-        held.muscles
-            .iter_mut()
-            .for_each(|muscle| muscle.initial_pressure_mpa = None);
+        for muscle in &mut held.muscles {
+            muscle.initial_pressure_mpa = None;
+        }
         Self::on_side(&held, side)
     }
 
@@ -54,7 +54,7 @@ impl Linear {
     ///
     /// # Errors
     /// As of [`Linear::new`].
-    pub fn on_side(drive: &Drive<'_>, side: f64) -> Result<Self> {
+    fn on_side(drive: &Drive<'_>, side: f64) -> Result<Self> {
         let not_at_rest = |why| {
             MotionError::Refused(format!(
                 "there is no equilibrium about which to linearise: {why}"
@@ -83,6 +83,10 @@ impl Linear {
                 .map(|(a, b)| (a - b) / width)
                 .collect()
         };
+        let beside = |side: f64, by: f64| {
+            let within = |sign: f64| if side * sign < 0.0 { 0.0 } else { sign * by };
+            [1.0, -1.0].map(within)
+        };
         // To which side the pressures below their command and the openings lie.
         let mut sides = system.layout.filled(0.0);
         for (i, muscle) in sides.muscles.iter_mut().enumerate() {
@@ -109,11 +113,7 @@ impl Linear {
                 (2.0 * step, -2.0),
                 (4.0 * step, 1.0 / 3.0),
             ] {
-                let [above, below] = match sides.get(column) {
-                    Some(to) if *to > 0.0 => [width, 0.0],
-                    Some(to) if *to < 0.0 => [0.0, -width],
-                    _ => [width, -width],
-                };
+                let [above, below] = beside(sides[column], width);
                 let change = difference(&moved(above)?, &moved(below)?, above - below);
                 best += weight * DVector::from_vec(change);
             }
@@ -126,8 +126,7 @@ impl Linear {
             system.offset.set(0.0);
             rates
         };
-        let above = if side < 0.0 { 0.0 } else { step };
-        let below = if side > 0.0 { 0.0 } else { -step };
+        let [above, below] = beside(side, step);
         Ok(Self {
             a,
             b: DVector::from_vec(difference(&offset(above)?, &offset(below)?, above - below)),

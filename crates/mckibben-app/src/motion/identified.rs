@@ -15,6 +15,7 @@ use crate::{
 };
 use mckibben_core::{
     extremes::peak,
+    joined,
     progress::Progress,
     units::{Dimension, parse_quantity},
 };
@@ -79,10 +80,9 @@ const USUAL: [(&str, f64); 4] = [
 ];
 /// Relative tolerance of the integration: its error is small beside the steps of the derivatives.
 const TOLERANCE: f64 = 1e-8;
-/// By this share a constant is changed to see whether the log has anything of it, and this share of
-/// the scatter of a quantity is nothing.
-const CHANGE: f64 = 0.1;
-const NOTHING: f64 = 1e-3;
+/// A log determines none of its constants that change the motion by less than this where they are a
+/// tenth larger (in MPa, degrees or as a contraction).
+const NOTHING: f64 = 1e-5;
 /// Points of the series that the log is compared with, at least.
 const POINTS: f64 = 1000.0;
 
@@ -91,32 +91,6 @@ struct Free {
     name: String,
     dimension: Dimension,
     start: f64,
-}
-
-impl Free {
-    /// With a value, its standard error and its half-width.
-    fn identified(
-        &self,
-        value: f64,
-        [standard_error, half_width]: [f64; 2],
-        at_bound: bool,
-    ) -> Identified {
-        let limit = 0.5 * value.abs();
-        Identified {
-            target: None,
-            name: self.name.clone(),
-            start: self.start,
-            value,
-            unit: self.dimension.unit_inside().name,
-            standard_error,
-            half_width,
-            limit,
-            identifiable: !at_bound && half_width <= limit,
-            at_bound,
-            matters: at_bound || half_width.is_finite(),
-            implausible: false,
-        }
-    }
 }
 
 /// A recorded motion, and the drive that is to move like it.
@@ -160,17 +134,7 @@ impl Moved {
         };
         let mut free = fit.free()?;
         let read = fit.read(&free);
-        let mut parameters = fit.without_effect(&mut free, half_s)?;
-        if free.is_empty() {
-            let message = format!(
-                "{read}; it determines none of them: in its first half no quantity changes where \
-                 one of them is changed by {:.0} %",
-                100.0 * CHANGE
-            );
-            let hint = "check that the commands of the drive file are those of the log, that the \
-                load moves in it, and that its first half has the motion; or name others in `free`";
-            return Err(Problem::new(ProblemKind::Data, message, hint));
-        }
+        let mut parameters = vec![];
         while !free.is_empty() {
             let mut fitted = fit.fitted(&free, half_s)?;
             let doubtful = (0..fitted.len()).filter(|i| !fitted[*i].identifiable);
@@ -270,63 +234,11 @@ impl Fit<'_> {
 
     /// What the log has, and what is free, as a sentence.
     fn read(&self, free: &[Free]) -> String {
-        let one = |(what, points): &(OverTime, Series)| {
-            let rows = points.len();
-            format!("{} ({rows} rows)", format!("{what:?}").to_lowercase())
-        };
-        let names = Vec::from_iter(free.iter().map(|free| free.name.as_str()));
-        format!(
-            "the log has {}; free are {}",
-            Vec::from_iter(self.log.iter().map(one)).join(" and "),
-            names.join(", ")
-        )
-    }
-
-    /// Takes out the constants that change nothing in the first half of the log.
-    fn without_effect(&self, free: &mut Vec<Free>, half_s: f64) -> Result<Vec<Identified>> {
-        let starts = Vec::from_iter(free.iter().map(|free| free.start));
-        let lists = |x: &[f64]| self.lists(free, x, half_s);
-        let at_start = lists(&starts)?;
-        let scatter = self.scatter(half_s);
-        let mut changes = vec![];
-        for i in 0..starts.len() {
-            let mut x = starts.clone();
-            x[i] *= 1.0 + CHANGE;
-            let moved = lists(&x)?;
-            let change = |k: usize| {
-                let both = moved[k].iter().zip(&at_start[k]);
-                Errors::new(both.map(|(a, b)| a - b)).rms / scatter[k].max(f64::MIN_POSITIVE)
-            };
-            changes.push((0..scatter.len()).any(|k| change(k) > NOTHING));
-        }
-        let mut out = vec![];
-        for i in (0..changes.len()).rev().filter(|i| !changes[*i]) {
-            let none = free.remove(i);
-            out.push(none.identified(none.start, [f64::INFINITY; 2], false));
-        }
-        Ok(out)
-    }
-
-    /// The scatter of each quantity in the first half of the log.
-    fn scatter(&self, half_s: f64) -> Vec<f64> {
-        let scatter = |(_, points): &(OverTime, Series)| {
-            let first = || points.iter().filter(|p| p.0 <= half_s).map(|p| p.1);
-            let mean = Errors::new(first()).mean;
-            Errors::new(first().map(|v| v - mean)).rms
-        };
-        self.log.iter().map(scatter).collect()
-    }
-
-    /// Model less log of each quantity in the first half, with values of the free constants.
-    fn lists(&self, free: &[Free], x: &[f64], half_s: f64) -> Result<Vec<Vec<f64>>> {
-        let mut changed = free.iter().zip(x);
-        let text = changed.try_fold(self.text.to_owned(), |text, (free, value)| {
-            with_value(&text, &free.name, &value.to_string())
-        });
-        let lists = self.residuals(&text?, half_s)?.into_iter();
-        Ok(lists
-            .map(|(_, list)| list.into_iter().map(|r| r.1).collect())
-            .collect())
+        let rows =
+            |(what, points): &(OverTime, Series)| format!("{} rows of {what:?}", points.len());
+        let rows = joined(self.log.iter().map(rows), " and ");
+        let names = joined(free.iter().map(|free| free.name.as_str()), ", ");
+        format!("the log has {rows}; free are {names}")
     }
 
     /// Times and model less log of each quantity, up to a time.
@@ -361,14 +273,52 @@ impl Fit<'_> {
 
     /// The constants of the first half of the log.
     fn fitted(&self, free: &[Free], half_s: f64) -> Result<Vec<Identified>> {
+        let at = |x: &[f64]| -> Result<Vec<Vec<f64>>> {
+            let mut changed = free.iter().zip(x);
+            let text = changed.try_fold(self.text.to_owned(), |text, (free, value)| {
+                with_value(&text, &free.name, &value.to_string())
+            });
+            let lists = self.residuals(&text?, half_s)?.into_iter();
+            Ok(lists
+                .map(|(_, list)| list.into_iter().map(|r| r.1).collect())
+                .collect())
+        };
+        let scatter = |(_, points): &(OverTime, Series)| {
+            let first = || points.iter().filter(|p| p.0 <= half_s).map(|p| p.1);
+            let mean = Errors::new(first()).mean;
+            Errors::new(first().map(|v| v - mean)).rms
+        };
+        let scatter: Vec<f64> = self.log.iter().map(scatter).collect();
         let starts: Vec<f64> = free.iter().map(|free| free.start).collect();
-        let at = |x: &[f64]| self.lists(free, x, half_s);
-        let found = fit_recorded(&starts, &self.scatter(half_s), at);
+        let larger = Vec::from_iter(starts.iter().map(|start| 1.1 * start));
+        let (now, then) = (at(&starts)?.concat(), at(&larger)?.concat());
+        if now.iter().zip(then).all(|(a, b)| (a - b).abs() < NOTHING) {
+            let message = format!("{}; it determines none of them", self.read(free));
+            let hint = "name others in `free`";
+            return Err(Problem::new(ProblemKind::Data, message, hint));
+        }
+        let found = fit_recorded(&starts, &scatter, at);
         self.progress.check()?;
         let found = found?;
         let one = |(i, free): (usize, &Free)| {
-            let errors = [found.standard_errors[i], found.half_widths[i]];
-            free.identified(found.x[i], errors, found.at_bound[i])
+            let value = found.x[i];
+            let at_bound = found.at_bound[i];
+            let half_width = found.half_widths[i];
+            let limit = 0.5 * value.abs();
+            Identified {
+                target: None,
+                name: free.name.clone(),
+                start: free.start,
+                value,
+                unit: free.dimension.unit_inside().name,
+                standard_error: found.standard_errors[i],
+                half_width,
+                limit,
+                identifiable: !at_bound && half_width <= limit,
+                at_bound,
+                matters: at_bound || half_width.is_finite(),
+                implausible: false,
+            }
         };
         Ok(free.iter().enumerate().map(one).collect())
     }

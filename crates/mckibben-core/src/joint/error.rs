@@ -77,7 +77,7 @@ impl JointError {
             Ok(())
         } else {
             Err(Self::Refused(format!(
-                "{what} is {value}; give a finite number"
+                "the {what} is {value}, not a finite number"
             )))
         }
     }
@@ -104,16 +104,9 @@ impl JointError {
     /// Whether a muscle has no state at the pressures and the angle of the question: others may
     /// have one.
     pub fn is_of_point(&self) -> bool {
-        match self {
-            Self::Muscle {
-                error: AnalysisError::Model(error),
-                ..
-            }
-            | Self::At {
-                error: AnalysisError::Model(error),
-                ..
-            } => error.is_of_point(),
-            _ => false,
-        }
+        let (Self::Muscle { error, .. } | Self::At { error, .. }) = self else {
+            return false;
+        };
+        matches!(error, AnalysisError::Model(error) if error.is_of_point())
     }
 }

@@ -1,7 +1,7 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Result, Turning};
-use crate::{analysis::Sweep, joined, model::Workspace, muscle::Direction};
+use crate::{analysis::Sweep, model::Workspace, muscle::Direction};
 
 /// Parts into which the pulls that give the torque are cut in search of the stiffness.
 const SCAN: usize = 40;
@@ -9,10 +9,9 @@ const SCAN: usize = 40;
 const TAUT: f64 = 1e-8;
 /// The same, where rounding leaves a muscle slack there.
 const BESIDE: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
-/// A stiffness with one muscle slack is met within half a unit of the third digit, or of the second
-/// digit of its ±: what an answer prints is asked for again.
-const PRINTED: f64 = 5e-3;
-const PRINTED_HALF: f64 = 0.05;
+/// A stiffness with one muscle slack is met within half a unit of the second digit of its ±, or of
+/// its own third digit: what an answer prints is asked for again.
+const PRINTED: f64 = 0.05;
 
 /// What a joint shall do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +33,34 @@ struct Here {
     most_n: f64,
 }
 
+impl JointPoint {
+    /// Whether an answer prints its stiffness as it prints this one.
+    fn prints_stiffness(&self, stiffness: f64) -> bool {
+        let half = self.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
+        let printed = PRINTED * half.max(0.1 * stiffness.abs());
+        (self.stiffness_nm_per_rad - stiffness).abs() <= printed
+    }
+}
+
 impl JointModel<'_> {
+    /// The muscles at an angle in rad, up to a pressure.
+    fn here(&self, workspaces: &mut [Workspace], angle: f64, max_pressure_mpa: f64) -> Vec<Here> {
+        let one = |(i, workspace): (usize, &mut Workspace)| {
+            let (contraction, s) = self.joint().contraction(i, angle)?;
+            let most = self
+                .evaluation(i, workspace, Direction::Mean)
+                .force_n(max_pressure_mpa, contraction);
+            // Beyond its free contraction there may be no answer, and there is no pull.
+            Some(Here {
+                contraction,
+                arm_mm: s.arm_mm,
+                arm_by_angle_mm: s.arm_by_angle_mm,
+                most_n: most.unwrap_or(0.0).max(0.0),
+            })
+        };
+        workspaces.iter_mut().enumerate().filter_map(one).collect()
+    }
+
     /// The pressures, up to `max_pressure_mpa`, and the joint at them.
     ///
     /// Of two muscles the pull of the first decides that of the second, F2 = (τ − F1 Δ1′)/Δ2′;
@@ -50,31 +76,16 @@ impl JointModel<'_> {
     ) -> Result<JointPoint> {
         self.check_workspaces(workspaces)?;
         self.check_angle(wanted.angle_deg)?;
-        JointError::unless_finite("the torque in N m", wanted.torque_nm)?;
         let stiffness = wanted.stiffness_nm_per_rad.unwrap_or(0.0);
-        JointError::unless_finite("the stiffness in N m/rad", stiffness)?;
-        JointError::unless_finite("the highest pressure in MPa", max_pressure_mpa)?;
-        let angle = wanted.angle_deg.to_radians();
-        let mut here = vec![];
-        for (i, workspace) in workspaces
-            .iter_mut()
-            .enumerate()
-            .take(self.joint().muscles().len())
-        {
-            let Some((contraction, s)) = self.joint().contraction(i, angle) else {
-                break;
-            };
-            let most = self
-                .evaluation(i, workspace, Direction::Mean)
-                .force_n(max_pressure_mpa, contraction);
-            // Beyond its free contraction there may be no answer, and there is no pull.
-            here.push(Here {
-                contraction,
-                arm_mm: s.arm_mm,
-                arm_by_angle_mm: s.arm_by_angle_mm,
-                most_n: most.unwrap_or(0.0).max(0.0),
-            });
+        for (what, value) in [
+            ("torque", wanted.torque_nm),
+            ("stiffness", stiffness),
+            ("highest pressure", max_pressure_mpa),
+        ] {
+            JointError::unless_finite(what, value)?;
         }
+        let angle = wanted.angle_deg.to_radians();
+        let here = self.here(workspaces, angle, max_pressure_mpa);
         let (passive, passive_slope) = self.joint().passive_nm(angle);
         let needed = 1e3 * (wanted.torque_nm - passive);
         let out_of_reach =
@@ -101,27 +112,34 @@ impl JointModel<'_> {
             needed,
         };
         let (low, high) = line.pulls().ok_or_else(no_torque)?;
-        let pressures = match (wanted.stiffness_nm_per_rad, &here[..]) {
-            (None, _) => line.pressures(workspaces, low)?,
+        let point = |workspaces: &mut [Workspace], pull: f64| {
+            let pressures = line.pressures(workspaces, pull)?;
+            self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
+        };
+        let pull = match (wanted.stiffness_nm_per_rad, &here[..]) {
+            (None, _) => low,
             (Some(_), [_]) => return Err(JointError::OneMuscle),
             (Some(_), _) => {
-                let slack = match line.slack_ends(workspaces, &wanted, [low, high])? {
-                    Ok(there) => return Ok(there),
-                    Err(slack) => slack,
-                };
+                let mut unit = "N m/rad there while both muscles pull".to_owned();
+                for pull in [low, high] {
+                    let there = point(workspaces, pull)?;
+                    if there.muscles.iter().any(|m| m.answer.slack) {
+                        if there.prints_stiffness(stiffness) {
+                            return Ok(there);
+                        }
+                        let k = there.stiffness_nm_per_rad;
+                        unit += &format!(", and {k:.4} with one of them slack");
+                    }
+                }
                 let sought = [passive_slope, stiffness];
                 let found = line.first_pull(workspaces, (low, high), sought)?;
-                let pull = found.map_err(|reached| {
+                found.map_err(|reached| {
                     let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
-                    let one = |k: &f64| format!(", and {k:.4} with one of them slack");
-                    let beside = joined(slack.iter().map(one), "");
-                    let unit = format!("N m/rad there while both muscles pull{beside}");
                     out_of_reach(sought, reached, &unit)
-                })?;
-                line.pressures(workspaces, pull)?
+                })?
             }
         };
-        self.point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
+        point(workspaces, pull)
     }
 }
 
@@ -134,34 +152,6 @@ struct Line<'l, 'm> {
 }
 
 impl Line<'_, '_> {
-    /// The joint at the first of these pulls of the first muscle at which a muscle is slack and that
-    /// has the stiffness as an answer prints it: where a muscle goes slack the stiffness jumps. Else
-    /// the stiffnesses with a slack muscle.
-    fn slack_ends(
-        &self,
-        workspaces: &mut [Workspace],
-        wanted: &JointTarget,
-        pulls: [f64; 2],
-    ) -> Result<Result<JointPoint, Vec<f64>>> {
-        let stiffness = wanted.stiffness_nm_per_rad.unwrap_or(0.0);
-        let mut slack = vec![];
-        for pull in pulls {
-            let pressures = self.pressures(workspaces, pull)?;
-            let there =
-                self.model
-                    .point_at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)?;
-            if there.muscles.iter().any(|m| m.answer.slack) {
-                let half = there.stiffness_uncertainty_nm_per_rad.unwrap_or(0.0);
-                let printed = (PRINTED * stiffness.abs()).max(PRINTED_HALF * half);
-                if (there.stiffness_nm_per_rad - stiffness).abs() <= printed {
-                    return Ok(Ok(there));
-                }
-                slack.push(there.stiffness_nm_per_rad);
-            }
-        }
-        Ok(Err(slack))
-    }
-
     /// The least pull of the first muscle at which both muscles pull and have a stiffness, or the
     /// least and the largest stiffness that they have.
     fn first_pull(
@@ -176,12 +166,8 @@ impl Line<'_, '_> {
         };
         let mut sweep = Sweep::new(true, 0.0, excess);
         sweep.fill((low, high), SCAN)?;
-        for (end, other) in [(low, high), (high, low)] {
-            if sweep.sample(end)?.is_none() {
-                for share in BESIDE {
-                    sweep.sample(end + share * (other - end))?;
-                }
-            }
+        for share in BESIDE.into_iter().flat_map(|share| [share, 1.0 - share]) {
+            sweep.sample(low + share * (high - low))?;
         }
         let zero = sweep.zeros(0)?.first().copied();
         if let Some(error) = sweep.refused.take().or(sweep.lost.take()) {

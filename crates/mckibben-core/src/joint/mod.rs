@@ -176,9 +176,8 @@ impl Joint {
             && inertia < (1.0 - 1e-9) * least
         {
             return wrong(format!(
-                "the joint's inertia of {inertia} kg m2 is below {least:.4e} kg m2, that of the \
-                 link's mass as a point at its centre: state the whole inertia about the axis, \
-                 with the mass of the link and without the payload"
+                "inertia of the link is {inertia} kg m2; its mass alone has {least:.4e} kg m2 about \
+                 the joint's axis"
             ));
         }
         self.check_spring()?;
@@ -208,46 +207,37 @@ impl Joint {
     }
 
     fn check_spring(&self) -> Result<(), JointError> {
-        match &self.spring {
-            None => Ok(()),
+        let (rate, preload) = match self.spring {
+            None => return Ok(()),
             Some(JointSpring::Torsion {
                 rate_nm_per_rad,
                 preload_nm,
-            }) => not_negative(
-                "spring",
-                &[("rate", *rate_nm_per_rad), ("preload", preload_nm.abs())],
-            ),
+            }) => (rate_nm_per_rad, preload_nm),
             Some(JointSpring::Rope {
                 path,
                 rate_n_per_mm,
                 preload_n,
             }) => {
-                not_negative(
-                    "spring",
-                    &[("rate", *rate_n_per_mm), ("preload", preload_n.abs())],
-                )?;
-                self.check_path("the spring", path)
+                self.check_path("the spring", &path)?;
+                (rate_n_per_mm, preload_n)
             }
-        }
+        };
+        not_negative("spring", &[("rate", rate), ("preload", preload.abs())])
     }
 
     /// The two points of a muscle do not meet, and a pulley has a radius.
     fn check_path(&self, of: &str, path: &Path) -> Result<(), JointError> {
-        let sizes = match path {
-            Path::Pulley { radius_mm } => vec![*radius_mm],
-            Path::Points {
-                origin_mm,
-                insertion_mm,
-            } => [*origin_mm, *insertion_mm].concat(),
+        let size = match path {
+            Path::Pulley { radius_mm } => *radius_mm,
+            Path::Points { .. } => path.length_mm(0.0),
         };
-        if sizes == [0.0] || !sizes.iter().all(|mm| mm.is_finite()) {
+        if size == 0.0 || !size.is_finite() {
             return Err(JointError::Refused(format!(
-                "{of}: a path of {sizes:?} mm; the radius of a pulley must be above zero, and \
-                 points are finite"
+                "{of}: a path of {size} mm; a radius or distance must be above zero"
             )));
         }
         // Nearer than this the arm turns faster than anything that can be built.
-        let least = 1e-3 * path.length_mm(0.0);
+        let least = 1e-3 * size;
         let meet = |deg: &f64| {
             matches!(path, Path::Points { .. }) && path.length_mm(deg.to_radians()) <= least
         };
@@ -272,32 +262,24 @@ impl Joint {
         let (low, high) = self.range_deg;
         let deg = 0f64.clamp(low, high);
         let mut out = vec![];
-        for (i, wrong) in (0..self.muscles.len()).zip(["\u{2212}", "+"]) {
-            let Some((_, at)) = self.contraction(i, deg.to_radians()) else {
-                continue;
-            };
-            let number = i + 1;
-            if (i == 0) != (at.arm_mm > 0.0) {
-                out.push(format!(
-                    "muscle {number} turns the joint to {wrong} at {deg} deg: its points lie on \
-                     the other side of the axis, or the muscles are swapped"
-                ));
-            }
-            if at.arm_mm.abs() < 1.0 || at.arm_mm.abs() > 1e3 {
-                out.push(format!(
-                    "muscle {number} has an arm of {:.3}\u{a0}mm at {deg} deg: a bare number is in mm",
-                    at.arm_mm.abs()
-                ));
-            }
+        let mut doubt = |is_unlikely: bool, sentence| out.extend(is_unlikely.then_some(sentence));
+        let sides = [(1.0, "\u{2212}"), (-1.0, "+")];
+        for (number, (muscle, (side, wrong))) in (1..).zip(self.muscles.iter().zip(sides)) {
+            let arm_mm = side * muscle.path.shortening(deg.to_radians()).arm_mm;
+            doubt(
+                arm_mm < 0.0,
+                format!(
+                    "muscle {number} turns the joint to {wrong}: swap the muscles or move its points"
+                ),
+            );
+            let mm = arm_mm.abs();
+            doubt(
+                !(1.0..=1e3).contains(&mm),
+                format!("muscle {number} has an arm of {mm:.3}\u{a0}mm"),
+            );
         }
-        let link = &self.link;
-        for (what, kg) in [("mass", link.mass_kg), ("payload", link.payload_kg)] {
-            if kg > 100.0 {
-                out.push(format!(
-                    "{what} of the link is {kg}\u{a0}kg: a bare number is in kg"
-                ));
-            }
-        }
+        let kg = self.link.mass_kg.max(self.link.payload_kg);
+        doubt(kg > 100.0, format!("the link has a mass of {kg}\u{a0}kg"));
         out
     }
 

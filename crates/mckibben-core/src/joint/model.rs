@@ -106,18 +106,15 @@ impl<'m> JointModel<'m> {
         extrapolate: bool,
     ) -> Result<Self> {
         if models.len() == joint.muscles().len() {
-            for (i, (model, of)) in (1..).zip(models.iter().zip(joint.muscles())) {
-                if model.muscle().digest() != of.muscle.digest() {
+            let digests = Vec::from_iter(joint.muscles().iter().map(|m| m.muscle.digest()));
+            for (i, (model, digest)) in (1..).zip(models.iter().zip(&digests)) {
+                if model.muscle().digest() != *digest {
                     return Err(JointError::Refused(format!(
-                        "muscle {i}: its model is that of another muscle; make the model of the \
-                         muscle that the joint has"
+                        "muscle {i}: its model is that of another muscle"
                     )));
                 }
             }
-            let mut digests = joint.muscles().iter().map(|m| m.muscle.digest());
-            let alike = digests
-                .next()
-                .is_some_and(|first| digests.all(|other| other == first));
+            let alike = digests.first() == digests.last();
             Ok(Self {
                 joint,
                 models,
@@ -277,8 +274,7 @@ impl<'m> JointModel<'m> {
             return Ok(());
         }
         Err(JointError::Refused(format!(
-            "the joint has {muscles} muscles and takes as many workspaces; {given} were given: \
-             `workspaces` of the joint makes them"
+            "the joint takes {muscles} workspaces; {given} were given"
         )))
     }
 

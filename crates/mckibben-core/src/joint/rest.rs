@@ -73,7 +73,7 @@ impl JointModel<'_> {
         pressures_mpa: &[f64],
         outside_nm: f64,
     ) -> Result<(Vec<Rest>, Option<JointError>)> {
-        JointError::unless_finite("the torque from outside in N m", outside_nm)?;
+        JointError::unless_finite("torque from outside", outside_nm)?;
         self.rests_beside_gaps(&mut self.fixed(workspaces, pressures_mpa)?, outside_nm)
     }
 

@@ -817,7 +817,7 @@ fn what_is_not_of_the_joint_is_refused() {
     };
     let none = f64::NAN;
     for (spring, said) in [
-        (rope(none, 1.0, 1.0), "the spring: a path of [NaN]"),
+        (rope(none, 1.0, 1.0), "the spring: a path of NaN"),
         (rope(20.0, none, 1.0), "rate of the spring is NaN"),
         (rope(20.0, 1.0, none), "preload of the spring is NaN"),
         (torsion(none, 1.0), "rate of the spring is NaN"),

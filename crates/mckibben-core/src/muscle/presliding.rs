@@ -89,23 +89,17 @@ impl Presliding {
             [(a, x), (b, y), (c, z)] => ((b - a) * (z - y) - (c - b) * (y - x)).abs(),
             _ => f64::INFINITY,
         };
-        while elements.len() > 2 {
+        loop {
             let bends = elements.windows(3).map(bend).enumerate();
-            let least = bends.min_by(|a, b| a.1.total_cmp(&b.1));
-            let Some((i, _)) = least
-                .filter(|(_, least)| *least <= STRAIGHT * self.largest || elements.len() > BENDS)
-            else {
-                break;
-            };
-            elements.remove(i + 1);
+            match bends.min_by(|a, b| a.1.total_cmp(&b.1)) {
+                Some((i, least)) if least <= STRAIGHT * self.largest || elements.len() > BENDS => {
+                    elements.remove(i + 1);
+                }
+                _ => break,
+            }
         }
         self.elements = elements;
         sum(&self.elements)
-    }
-
-    /// z at a position that is reached without a reversal, at a constant F_c.
-    pub fn share(&self, at_mm: f64) -> f64 {
-        self.friction(at_mm, 1.0)
     }
 
     /// Goes to a position without a reversal on the way, at a constant F_c. z there.
@@ -115,26 +109,19 @@ impl Presliding {
 
     /// s(w) at a position, cut by the limits.
     fn moved(&self, at_mm: f64, limit: f64) -> Vec<(f64, f64)> {
-        let stretched = 2.0 * self.largest.max(limit) / self.length_mm * (at_mm - self.at_mm);
+        let stretch = 2.0 * self.largest.max(limit) / self.length_mm * (at_mm - self.at_mm);
         let most = 2.0 * limit.max(0.0);
-        let mut out: Vec<(f64, f64)> = Vec::with_capacity(2 * self.elements.len());
-        let mut before = None;
-        for &(w, s) in &self.elements {
-            let s = s + stretched;
-            if let Some((v, r)) = before {
-                let mut cuts = [1.0, -1.0].map(|sign| {
-                    let (from, to) = (r - sign * most * v, s - sign * most * w);
-                    if from * to < 0.0 {
-                        from / (from - to)
-                    } else {
-                        0.0
-                    }
-                });
-                cuts.sort_by(f64::total_cmp);
-                let cuts = cuts.into_iter().filter(|cut| *cut > 0.0);
-                out.extend(cuts.map(|cut| (v + cut * (w - v), r + cut * (s - r))));
-            }
-            before = Some((w, s));
+        let stretched = self.elements.iter().map(|&(w, s)| (w, s + stretch));
+        let mut out = vec![(0.0, 0.0)];
+        for ((v, r), (w, s)) in stretched.clone().zip(stretched.skip(1)) {
+            // The shares of the way from v to w at which s(w) reaches a limit.
+            let mut cuts = [most, -most].map(|limit| {
+                let excess = r - limit * v;
+                excess / (excess - s + limit * w)
+            });
+            cuts.sort_by(f64::total_cmp);
+            let cuts = cuts.into_iter().filter(|cut| *cut > 0.0 && *cut < 1.0);
+            out.extend(cuts.map(|cut| (v + cut * (w - v), r + cut * (s - r))));
             out.push((w, s));
         }
         for (w, s) in &mut out {
@@ -155,6 +142,13 @@ mod tests {
     use super::*;
 
     const LENGTH_MM: f64 = 0.8;
+
+    impl Presliding {
+        /// z at a position that is reached without a reversal, at a constant F_c.
+        fn share(&self, at_mm: f64) -> f64 {
+            self.friction(at_mm, 1.0)
+        }
+    }
 
     /// Against the elements one by one: each sticks until it is stretched by its yield.
     #[test]

@@ -80,12 +80,12 @@ fn stiffness_error(muscle: &ExportedMuscle, k: &[f64; 6]) -> HostError {
 fn pull(muscle: &ExportedMuscle, k: &[f64; 6], q: f64, x: f64) -> (f64, f64) {
     let pull = (k[0] + (k[1] + k[2] * x) * x) * q + k[3] + (k[4] + k[5] * x) * x;
     let slope = (k[1] + 2.0 * k[2] * x) * q + k[4] + 2.0 * k[5] * x;
-    let blocked_n = muscle.blocked_force_n;
-    if pull > 0.0 {
-        (blocked_n * pull, blocked_n * slope / muscle.form.length_m)
+    let n = if pull > 0.0 {
+        muscle.blocked_force_n
     } else {
-        (0.0, 0.0)
-    }
+        0.0
+    };
+    (n * pull, n * slope / muscle.form.length_m)
 }
 
 /// The muscle of native actuators as a part of any model, what is to be known of it, and its
@@ -380,12 +380,10 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         plugins.extend(plugin(muscle, Some((path, &id))));
     }
     let places = places(joint);
-    let errors = joint.errors_of(|i, q, x| pull(&joint.muscles[i], &constants[i], q, x));
+    let native = joint.with_pulls(|i, q, x| pull(&joint.muscles[i], &constants[i], q, x));
     notes.push(format!(
-        "{id}.xml, by native actuators, against the joint of the program: torque {:.3} N m at \
-         most, stiffness {:.3} N m/rad where each muscle is slack or pulls by more than 2 %; \
-         {id}{PLUGIN}.xml has the errors of the form",
-        errors[0], errors[1]
+        "{id}.xml, by native actuators. {}",
+        native.facts()[1]
     ));
     let scene = |kind: &str, about: &'static str| {
         let include =
@@ -398,15 +396,12 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
             ("includes", joint.muscles.iter().map(include).collect()),
             ("half", halves.join(" ")),
         ];
-        let facts = match kind {
-            NATIVE => joint.facts_with(errors),
-            _ => joint.facts(),
-        };
+        let of = if kind == NATIVE { &native } else { joint };
         let text = include_str!("../../templates/joint.xml");
         File::text(
             format!("{id}{kind}.xml"),
             about,
-            render(text, &facts, &[&own[..], &places].concat()),
+            render(text, &of.facts(), &[&own[..], &places].concat()),
         )
     };
     let mut files = vec![scene(
