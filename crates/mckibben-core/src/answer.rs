@@ -286,7 +286,7 @@ impl Evaluation<'_> {
         // How far an end is sought, in half-widths, and how well it is known.
         const REACH: f64 = 4.0;
         const KNOWN: f64 = 1e-3;
-        const STEPS: usize = 20;
+        const STEPS: usize = 40;
         let two_sided = Options {
             two_sided: true,
             ..self.options
@@ -304,7 +304,7 @@ impl Evaluation<'_> {
                 if (ratio - 1.0).abs() < KNOWN {
                     return Some(value + step);
                 }
-                step *= ratio.clamp(0.5, 2.0);
+                step *= ratio.clamp(0.25, 4.0).sqrt();
                 if step.abs() > REACH * half {
                     return None;
                 }
