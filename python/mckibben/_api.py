@@ -209,9 +209,11 @@ KEYS = {
     "cone_factor": "terminals.cone_factor",
     "stiffness_factor": "braid.stiffness_factor",
     "strands": "braid.strands",
+    "strands_factor": "braid.strands_factor",
     "strand_area_mm2": "braid.strand_area",
     "strand_modulus_mpa": "braid.strand_modulus",
     "strand_strength_n": "braid.strand_strength",
+    "strand_strength_factor": "braid.strand_strength_factor",
     "strands_per_carrier": "braid.strands_per_carrier",
     "strand_length_mm": "braid.strand_length",
     "turns": "braid.turns",
@@ -480,11 +482,15 @@ class Build(_record.Files):
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
         How it fails there.
+    least_burst_pressure_mpa : MPa
+        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
     allowed_pressure_mpa : MPa
-        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
-        fittings are rated.
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    allowed_factor
+        The pressure of that failure over the allowed one.
     cut
         What is cut.
     parts
@@ -522,8 +528,10 @@ class Build(_record.Files):
     files: list[BuiltFile]
     warnings: list[str]
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_factor: float | None = None
 
 
 class BuildPart(Record):
@@ -703,7 +711,7 @@ class CampaignStatus(Record):
     shards
         Every shard.
     damaged
-        Parts that are damaged; they count as missing.
+        Parts that are damaged, or of another plan or version; they count as missing.
     plan_sha256
         SHA-256 of the plan's text.
     version
@@ -856,11 +864,15 @@ class CandidateAnswer(Record):
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
         How it fails there.
+    least_burst_pressure_mpa : MPa
+        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
     allowed_pressure_mpa : MPa
-        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
-        fittings are rated.
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    allowed_factor
+        The pressure of that failure over the allowed one.
     uncertainty_n : N
         Largest 95 % half-width of the pull, N.
     joint
@@ -900,8 +912,10 @@ class CandidateAnswer(Record):
     tube: str | None = None
     liquid_volume_mm3: float | None = None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_factor: float | None = None
     joint: CandidateJoint | None = None
 
 
@@ -986,11 +1000,15 @@ class Characteristics(Record):
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
         How it fails there.
+    least_burst_pressure_mpa : MPa
+        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
     allowed_pressure_mpa : MPa
-        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
-        fittings are rated.
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    allowed_factor
+        The pressure of that failure over the allowed one.
     """
 
     model: str
@@ -1004,8 +1022,10 @@ class Characteristics(Record):
     burst_pressure_mpa: float | None
     blocked_force_uncertainty_n: float | None = None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_factor: float | None = None
 
 
 class CheckAnswer(Record):
@@ -1072,12 +1092,16 @@ class CheckAnswer(Record):
         Cone factor kc, for the model conical-ends, where it is stated.
     strands
         Number N of strands, both families together, where it is stated.
+    strands_factor
+        Factor by which there may be fewer strands; the allowed pressure carries it, where it is stated.
     strand_area_mm2 : mm2
         Cross-section A of one strand, mm2, where it is stated.
     strand_modulus_mpa : MPa
         Young's modulus E of the strands, MPa, where it is stated.
     strand_strength_n : N
         Force at which one strand breaks, N, where it is stated.
+    strand_strength_factor
+        Factor by which the strands may be weaker; the allowed pressure carries it, where it is stated.
     strands_per_carrier
         Strands that lie side by side on a carrier of the braiding machine, where it is stated.
     strand_length_mm : mm
@@ -1144,9 +1168,11 @@ class CheckAnswer(Record):
     end_factor: float | None = None
     cone_factor: float | None = None
     strands: float | None = None
+    strands_factor: float | None = None
     strand_area_mm2: float | None = None
     strand_modulus_mpa: float | None = None
     strand_strength_n: float | None = None
+    strand_strength_factor: float | None = None
     strands_per_carrier: float | None = None
     strand_length_mm: float | None = None
     turns: float | None = None
@@ -1254,6 +1280,12 @@ class ComparedModel(Record):
         The largest, N.
     mean_n : N
         The mean, N: above zero if the model predicts too much pull.
+    contraction_points
+        Measured contractions that it answered; 0 without.
+    rms_contraction
+        Root mean square of its contractions less the measured ones.
+    mean_contraction
+        The mean: above zero if the model contracts too far.
     volume_points
         Measured volumes of the cavity that it answered; 0 without.
     rms_volume_mm3 : mm3
@@ -1281,6 +1313,9 @@ class ComparedModel(Record):
     unanswered: int
     cause: str | None
     mean_n: float | None = None
+    contraction_points: int | None = None
+    rms_contraction: float | None = None
+    mean_contraction: float | None = None
     volume_points: int | None = None
     rms_volume_mm3: float | None = None
     mean_volume_mm3: float | None = None
@@ -1308,11 +1343,15 @@ class Curve(_record.Curves):
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
         How it fails there.
+    least_burst_pressure_mpa : MPa
+        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
     allowed_pressure_mpa : MPa
-        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
-        fittings are rated.
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    allowed_factor
+        The pressure of that failure over the allowed one.
     points
         The points, curve after curve; all curves have the same number of points.
     loaded
@@ -1330,8 +1369,10 @@ class Curve(_record.Curves):
     burst_pressure_mpa: float | None
     points: list[PointRow]
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_factor: float | None = None
     loaded: LoadAnswer | None = None
     figure: Figure | None = None
 
@@ -1690,6 +1731,14 @@ class Equilibrium(Record):
         Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
     contraction_uncertainty
         Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    pressure_low_mpa : MPa
+        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
+    pressure_high_mpa : MPa
+        Its upper end.
+    contraction_low
+        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
+    contraction_high
+        Its upper end; none where the pull never leaves its ±.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     buckling_load_n : N
@@ -1731,6 +1780,10 @@ class Equilibrium(Record):
     uncertainty_n: float | None = None
     pressure_uncertainty_mpa: float | None = None
     contraction_uncertainty: float | None = None
+    pressure_low_mpa: float | None = None
+    pressure_high_mpa: float | None = None
+    contraction_low: float | None = None
+    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
     buckling_load_n: float | None = None
     natural_frequency_hz: float | None = None
@@ -2051,6 +2104,14 @@ class FillAnswer(Record):
         Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
     contraction_uncertainty
         Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    pressure_low_mpa : MPa
+        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
+    pressure_high_mpa : MPa
+        Its upper end.
+    contraction_low
+        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
+    contraction_high
+        Its upper end; none where the pull never leaves its ±.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     buckling_load_n : N
@@ -2089,11 +2150,15 @@ class FillAnswer(Record):
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
         How it fails there.
+    least_burst_pressure_mpa : MPa
+        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
     allowed_pressure_mpa : MPa
-        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
-        fittings are rated.
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    allowed_factor
+        The pressure of that failure over the allowed one.
     muscle
         The muscle.
     about
@@ -2138,12 +2203,18 @@ class FillAnswer(Record):
     uncertainty_n: float | None = None
     pressure_uncertainty_mpa: float | None = None
     contraction_uncertainty: float | None = None
+    pressure_low_mpa: float | None = None
+    pressure_high_mpa: float | None = None
+    contraction_low: float | None = None
+    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
     buckling_load_n: float | None = None
     friction_work_j: float | None = None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_factor: float | None = None
 
 
 class Finding(Record):
@@ -2814,11 +2885,15 @@ class JointSolution(Record):
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
         How it fails there.
+    least_burst_pressure_mpa : MPa
+        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
     allowed_pressure_mpa : MPa
-        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
-        fittings are rated.
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    allowed_factor
+        The pressure of that failure over the allowed one.
     map
         What the joint reaches, if requested.
     uncertainty_text
@@ -2837,8 +2912,10 @@ class JointSolution(Record):
     burst_pressure_mpa: float | None
     warnings: list[str]
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_factor: float | None = None
     map: JointMap | None = None
     uncertainty_text: str | None = None
     figure: Figure | None = None
@@ -3906,11 +3983,15 @@ class Motion(Record):
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
         How it fails there.
+    least_burst_pressure_mpa : MPa
+        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
     allowed_pressure_mpa : MPa
-        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
-        fittings are rated.
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    allowed_factor
+        The pressure of that failure over the allowed one.
     parameters
         Of a recorded motion: the constants, with value and error.
     errors
@@ -3958,8 +4039,10 @@ class Motion(Record):
     others: list[MotionRun] | None = None
     sonic_conductance_l_per_s_bar: float | None = None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_factor: float | None = None
     parameters: list[Identified] | None = None
     errors: list[LogErrors] | None = None
     drive_file: str | None = None
@@ -4426,6 +4509,14 @@ class PointRow(Record):
         Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
     contraction_uncertainty
         Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    pressure_low_mpa : MPa
+        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
+    pressure_high_mpa : MPa
+        Its upper end.
+    contraction_low
+        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
+    contraction_high
+        Its upper end; none where the pull never leaves its ±.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     buckling_load_n : N
@@ -4470,6 +4561,10 @@ class PointRow(Record):
     uncertainty_n: float | None = None
     pressure_uncertainty_mpa: float | None = None
     contraction_uncertainty: float | None = None
+    pressure_low_mpa: float | None = None
+    pressure_high_mpa: float | None = None
+    contraction_low: float | None = None
+    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
     buckling_load_n: float | None = None
     warnings: list[str] | None = None
@@ -5167,6 +5262,14 @@ class Shape(_record.Shaped):
         Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
     contraction_uncertainty
         Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    pressure_low_mpa : MPa
+        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
+    pressure_high_mpa : MPa
+        Its upper end.
+    contraction_low
+        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
+    contraction_high
+        Its upper end; none where the pull never leaves its ±.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     buckling_load_n : N
@@ -5220,6 +5323,10 @@ class Shape(_record.Shaped):
     uncertainty_n: float | None = None
     pressure_uncertainty_mpa: float | None = None
     contraction_uncertainty: float | None = None
+    pressure_low_mpa: float | None = None
+    pressure_high_mpa: float | None = None
+    contraction_low: float | None = None
+    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
     buckling_load_n: float | None = None
     strands: int | None = None
@@ -5267,11 +5374,15 @@ class SimulateAnswer(Record):
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
         How it fails there.
+    least_burst_pressure_mpa : MPa
+        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
     allowed_pressure_mpa : MPa
-        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, and at most that for which the
-        fittings are rated.
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated.
     allowed_by
         The failure that it keeps its distance from; none where the fittings are rated for it.
+    allowed_factor
+        The pressure of that failure over the allowed one.
     figure
         The figure, if requested.
     deck
@@ -5289,8 +5400,10 @@ class SimulateAnswer(Record):
     warnings: list[str]
     burst_pressure_mpa: float | None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_factor: float | None = None
     figure: Figure | None = None
     deck: str | None = None
     files: list[BuiltFile] | None = None
@@ -5681,6 +5794,14 @@ class StudyRow(Record):
         Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
     contraction_uncertainty
         Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    pressure_low_mpa : MPa
+        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
+    pressure_high_mpa : MPa
+        Its upper end.
+    contraction_low
+        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
+    contraction_high
+        Its upper end; none where the pull never leaves its ±.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     buckling_load_n : N
@@ -5729,6 +5850,10 @@ class StudyRow(Record):
     uncertainty_n: float | None = None
     pressure_uncertainty_mpa: float | None = None
     contraction_uncertainty: float | None = None
+    pressure_low_mpa: float | None = None
+    pressure_high_mpa: float | None = None
+    contraction_low: float | None = None
+    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
     buckling_load_n: float | None = None
     warnings: list[str] | None = None
@@ -6139,9 +6264,11 @@ class Measures(TypedDict, total=False):
     cone_factor: Number | None
     stiffness_factor: Number | None
     strands: Number | None
+    strands_factor: Number | None
     strand_area_mm2: Number | None
     strand_modulus_mpa: Number | None
     strand_strength_n: Number | None
+    strand_strength_factor: Number | None
     strands_per_carrier: Number | None
     strand_length_mm: Number | None
     turns: Number | None
@@ -6267,6 +6394,14 @@ class Solution(_record.Points):
         Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
     contraction_uncertainty
         Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    pressure_low_mpa : MPa
+        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
+    pressure_high_mpa : MPa
+        Its upper end.
+    contraction_low
+        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
+    contraction_high
+        Its upper end; none where the pull never leaves its ±.
     buckling_load_n : N
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     slack
@@ -6297,6 +6432,10 @@ class Solution(_record.Points):
     uncertainty_n: NDArray[np.float64]
     pressure_uncertainty_mpa: NDArray[np.float64]
     contraction_uncertainty: NDArray[np.float64]
+    pressure_low_mpa: NDArray[np.float64]
+    pressure_high_mpa: NDArray[np.float64]
+    contraction_low: NDArray[np.float64]
+    contraction_high: NDArray[np.float64]
     buckling_load_n: NDArray[np.float64]
     slack: NDArray[np.bool_]
     status: NDArray[np.str_]
@@ -6427,9 +6566,11 @@ class MuscleFields:
         cone_factor: Number | None = None,
         stiffness_factor: Number | None = None,
         strands: Number | None = None,
+        strands_factor: Number | None = None,
         strand_area_mm2: Number | None = None,
         strand_modulus_mpa: Number | None = None,
         strand_strength_n: Number | None = None,
+        strand_strength_factor: Number | None = None,
         strands_per_carrier: Number | None = None,
         strand_length_mm: Number | None = None,
         turns: Number | None = None,
@@ -6485,12 +6626,16 @@ class MuscleFields:
             Factor within which the stiffness of the strands is known.
         strands
             Number N of strands, both families together.
+        strands_factor
+            Factor by which there may be fewer strands; the allowed pressure carries it.
         strand_area_mm2 : mm2
             Cross-section A of one strand, mm2.
         strand_modulus_mpa : MPa
             Young's modulus E of the strands, MPa.
         strand_strength_n : N
             Force at which one strand breaks, N.
+        strand_strength_factor
+            Factor by which the strands may be weaker; the allowed pressure carries it.
         strands_per_carrier
             Strands that lie side by side on a carrier of the braiding machine.
         strand_length_mm : mm
@@ -6518,7 +6663,7 @@ class MuscleFields:
             rubber of a muscle file. Or a :class:`Rubber`.
         braid
             Sleeve: `mckibben parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
-            largest diameter.
+            largest round diameter (2/π of the width of a sleeve that lies flat).
         strand_diameter_mm : mm
             Diameter of one strand of a named sleeve, if its source does not state it.
         stiffness : N/mm
@@ -6552,9 +6697,11 @@ class MuscleFields:
         cone_factor: Number | None = None,
         stiffness_factor: Number | None = None,
         strands: Number | None = None,
+        strands_factor: Number | None = None,
         strand_area_mm2: Number | None = None,
         strand_modulus_mpa: Number | None = None,
         strand_strength_n: Number | None = None,
+        strand_strength_factor: Number | None = None,
         strands_per_carrier: Number | None = None,
         strand_length_mm: Number | None = None,
         turns: Number | None = None,
@@ -6693,6 +6840,12 @@ class MuscleFields:
         return found
 
     @property
+    def strands_factor(self) -> float | None:
+        """Factor by which there may be fewer strands; the allowed pressure carries it."""
+        found: float | None = self._field("strands_factor")
+        return found
+
+    @property
     def strand_area_mm2(self) -> float | None:
         """Cross-section A of one strand, mm2."""
         found: float | None = self._field("strand_area_mm2")
@@ -6708,6 +6861,12 @@ class MuscleFields:
     def strand_strength_n(self) -> float | None:
         """Force at which one strand breaks, N."""
         found: float | None = self._field("strand_strength_n")
+        return found
+
+    @property
+    def strand_strength_factor(self) -> float | None:
+        """Factor by which the strands may be weaker; the allowed pressure carries it."""
+        found: float | None = self._field("strand_strength_factor")
         return found
 
     @property
