@@ -11,4 +11,4 @@ pub mod fit;
 mod hash;
 
 pub use columns::PointRow;
-pub use hash::hex as sha256;
+pub use mckibben_core::hash::hex as sha256;

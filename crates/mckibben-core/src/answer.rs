@@ -287,6 +287,7 @@ impl Evaluation<'_> {
         const REACH: f64 = 4.0;
         const KNOWN: f64 = 1e-3;
         const STEPS: usize = 40;
+        const STRAIGHT: usize = 5;
         let two_sided = Options {
             two_sided: true,
             ..self.options
@@ -296,7 +297,7 @@ impl Evaluation<'_> {
         [-1.0, 1.0].map(|sign| {
             let half = half?;
             let mut step = sign * half;
-            for _ in 0..STEPS {
+            for pass in 0..STEPS {
                 let (p, e) = at(value + step);
                 let pull_n = model.force_n(p, e).ok()?;
                 // The step is right where the pull is off by its own half-width.
@@ -304,7 +305,9 @@ impl Evaluation<'_> {
                 if (ratio - 1.0).abs() < KNOWN {
                     return Some(value + step);
                 }
-                step *= ratio.clamp(0.25, 4.0).sqrt();
+                // Exact of a straight line; where the pull bends much, halved steps converge.
+                let power = if pass < STRAIGHT { 1.0 } else { 0.5 };
+                step *= ratio.clamp(0.25, 4.0).powf(power);
                 if step.abs() > REACH * half {
                     return None;
                 }

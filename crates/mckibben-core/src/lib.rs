@@ -50,6 +50,7 @@ pub mod curve;
 pub mod differences;
 pub mod extremes;
 pub mod formula;
+pub mod hash;
 pub mod joint;
 pub mod liquid;
 pub mod load;

@@ -123,7 +123,7 @@ impl ExportedJoint {
         let hashes: String = muscles.iter().map(|muscle| muscle.hash.as_str()).collect();
         Ok(Self {
             name: name.to_owned(),
-            hash: crate::muscle::hash(&format!("{joint:?}{hashes}")),
+            hash: mckibben_core::hash::short(&format!("{joint:?}{hashes}")),
             muscles,
             torque_error_nm: torque,
             stiffness_error_nm_per_rad: stiffness,

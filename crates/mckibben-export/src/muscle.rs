@@ -6,11 +6,11 @@ use crate::{
 };
 use mckibben_core::{
     analysis::Evaluation,
+    hash,
     model::{ForceModel, Workspace},
     muscle::{Direction, file::to_toml},
 };
 use serde::Serialize;
-use sha2::{Digest, Sha256};
 
 /// The box over which a muscle is exported.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
@@ -123,7 +123,7 @@ impl ExportedMuscle {
         let model = model.info().name.to_string();
         Ok(Self {
             name: name.to_owned(),
-            hash: hash(&format!("{muscle_file}{model}{version}{form:?}")),
+            hash: hash::short(&format!("{muscle_file}{model}{version}{form:?}")),
             bounds: ExportBox {
                 supply_pressure_mpa: wanted.supply_mpa,
                 contraction_low: form.contraction_low,
@@ -222,15 +222,6 @@ impl ExportedMuscle {
             format!("muscle_{word}")
         }
     }
-}
-
-/// The first 16 digits of the SHA-256 of a text.
-pub fn hash(text: &str) -> String {
-    Sha256::digest(text)
-        .iter()
-        .take(8)
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
 }
 
 /// A name in small letters, digits and underscores.

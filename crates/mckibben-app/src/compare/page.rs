@@ -7,6 +7,7 @@ use crate::{
     units::PERCENT,
     words::in_a_row,
 };
+use mckibben_fit::compare::Comparison;
 
 impl Show for CompareAnswer {
     fn warnings(&self) -> Vec<String> {
@@ -43,27 +44,25 @@ impl Show for CompareAnswer {
                 }),
         );
         page.paragraph("mean: above zero if the model predicts too much pull");
-        if self.models.iter().any(|m| m.errors.volume_points > 0) {
-            let volume = u.volume.digits(3);
-            let points = |m: &ComparedModel| Some(m.errors.volume_points).filter(|n| *n > 0);
-            page.paragraph("volume of the cavity:");
+        // Beside the pulls: what of them, its unit, and its points with rms and mean of the errors.
+        type Beside = fn(&Comparison) -> (usize, Option<f64>, Option<f64>);
+        let volumes: Beside = |e| (e.volume_points, e.rms_volume_mm3, e.mean_volume_mm3);
+        let contractions: Beside =
+            |e| (e.contraction_points, e.rms_contraction, e.mean_contraction);
+        for (what, scale, of) in [
+            ("volume of the cavity:", &u.volume.digits(3), volumes),
+            ("contraction under the load:", &PERCENT, contractions),
+        ] {
+            if self.models.iter().all(|m| of(&m.errors).0 == 0) {
+                continue;
+            }
+            page.paragraph(what);
             page.table(
                 Table::of(&compared)
                     .text("model", |m| &m.errors.model)
-                    .quantity("rms", &volume, |m| m.errors.rms_volume_mm3)
-                    .quantity("mean", &volume, |m| m.errors.mean_volume_mm3)
-                    .text("points", |m| points(m)),
-            );
-        }
-        if self.models.iter().any(|m| m.errors.contraction_points > 0) {
-            let points = |m: &ComparedModel| Some(m.errors.contraction_points).filter(|n| *n > 0);
-            page.paragraph("contraction under the load:");
-            page.table(
-                Table::of(&compared)
-                    .text("model", |m| &m.errors.model)
-                    .quantity("rms", &PERCENT, |m| m.errors.rms_contraction)
-                    .quantity("mean", &PERCENT, |m| m.errors.mean_contraction)
-                    .text("points", |m| points(m)),
+                    .quantity("rms", scale, |m| of(&m.errors).1)
+                    .quantity("mean", scale, |m| of(&m.errors).2)
+                    .text("points", |m| Some(of(&m.errors).0).filter(|n| *n > 0)),
             );
         }
         let cause = |m: &ComparedModel| Some(u.sentence(m.errors.cause.as_ref()?));

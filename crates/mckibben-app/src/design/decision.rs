@@ -2,7 +2,7 @@
 //! it.
 
 use super::CandidateAnswer;
-use crate::{Units, number, percent, words::within};
+use crate::{PressureLimits, Units, number, percent, words::within};
 use mckibben_build::{proof_mpa, relief_mpa};
 use mckibben_core::{
     analysis::RELIEF,
@@ -166,10 +166,8 @@ fn pressures_to_set(first: &Candidate) -> String {
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
     let show_mpa = |p: f64| Units::default().show(Dimension::Pressure, p);
     let set = show_mpa(tidy(set_mpa, digits).min(rounded(highest_mpa, 4, f64::floor)));
-    let allowed_mpa = first
-        .burst
-        .allowed()
-        .map_or(f64::INFINITY, |allowed| allowed.mpa);
+    let limits = PressureLimits::from(&first.burst);
+    let allowed_mpa = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
     let relief = show_mpa(relief_mpa(set_mpa, allowed_mpa));
     let why = first.below.map(|below| {
         let most_mpa = rounded(allowed_mpa.min(RELIEF * highest_mpa), 4, f64::floor);
@@ -179,10 +177,8 @@ fn pressures_to_set(first: &Candidate) -> String {
             below.describe(&show)
         )
     });
-    let least = first.burst.least();
-    let is_estimate = least.is_some_and(|(_, mpa)| first.burst.pressure_mpa() != Some(mpa));
-    let test = is_estimate.then(|| {
-        let proof_mpa = proof_mpa(set_mpa, least.map(|(_, mpa)| mpa));
+    let test = limits.least_burst_pressure_mpa.map(|least_mpa| {
+        let proof_mpa = proof_mpa(set_mpa, Some(least_mpa));
         format!(
             "; test with water at {} before use",
             show_mpa(tidy(proof_mpa, 3))

@@ -5,12 +5,14 @@ use super::{
     BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube,
     measures::{SECTIONS, of_section},
 };
-use crate::units::{
-    NotNegative,
-    typed::{Force, Length, Pressure, Ratio, pair, read_quantity, several},
+use crate::{
+    hash,
+    units::{
+        NotNegative,
+        typed::{Force, Length, Pressure, Ratio, pair, read_quantity, several},
+    },
 };
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
 /// The fit of a muscle to its own bench: where it holds, and how far a point of that bench lies
@@ -172,11 +174,7 @@ impl Digested {
     }
 
     fn digest(&self) -> String {
-        Sha256::digest(self.0.as_bytes())
-            .iter()
-            .take(8)
-            .map(|b| format!("{b:02x}"))
-            .collect()
+        hash::short(&self.0)
     }
 }
 

@@ -10,7 +10,7 @@ use super::{
     signs,
 };
 use crate::{
-    least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate, slopes},
+    least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate},
     measured::{DataPoint, Quantity},
 };
 use mckibben_core::{
@@ -255,8 +255,8 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
         notes,
         bench: None,
     };
-    let columns = slopes(&problem, &unknowns, &x).unwrap_or_default();
-    out.notes.extend(advice::zero_of_load_cell(&out, &columns));
+    out.notes
+        .extend(advice::zero_of_load_cell(&out, &estimate.slopes));
     out.bench = bench(request, &out, &minimum);
     out.notes.extend(advice::after(&out, request));
     Ok(out)

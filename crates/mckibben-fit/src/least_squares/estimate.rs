@@ -69,6 +69,8 @@ pub struct Estimate {
     pub at_bound: Vec<bool>,
     /// r of every point, not weighted.
     pub residuals: Vec<f64>,
+    /// ∂r by each unknown, a list of all points each.
+    pub slopes: Vec<Vec<f64>>,
     /// w of every point: as given, times the factor of the loss.
     pub weights: Vec<f64>,
     /// s: standard deviation of one point.
@@ -522,6 +524,7 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
         correlation,
         at_bound,
         residuals,
+        slopes: columns,
         weights,
         deviation,
         squares,

@@ -256,7 +256,7 @@ fn branches(points: &Indexed) -> [Indexed; 2] {
 /// Pressure and pull of a branch at a contraction; `None` beyond its ends.
 fn at_contraction(branch: &Indexed, contraction: f64) -> Option<MeasuredPoint> {
     let [first, last] = [branch.first()?, branch.last()?].map(|(_, p)| p.contraction);
-    let inside = contraction.clamp(first, last);
+    let inside = contraction.max(first).min(last);
     let next = branch.partition_point(|(_, p)| p.contraction < inside);
     let [left, right] = [next.saturating_sub(1), next].map(|i| branch.get(i).map(|(_, p)| p));
     let (left, right) = (left?, right?);

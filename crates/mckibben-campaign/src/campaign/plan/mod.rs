@@ -24,7 +24,6 @@ pub use axis::{Axis, Inputs};
 pub use keys::PlanKeys;
 pub use sampling::Sampling;
 
-use crate::hash;
 use mckibben_core::{muscle::Muscle, rubber::Law, size::TooLarge};
 use mckibben_fem::{FemError, elements::Elements};
 use sampling::Design;
@@ -65,7 +64,7 @@ pub struct Plan {
 impl Plan {
     /// SHA-256 of its text, in hexadecimal digits.
     pub fn hash(&self) -> String {
-        hash::hex(self.text.as_bytes())
+        mckibben_core::hash::hex(&self.text)
     }
 
     pub fn sampling(&self) -> &Sampling {

@@ -1,12 +1,9 @@
 //! Where a table comes from: key and value in the metadata of its file.
 
 use super::{layout::Layout, seal};
-use crate::{
-    campaign::{
-        error::{CampaignError, Result},
-        plan::Plan,
-    },
-    hash,
+use crate::campaign::{
+    error::{CampaignError, Result},
+    plan::Plan,
 };
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -131,7 +128,7 @@ impl Provenance {
             layout: stored.layout,
             ..stored.provenance
         };
-        if hash::hex(provenance.plan.as_bytes()) != provenance.plan_sha256 {
+        if mckibben_core::hash::hex(&provenance.plan) != provenance.plan_sha256 {
             return Err("the plan in its metadata does not match its hash".into());
         }
         Ok((provenance, stored.part))

@@ -1,7 +1,7 @@
 //! The checksum of a file, in its own metadata: the SHA-256 of all its other bytes. Parquet has
 //! checksums of pages, which the library does not write, and none of the metadata.
 
-use crate::hash::digits;
+use mckibben_core::hash::digits;
 use sha2::{Digest, Sha256};
 use std::io::{BufRead, BufReader, Read, Result, Seek, SeekFrom, Write};
 

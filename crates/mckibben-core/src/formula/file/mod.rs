@@ -6,10 +6,10 @@ mod section;
 mod universal;
 
 use super::{Body, Document, Formula, UniversalFormula, error::FormulaError};
+use crate::hash;
 use head::{Kind, Read, kind};
 use section::{GlobalTerm, PaperTerm, SectionFile, global, global_list, paper, paper_list};
 use serde::Serialize;
-use sha2::{Digest, Sha256};
 use universal::{UniversalFile, universal};
 
 /// A formula's file.
@@ -46,18 +46,12 @@ impl From<UniversalFormula> for File {
 /// What stands before the digest of a file, its last key.
 const DIGEST: &str = ",\n  \"digest\": \"";
 
-/// The SHA-256 of what stands before it.
-fn digest(text: &str) -> String {
-    let bytes = Sha256::digest(text.as_bytes());
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 /// The text of a file, with its digest and a newline at the end.
 fn text(file: &impl Serialize) -> String {
     // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.
     let text = serde_json::to_string_pretty(file).unwrap_or_default();
     let text = text.trim_end_matches("\n}");
-    format!("{text}{DIGEST}{}\"\n}}\n", digest(text))
+    format!("{text}{DIGEST}{}\"\n}}\n", hash::hex(text))
 }
 
 impl schemars::JsonSchema for Document {
@@ -80,7 +74,7 @@ impl Document {
         };
         // A file that was laid out anew has been edited.
         match text.split_once(DIGEST) {
-            Some((text, rest)) if !rest.starts_with(&digest(text)) => Err(FormulaError::new(
+            Some((text, rest)) if !rest.starts_with(&hash::hex(text)) => Err(FormulaError::new(
                 "was changed since it was written; if on purpose, leave out its `digest`",
             )),
             _ => Ok(read),
