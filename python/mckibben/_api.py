@@ -1609,6 +1609,14 @@ class DesignPoint(Record):
         Liquid pushed in from rest to this point, measured at atmospheric pressure, mm³.
     uncertainty_n : N
         95 % half-width of the pull, N.
+    friction_n : N
+        What friction adds to the model's pull on the branch that is wanted, N: below zero while the muscle shortens, 0 of the mean of both branches.
+    predicted_n : N
+        What it will pull, N.
+    predicted_low_n : N
+        Lower end of the 95 % interval, N.
+    predicted_high_n : N
+        Upper end of the 95 % interval, N.
     """
 
     pressure_mpa: float
@@ -1618,6 +1626,7 @@ class DesignPoint(Record):
     margin: float
     air_normal_litres: float | None
     uncertainty_n: float | None
+    friction_n: float
     volume_mm3: float | None = None
     volume_per_pressure_mm3_per_mpa: float | None = None
     volume_per_contraction_mm3: float | None = None
@@ -1629,6 +1638,9 @@ class DesignPoint(Record):
     middle_stretch: float | None = None
     max_stretch: float | None = None
     liquid_volume_mm3: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
 
 
 class EndPowers(Record):
@@ -8141,6 +8153,7 @@ def design(
     strand_length_per_turn_mm: Choice | None = None,
     radius_mm: Choice | None = None,
     model: FormulaLike | None = None,
+    direction: Literal["mean", "contraction", "elongation"] | None = None,
     extrapolate: bool = False,
     top: int | None = None,
     mesh: str | None = None,
@@ -8243,6 +8256,9 @@ def design(
         Radii of the pulley [searched].
     model
         Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+    direction
+        Branch of the friction hysteresis on which it must pull [contraction; mean with a model by name]. A model that is named meets the requirement by
+        its own pull; without one, a muscle that is built does, which shortens against its friction.
     extrapolate
         Compute outside the model's range too, with a warning.
     top

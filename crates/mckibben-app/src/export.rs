@@ -167,7 +167,7 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
 /// A muscle as files.
 pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let target = target_of(request.target.as_deref())?;
-    let muscle = request.muscle.resolve()?;
+    let muscle = request.muscle.resolve_for(&request.model)?;
     let choice = Model::choose(&request.model)?;
     let model = choice.bound(&muscle)?;
     let model = &*model;

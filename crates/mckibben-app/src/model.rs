@@ -5,7 +5,7 @@ use crate::{
 };
 use mckibben_core::{
     answer::Options,
-    formula::{Document, Formula, UniversalFormula},
+    formula::{Document, Formula, FormulaRange, UniversalFormula},
     model::{
         ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model,
         with_ends,
@@ -101,6 +101,14 @@ impl Model {
         })
     }
 
+    /// A muscle of the make that a formula is for.
+    pub(crate) fn made_for(&self) -> Result<Option<Muscle>> {
+        match self {
+            Self::Formula(f) => Ok(Some(f.made_for.muscle(&f.range)?)),
+            _ => Ok(None),
+        }
+    }
+
     pub fn name(&self) -> &str {
         match self {
             Self::ClosedForm(kind) => kind.name(),
@@ -110,14 +118,11 @@ impl Model {
         }
     }
 
-    /// Outer diameters and walls in mm that it was made for, where it is bound to some.
-    pub fn sections(&self) -> Option<((f64, f64), (f64, f64))> {
+    /// Sections, pressures and contractions that it was made for, where it is bound to some.
+    pub fn range(&self) -> Option<&FormulaRange> {
         match self {
-            Self::Formula(f) => Some((f.range.outer_diameter_mm, f.range.wall_mm)),
-            Self::ClosedForm(ModelKind::Paper) => Some((
-                FormulaModel::PAPER_DIAMETERS_MM,
-                FormulaModel::PAPER_WALLS_MM,
-            )),
+            Self::Formula(f) => Some(&f.range),
+            Self::ClosedForm(ModelKind::Paper) => Some(&FormulaModel::PAPER_RANGE),
             _ => None,
         }
     }

@@ -1,10 +1,13 @@
 //! From fields to a muscle, and a muscle in a few words.
 
-use crate::{MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units, words};
+use crate::{
+    Model, ModelFields, MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units,
+    words,
+};
 use mckibben_core::{
     muscle::{
         Braid, BraidStiffness, EndFactor, Measure, Muscle, MuscleError, Rubber, Stated,
-        file::{FileError, parse_muscle, with_keys},
+        file::{FileError, parse_muscle, to_toml, with_keys},
         measures::{END_FACTOR, MEASURES, OUTER_DIAMETER, WALL, fields},
     },
     rubber::library,
@@ -18,15 +21,28 @@ use std::{borrow::Cow, f64::consts::PI, path::Path};
 impl MuscleFields {
     /// The muscle that file and fields describe.
     pub fn resolve(&self) -> Result<Muscle, Problem> {
+        self.resolve_for(&ModelFields::default())
+    }
+
+    /// The same; without a file a muscle of the make that a formula is for.
+    pub fn resolve_for(&self, model: &ModelFields) -> Result<Muscle, Problem> {
         let file = self.file();
-        let base = match file {
-            Some(file) => muscle_of(file)?,
-            None => Muscle::prototype(),
+        let made = match (file, &model.name) {
+            (None, Some(NameOrFile::File(formula))) => Model::from_formula(formula)?.made_for()?,
+            _ => None,
+        };
+        let base = match (file, &made) {
+            (Some(file), _) => muscle_of(file)?,
+            (None, Some(made)) => made.clone(),
+            (None, None) => Muscle::prototype(),
         };
         if self.with.is_empty() {
             return self.over(&base);
         }
-        let text = file.map_or(Ok(Cow::Borrowed("")), text_of)?;
+        let text = match (file, &made) {
+            (Some(file), _) => text_of(file)?,
+            (None, made) => made.as_ref().map(to_toml).unwrap_or_default().into(),
+        };
         let base = with_keys(&text, &self.with).and_then(|text| parse_muscle(&text));
         self.over(&base.map_err(|error| {
             let error = FileError {

@@ -333,7 +333,7 @@ impl Question {
 
 impl QuestionFields {
     pub(crate) fn ask(&self) -> Result<Question> {
-        let muscle = self.muscle.resolve()?;
+        let muscle = self.muscle.resolve_for(&self.model)?;
         let BoundModel {
             model,
             options,

@@ -18,6 +18,8 @@ pub struct PointRow {
     pub length_mm: f64,
     /// θ0 in degrees.
     pub angle_deg: f64,
+    /// Name of the rubber; empty where it has none.
+    pub rubber: String,
     /// Law of the rubber, as in muscle files.
     pub law: String,
     /// Constants of the law with their names, such as (`c10_mpa`, 0.12).
@@ -96,7 +98,7 @@ const fn column(role: Role, name: &'static str, slot: fn(&mut PointRow) -> Slot<
 }
 
 /// All columns in their order.
-pub static COLUMNS: [Column; 23] = {
+pub static COLUMNS: [Column; 24] = {
     use Role::{Answer, Note, Question};
     use Slot::{Constants, Count, Measures, Number, Optional, Sensitivities, Text, Whole};
     [
@@ -107,6 +109,7 @@ pub static COLUMNS: [Column; 23] = {
         column(Question, "wall_mm", |r| Number(&mut r.wall_mm)),
         column(Question, "length_mm", |r| Number(&mut r.length_mm)),
         column(Question, "angle_deg", |r| Number(&mut r.angle_deg)),
+        column(Note, "rubber", |r| Text(&mut r.rubber)),
         column(Note, "law", |r| Text(&mut r.law)),
         column(Question, "c10_mpa", |r| Constants(&mut r.constants)),
         column(Question, "braid_stiffness_n_per_mm", |r| {

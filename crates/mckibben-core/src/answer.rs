@@ -292,7 +292,14 @@ impl Evaluation<'_> {
             two_sided: true,
             ..self.options
         };
-        let mut model = self.with(two_sided);
+        // The ends of a model of bricks are as far from its value as those of its section.
+        let companion = self.model.companion();
+        let mut model = Evaluation::new(companion.unwrap_or(self.model), self.workspace, two_sided);
+        let (p, e) = at(value);
+        let force_n = match companion {
+            Some(_) => model.force_n(p, e).unwrap_or(force_n),
+            None => force_n,
+        };
         let half = half.filter(|half| *half > 0.0);
         [-1.0, 1.0].map(|sign| {
             let half = half?;
@@ -326,8 +333,19 @@ impl Evaluation<'_> {
         force_n: f64,
         pressure_mpa: f64,
     ) -> Result<Answer, AnalysisError> {
+        let mut answer = self.contraction_point(force_n, pressure_mpa)?;
+        answer.start_pressure_mpa = self.start_pressure_mpa(answer.response.contraction).ok();
+        Ok(answer)
+    }
+
+    /// The same without P′, which costs a search: for curves.
+    pub(crate) fn contraction_point(
+        &mut self,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Result<Answer, AnalysisError> {
         let contraction = self.sought_contraction(force_n, pressure_mpa)?;
-        let mut answer = exactly(self.answer(pressure_mpa, contraction)?, force_n);
+        let mut answer = exactly(self.point(pressure_mpa, contraction)?, force_n);
         if contraction < 0.0 && force_n > 0.0 && !self.model.muscle().is_extensile() {
             answer.warnings.push(Warning::from(STRETCHED.to_owned()));
         }

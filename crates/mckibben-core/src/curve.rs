@@ -75,7 +75,7 @@ impl Evaluation<'_> {
                         pressure_mpa: x,
                         contraction: None,
                         force_n: Some(fixed),
-                        answer: open.and_then(|()| self.contraction(fixed, x)),
+                        answer: open.and_then(|()| self.contraction_point(fixed, x)),
                     };
                 }
                 if test == Test::Isometric {

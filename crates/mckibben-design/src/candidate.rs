@@ -36,6 +36,33 @@ pub struct CandidatePoint {
     pub liquid_volume_mm3: Option<f64>,
     /// 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
+    /// What friction adds to the model's pull on the branch that is wanted, N: below zero while the
+    /// muscle shortens, 0 of the mean of both branches.
+    pub friction_n: f64,
+    #[serde(flatten)]
+    pub built: Option<Built>,
+}
+
+/// What a muscle that is built pulls at an operating point: while it shortens, with the friction
+/// that is stated or estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct Built {
+    /// What it will pull, N.
+    pub predicted_n: f64,
+    /// Lower end of the 95 % interval, N.
+    pub predicted_low_n: f64,
+    /// Upper end of the 95 % interval, N.
+    pub predicted_high_n: f64,
+}
+
+impl Built {
+    pub(super) fn new(predicted_n: f64, half_n: f64) -> Self {
+        Self {
+            predicted_n,
+            predicted_low_n: predicted_n - half_n,
+            predicted_high_n: predicted_n + half_n,
+        }
+    }
 }
 
 /// A muscle that fits.
@@ -119,14 +146,18 @@ fn point_of(
             "air"
         });
     }
+    let friction_n = trial.evaluation().friction_n(pressure_mpa, contraction)?;
+    let uncertainty_n = trial.uncertainty_n((pressure_mpa, contraction), response.force_n);
     Ok(CandidatePoint {
+        friction_n,
+        built: trial.built(&response, uncertainty_n),
         force_at_max_pressure_n: available_n,
         margin: available_n / wanted.force_n - 1.0,
         response,
         wanted,
         air_normal_litres: stroke.filter(|_| spec.liquid.is_none()),
         liquid_volume_mm3: stroke.filter(|_| spec.liquid.is_some()),
-        uncertainty_n: trial.uncertainty_n((pressure_mpa, contraction), response.force_n),
+        uncertainty_n,
     })
 }
 

@@ -154,17 +154,18 @@ impl Spec {
     /// How its models are evaluated: with the friction that is stated or estimated, on the branch
     /// that is wanted.
     pub fn options(&self) -> Options {
+        self.options_on(self.direction)
+    }
+
+    /// The same on another branch; the mean of both where the friction is not known.
+    pub(super) fn options_on(&self, direction: Direction) -> Options {
         let friction_share = if self.wanted.extends() {
             0.0
         } else {
             self.base.friction_share()
         };
         let known = friction_share > 0.0 || self.base.friction().is_some();
-        let direction = if known {
-            self.direction
-        } else {
-            Direction::Mean
-        };
+        let direction = if known { direction } else { Direction::Mean };
         Options {
             extrapolate: self.extrapolate,
             direction,

@@ -3,13 +3,14 @@
 
 use crate::{
     Build, OperatingPoint, Spec,
+    candidate::Built,
     limits::pressure::{self, Below},
 };
 use mckibben_core::{
     analysis::{AnalysisError, Burst, Evaluation, NoBurst, RELIEF, burst_below, find_root},
     cancel,
     model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace},
-    muscle::Muscle,
+    muscle::{Direction, Muscle},
 };
 
 pub struct Trial<'a> {
@@ -104,6 +105,19 @@ impl<'a> Trial<'a> {
                 .uncertainty(p, contraction, force_n)?
                 .total(),
         )
+    }
+
+    /// What a muscle that is built pulls, of a pull on the branch that is wanted and its ±.
+    pub fn built(&mut self, wanted: &Response, uncertainty_n: Option<f64>) -> Option<Built> {
+        let options = self.spec.options_on(Direction::Contraction);
+        if options.direction == self.spec.options().direction {
+            return Some(Built::new(wanted.force_n, uncertainty_n?));
+        }
+        let mut model = Evaluation::new(&*self.model, &mut self.workspace, options);
+        let (p, contraction) = (wanted.pressure_mpa, wanted.contraction);
+        let force_n = model.force_n(p, contraction).ok()?;
+        let half_n = model.uncertainty(p, contraction, force_n)?.total();
+        Some(Built::new(force_n, half_n))
     }
 
     /// The pressure a point takes, where the pull at the highest pressure is known to be enough; of

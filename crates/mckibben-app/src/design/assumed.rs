@@ -2,13 +2,13 @@
 //! keep muscles from fitting.
 
 use super::request::DesignRequest;
-use crate::words::number;
+use crate::{NameOrFile, Units, words::number};
 use mckibben_core::{
     muscle::{Braid, Muscle},
-    units::typed::Choice,
+    units::{Dimension, tidy, typed::Choice},
 };
 use mckibben_design::{
-    BraidChoice, Design,
+    BraidChoice, Candidate, Design,
     tubes::{LEAST_CAST_WALL_MM, rubbers},
 };
 
@@ -32,7 +32,8 @@ impl Stated {
     pub fn new(request: &DesignRequest) -> Self {
         let stroke = request.stroke_mm.is_some();
         let contraction = request.contraction.is_some();
-        let has_file = request.file().is_some();
+        let of_formula = matches!(request.model.name, Some(NameOrFile::File(_)));
+        let has_file = request.file().is_some() || of_formula;
         let length_by = match (stroke, contraction) {
             _ if request.length_mm.is_some() || has_file => None,
             (true, true) => None,
@@ -72,8 +73,14 @@ impl Stated {
             ));
         }
         if !self.supply {
+            let supply_mpa = spec.max_pressure_mpa;
+            let range = if supply_mpa < SUPPLY_MPA {
+                " and the formula holds up to that"
+            } else {
+                ""
+            };
             out.push(format!(
-                "the supply gives {SUPPLY_MPA}\u{a0}MPa, because no pressure is given \
+                "the supply gives {supply_mpa}\u{a0}MPa, because no pressure is given{range} \
                  (`max_pressure_mpa`)"
             ));
         }
@@ -84,6 +91,7 @@ impl Stated {
                 "the length L0 is {length_mm}\u{a0}mm, because none is given {named}"
             ));
         }
+        out.extend(found.outcome.candidates.first().and_then(friction));
         if !spec.tubes.is_empty() {
             let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
             if matches!(&spec.braid, BraidChoice::Sleeves(list) if list.iter().any(estimated)) {
@@ -115,6 +123,30 @@ impl Stated {
         }
         out
     }
+}
+
+/// What friction takes off the pull of a model, where it is estimated.
+fn friction(winner: &Candidate) -> Option<String> {
+    let point = winner.points.iter().filter(|q| q.friction_n != 0.0);
+    let point = point.max_by(|a, b| a.friction_n.abs().total_cmp(&b.friction_n.abs()))?;
+    let estimated = winner.muscle.friction().is_none();
+    let (moves, than) = if point.friction_n < 0.0 {
+        ("shortens", "less")
+    } else {
+        ("lengthens", "more")
+    };
+    let [friction, of_model] = [
+        point.friction_n.abs(),
+        point.response.force_n - point.friction_n,
+    ]
+    .map(|n| Units::default().show(Dimension::Force, tidy(n, 3)));
+    estimated.then(|| {
+        format!(
+            "the muscle {moves} against an estimated friction: {friction} {than} than the \
+             {of_model} of model {} (`direction`)",
+            winner.model
+        )
+    })
 }
 
 /// A wall that nobody makes.

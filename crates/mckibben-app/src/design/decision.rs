@@ -7,9 +7,10 @@ use mckibben_build::{proof_mpa, relief_mpa};
 use mckibben_core::{
     analysis::RELIEF,
     joined,
+    muscle::Direction,
     units::{Dimension, rounded, tidy},
 };
-use mckibben_design::{Candidate, Demand, Spec};
+use mckibben_design::{Built, Candidate, CandidatePoint, Demand, Spec};
 
 /// What muscles are chosen among, for the lines of the decision.
 pub struct Decision<'a> {
@@ -63,24 +64,18 @@ impl Decision<'_> {
     }
 
     fn pulls(&self, first: &Candidate) -> String {
-        let point = |q: &mckibben_design::CandidatePoint| {
-            let wanted_n = q.response.force_n;
-            let range = q.uncertainty_n.map(|half| {
-                let [low, high] = [wanted_n - half, wanted_n + half].map(|n| {
-                    if n * wanted_n > 0.0 {
-                        within(n, half)
-                    } else {
-                        "0".into()
-                    }
-                });
-                format!(" ({low}\u{a0}N to {high}\u{a0}N, 95 %)")
+        let is_mean = self.spec.options().direction.is_mean();
+        let point = |q: &CandidatePoint| {
+            let wanted = format!(
+                "{} at {}",
+                show(Dimension::Force, q.response.force_n),
+                percent(q.wanted.contraction)
+            );
+            let built = q.built.map(|built| match is_mean {
+                true => format!(" by {}; built, {}", first.model, built_pull(built)),
+                false => format!(" ({})", interval(built)),
             });
-            format!(
-                "{} at {}{}",
-                show(Dimension::Force, wanted_n),
-                percent(q.wanted.contraction),
-                range.unwrap_or_default()
-            )
+            wanted + &built.unwrap_or_default()
         };
         let facts = [
             first
@@ -95,10 +90,10 @@ impl Decision<'_> {
                 .map(|mm3| format!("{} mL of liquid", number(1e-3 * mm3, 3))),
         ];
         let each = if self.spec.count > 1 { "each " } else { "" };
-        let way = if self.spec.options().direction.is_mean() {
-            ""
-        } else {
-            " while it shortens"
+        let way = match self.spec.options().direction {
+            Direction::Mean => "",
+            Direction::Contraction => " while it shortens",
+            Direction::Elongation => " while it lengthens",
         };
         format!(
             "Pulls {each}{}{way}; {}",
@@ -132,6 +127,30 @@ impl Decision<'_> {
             (None, None) => format!("Sure to {share}: no muscle of this search"),
         }
     }
+}
+
+/// What a muscle that is built pulls, with its interval.
+fn built_pull(built: Built) -> String {
+    let half_n = built.predicted_high_n - built.predicted_n;
+    let pull = within(built.predicted_n, half_n);
+    format!("{pull}\u{a0}N while it shortens ({})", interval(built))
+}
+
+/// The interval of what a muscle that is built pulls; it does not reach from a pull to a push.
+fn interval(built: Built) -> String {
+    let Built {
+        predicted_n,
+        predicted_low_n,
+        predicted_high_n,
+    } = built;
+    let [low, high] = [predicted_low_n, predicted_high_n].map(|n| {
+        if n * predicted_n > 0.0 {
+            within(n, predicted_high_n - predicted_n)
+        } else {
+            "0".into()
+        }
+    });
+    format!("{low}\u{a0}N to {high}\u{a0}N, 95 %")
 }
 
 fn show(kind: Dimension, value: f64) -> String {

@@ -9,7 +9,7 @@ use crate::{
 #[cfg(feature = "clap")]
 use mckibben_core::units::{QuantityError, typed};
 use mckibben_core::{
-    muscle::Muscle,
+    muscle::{Direction, Muscle},
     units::typed::{Angle, Choice, Force, Length, Pressure, Ratio, Volume},
     warning::strand_strength_n,
 };
@@ -223,6 +223,13 @@ pub struct DesignRequest {
     #[serde(deserialize_with = "ModelFields::or_name")]
     #[command(flatten)]
     pub model: ModelFields,
+    /// Branch of the friction hysteresis on which it must pull [contraction; mean with a model by
+    /// name]
+    ///
+    /// A model that is named meets the requirement by its own pull; without one, a muscle that is
+    /// built does, which shortens against its friction.
+    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = flags::word::<Direction>(), hide_short_help = true, help_heading = "Advanced")]
+    pub direction: Option<Direction>,
     /// Compute outside the model's range too, with a warning
     #[arg(long, help_heading = "Advanced")]
     pub extrapolate: bool,

@@ -6,11 +6,13 @@ use super::{
     request::DesignRequest,
 };
 use crate::{
-    Model, MuscleFields, Problem, ProblemKind, Result, TextFile, above_zero, finite, given,
+    Model, MuscleFields, Problem, ProblemKind, Result, TextFile, above_zero, check_branch, finite,
+    given,
     parts::{sleeve_entries, unread, users_tubes},
     ratio, rubber, sleeve,
 };
 use mckibben_core::{
+    answer::Options,
     extremes::peak,
     muscle::{
         Braid, Direction, Muscle, Tube,
@@ -57,8 +59,8 @@ impl DesignRequest {
         let count = self.count()?;
         let extends = wanted.extends();
         let policy = ModelPolicy::choose(&self.model, extends)?;
-        let sections = policy.model.sections();
-        let tubes = match self.free_sizes(sections.is_some(), extends) {
+        let range = policy.model.range();
+        let tubes = match self.free_sizes(range.is_some(), extends) {
             None => Some(self.tubes()?),
             Some(by) => {
                 let named = [
@@ -70,7 +72,7 @@ impl DesignRequest {
             }
         };
         let braid = self.braid_choice(&base, tubes.is_some(), extends)?;
-        let (diameters, walls) = sections.unwrap_or(SECTIONS);
+        let (diameters, walls) = range.map_or(SECTIONS, |r| (r.outer_diameter_mm, r.wall_mm));
         let between = |field, choice: &Option<Choice<Length>>, (low, high)| {
             let all = || Ok(Values::Interval(low, high));
             choice
@@ -78,12 +80,17 @@ impl DesignRequest {
                 .map_or_else(all, |choice| values(choice, field))
         };
         let rubbers = self.rubbers.iter().map(|name| rubber(name));
-        let supply_mpa = self.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from);
+        let usual_mpa = range.map_or(SUPPLY_MPA, |r| r.pressure_mpa.1.min(SUPPLY_MPA));
+        let supply_mpa = self.max_pressure_mpa.map_or(usual_mpa, f64::from);
         let spec = Spec {
             wanted,
             count: 1,
             pitch_mm: self.pitch_mm.map(f64::from),
-            direction: Direction::Contraction,
+            // A model by name answers for itself; a muscle that is built lifts against friction.
+            direction: self.direction.unwrap_or(match self.model.name {
+                Some(_) => Direction::Mean,
+                None => Direction::Contraction,
+            }),
             max_pressure_mpa: finite("max_pressure_mpa", supply_mpa)?,
             // A closed form or a formula is a method that takes the pressure as it is given.
             supply_share: match policy.model {
@@ -107,6 +114,18 @@ impl DesignRequest {
             top: self.top.unwrap_or(5).clamp(1, 1000),
             extrapolate: self.extrapolate,
         };
+        if self
+            .direction
+            .is_some_and(|d| d != spec.options().direction)
+        {
+            check_branch(
+                Options {
+                    direction: spec.direction,
+                    ..spec.options()
+                },
+                &spec.base,
+            )?;
+        }
         let longer = self.longer(&spec)?;
         let task = Task {
             spec: spec.shared_by(count),
@@ -438,7 +457,7 @@ impl DesignRequest {
         length_mm
             .into_iter()
             .for_each(|length| fields.measures.set(&LENGTH, length));
-        let base = fields.resolve()?;
+        let base = fields.resolve_for(&self.model)?;
         let length = base.length_mm();
         let stroke = self.stroke_mm.map(f64::from);
         stroke

@@ -7,6 +7,7 @@ use mckibben_core::{
     curve::{Curve, CurvePoint, Test},
     extremes::peak,
     model::{ForceModel, Workspace},
+    muscle::Direction,
     study::Study,
 };
 use mckibben_design::{Candidate, OperatingPoint};
@@ -237,9 +238,14 @@ pub fn design(
     panel.series.extend(bands);
     let mut names: Vec<&str> = models.iter().map(|m| &*m.1.info().name).collect();
     names.dedup();
+    let branch = match options.direction {
+        Direction::Mean => "",
+        Direction::Contraction => ", less friction while it shortens",
+        Direction::Elongation => ", with friction while it lengthens",
+    };
     Figure::new("Candidates: pull over contraction")
         .caption(caption(format!(
-            "Model {}; lengths in {}{said}",
+            "Model {}{branch}; lengths in {}{said}",
             names.join(", then "),
             u.length.name
         )))

@@ -21,6 +21,7 @@ mod liquid;
 mod many;
 mod measures;
 mod muscle_fields;
+mod named_model;
 mod page;
 mod parts;
 mod security;

@@ -88,6 +88,7 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> P
         wall_mm: tube.wall_mm,
         length_mm: tube.length_mm,
         angle_deg: inputs.parts.braid.angle_deg,
+        rubber: tube.rubber.name.clone().unwrap_or_default(),
         law: law.name().into(),
         constants: constants(law),
         measures: inputs.measures.clone(),

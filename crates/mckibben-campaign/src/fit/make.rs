@@ -245,7 +245,7 @@ fn close(a: f64, b: f64) -> bool {
 pub fn made_for(rows: &[PointRow]) -> Result<Made> {
     let first = rows.first().ok_or_else(|| FitError::empty(""))?;
     let rubber = |r: &PointRow| MadeRubber {
-        name: None,
+        name: Some(r.rubber.clone()).filter(|name| !name.is_empty()),
         law: r.law.clone(),
         constants: r.constants.iter().cloned().collect(),
         bulk_modulus_mpa: None,
@@ -257,15 +257,10 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
     if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
         return Err(FitError::varies(column));
     }
-    let paper = Made::from_muscle(&Muscle::prototype()).rubber;
-    let name = paper
-        .name
-        .clone()
-        .filter(|_| paper.is_like(&ours, TOLERANCE));
     let made = Made {
         length_mm: first.length_mm,
         angle_deg: first.angle_deg,
-        rubber: MadeRubber { name, ..ours },
+        rubber: ours,
         braid: MadeBraid::Named(NamedBraid::Inextensible),
     };
     // The simplest description of the braid that holds for every row.

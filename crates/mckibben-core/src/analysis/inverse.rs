@@ -257,14 +257,14 @@ impl Evaluation<'_> {
         self.check_companion(|companion| {
             companion.contraction_down_to(force_n, pressure_mpa, stretches)
         })?;
-        let at_start_n = match self.force_n(pressure_mpa, start) {
-            Err(error) if info.costly => return Err(error.into()),
-            force => force.ok(),
-        };
         let closed = |ws: &mut Workspace| model.contraction_at_pull(ws, force_n, pressure_mpa);
         if let Some(e) = self.closed((lowest, highest), closed)? {
             return Ok(e);
         }
+        let at_start_n = match self.force_n(pressure_mpa, start) {
+            Err(error) if info.costly => return Err(error.into()),
+            force => force.ok(),
+        };
         let mut sweep = Sweep::new(info.costly, force_n.abs().max(1.0), |e| {
             Ok(self.force_n(pressure_mpa, e)? - force_n)
         });

@@ -1,9 +1,13 @@
 //! The muscles a formula was made for: everything but diameter and wall.
 
-use super::file::check::{maybe_positive, positive};
+use super::{
+    FormulaRange,
+    file::check::{maybe_positive, positive},
+};
 use crate::{
     joined,
-    muscle::{Braid, BraidStiffness, Bulk, Muscle, Tube},
+    muscle::{Braid, BraidStiffness, Bulk, Muscle, MuscleError, Rubber, Terminals, Tube},
+    rubber::{Law, library},
 };
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
@@ -101,6 +105,49 @@ impl Made {
         }
     }
 
+    /// A muscle of this make: diameter and wall are the prototype's where the formula holds for
+    /// them, else in the middle of its range. A braid whose strands are counted is not known from
+    /// its stiffness: it stays that of the prototype.
+    pub fn muscle(&self, range: &FormulaRange) -> Result<Muscle, MuscleError> {
+        let near = |value: f64, (low, high): (f64, f64)| {
+            if (low..=high).contains(&value) {
+                value
+            } else {
+                0.5 * (low + high)
+            }
+        };
+        let prototype = Tube::prototype();
+        let constants: Vec<f64> = self.rubber.constants.values().copied().collect();
+        let rubber = match Law::named(&self.rubber.law, &constants) {
+            Some(law) => Rubber {
+                name: self.rubber.name.clone(),
+                bulk: self
+                    .rubber
+                    .bulk_modulus_mpa
+                    .map_or(Bulk::Incompressible, Bulk::Modulus),
+                ..Rubber::new(law)
+            },
+            None => prototype.rubber.clone(),
+        };
+        let tube = Tube {
+            outer_diameter_mm: near(prototype.outer_diameter_mm, range.outer_diameter_mm),
+            wall_mm: near(prototype.wall_mm, range.wall_mm),
+            length_mm: self.length_mm,
+            rubber,
+            ..prototype
+        };
+        let braid = Braid {
+            angle_deg: self.angle_deg,
+            stiffness: match self.braid {
+                MadeBraid::Named(NamedBraid::Inextensible) => BraidStiffness::Inextensible,
+                MadeBraid::Stiffness(k) => BraidStiffness::NewtonPerMm(k),
+                _ => BraidStiffness::Paper,
+            },
+            ..Braid::paper()
+        };
+        Muscle::new(tube, braid, Terminals::default(), None)
+    }
+
     /// k of one family in N/mm at a diameter; `None` for strands that do not stretch.
     pub fn stiffness_n_per_mm(&self, outer_diameter_mm: f64) -> Option<f64> {
         match self.braid {
@@ -136,6 +183,11 @@ impl MadeRubber {
             && self.constants.len() == other.constants.len()
             && self.constants.iter().all(same)
             && alike(self.bulk_modulus_mpa, other.bulk_modulus_mpa, tolerance)
+    }
+
+    /// Whether a rubber is the one of this name in the library, with the law for its own muscle.
+    pub fn is_named(&self, rubber: &Rubber) -> bool {
+        self.name == rubber.name && library::follows(rubber)
     }
 
     /// In words: `paper (mooney-rivlin, c10_mpa 0.12, c01_mpa 0)`.

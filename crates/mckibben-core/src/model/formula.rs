@@ -165,10 +165,13 @@ pub fn of_sections(
 fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
     let theirs = Made::from_muscle(muscle);
     let mut parts = vec![];
-    if !made.rubber.is_like(&theirs.rubber, TOLERANCE) {
+    let is_one = made.rubber.is_like(&theirs.rubber, TOLERANCE);
+    if !is_one && !made.rubber.is_named(muscle.rubber()) {
         let ours = made.rubber.text();
         let theirs = theirs.rubber.text();
-        parts.push(format!("the rubber is {theirs}, the formula is for {ours}"));
+        parts.push(format!(
+            "the rubber is {theirs}, the formula is for {ours} (`rubber`)"
+        ));
     }
     let ours = made.stiffness_n_per_mm(muscle.outer_diameter_mm());
     let theirs = muscle.family_stiffness_n_per_mm();
@@ -178,7 +181,7 @@ fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
         let ours = text(ours);
         let theirs = text(theirs);
         parts.push(format!(
-            "the braid's stiffness is {theirs}, the formula is for {ours}"
+            "the braid's stiffness is {theirs}, the formula is for {ours} (`stiffness`)"
         ));
     }
     parts

@@ -24,13 +24,6 @@ pub const ENTRY: ModelEntry = ModelEntry {
         Durante, T. Raparelli, Int. J. Mech. Eng. Technol. 9 (2018) 320–337 [antonelli2018]",
 };
 
-/// Pressures and contractions for which (11) was made.
-const RANGE: FormulaRange = FormulaRange {
-    outer_diameter_mm: FormulaModel::PAPER_DIAMETERS_MM,
-    wall_mm: FormulaModel::PAPER_WALLS_MM,
-    pressure_mpa: (0.0, 0.25),
-    contraction: (0.0, 0.20),
-};
 const ANGLE_DEG: f64 = 28.0;
 const LENGTH_MM: f64 = 285.0;
 
@@ -51,14 +44,17 @@ fn range(m: &Muscle) -> ModelRange {
     if m.braid().stiffness != crate::muscle::BraidStiffness::Paper {
         make.push("the braid has its own stiffness, the formula is for the braid `paper`".into());
     }
-    of_sections(&RANGE, (LENGTH_MM, ANGLE_DEG), make, m)
+    of_sections(&FormulaModel::PAPER_RANGE, (LENGTH_MM, ANGLE_DEG), make, m)
 }
 
 impl FormulaModel {
-    /// Outer diameters in mm for which the paper's formula was made.
-    pub const PAPER_DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
-    /// Walls in mm for which it was made.
-    pub const PAPER_WALLS_MM: (f64, f64) = (1.0, 5.0);
+    /// Sections, pressures and contractions for which the paper's formula was made.
+    pub const PAPER_RANGE: FormulaRange = FormulaRange {
+        outer_diameter_mm: (30.0, 50.0),
+        wall_mm: (1.0, 5.0),
+        pressure_mpa: (0.0, 0.25),
+        contraction: (0.0, 0.20),
+    };
 
     /// The paper's formula (11) with the published numbers, for one muscle.
     pub fn paper(muscle: &Muscle) -> Self {
@@ -66,7 +62,7 @@ impl FormulaModel {
             Coefficients::published().section(muscle.outer_diameter_mm(), muscle.wall_mm());
         let accuracy = Accuracy {
             share_of_blocked: Some(0.05),
-            blocked_at: BlockedAt::Pressure(RANGE.pressure_mpa.1),
+            blocked_at: BlockedAt::Pressure(FormulaModel::PAPER_RANGE.pressure_mpa.1),
             reference: Reference::Elements(
                 "its authors state about 2 % and at most 50 N against their own finite elements; \
                  95 % of 1889 points over its box lie within 3.9 % of this program's axisymmetric \

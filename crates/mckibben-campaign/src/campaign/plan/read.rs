@@ -7,9 +7,9 @@ use super::{
     vary,
 };
 use mckibben_core::{
-    joined,
+    extremes::peak,
     muscle::{
-        Muscle,
+        Muscle, MuscleError, Rubber, Tube,
         file::{FileError, Source, read_text},
     },
     rubber::library,
@@ -20,6 +20,8 @@ use std::path::Path;
 
 /// A higher pressure has its unit, lest bars were meant.
 const HIGHEST_BARE_MPA: f64 = 2.0;
+/// So many muscles of a plan are looked at before it begins.
+const FIRST: u64 = 1000;
 /// The most points of one muscle.
 const MOST_POINTS: usize = 100_000;
 
@@ -33,7 +35,6 @@ impl Plan {
         let sampling = sampling(&of_sampling, &source)?;
         vary::check_all(&axes, &source, &base, &sampling)?;
         let testing = testing(test, &source)?;
-        one_law(&base).map_err(|why| source.error("tube.rubber", why))?;
         if base.tube().rubber.is_conditioned() {
             let why = "is not possible in a campaign, whose muscles are on their first inflation: \
                 leave it out";
@@ -51,13 +52,15 @@ impl Plan {
             let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.muscles);
             return Err(source.error("vary", why));
         }
-        let plan = Plan {
+        let mut plan = Plan {
             text: text.to_owned(),
             base,
             axes,
             design,
             testing,
         };
+        plan.take_one_law()
+            .map_err(|why| source.error("tube.rubber", why))?;
         some_muscle(&plan).map_err(|why| source.error("vary", why))?;
         Ok(plan)
     }
@@ -71,25 +74,37 @@ impl Plan {
     }
 }
 
-/// Refuses a named rubber whose law follows the muscle: a campaign has one law, which its plan
-/// states.
-fn one_law(base: &Muscle) -> Result<(), String> {
-    let rubber = &base.tube().rubber;
-    if !library::follows(rubber) {
-        return Ok(());
+impl Plan {
+    /// One law for all muscles of a named rubber whose law follows the muscle: that for the largest
+    /// reach among them.
+    fn take_one_law(&mut self) -> Result<(), String> {
+        let rubber = &self.base.tube().rubber;
+        let Some(name) = rubber.name.clone().filter(|_| library::follows(rubber)) else {
+            return Ok(());
+        };
+        let reach = peak(self.first_muscles().flatten().map(|muscle| muscle.reach()));
+        let found = library::find_for(&name, reach).map_err(|error| error.to_string())?;
+        let tube = Tube {
+            // Stated constants, which a muscle of the plan leaves as they are.
+            rubber: Rubber {
+                fitted_to_stretch: None,
+                ..found
+            },
+            ..self.base.tube().clone()
+        };
+        let base = self.base.with_tube(tube);
+        self.base = base.map_err(|error| error.to_string())?;
+        Ok(())
     }
-    let constants = rubber.law.constants().into_iter();
-    let constants = joined(constants.map(|c| format!("{} = {}", c.name, c.value)), "\n");
-    Err(format!(
-        "has another law for every muscle, and a campaign has one: state it, such as that of its \
-         base muscle\n[tube.material]\nlaw = \"{}\"\n{constants}",
-        rubber.law.name()
-    ))
+
+    fn first_muscles(&self) -> impl Iterator<Item = Result<Muscle, MuscleError>> {
+        (0..self.muscles().min(FIRST)).map(|number| self.inputs(number).muscle())
+    }
 }
 
-/// A plan none of whose first thousand muscles is one is a slip, not a campaign.
+/// A plan none of whose first muscles is one is a slip, not a campaign.
 fn some_muscle(plan: &Plan) -> Result<(), String> {
-    let mut muscles = (0..plan.muscles().min(1000)).map(|number| plan.inputs(number).muscle());
+    let mut muscles = plan.first_muscles();
     match muscles.next() {
         Some(Err(first)) if !muscles.any(|muscle| muscle.is_ok()) => {
             Err(format!("makes no muscle; the first: {first}"))
