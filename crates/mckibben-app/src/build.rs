@@ -3,7 +3,7 @@
 
 use crate::{
     Contraction, Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
-    ProblemKind, Result, ShapeRequest, TitleBlock, Units, above_zero, borne, burst_of,
+    ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, Units, above_zero, borne, burst_of,
     flags::{self, Args},
     not_measured, number,
     print::{Csv, Page, Rows, Show, Table},
@@ -226,7 +226,11 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
             "",
         )
     })?;
-    let mut files: Vec<BuiltFile> = files.into_iter().map(BuiltFile::from).collect();
+    let mut files: Vec<BuiltFile> = files
+        .into_iter()
+        .map(|file| named(file, request.muscle.file()))
+        .map(BuiltFile::from)
+        .collect();
     let document = request
         .report
         .then(|| report(request, (&plan, &burst), progress))
@@ -264,6 +268,18 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         test: plan.test,
         model: plan.operating.model,
     })
+}
+
+/// A muscle file keeps the line with the name of the one that was given.
+fn named(mut file: File, given: Option<&TextFile>) -> File {
+    let text = given.map_or("", |given| &*given.text);
+    let mut lines = text.lines().take_while(|line| !line.starts_with('['));
+    let name = lines.find(|line| line.starts_with("name"));
+    if let (Some(name), Content::Text(text), "muscle.toml") = (name, &mut file.content, &*file.name)
+    {
+        *text = text.replacen("[tube]", &format!("{name}\n\n[tube]"), 1);
+    }
+    file
 }
 
 /// The plan of a muscle, and the pressures at which it fails.

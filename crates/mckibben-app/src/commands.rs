@@ -374,7 +374,11 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
                 ""
             };
             let what = field.map_or_else(|| "a request".to_owned(), |field| format!("`{field}`"));
-            format!("{what} is {wanted}, not {start}")
+            if wanted == "a list" && start.parse::<f64>().is_ok() {
+                format!("{what} is a list, such as [{start}], not {start}")
+            } else {
+                format!("{what} is {wanted}, not {start}")
+            }
         }
         None if field.is_some() => said,
         None => format!("the request cannot be understood: {said}"),

@@ -25,6 +25,7 @@ impl TextFile {
 
     /// A file written by hand: a joint, a plan.
     pub fn read(path: &Path) -> Result<Self> {
+        named(path)?;
         Ok(Self {
             name: path.display().to_string(),
             text: file::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?,
@@ -71,6 +72,7 @@ impl TextFile {
     /// A table, whatever program wrote it, or the sheet of a workbook: `bench.xlsx#Sheet 2`. Its
     /// name also says its encoding where that is not UTF-8.
     pub fn table(path: &Path) -> Result<Self> {
+        named(path)?;
         let name = path.display().to_string();
         let (file, sheet) = match name.rsplit_once('#') {
             Some((file, sheet)) if !path.exists() => (file, Some(sheet)),
@@ -94,6 +96,17 @@ impl TextFile {
             text,
         })
     }
+}
+
+/// Refuses what is no name of a file.
+fn named(path: &Path) -> Result<()> {
+    let text = path.to_string_lossy();
+    if !text.trim().is_empty() && text.parse::<f64>().is_err() || path.exists() {
+        return Ok(());
+    }
+    let message = format!("\"{text}\" is no name of a file");
+    let hint = "name a file, or leave it out; a number stands behind the name of its quantity";
+    Err(Problem::new(ProblemKind::File, message, hint))
 }
 
 impl JointFields {

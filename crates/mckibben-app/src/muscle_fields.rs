@@ -57,7 +57,7 @@ pub struct MuscleFields {
     /// Sleeve: `mckibben parts list sleeves` [none]
     ///
     /// NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least
-    /// and largest round diameter (2/π of the width of a sleeve that lies flat).
+    /// and largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
     #[arg(long, value_name = "NAME", value_parser = flags::sleeves(), hide_possible_values = true)]
     pub braid: Option<String>,
     /// Diameter of one strand of a named sleeve, if its source does not state it

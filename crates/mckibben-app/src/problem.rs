@@ -284,7 +284,7 @@ problems! {
         LoadError::NotLifted { .. } => NoAnswer "`two_sided` gives the stretch of the muscle";
     };
     ExportError: Fit of Model Analysis Muscle Cancelled {
-        ExportError::Target { .. } => Usage;
+        ExportError::Target { .. } => Usage "Simulink and Modelica take `fmu`, MuJoCo takes `mjcf`";
         ExportError::Box { .. } => OutOfRange;
         ExportError::NoVolume { .. } => Model;
         ExportError::NoPull { .. } => NoAnswer "give a higher `pressure_mpa`";
@@ -313,8 +313,8 @@ problems! {
         JointError::OutOfReach { .. } => NoAnswer "a value that it reaches, a higher \
             `max_pressure_mpa`, or a larger pulley or muscle";
         JointError::Angle { .. } => OutOfRange in "angles_deg";
-        JointError::Pressures { muscles: 2, .. } => Usage "such as 2 bar and 1 bar" in "pressures_mpa";
-        JointError::Pressures { .. } => Usage "such as 2 bar" in "pressures_mpa";
+        JointError::Pressures { muscles: 2, .. } => Usage "one for each muscle: 2bar,1bar" in "pressures_mpa";
+        JointError::Pressures { .. } => Usage "one for each muscle: 2bar" in "pressures_mpa";
         JointError::OneMuscle => Usage in "stiffness_nm_per_rad";
     };
     ReportError: Fit of Cancelled, around error in (ReportError::Fit(_, error)), around error in (ReportError::Rubber(_, error));
@@ -397,7 +397,7 @@ impl From<AnalysisError> for Problem {
             AnalysisError::StrandsBreak { .. } => {
                 hint = "reduce pressure or pull, or take stronger strands".to_owned()
             }
-            AnalysisError::Unknown { .. } => {}
+            AnalysisError::Unknown { .. } | AnalysisError::Refused(_) => {}
         }
         Self {
             nearest,

@@ -74,7 +74,9 @@ impl Cut {
             .sleeve
             .as_ref()
             .and_then(|shape| library::entry(&shape.name).ok());
-        let sold = entry.and_then(|e| e.nominal_mm);
+        // A name by its nominal size may be below what the sleeve closes to.
+        let least_mm = braid.sleeve.as_ref().map_or(0.0, |shape| shape.least_mm);
+        let sold = entry.and_then(|e| e.nominal_mm).map(|d| d.max(least_mm));
         let relaxed = relaxed_diameter_mm.or(sold).filter(|d| at(*d).is_some());
         let ends = braid
             .sleeve

@@ -9,6 +9,7 @@ use mckibben_core::{
     model::Response,
     muscle::Muscle,
     refused::Refused,
+    sleeve::library,
     warning::buckling_load_n,
 };
 use std::f64::consts::PI;
@@ -140,6 +141,17 @@ impl Plan {
     /// Whether a printed air plug bears the load of its end; else both plugs are turned from metal.
     pub fn is_printed(&self) -> bool {
         self.air_plug.is_printed(self.end_load_n)
+    }
+
+    /// Whether the strands are known to be of aramid.
+    pub fn is_aramid(&self) -> bool {
+        let shape = self.muscle.braid().sleeve.as_ref();
+        shape.is_some_and(|shape| {
+            let entry = library::entry(&shape.name).ok();
+            entry
+                .map_or(&*shape.name, |e| &e.material)
+                .contains("aramid")
+        })
     }
 
     /// Mass in g of the parts whose mass is known.

@@ -60,6 +60,10 @@ fn cut_list(plan: &Plan) -> Values {
     let stretch = plan.muscle.tube().prestretch;
     let mut values = vec![
         ("tube", mm(cut.tube_mm)),
+        (
+            if plan.is_aramid() { "tapes" } else { "melts" },
+            String::new(),
+        ),
         ("cut_outer", mm(cut.tube_outer_diameter_mm)),
         ("insertion", mm(plan.muscle.terminals().insertion_mm())),
         if stretch == 1.0 {

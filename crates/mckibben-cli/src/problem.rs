@@ -22,7 +22,13 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
     let problem = if let Some(problem) = source.downcast_ref::<Problem>() {
         problem.clone()
     } else if let Some(error) = source.downcast_ref::<QuantityError>() {
-        Problem::new(ProblemKind::Quantity, error.to_string(), "")
+        let is_range = error.problem.starts_with("is a range");
+        let hint = "`mckibben curve` takes ranges";
+        Problem::new(
+            ProblemKind::Quantity,
+            error.to_string(),
+            if is_range { hint } else { "" },
+        )
     } else {
         let kind = match source.downcast_ref::<RangeError>()? {
             RangeError::Quantity(_) => ProblemKind::Quantity,
@@ -60,12 +66,27 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
         let hint = "`mckibben pressure` and `mckibben contraction` take a force";
         return Some(Problem::new(ProblemKind::Usage, message, hint));
     }
-    let name = flag.strip_prefix("--")?;
-    let measure = MEASURES
-        .iter()
-        .find(|m| m.flag().as_deref() == Some(name))?;
-    let message = format!("there is no flag {flag}: it is a key of the muscle file");
-    let hint = format!("write --with {}=VALUE", measure.key);
+    let is_table = !flag.starts_with('-') && flag.contains('.');
+    let measure = || {
+        let name = flag.strip_prefix("--")?;
+        MEASURES.iter().find(|m| m.flag().as_deref() == Some(name))
+    };
+    let of_table = ["--area", "--gauge-length", "--mode"].contains(&&**flag);
+    let (what, hint) = if let Some(data) = flag_of("data").filter(|_| is_table) {
+        ("a table stands behind its flag", format!("{data} {flag}"))
+    } else if of_table && flag_of("set").is_some() {
+        let name = flag[2..].replace('-', "_");
+        ("it is a constant of a table", format!("--set {name}=VALUE"))
+    } else {
+        let key = measure()?.key;
+        (
+            "it is a key of the muscle file",
+            format!("--with {key}=VALUE"),
+        )
+    };
+    let thing = if is_table { "place for" } else { "flag" };
+    let message = format!("there is no {thing} {flag}: {what}");
+    let hint = format!("write {hint}");
     Some(Problem::new(ProblemKind::Usage, message, hint))
 }
 

@@ -214,17 +214,23 @@ impl Spec {
             )));
         }
         let sizes = [
-            (
-                "the outer diameter",
-                Some(self.outer_diameter_mm.bounds().0),
-            ),
-            ("the wall", Some(self.wall_mm.bounds().0)),
-            ("the length", self.length_mm.as_ref().map(|v| v.bounds().0)),
+            ("the outer diameter", Some(self.outer_diameter_mm.bounds())),
+            ("the wall", Some(self.wall_mm.bounds())),
+            ("the length", self.length_mm.as_ref().map(Values::bounds)),
+            ("`top`", Some((self.top as f64, self.top as f64))),
         ];
-        for (name, value) in sizes.into_iter().chain(self.limits.positive()) {
-            if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
+        let limits = self.limits.positive().into_iter();
+        let limits = limits.map(|(name, value)| (name, value.map(|v| (v, v))));
+        for (name, bounds) in sizes.into_iter().chain(limits) {
+            let sound = |(low, high): (f64, f64)| low > 0.0 && low <= high && high.is_finite();
+            if let Some((low, high)) = bounds.filter(|ends| !sound(*ends)) {
+                let value = if low == high || low.is_nan() {
+                    low.to_string()
+                } else {
+                    format!("{low} to {high}")
+                };
                 return Err(SpecError::Refused(format!(
-                    "{name} is {value}; it must be above zero"
+                    "{name} is {value}; it must be above zero, the smaller end first"
                 )));
             }
         }

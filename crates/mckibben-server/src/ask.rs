@@ -3,7 +3,7 @@
 use crate::refusal::Refusal;
 use axum::{
     Json,
-    extract::{Path, State, rejection::JsonRejection},
+    extract::{FromRequest, Path, Request, State},
     http::{
         HeaderMap, StatusCode,
         header::{ACCEPT, CONTENT_TYPE},
@@ -13,9 +13,14 @@ use axum::{
 use mckibben_app::Problem;
 use mckibben_core::{cancel::Cancel, progress::Silent, threads::Threads};
 use serde_json::Value;
-use std::sync::{Arc, LazyLock};
-use tokio::{sync::Semaphore, task::spawn_blocking};
+use std::{
+    sync::{Arc, LazyLock},
+    time::Duration,
+};
+use tokio::{sync::Semaphore, task::spawn_blocking, time::timeout};
 
+/// What the body of a request may take to come.
+const BODY: Duration = Duration::from_secs(30);
 /// The content type of packed answers.
 const PACKED: &str = "application/octet-stream";
 
@@ -37,13 +42,25 @@ pub async fn ask(
     State(places): State<Arc<Semaphore>>,
     Path(command): Path<String>,
     headers: HeaderMap,
-    request: Result<Json<Value>, JsonRejection>,
+    request: Request,
 ) -> Result<Response, Refusal> {
     let command = mckibben_app::find(&command).map_err(|problem| Refusal {
         status: StatusCode::NOT_FOUND,
         problem: Box::new(problem),
     })?;
-    let Json(request) = request.map_err(|e| Refusal::new(e.status(), e.body_text(), ""))?;
+    let body = timeout(BODY, Json::from_request(request, &())).await;
+    let body = body.map_err(|_| {
+        let message = format!("the body did not come within {} seconds", BODY.as_secs());
+        Refusal::new(StatusCode::REQUEST_TIMEOUT, message, "send it in one piece")
+    })?;
+    let Json(request): Json<Value> = body.map_err(|e| {
+        let hint = match e.status() {
+            StatusCode::PAYLOAD_TOO_LARGE => "send fewer points, or ask the command line",
+            StatusCode::UNSUPPORTED_MEDIA_TYPE => "send it as `application/json`",
+            _ => "send the request as one JSON object; `mckibben schema` has its fields",
+        };
+        Refusal::new(e.status(), e.body_text(), hint)
+    })?;
     if command.touches_disk(&request) {
         let hint = format!(
             "on the command line it is `mckibben {}`",

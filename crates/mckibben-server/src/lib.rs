@@ -14,10 +14,15 @@ use axum::{
     extract::DefaultBodyLimit,
     middleware::from_fn_with_state,
     routing::{Router, get, post},
-    serve::ListenerExt,
 };
-use std::{future::IntoFuture, io, sync::Arc, time::Duration};
-use tokio::{sync::Semaphore, time::sleep};
+use hyper::server::conn::http1;
+use hyper_util::{
+    rt::{TokioIo, TokioTimer},
+    server::graceful::GracefulShutdown,
+    service::TowerToHyperService,
+};
+use std::{io, sync::Arc, time::Duration};
+use tokio::{net::TcpListener, sync::Semaphore, time::sleep};
 use tower_http::compression::{CompressionLayer, CompressionLevel};
 
 /// After the wish to end, requests have this time to end by themselves.
@@ -35,6 +40,10 @@ pub struct Config {
     pub body_bytes: usize,
     /// Requests that are worked on at once.
     pub at_once: usize,
+    /// What the head of a request may take to come, and a connection to say something again.
+    pub head: Duration,
+    /// Connections at once; more of them wait for one to end.
+    pub connections: usize,
 }
 
 impl Default for Config {
@@ -43,6 +52,9 @@ impl Default for Config {
             time: Duration::from_secs(1800),
             body_bytes: 8 << 20,
             at_once: 32,
+            head: Duration::from_secs(5),
+            // Below the 256 files that some systems allow a process.
+            connections: 200,
         }
     }
 }
@@ -63,7 +75,7 @@ pub fn router(config: Config) -> Router {
 pub fn run(
     listener: std::net::TcpListener,
     config: Config,
-    stopped: impl Fn() -> bool + Clone + Send + 'static,
+    stopped: impl Fn() -> bool,
 ) -> io::Result<()> {
     listener.set_nonblocking(true)?;
     let runtime = tokio::runtime::Builder::new_current_thread()
@@ -71,20 +83,43 @@ pub fn run(
         .max_blocking_threads(config.at_once)
         .thread_stack_size(STACK)
         .build()?;
-    let end = stopped.clone();
-    let done = runtime.block_on(async {
-        // Small answers go at once.
-        let listener = tokio::net::TcpListener::from_std(listener)?.tap_io(|stream| {
-            let _ = stream.set_nodelay(true);
-        });
-        let serve = axum::serve(listener, router(config)).with_graceful_shutdown(until(stopped));
-        tokio::select! {
-            done = serve.into_future() => done,
-            () = async { until(end).await; sleep(GRACE).await } => Ok(()),
-        }
-    });
+    let done = runtime.block_on(serve(listener, config, stopped));
     runtime.shutdown_timeout(Duration::from_millis(300));
     done
+}
+
+async fn serve(
+    listener: std::net::TcpListener,
+    config: Config,
+    stopped: impl Fn() -> bool,
+) -> io::Result<()> {
+    let listener = TcpListener::from_std(listener)?;
+    let mut http = http1::Builder::new();
+    http.timer(TokioTimer::new())
+        .header_read_timeout(config.head);
+    let places = Arc::new(Semaphore::new(config.connections));
+    let service = TowerToHyperService::new(router(config));
+    let open = GracefulShutdown::new();
+    let accept = async {
+        while let Ok(place) = Arc::clone(&places).acquire_owned().await {
+            let Ok((stream, _)) = listener.accept().await else {
+                sleep(TICK).await;
+                continue;
+            };
+            // Small answers go at once.
+            let _ = stream.set_nodelay(true);
+            let connection = http.serve_connection(TokioIo::new(stream), service.clone());
+            let connection = open.watch(connection);
+            tokio::spawn(async move {
+                let _ = connection.await;
+                drop(place);
+            });
+        }
+    };
+    tokio::select! { () = accept => {}, () = until(stopped) => {} }
+    drop(listener);
+    tokio::select! { () = open.shutdown() => {}, () = sleep(GRACE) => {} }
+    Ok(())
 }
 
 async fn until(stopped: impl Fn() -> bool) {

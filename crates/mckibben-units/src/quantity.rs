@@ -133,6 +133,11 @@ fn fraction(first: f64, behind: &str) -> Option<(f64, &str)> {
 pub fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64, f64), QuantityError> {
     match (unit, expected.unit(unit)) {
         ("", _) => Ok((1.0, 1.0)),
+        _ if unit.starts_with("..") => Err(QuantityError::is(
+            text,
+            "is a range, and one value is wanted",
+            expected,
+        )),
         (_, Some(unit)) => Ok(unit.fraction),
         _ => {
             let other = Dimension::all()

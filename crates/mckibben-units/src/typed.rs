@@ -5,14 +5,14 @@
 
 use super::{
     dimension::Dimension,
-    quantity::{QuantityError, parse_quantity},
+    quantity::{BOUNDS, QuantityError, parse_quantity, plausible},
     range::{RangeError, Values, parse_values},
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{
     Deserialize, Deserializer, Serialize,
     de::{
-        Error, MapAccess, SeqAccess, Visitor,
+        Error, IntoDeserializer, MapAccess, SeqAccess, Visitor,
         value::{MapAccessDeserializer, SeqAccessDeserializer},
     },
 };
@@ -143,7 +143,14 @@ pub fn read_number<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<f64, D::Error> {
     let parse = |text: &str| parse_quantity(text, dimension);
-    text_or_number(&dimension.expectation(), parse, |inside| inside, from)
+    let value = text_or_number(&dimension.expectation(), parse, |inside| inside, from)?;
+    // What is not finite has words of its own, or is a limit that is none.
+    if plausible(value) || !value.is_finite() {
+        return Ok(value);
+    }
+    Err(D::Error::custom(format!(
+        "{value:e} is outside the allowed range ({BOUNDS})"
+    )))
 }
 
 /// Reads a text, or a number; `expected` says in messages what may be there.
@@ -340,7 +347,7 @@ impl<'de, Q: Quantity + Deserialize<'de>> Visitor<'de> for Searched<Q> {
     }
 
     fn visit_f64<E: Error>(self, inside: f64) -> Result<Choice<Q>, E> {
-        Ok(Choice::One(inside.into()))
+        Q::deserialize(inside.into_deserializer()).map(Choice::One)
     }
 
     fn visit_i64<E: Error>(self, inside: i64) -> Result<Choice<Q>, E> {
@@ -387,6 +394,30 @@ mod tests {
         assert_eq!(serde_json::to_string(&Pressure(0.25)).unwrap(), "0.25");
         let error = serde_json::from_str::<Length>("\"30bar\"").unwrap_err();
         assert!(error.to_string().contains("is a pressure"), "{error}");
+    }
+
+    /// The command line's bounds, 1e-30 to 1e30 or 0, hold for numbers of JSON.
+    #[test]
+    fn a_number_has_the_bounds_of_a_text() {
+        for wrong in ["5e-324", "1e300", "-1e31", "1e-31"] {
+            let said = wrong.parse::<Pressure>().unwrap_err().to_string();
+            assert!(said.contains("is outside the allowed range"), "{said}");
+            for read in [
+                serde_json::from_str::<Pressure>(wrong).err(),
+                serde_json::from_str::<List<Pressure>>(wrong).err(),
+                serde_json::from_str::<List<Pressure>>(&format!("[0.1, {wrong}]")).err(),
+                serde_json::from_str::<Choice<Length>>(wrong).err(),
+            ] {
+                let said = read.unwrap().to_string();
+                assert!(
+                    said.contains("is outside the allowed range (1e-30"),
+                    "{said}"
+                );
+            }
+        }
+        for right in ["0", "1e-30", "-1e30"] {
+            assert!(serde_json::from_str::<Pressure>(right).is_ok(), "{right}");
+        }
     }
 
     #[test]

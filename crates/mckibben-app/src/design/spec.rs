@@ -302,8 +302,12 @@ impl DesignRequest {
             }
         }
         if found.is_empty() {
-            let message = "no tube of this rubber is in the catalogue, and it is not cast";
-            let hint = "give its size (`tubes`, such as 8x12mm)";
+            let message = format!(
+                "no tube of {} is in the catalogue, and it is not cast",
+                rubbers.join(", ")
+            );
+            let hint = "give its size (`tubes`, such as 8x12mm), or sizes to search \
+                (`outer_diameter_mm` and `wall_mm`)";
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("rubbers"));
         }
         Ok(found)

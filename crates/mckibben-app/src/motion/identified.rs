@@ -15,6 +15,7 @@ use crate::{
 };
 use mckibben_core::{
     extremes::peak,
+    joined,
     progress::Progress,
     units::{Dimension, parse_quantity},
 };
@@ -27,6 +28,9 @@ use serde::Serialize;
 /// Constants of a drive that were identified from a recorded motion.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct IdentifiedDrive {
+    /// What was read of the log, and what was free.
+    #[serde(skip)]
+    pub read: String,
     /// Of a recorded motion: the constants, with value and error.
     pub parameters: Vec<Identified>,
     /// Errors of the motion with them.
@@ -39,6 +43,7 @@ impl IdentifiedDrive {
     /// The constants and the errors of a model, as people read them.
     pub(super) fn page(&self, model: &str) -> Page {
         let mut page = Page::default();
+        page.line(&self.read);
         page.line(format!("model {model}"));
         page.gap();
         page.table(constants(&self.parameters));
@@ -75,6 +80,9 @@ const USUAL: [(&str, f64); 4] = [
 ];
 /// Relative tolerance of the integration: its error is small beside the steps of the derivatives.
 const TOLERANCE: f64 = 1e-8;
+/// A log determines none of its constants that change the motion by less than this where they are a
+/// tenth larger (in MPa, degrees or as a contraction).
+const NOTHING: f64 = 1e-5;
 /// Points of the series that the log is compared with, at least.
 const POINTS: f64 = 1000.0;
 
@@ -125,6 +133,7 @@ impl Moved {
             progress,
         };
         let mut free = fit.free()?;
+        let read = fit.read(&free);
         let mut parameters = vec![];
         while !free.is_empty() {
             let mut fitted = fit.fitted(&free, half_s)?;
@@ -162,6 +171,7 @@ impl Moved {
             .map(error)
             .collect();
         Ok(IdentifiedDrive {
+            read,
             parameters,
             errors,
             drive_file,
@@ -222,6 +232,15 @@ impl Fit<'_> {
         }
     }
 
+    /// What the log has, and what is free, as a sentence.
+    fn read(&self, free: &[Free]) -> String {
+        let rows =
+            |(what, points): &(OverTime, Series)| format!("{} rows of {what:?}", points.len());
+        let rows = joined(self.log.iter().map(rows), " and ");
+        let names = joined(free.iter().map(|free| free.name.as_str()), ", ");
+        format!("the log has {rows}; free are {names}")
+    }
+
     /// Times and model less log of each quantity, up to a time.
     fn residuals(&self, text: &str, until_s: f64) -> Result<Log> {
         let mut file = self.request.parsed(text, self.moved.length_mm())?;
@@ -271,6 +290,13 @@ impl Fit<'_> {
         };
         let scatter: Vec<f64> = self.log.iter().map(scatter).collect();
         let starts: Vec<f64> = free.iter().map(|free| free.start).collect();
+        let larger = Vec::from_iter(starts.iter().map(|start| 1.1 * start));
+        let (now, then) = (at(&starts)?.concat(), at(&larger)?.concat());
+        if now.iter().zip(then).all(|(a, b)| (a - b).abs() < NOTHING) {
+            let message = format!("{}; it determines none of them", self.read(free));
+            let hint = "name others in `free`";
+            return Err(Problem::new(ProblemKind::Data, message, hint));
+        }
         let found = fit_recorded(&starts, &scatter, at);
         self.progress.check()?;
         let found = found?;

@@ -210,7 +210,7 @@ fn a_muscle_that_no_clamp_holds_is_refused() {
 }
 
 /// A muscle that extends is a column: at rest without pressure its wall buckles at π² E I/L² with
-/// E I = 3 μ π (Ro⁴ − Ri⁴)/4, 1.27 N here, and the sheet says it, with a fourth as what is allowed.
+/// E I = 3 μ π (Ro⁴ − Ri⁴)/4, 1.27 N here, and the sheet says it, with half of it as what is allowed.
 #[test]
 fn closed_form_the_sheet_of_a_muscle_that_extends_names_the_load_at_which_it_buckles() {
     let plan = |angle: f64| {
@@ -238,4 +238,30 @@ fn closed_form_the_sheet_of_a_muscle_that_extends_names_the_load_at_which_it_buc
     assert!(said(&plan(30.0)).is_none());
     let sheet = files(&plan(60.0));
     assert!(format!("{sheet:?}").contains("buckles"));
+}
+
+/// Aramid chars at about 450 °C and does not melt. A sleeve is not cut at a diameter below the least
+/// that it closes to (76.2 mm of its table, though it is named by 63.5 mm); S cosθ with sinθ ∝ D.
+#[test]
+fn a_sleeve_of_aramid_is_taped_and_cut_no_narrower_than_it_closes() {
+    let text = "[tube]\nouter_diameter = 78\nwall_thickness = 4\nlength = 300\nrubber = \
+                \"latex\"\n[braid]\nname = \"kevlar-sock\"\nstiffness = 3000\n";
+    let plan = plan_from(text, &Wishes::default());
+    let sleeve = &plan.cut.sleeve;
+    assert_eq!(sleeve.relaxed_diameter_mm, Some(76.2));
+    let sin = plan.muscle.braid().angle_deg.to_radians().sin() * 76.2 / 78.0;
+    let expected = sleeve.strand_mm * (1.0 - sin * sin).sqrt();
+    assert!((sleeve.relaxed_mm.unwrap() - expected).abs() < 1e-6 * expected);
+    assert!(sleeve.by_diameter.iter().all(|row| row.diameter_mm >= 76.2));
+    let readme = |plan: &Plan| match &files(plan).unwrap()[0].content {
+        Content::Text(text) => text.clone(),
+        Content::Bytes(_) => String::new(),
+    };
+    let taped = readme(&plan);
+    assert!(
+        !taped.contains("melt its ends") && taped.contains("cut through the tape"),
+        "{taped}"
+    );
+    let melted = readme(&plan_of(20.0, 2.0, &Wishes::default()));
+    assert!(melted.contains("melt its ends so that"), "{melted}");
 }

@@ -542,3 +542,92 @@ fn the_papers_points_are_its_tables() {
         );
     }
 }
+
+/// A line that is nearly right is answered with what to type.
+#[test]
+fn messages_say_what_to_type() {
+    let dir = folder();
+    std::fs::write(dir.path().join("r.csv"), "strain,force_n\n0.1,1\n0.2,2\n").unwrap();
+    std::fs::write(
+        dir.path().join("t.csv"),
+        "pressure_kPa,contraction,force_N\n100,0.1,100\n-5258337,0.1,50\n",
+    )
+    .unwrap();
+    let said = |words: &[&str]| {
+        let run = crate::common::ran(
+            crate::common::command(dir.path())
+                .args(words)
+                .output()
+                .unwrap(),
+        );
+        assert_eq!(run.code, 2, "{words:?}: {}", run.err);
+        run.err
+    };
+    for (words, parts) in [
+        (
+            &["rubber", "r.csv", "--area", "12mm2"][..],
+            &["--set area=VALUE"][..],
+        ),
+        (&["identify", "paper", "t.csv"], &["write --data t.csv"]),
+        (
+            &[
+                "force",
+                "paper",
+                "-p",
+                "1bar",
+                "-e",
+                "0",
+                "--rubber",
+                "Shore A 30",
+            ],
+            &["write shore:30A"],
+        ),
+        (
+            &["force", "paper", "-p", "0..3bar", "-e", "0"],
+            &["is a range", "mckibben curve"],
+        ),
+        (&["export", "paper", "--as", "simulink"], &["`fmu`"]),
+        (
+            &["force", "", "-p", "1bar", "-e", "0"],
+            &["\"\" is no name of a file"],
+        ),
+        (
+            &["compare", "paper", "--data", ""],
+            &["\"\" is no name of a file"],
+        ),
+        (
+            &["force", "-p", "1bar", "-e", "0", "--", "-1"],
+            &["\"-1\" is no name of a file"],
+        ),
+        (
+            &["compare", "paper", "--data", "t.csv"],
+            &["too far below zero"],
+        ),
+    ] {
+        let text = said(words);
+        for part in parts {
+            assert!(text.contains(part), "{words:?}: {text}");
+        }
+    }
+    let elbow = root().join("examples/elbow.toml");
+    let text = said(&["joint", elbow.to_str().unwrap(), "-p", "1bar"]);
+    assert!(text.contains("2bar,1bar"), "{text}");
+}
+
+/// An identity: the muscle file of a build folder has the name of the one that was given.
+#[test]
+fn a_build_folder_keeps_the_name_of_its_muscle() {
+    let dir = folder();
+    let given = root().join("examples/prototype.toml");
+    let line = format!("build {} -p 2bar -o made", given.display());
+    run_in(dir.path(), &line).ok();
+    let built = std::fs::read_to_string(dir.path().join("made/muscle.toml")).unwrap();
+    let names: Vec<&str> = built
+        .lines()
+        .filter(|line| line.starts_with("name"))
+        .collect();
+    assert_eq!(names, ["name = \"prototype\""], "{built}");
+    let answer =
+        |file: &str| json_in(dir.path(), &format!("force {file} -p 2bar -e 10%"))["force_n"].take();
+    assert_eq!(answer("made/muscle.toml"), answer(given.to_str().unwrap()));
+}

@@ -117,3 +117,47 @@ fn every_command_has_a_manual_page_that_is_not_written_over_an_older_one() {
     assert_eq!(mckibben("man force").ok().text(), page);
     assert_eq!(man(dir.path()).code, 2);
 }
+
+/// What the pages say in `--flag` is a flag of a command, if it is not one of another program.
+#[test]
+fn flags_of_the_pages_exist() {
+    /// Lines of other programs and of scripts of this repository.
+    const OTHERS: [&str; 4] = ["cargo ", "checks/", "web/", "mypy "];
+    let dir = folder();
+    run_in(dir.path(), "man -o man1").ok();
+    let man: String = names(&dir.path().join("man1"))
+        .iter()
+        .map(|name| std::fs::read_to_string(dir.path().join("man1").join(name)).unwrap())
+        .collect();
+    let man = man.replace("\\-", "-").replace("\\fB", " ");
+    let flags = |text: &str| -> std::collections::BTreeSet<String> {
+        let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'));
+        words
+            .filter(|word| word.starts_with("--"))
+            .map(str::to_owned)
+            .collect()
+    };
+    let known = flags(&man);
+    assert!(
+        known.contains("--relaxation") && known.len() > 100,
+        "{known:?}"
+    );
+    let mut unknown = vec![];
+    for entry in std::fs::read_dir(root().join("docs")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|end| end != "md") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap();
+        // Code in sentences and tables; blocks run in tests of their own.
+        let outside = text.split("\n```").step_by(2);
+        let code = outside.flat_map(|part| part.split('`').skip(1).step_by(2));
+        let own = code.filter(|code| !OTHERS.iter().any(|other| code.contains(other)));
+        for flag in own.flat_map(flags) {
+            if !known.contains(&flag) {
+                unknown.push(format!("{}: {flag}", path.display()));
+            }
+        }
+    }
+    assert!(unknown.is_empty(), "{unknown:#?}");
+}

@@ -1,6 +1,8 @@
 //! Why a question about a model has no answer.
 
-use crate::{cancel::Cancelled, model::ModelError, status::Status, units::trimmed as short};
+use crate::{
+    cancel::Cancelled, model::ModelError, refused::Refused, status::Status, units::trimmed as short,
+};
 use thiserror::Error;
 
 /// The answer to a question about a model, or why it has none.
@@ -45,6 +47,9 @@ pub enum AnalysisError {
         /// The pull in N at the length at rest, where the model answers there.
         at_rest_n: Option<f64>,
     },
+    /// A question with a number that is not finite.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// What was found is a pull of broken strands.
     #[error(
         "{}\u{a0}N at {}\u{a0}MPa and a contraction of {} break the strands: one of them carries \

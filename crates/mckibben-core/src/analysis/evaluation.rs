@@ -123,7 +123,7 @@ impl<'a> Evaluation<'a> {
     pub fn response(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         /// Of the pressure (relative) and the contraction, for differences of the friction.
         const STEP: f64 = 1e-4;
-        cancel::check().map_err(ModelError::Cancelled)?;
+        self.check_point(pressure_mpa, contraction)?;
         let response = self
             .model
             .response(self.workspace, pressure_mpa, contraction)?;
@@ -153,11 +153,21 @@ impl<'a> Evaluation<'a> {
 
     /// The pull alone, in N.
     pub fn force_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        cancel::check().map_err(ModelError::Cancelled)?;
+        self.check_point(pressure_mpa, contraction)?;
         let force_n = self
             .model
             .force_n(self.workspace, pressure_mpa, contraction)?;
         Ok(force_n + self.friction_n(pressure_mpa, contraction)?)
+    }
+
+    /// That the work goes on, and the point is one.
+    fn check_point(&self, pressure_mpa: f64, contraction: f64) -> Result<()> {
+        cancel::check().map_err(ModelError::Cancelled)?;
+        if pressure_mpa.is_finite() && contraction.is_finite() {
+            return Ok(());
+        }
+        let name = &self.model.info().name;
+        Err(ModelError::not_finite(name, pressure_mpa, contraction))
     }
 
     /// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does

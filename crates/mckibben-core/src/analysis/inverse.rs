@@ -13,6 +13,7 @@ use crate::{
     cancel,
     model::{ModelError, Workspace, root::rising_root},
     muscle::Muscle,
+    refused::Refused,
 };
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
@@ -118,6 +119,7 @@ impl Evaluation<'_> {
     /// [`AnalysisError::NoPressure`] with the nearest pull there is (without `two_sided` a muscle
     /// that would push hangs slack and pulls 0 N); the model's error where it has no answer at all.
     pub fn pressure_at(&mut self, force_n: f64, contraction: f64) -> Result<f64> {
+        finite([("force_n", force_n), ("contraction", contraction)])?;
         let (model, info, options) = (self.model, self.model.info(), self.options);
         let (lowest, limit) = if options.extrapolate {
             (0.0, f64::INFINITY)
@@ -234,6 +236,7 @@ impl Evaluation<'_> {
         pressure_mpa: f64,
         stretches: bool,
     ) -> Result<f64> {
+        finite([("force_n", force_n), ("pressure_mpa", pressure_mpa)])?;
         let (model, info, options) = (self.model, self.model.info(), self.options);
         let (low, high) = if options.extrapolate {
             WIDEST
@@ -295,6 +298,15 @@ impl Evaluation<'_> {
             }),
         })
     }
+}
+
+/// Refuses the numbers of a question that are not finite.
+fn finite(given: [(&'static str, f64); 2]) -> Result<(), Refused> {
+    given.into_iter().try_for_each(|(field, value)| {
+        Refused::unless(value.is_finite(), [field], || {
+            format!("`{field}` is {value}; it must be a finite number")
+        })
+    })
 }
 
 /// A contraction below that at which the strands are straight and hold any pull; strands that

@@ -11,7 +11,7 @@ use crate::{
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
-use std::sync::OnceLock;
+use std::{f64::consts::PI, sync::OnceLock};
 
 /// A sleeve of the library.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
@@ -148,16 +148,18 @@ pub fn entry(name: &str) -> Result<&'static SleeveEntry, Refused> {
 }
 
 /// The sleeve of a name, or of a material with the two round diameters at which its strands touch,
-/// such as `pet:6..18mm`.
+/// such as `pet:6..18mm`, or the widths of the flat sleeve there, `pet:flat:9.4..28mm`.
 pub fn find(name: &str) -> Result<Sleeve, Refused> {
     let range = || {
         let (material, range) = name.split_once(':')?;
+        let (range, round) = match range.trim().strip_prefix("flat:") {
+            // A flat sleeve is half as wide as its circumference.
+            Some(flat) => (flat, 2.0 / PI),
+            None => (range, 1.0),
+        };
         let (least, largest) = range.trim().trim_end_matches("mm").split_once("..")?;
-        Some((
-            material,
-            least.trim().parse().ok()?,
-            largest.trim().parse().ok()?,
-        ))
+        let mm = |text: &str| Some(round * text.trim().parse::<f64>().ok()?);
+        Some((material, mm(least)?, mm(largest)?))
     };
     match range() {
         Some((material, least_mm, largest_mm)) => between(material, least_mm, largest_mm),

@@ -425,3 +425,41 @@ fn a_search_that_is_cancelled_ends() {
             .is_err_and(cancelled)
     );
 }
+
+/// No muscle pulls ∞ or NaN newtons: such a question has no answer of any model.
+#[test]
+fn numbers_that_are_not_finite_are_refused_by_their_names() {
+    let muscle = Muscle::prototype();
+    for kind in [
+        ModelKind::Ideal,
+        ModelKind::ThickWall,
+        ModelKind::Universal,
+        ModelKind::Paper,
+    ] {
+        let (model, w) = (kind.build(&muscle).unwrap(), &mut Workspace::new());
+        let mut evaluation = Evaluation::new(model.as_ref(), w, Options::default());
+        for wrong in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            let refused = |field: &str, answer: Result<f64, AnalysisError>| {
+                let said = answer.unwrap_err().to_string();
+                assert!(
+                    said.contains(&format!("`{field}` is {wrong}")),
+                    "{kind:?}: {said}"
+                );
+            };
+            refused("force_n", evaluation.pressure_at(wrong, 0.1));
+            refused("contraction", evaluation.pressure_at(100.0, wrong));
+            refused("force_n", evaluation.contraction_at(wrong, 0.2));
+            refused("pressure_mpa", evaluation.contraction_at(100.0, wrong));
+            let said = evaluation.force_n(wrong, 0.1).unwrap_err().to_string();
+            assert!(
+                said.contains(&format!("{wrong}\u{a0}MPa")),
+                "{kind:?}: {said}"
+            );
+            let said = evaluation.response(0.2, wrong).unwrap_err().to_string();
+            assert!(
+                said.contains(&format!("contraction {wrong}")),
+                "{kind:?}: {said}"
+            );
+        }
+    }
+}

@@ -510,3 +510,25 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
         }
     }
 }
+
+/// What cannot be searched is refused with its value, and is no panic and no "nothing fits".
+#[test]
+fn a_specification_that_is_none_is_refused_with_its_field() {
+    let changed = |change: &dyn Fn(&mut Spec)| {
+        let mut spec = spec(300.0, 0.1);
+        change(&mut spec);
+        design(&spec, BUILD).unwrap_err().to_string()
+    };
+    let said = changed(&|spec| spec.top = 0);
+    assert!(said.contains("`top` is 0"), "{said}");
+    let reversed = || Values::Interval(80.0, 5.0);
+    let said = changed(&|spec| spec.outer_diameter_mm = reversed());
+    assert!(
+        said.contains("the outer diameter") && said.contains("80"),
+        "{said}"
+    );
+    let said = changed(&|spec| spec.wall_mm = reversed());
+    assert!(said.contains("the wall"), "{said}");
+    let said = changed(&|spec| spec.wall_mm = Values::List(vec![f64::NAN]));
+    assert!(said.contains("the wall"), "{said}");
+}

@@ -39,7 +39,9 @@ pub struct MuscleSection {
 }
 
 impl Axisymmetric {
-    /// The model of a muscle with a mesh of the program's choice.
+    /// The model of a muscle with a mesh of the program's choice,
+    /// of what is between its ends; where its terminals state a seating, a slip or a grip,
+    /// [`with_ends`](mckibben_core::model::with_ends) makes the model of the whole muscle.
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.

@@ -159,6 +159,10 @@ impl Table {
             return Ok(inside);
         }
         let expected = match column.meaning {
+            Meaning::Pressure if inside < 0.0 => {
+                "is too far below zero for a gauge pressure; check the sign and the unit of the \
+                 column (250 kPa is 0.25 MPa)"
+            }
             Meaning::Pressure | Meaning::PressureError => {
                 "is too high for a muscle; check the unit of the column (250 kPa is 0.25 MPa)"
             }

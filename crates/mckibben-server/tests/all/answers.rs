@@ -140,6 +140,10 @@ async fn problems_have_their_status_and_their_words() {
     ] {
         let problem = client.post(name, request.to_owned()).await.problem(status);
         assert_eq!(problem["kind"], kind, "{problem}");
+        // Of HTTP's own refusals, too.
+        if status == 400 {
+            assert_ne!(problem["hint"], "", "{problem}");
+        }
     }
     let unknown = client
         .post("force", r#"{"presure_mpa": 0.2}"#)

@@ -55,10 +55,9 @@ async fn time_and_length_are_limited() {
         body_bytes: 1000,
         ..Config::default()
     });
-    assert_eq!(
-        client.post("force", " ".repeat(1001)).await.problem(413)["kind"],
-        "usage"
-    );
+    let long = client.post("force", " ".repeat(1001)).await.problem(413);
+    assert_eq!(long["kind"], "usage");
+    assert_ne!(long["hint"], "");
 }
 
 /// A server on a socket.
@@ -177,6 +176,47 @@ fn slow_and_silent_callers_lock_nobody_out() {
             .unwrap();
         assert!(text.starts_with("HTTP/1.1 200 "), "{text:.80}");
     }
+}
+
+/// Callers who never end their head hold every connection: without a limit of time for heads
+/// nobody is answered ever again; with one, the next caller is answered once per limit and round.
+#[test]
+fn heads_that_do_not_end_shut_the_server_for_no_longer_than_their_limit() {
+    let server = Server::new(Config {
+        head: Duration::from_millis(300),
+        connections: 4,
+        ..Config::default()
+    });
+    let mut half = vec![];
+    for _ in 0..10 {
+        let mut stream = TcpStream::connect(server.address).unwrap();
+        write!(stream, "GET / HTTP/1.1\r\nHost: localhost\r\n").unwrap();
+        half.push(stream);
+    }
+    let from = Instant::now();
+    server.until("200");
+    // Three rounds of four connections, and room for a busy computer.
+    assert!(from.elapsed() < Duration::from_secs(20));
+    for stream in &mut half {
+        let mut left = vec![];
+        let _ = stream.read_to_end(&mut left);
+    }
+    server.stop.store(true, Ordering::Relaxed);
+    server.thread.join().unwrap().unwrap();
+}
+
+/// The server ends within the two seconds that it promises, whoever holds a connection.
+#[test]
+fn half_sent_requests_do_not_hold_the_server() {
+    let server = Server::new(Config::default());
+    let mut half = TcpStream::connect(server.address).unwrap();
+    write!(half, "GET / HTTP/1.1\r\nHost: localhost\r\n").unwrap();
+    let _body = server.begun("units", 100, "{");
+    server.until("200");
+    let from = Instant::now();
+    server.stop.store(true, Ordering::Relaxed);
+    server.thread.join().unwrap().unwrap();
+    assert!(from.elapsed() < Duration::from_secs(4));
 }
 
 /// The time of a request runs while its body comes, too.

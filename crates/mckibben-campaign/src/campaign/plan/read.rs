@@ -202,7 +202,11 @@ fn levels<Q: Quantity>(
 ) -> Result<Vec<f64>, FileError> {
     match values {
         Choice::One(one) => Ok(vec![one.into()]),
-        Choice::Several(list) if !list.is_empty() => Ok(list.into_iter().map(Into::into).collect()),
+        Choice::Several(list) if !list.is_empty() => {
+            let list: Vec<f64> = list.into_iter().map(Into::into).collect();
+            vary::distinct(&list).map_err(|why| source.error(key, why))?;
+            Ok(list)
+        }
         Choice::Several(_) => Err(source.error(key, "is an empty list")),
         Choice::Between { .. } => {
             Err(source.error(key, "is a range without a step: write low..high:step"))

@@ -46,10 +46,23 @@ pub fn check_all(
     Ok(())
 }
 
+/// Refuses a value that a list has twice.
+pub fn distinct(list: &[f64]) -> Result<(), String> {
+    let mut sorted = list.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+        Some(pair) => Err(format!("contains {} twice", pair[0])),
+        None => Ok(()),
+    }
+}
+
 /// Checks an axis; the error is a sentence behind its key.
 fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> {
     let interval = matches!(axis.values, Values::Interval(..));
     let (low, high) = axis.values.bounds();
+    if let Values::List(list) = &axis.values {
+        distinct(list)?;
+    }
     if interval && *sampling == Sampling::Factorial {
         return Err(
             "is a range without a step, and a factorial plan needs levels: give a list \

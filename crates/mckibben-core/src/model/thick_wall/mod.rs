@@ -78,7 +78,9 @@ pub struct ThickWall {
 }
 
 impl ThickWall {
-    /// The thick-wall model of a muscle.
+    /// The thick-wall model of a muscle,
+    /// of what is between its ends; where its terminals state a seating, a slip or a grip,
+    /// [`with_ends`](crate::model::with_ends) makes the model of the whole muscle.
     pub fn new(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let lay = muscle.strand_lay();

@@ -82,7 +82,8 @@ pub struct Universal {
 }
 
 impl Universal {
-    /// The formula for one muscle.
+    /// The formula for what is between the ends of one muscle; where its terminals state a seating,
+    /// a slip or a grip, [`with_ends`](crate::model::with_ends) makes the model of the whole muscle.
     pub fn new(formula: Arc<UniversalFormula>, muscle: &Muscle) -> Self {
         let tube = muscle.tube();
         let ro = tube.outer_radius_mm();

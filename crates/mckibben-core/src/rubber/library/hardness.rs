@@ -40,6 +40,8 @@ pub fn find(name: &str) -> Option<Result<(Rubber, f64), LibraryError>> {
     };
     let modulus = if let Some(rest) = lower.strip_prefix("shore:") {
         by_hardness(rest).map_err(wrong)
+    } else if lower.starts_with("shore") {
+        Err(wrong("write shore:30A for a hardness of 30 Shore A"))
     } else {
         by_stress(lower.strip_prefix("s100:")?).map_err(wrong)
     };
@@ -142,6 +144,7 @@ mod tests {
         for (name, word) in [
             ("shore:60A", "10 A to 40 A"),
             ("shore:x", "scale A"),
+            ("Shore A 30", "write shore:30A"),
             ("shore:30A:wood", "families"),
             ("s100:x", "unit"),
             ("s100:90", "10 MPa"),
