@@ -45,9 +45,10 @@ impl UncertaintyWords {
         model: &mut Evaluation<'_>,
         pressure_mpa: f64,
     ) -> Self {
-        // The ± after the suggested test, where the muscle was not measured and it helps.
+        // The ± after the suggested test, where the muscle was not measured and it helps. Of one
+        // whose constants come from another specimen or length it is not known.
         let left = parts
-            .filter(|parts| parts.fit.is_none() || parts.transfer.is_some())
+            .filter(|p| p.fit.is_none() && p.transfer.is_none() && p.length_transfer.is_none())
             .and_then(|parts| {
                 model
                     .identified_n(pressure_mpa)

@@ -334,7 +334,8 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let one = |(row, line): (usize, u64)| {
         cancel::check()?;
         let known = "neither \"contraction\" (while it shortens) nor \"elongation\" (while it \
-            lengthens) nor \"mean\" (of both)";
+            lengthens) nor \"mean\" (of both); say what your words mean with `set`, such as \
+            Up=contraction, or let branch=velocity cut a log";
         let branch = table.word(row, Branch, &branches, known)?;
         let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";
         let measured = table

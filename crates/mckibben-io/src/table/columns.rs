@@ -170,7 +170,22 @@ impl Vocabulary {
                 text: text.clone(),
             })
         };
-        columns.0.iter().map(choice).collect()
+        let not_words = |(name, text): &(&String, &String)| {
+            named(name).is_some() || !BRANCH_WORDS.contains(&text.as_str())
+        };
+        columns.0.iter().filter(not_words).map(choice).collect()
+    }
+}
+
+/// What the words of a table for the branches may be said to mean.
+const BRANCH_WORDS: [&str; 3] = ["=contraction", "=elongation", "=mean"];
+
+impl Columns {
+    /// What a word of a table was said to mean: `--set Extension=contraction`.
+    pub(super) fn meaning_of(&self, word: &str) -> Option<&str> {
+        let said = self.0.iter().find(|(name, _)| plain(name) == word);
+        said.filter(|(_, text)| BRANCH_WORDS.contains(&text.as_str()))
+            .map(|(_, text)| &text[1..])
     }
 }
 

@@ -4,12 +4,12 @@ use super::{
     columns::{Choice, Columns},
     delimited::{Separator, Sheet, TableRow},
     error::{TableError, listed},
-    heading::Column,
+    heading::{self, Column},
     kinds::{Need, Vocabulary},
     number::{self, Decimal},
     vocabulary::Meaning,
 };
-use mckibben_units::joined;
+use mckibben_units::{Dimension, joined};
 
 /// A table whose columns are known.
 #[derive(Debug)]
@@ -26,6 +26,8 @@ pub struct Table {
     pub(super) separator: Separator,
     pub(super) decimal: Decimal,
     pub(super) vocabulary: &'static Vocabulary,
+    /// What was said of its columns and words.
+    pub(super) chosen: Columns,
 }
 
 /// The heading lies within so many lines.
@@ -54,7 +56,7 @@ impl Table {
     pub fn read(
         text: &str,
         vocabulary: &'static Vocabulary,
-        columns: &Columns,
+        chosen: &Columns,
     ) -> Result<Self, TableError> {
         let Sheet {
             mut rows,
@@ -63,7 +65,7 @@ impl Table {
         } = Sheet::split(text)?;
         let search = Search {
             vocabulary,
-            choices: vocabulary.choices(columns)?,
+            choices: vocabulary.choices(chosen)?,
         };
         let Head {
             line,
@@ -81,6 +83,7 @@ impl Table {
             separator,
             decimal: Decimal::Point,
             vocabulary,
+            chosen: chosen.clone(),
         };
         if let Some(heading) = line {
             refuse_numbers_above(&rows, heading)?;
@@ -364,6 +367,25 @@ impl Search {
             .map(|c| c.meaning)
             .collect();
         columns.retain(|c| !c.unknown_unit || !understood.contains(&c.meaning));
+        let of_pressure = |need: &Need| need.any_of == [Meaning::Pressure];
+        if !decided.contains(&Meaning::Pressure)
+            && !understood.contains(&Meaning::Pressure)
+            && vocabulary.needed.iter().any(of_pressure)
+        {
+            // A unit of pressure says enough where no other column is the pressure.
+            let free = headings.iter().enumerate().filter(|(index, _)| {
+                !dead.contains(index) && columns.iter().all(|c| c.index != *index)
+            });
+            let mut units = free.filter_map(|(index, text)| {
+                Some((index, heading::unit_behind(text, Dimension::Pressure)?))
+            });
+            if let (Some((index, unit)), None) = (units.next(), units.next()) {
+                columns.push(Column {
+                    index,
+                    ..Column::new(headings[index], (Meaning::Pressure, Some(unit)))
+                });
+            }
+        }
         let there = |m: &Meaning| columns.iter().any(|c| c.meaning == *m);
         let lacking = (0..vocabulary.needed.len())
             .filter(|&i| !vocabulary.needed[i].any_of.iter().any(there));

@@ -127,6 +127,11 @@ pub fn unit(text: &str, dimension: Dimension) -> Option<Unit> {
     })
 }
 
+/// The unit at the end of a heading, whatever its words say.
+pub fn unit_behind(heading: &str, dimension: Dimension) -> Option<Unit> {
+    cuts(heading.trim()).find_map(|(_, behind)| unit(behind, dimension))
+}
+
 /// What a minus may look like.
 pub const MINUS: [char; 2] = ['-', '−'];
 

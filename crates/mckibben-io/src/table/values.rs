@@ -212,7 +212,9 @@ impl Table {
         let Some((line, text)) = stated else {
             return Ok(None);
         };
-        let word = words.iter().find(|w| w.0 == plain(text)).map(|w| w.1);
+        let said = plain(text);
+        let said = self.chosen.meaning_of(&said).unwrap_or(&said);
+        let word = words.iter().find(|w| w.0 == said).map(|w| w.1);
         let name = &meaning.words().name;
         word.map(Some)
             .ok_or_else(|| TableError::word(line, name, text, known))

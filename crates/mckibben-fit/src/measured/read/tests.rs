@@ -125,6 +125,45 @@ fn a_branch_is_stated_or_not() {
     }
 }
 
+/// Row B3 of the trials: the only heading with a unit of pressure is the pressure, and words that a
+/// bench has for its phases mean what is said of them, here pressure up.
+#[test]
+fn words_of_a_bench_mean_what_is_said_of_them() {
+    let sheet = "Phase,Setpoint_kPa,Force_N\nExtension,100,0.1\nRetraction,150,3.0\n";
+    let read = |set: &[&str]| {
+        let columns = Columns::parse("branch=Phase").unwrap();
+        let set: Vec<String> = set.iter().map(|&text| text.to_owned()).collect();
+        let columns = columns.with_constants(&set, (0, 1), "bench.csv").unwrap();
+        let options = PointOptions {
+            columns,
+            ..PointOptions::default()
+        };
+        read_points(sheet, &options)
+    };
+    let said = read(&["contraction=0"]).unwrap_err().to_string();
+    assert!(
+        said.contains("`set`") && said.contains("branch=velocity"),
+        "{said}"
+    );
+    let set = [
+        "contraction=0",
+        "Extension=contraction",
+        "Retraction=elongation",
+    ];
+    let (points, _) = read(&set).unwrap();
+    let seen: Vec<_> = points
+        .iter()
+        .map(|p| (p.at.pressure_mpa, p.at.branch))
+        .collect();
+    assert_eq!(
+        seen,
+        [
+            (0.1, Some(Direction::Contraction)),
+            (0.15, Some(Direction::Elongation))
+        ]
+    );
+}
+
 /// The sheet that `build` writes, half of it filled in.
 #[test]
 fn rows_that_are_not_filled_in_are_left_out() {
