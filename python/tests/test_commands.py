@@ -666,7 +666,8 @@ def test_a_bundle_is_no_muscle_unless_it_is_asked_for() -> None:
 
 
 def test_keywords_that_make_no_joint_are_no_file() -> None:
-    for joint in ({"radius_mm": -25, "range_deg": (-60, 60)}, {"radios_mm": 25}):
+    wrong: Any = ({"radius_mm": -25, "range_deg": (-60, 60)}, {"radios_mm": 25})
+    for joint in wrong:
         with pytest.raises(mk.InputError) as caught:
             mk.Joint(THIN, joint=joint)
         assert not isinstance(caught.value, OSError)
@@ -674,22 +675,24 @@ def test_keywords_that_make_no_joint_are_no_file() -> None:
 
 def test_pressures_of_a_joint_may_be_one() -> None:
     """An identity: of one muscle a number is a list of one list; of two it is said how many there are."""
+    spring: Any = {"spring": {"angular_rate": "5 Nm/rad"}}
     one, two = (
         mk.Joint(
             THIN,
             second,
             joint={"radius_mm": 25, "range_deg": (-30, 30)},
             contraction_at_neutral=0.1,
-            **({} if second else {"spring": {"angular_rate": "5 Nm/rad"}}),
+            **({} if second else spring),
         )
         for second in (None, THIN)
     )
     asked: Any = {"angles_deg": 5, "model": "universal"}
     expected = one.solve(pressures_mpa=[[0.2]], **asked).points
-    for given in (0.2, [0.2], "2 bar", ["2 bar"]):
+    several: Any = (0.2, [0.2], "2 bar", ["2 bar"])
+    for given in several:
         assert one.solve(pressures_mpa=given, **asked).points == expected
     with pytest.raises(mk.InputError, match="2 muscles"):
-        two.solve(pressures_mpa=0.2, **asked)
+        two.solve(pressures_mpa=several[0], **asked)
 
 
 @pytest.mark.parametrize("model", ["universal", "fe"])
