@@ -2,10 +2,9 @@
 
     python python/write.py api [--check]        python/mckibben/_api.py: commands and answers as plain functions and classes
     python python/write.py reference FILE       the reference page, from the docstrings
-    python python/write.py pages FOLDER         the same as pages for Sphinx (python/docs.sh makes HTML of them)
 
-The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of a package with its compiled half: the installed one, or that of
-``--native FILE`` (the library of the workspace's build). ``api`` formats what it writes by ruff.
+The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of the package with its compiled half: the one beside it, or the library of the
+workspace's build. ``api`` formats what it writes by ruff.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ import re
 import subprocess
 import sys
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from importlib.machinery import ExtensionFileLoader
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -133,7 +132,7 @@ ROWS = {
     "measures": "measures",
     "motion": "series",
     "fit-report": "findings",
-    "parts-list": "tubes",
+    "parts-list": "tubes sleeves rubbers muscles models",
     "curve": "points",
     "plan": "table",
 }
@@ -347,14 +346,8 @@ def words(schema: Schema) -> list[str]:
 
 def union(kinds: list[str]) -> str:
     """One of several types; None is the last."""
-    parts = list(dict.fromkeys(kinds))
-    return (
-        "Any"
-        if "Any" in parts
-        else " | ".join(
-            [*(p for p in parts if p != "None"), *(p for p in parts if p == "None")]
-        )
-    )
+    parts = dict.fromkeys(kinds)
+    return "Any" if "Any" in parts else " | ".join(sorted(parts, key="None".__eq__))
 
 
 def doc(schema: Schema) -> str:
@@ -402,6 +395,28 @@ def section(title: str, entries: list[tuple[str, str, str]]) -> str:
     return "\n".join([title, "-" * len(title), *lines]) if lines else ""
 
 
+def described(
+    about: str,
+    parameters: list[tuple[str, str, str]],
+    returns: tuple[str, str, str],
+    raises: tuple[str, str, str],
+    *examples: str,
+) -> list[str]:
+    """The docstring of a function."""
+    lines = ["Examples", "--------", ">>> import mckibben as mk", *examples]
+    return [
+        about,
+        section("Parameters", parameters),
+        section("Returns", [returns]),
+        section("Raises", [raises]),
+        "\n".join(lines if examples else []),
+    ]
+
+
+def class_of(head: str, about: list[str], parts: Iterable[str]) -> str:
+    return "\n".join([f"class {head}:", documented(about, "    "), *parts])
+
+
 def entries_of(fields: dict[str, Schema]) -> list[tuple[str, str, str]]:
     return [
         (
@@ -438,7 +453,7 @@ def parameter(
 
 
 def signature(
-    me: bool,
+    me: list[str],
     parameters: list[tuple[str, str | None]],
     keywords: list[tuple[str, str | None]],
 ) -> str:
@@ -447,7 +462,7 @@ def signature(
 
     return ", ".join(
         [
-            *(["self"] if me else []),
+            *me,
             *map(one, parameters),
             *(["*", *map(one, keywords)] if keywords else []),
         ]
@@ -490,17 +505,14 @@ def function(
         if figure.get("type") == "boolean"
         else ', "MPa"'
     )
-    raises = section(
-        "Raises",
-        [("MckibbenError", "", "One of its classes says why there is no answer.")],
-    )
-    about = [
+    about = described(
         wrapped(doc(held["request"]) or f"The command `{command}`."),
-        section("Parameters", listed),
-        section("Returns", [(answer, "", doc(held["answer"]) or "The answer.")]),
-        raises,
-    ]
-    return f'{indent}def {name}({signature(bool(owner), [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
+        listed,
+        (answer, "", doc(held["answer"]) or "The answer."),
+        ("MckibbenError", "", "One of its classes says why there is no answer."),
+    )
+    me = ["self"] if owner else []
+    return f'{indent}def {name}({signature(me, [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
 
 
 def fields_class(bundle: Bundle) -> str:
@@ -523,42 +535,29 @@ def fields_class(bundle: Bundle) -> str:
             )
         ],
     )
-    out = [
-        "class MuscleFields:",
-        documented(
-            ["What makes a muscle, and its measures; None where it does not have one."],
-            "    ",
-        ),
-        "    if TYPE_CHECKING:\n        def _make(self, given: dict[str, Any]) -> Any: ...\n        def _changed(self, given: dict[str, Any]) -> Muscle: ...\n        def _field(self, name: str) -> Any: ...\n",
-    ]
+    me, out = ["self: Any"], []
     out.append(
-        f'    def __init__({signature(True, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
+        f'    def __init__({signature(me, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
     )
     out.append(
-        f'    def replace({signature(True, [], list(made.values()))}) -> Muscle:\n{documented(["The same with other values, named as in :class:`Muscle`.", raises], "        ")}\n        return self._changed({{name: value for name, value in locals().items() if name != "self"}})\n'
+        f'    def replace({signature(me, [], list(made.values()))}) -> Muscle:\n{documented(["The same with other values, named as in :class:`Muscle`.", raises], "        ")}\n        found: Muscle = self._changed({{name: value for name, value in locals().items() if name != "self"}})\n        return found\n'
     )
     for name, field in fields.items():
         if name not in ("rubber", "braid"):
             kind = "float | str" if name == "stiffness" else "float"
             kind = kind if name in (*always, "angle_deg") else f"{kind} | None"
             out.append(
-                f'    @property\n    def {name}(self) -> {kind}:\n{documented([wrapped(doc(field))], "        ")}\n        found: {kind} = self._field("{name}")\n        return found\n'
+                f'    @property\n    def {name}(self: Any) -> {kind}:\n{documented([wrapped(doc(field))], "        ")}\n        found: {kind} = self._field("{name}")\n        return found\n'
             )
-    return "\n".join(out)
+    about = "What makes a muscle, and its measures; None where it does not have one."
+    return class_of("MuscleFields", [about], out)
 
 
 def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
     fields, always = bundle.properties(schema), bundle.required(schema)
     base = f"_record.{BASES[name]}" if name in BASES else "Record"
-    lines = [
-        f"class {name}({base}):",
-        documented(
-            [wrapped(doc(schema) or name), section("Attributes", entries_of(fields))],
-            "    ",
-        ),
-    ]
-    if rows:
-        lines.append(f"    _rows: ClassVar[str | None] = {json.dumps(rows)}")
+    about = [wrapped(doc(schema) or name), section("Attributes", entries_of(fields))]
+    lines = [f"    _rows: ClassVar[str | None] = {json.dumps(rows)}"] if rows else []
     # Those that are always there first, as in any dataclass.
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
         kind = bundle.type_of(value, True)
@@ -569,7 +568,7 @@ def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
             else kind
         )
         lines.append(f"    {named(field)}: {kind}" + (" = None" if optional else ""))
-    return "\n".join(lines)
+    return class_of(f"{name}({base})", about, lines)
 
 
 def solution(bundle: Bundle) -> str:
@@ -599,24 +598,13 @@ def solution(bundle: Bundle) -> str:
         "cause": "object_",
         "warned": "int64",
     }
-    return "\n".join(
-        [
-            "class Solution(_record.Points):",
-            documented(about, "    "),
-            *(f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items()),
-        ]
-    )
+    lines = (f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items())
+    return class_of("Solution(_record.Points)", about, lines)
 
 
 def numbers() -> str:
     """What a muscle answers of numbers and arrays."""
-    out = [
-        "class MuscleNumbers:",
-        documented(["What a muscle answers of numbers and arrays."], "    "),
-    ]
-    out.append(
-        "    if TYPE_CHECKING:\n        def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress, options: Mapping[str, Any]) -> Any: ...\n        def _solved(self, pressure_mpa: Any, contraction: Any, errors: str, progress: Progress, options: Mapping[str, Any]) -> Solution: ...\n"
-    )
+    out = []
     more = 'errors: Errors = "raise", progress: Progress = None, **options'
     raises = (
         "MckibbenError",
@@ -646,45 +634,37 @@ def numbers() -> str:
             "",
             f"Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: {slopes}, all other constants held.",
         )
-        text = [
+        text = described(
             about + ".",
-            section(
-                "Parameters", [*((n, *OF[n]) for n in pair), ("jac", "", JAC), *rest]
-            ),
-            section("Returns", [returns]),
-            section("Raises", [raises]),
-        ]
-        text.append(
-            f"Examples\n--------\n>>> import mckibben as mk\n>>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)\n>>> {example}\n{shown}"
+            [*((n, *OF[n]) for n in pair), ("jac", "", JAC), *rest],
+            returns,
+            raises,
+            ">>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)",
+            f">>> {example}",
+            shown,
         )
         out.append(
-            f'    def {name}(self, {first}: Any, {second}: Any{usual}, *, jac: bool | Sequence[str] = False, {more}: Any) -> Any:\n{documented(text, "        ")}\n        return self._asked("{name}", {first}, {second}, jac, errors, progress, options)\n'
+            f'    def {name}(self: Any, {first}: Any, {second}: Any{usual}, *, jac: bool | Sequence[str] = False, {more}: Any) -> Any:\n{documented(text, "        ")}\n        return self._asked("{name}", {first}, {second}, jac, errors, progress, options)\n'
         )
     returns = (
         "Solution",
         "",
         "Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.",
     )
-    text = [
+    text = described(
         "All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.",
-        section(
-            "Parameters",
-            [
-                ("pressure_mpa", *OF["pressure_mpa"]),
-                ("contraction", *OF["contraction"]),
-                *rest,
-            ],
-        ),
-        section("Returns", [returns]),
-        section("Raises", [raises]),
-    ]
-    text.append(
-        'Examples\n--------\n>>> import mckibben as mk\n>>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")\n>>> points.force_n.shape, bool((points.uncertainty_n > 0).all())\n((2,), True)'
+        [*((n, *OF[n]) for n in ("pressure_mpa", "contraction")), *rest],
+        returns,
+        raises,
+        '>>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")',
+        ">>> points.force_n.shape, bool((points.uncertainty_n > 0).all())",
+        "((2,), True)",
     )
     out.append(
-        f"    def solve(self, pressure_mpa: Floats, contraction: Floats = 0.0, *, {more}: Unpack[Options]) -> Solution:\n{documented(text, '        ')}\n        return self._solved(pressure_mpa, contraction, errors, progress, options)"
+        f"    def solve(self: Any, pressure_mpa: Floats, contraction: Floats = 0.0, *, {more}: Unpack[Options]) -> Solution:\n{documented(text, '        ')}\n        found: Solution = self._solved(pressure_mpa, contraction, errors, progress, options)\n        return found"
     )
-    return "\n".join(out)
+    about = "What a muscle answers of numbers and arrays."
+    return class_of("MuscleNumbers", [about], out)
 
 
 def state(bundle: Bundle) -> str:
@@ -701,26 +681,15 @@ def state(bundle: Bundle) -> str:
         section("Attributes", entries_of(fields)),
     ]
     # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
-    return "\n".join(
-        [
-            "class State(Record):",
-            documented(about, "    "),
-            *(f"    {n}: float" for n in fields),
-        ]
-    )
+    return class_of("State(Record)", about, (f"    {n}: float" for n in fields))
 
 
 def keywords(
     bundle: Bundle, name: str, about: list[str], fields: dict[str, Schema]
 ) -> str:
     """Fields as keywords of one type."""
-    return "\n".join(
-        [
-            f"class {name}(TypedDict, total=False):",
-            documented(about, "    "),
-            *(f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items()),
-        ]
-    )
+    lines = (f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items())
+    return class_of(f"{name}(TypedDict, total=False)", about, lines)
 
 
 def tables(kind: str, own: list[str]) -> str:
@@ -751,14 +720,10 @@ def tables(kind: str, own: list[str]) -> str:
         else "Keys | None"
         for n, f in held.items()
     }
-    return "\n".join(
-        [
-            f"class {kind.capitalize()}Tables(TypedDict, total=False):",
-            documented(
-                [f"Tables of a {kind} file.", section("Attributes", listed)], "    "
-            ),
-            *(f"    {n}: {k}" for n, k in kinds.items()),
-        ]
+    return class_of(
+        f"{kind.capitalize()}Tables(TypedDict, total=False)",
+        [f"Tables of a {kind} file.", section("Attributes", listed)],
+        (f"    {n}: {k}" for n, k in kinds.items()),
     )
 
 
@@ -815,20 +780,10 @@ def api(bundle: Bundle) -> str:
     ]
     parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip(), numbers()]
     for owner, methods in METHODS.items():
-        parts.append(
-            "\n\n".join(
-                [
-                    f"class {owner}:\n{documented(['What the program answers of it, by command.'], '    ')}",
-                    *(
-                        function(bundle, c, n, first, owner)
-                        for c, (n, first) in methods.items()
-                    ),
-                ]
-            )
-        )
-    parts += [
-        function(bundle, c, n, first, None) for c, (n, first) in FUNCTIONS.items()
-    ]
+        what = ["What the program answers of it, by command."]
+        made_of = (function(bundle, c, *of, owner) for c, of in methods.items())
+        parts.append(class_of(owner, what, made_of))
+    parts += [function(bundle, c, *of, None) for c, of in FUNCTIONS.items()]
     return formatted("\n\n\n".join(parts) + "\n")
 
 
@@ -850,18 +805,12 @@ def program(*words: str) -> Schema:
     )
 
 
-def ready(native: Path | None) -> None:
-    """The package in the sources with a library as its compiled half; without one, that of the workspace's build."""
+def ready() -> None:
+    """The package in the sources; where its compiled half is not beside it, with that of the workspace's build."""
     sys.path.insert(0, str(ROOT / "python"))
     built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
-    native = native or next(
-        (
-            path
-            for name in ("lib_native.so", "lib_native.dylib", "_native.dll")
-            if (path := built / name).exists()
-        ),
-        built,
-    )
+    names = ("lib_native.so", "lib_native.dylib", "_native.dll")
+    native = next((path for n in names if (path := built / n).exists()), built)
     if not any(
         (PACKAGE / name).exists() for name in ("_native.abi3.so", "_native.pyd")
     ):
@@ -875,8 +824,8 @@ def ready(native: Path | None) -> None:
         spec.loader.exec_module(sys.modules["mckibben._native"])
 
 
-def parts() -> Iterator[tuple[str, str, str, Any]]:
-    """What is documented: the page, the module, the name, and what it is."""
+def parts() -> Iterator[tuple[str, str, Any]]:
+    """What is documented: the section, the name, and what it is."""
     import mckibben
     from mckibben import _api
 
@@ -889,9 +838,9 @@ def parts() -> Iterator[tuple[str, str, str, Any]]:
             else "Functions"
         )
         if not inspect.ismodule(made) and not name.startswith("_"):
-            yield title, "", name, made
+            yield title, name, made
     for name in _api.__all__:
-        yield "Answers", "_api", name, getattr(_api, name)
+        yield "Answers", name, getattr(_api, name)
 
 
 def members(made: type) -> Iterator[tuple[str, Any]]:
@@ -901,7 +850,7 @@ def members(made: type) -> Iterator[tuple[str, Any]]:
         *(
             base
             for base in made.__mro__
-            if base.__name__.endswith(("Fields", "Commands"))
+            if base.__name__.endswith(("Fields", "Commands", "Numbers"))
         ),
     ):
         for name, value in vars(part).items():
@@ -926,7 +875,7 @@ def reference_page() -> str:
         ],
         "",
     )
-    for title, _, name, made in sorted(
+    for title, name, made in sorted(
         parts(),
         key=lambda p: ("Objects", "Functions", "Answers", "Exceptions").index(p[0]),
     ):
@@ -980,70 +929,13 @@ def entry(heading: str, made: Any, level: str) -> list[str]:
     return [f"{level} `{heading}`\n", text.strip().replace("<module", "&lt;module"), ""]
 
 
-def pages(folder: Path) -> None:
-    """The pages for Sphinx, with their settings."""
-    texts: dict[str, list[str]] = {}
-    for title, module, name, made in parts():
-        kind = (
-            "exception"
-            if title == "Exceptions"
-            else "class"
-            if inspect.isclass(made)
-            else "function"
-        )
-        extra = (
-            [
-                "   :members:",
-                "   :inherited-members: object, Exception, str, float",
-                "   :class-doc-from: both",
-            ]
-            if kind == "class"
-            else []
-        )
-        texts.setdefault(title, []).append(
-            "\n".join(
-                [
-                    f".. auto{kind}:: mckibben.{module + '.' if module else ''}{name}",
-                    *extra,
-                    "",
-                ]
-            )
-        )
-    for title, directives in texts.items():
-        (folder / f"{title.lower()}.rst").write_text(
-            "\n".join([title, "=" * len(title), "", *directives]), "utf-8"
-        )
-    tree = [
-        ".. toctree::",
-        "   :maxdepth: 2",
-        "",
-        *(f"   {title.lower()}" for title in texts),
-        "",
-    ]
-    (folder / "index.rst").write_text(
-        "\n".join(["mckibben for Python", "===================", "", *tree]), "utf-8"
-    )
-    settings = [
-        f"import sys; sys.path.insert(0, {str(ROOT / 'python')!r})",
-        "import write; write.ready(None)",
-        'project = "mckibben"',
-        'extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon"]',
-        "add_module_names = False",
-        'autodoc_typehints = "none"',
-        'html_theme = "alabaster"',
-        "",
-    ]
-    (folder / "conf.py").write_text("\n".join(settings), "utf-8")
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("what", choices=["api", "reference", "pages"])
+    parser.add_argument("what", choices=["api", "reference"])
     parser.add_argument("place", type=Path, nargs="?", default=PACKAGE / "_api.py")
     parser.add_argument("--check", action="store_true")
-    parser.add_argument("--native", type=Path)
     args = parser.parse_args()
     if args.what == "api":
         text, held = (
@@ -1051,22 +943,16 @@ def main() -> None:
             args.place.read_text("utf-8") if args.place.exists() else "",
         )
         if args.check and text != held:
+            lines = difflib.unified_diff(
+                held.splitlines(True), text.splitlines(True), "kept", "made"
+            )
             sys.exit(
-                "".join(
-                    list(
-                        difflib.unified_diff(
-                            held.splitlines(True), text.splitlines(True), "kept", "made"
-                        )
-                    )[:40]
-                )
-                + "python python/write.py api writes it anew"
+                "".join([*lines][:40]) + "python python/write.py api writes it anew"
             )
         if not args.check:
             args.place.write_text(text, "utf-8")
         return
-    ready(args.native)
-    if args.what == "pages":
-        return pages(args.place)
+    ready()
     args.place.write_text(reference_page(), "utf-8")
 
 

@@ -4442,7 +4442,7 @@ class PartsListAnswer(Record):
         Force models.
     """
 
-    _rows: ClassVar[str | None] = "tubes"
+    _rows: ClassVar[str | None] = "tubes sleeves rubbers muscles models"
     tubes: list[TubeSummary]
     sleeves: list[BraidSummary]
     rubbers: list[RubberSummary]
@@ -6551,14 +6551,8 @@ class State(Record):
 class MuscleFields:
     """What makes a muscle, and its measures; None where it does not have one."""
 
-    if TYPE_CHECKING:
-
-        def _make(self, given: dict[str, Any]) -> Any: ...
-        def _changed(self, given: dict[str, Any]) -> Muscle: ...
-        def _field(self, name: str) -> Any: ...
-
     def __init__(
-        self,
+        self: Any,
         *,
         outer_diameter_mm: Number,
         wall_mm: Number,
@@ -6689,7 +6683,7 @@ class MuscleFields:
         self._make({name: value for name, value in locals().items() if name != "self"})
 
     def replace(
-        self,
+        self: Any,
         *,
         outer_diameter_mm: Number | None = None,
         wall_mm: Number | None = None,
@@ -6737,78 +6731,79 @@ class MuscleFields:
         InputError
             There is no such muscle; `field` is the argument to blame.
         """
-        return self._changed(
+        found: Muscle = self._changed(
             {name: value for name, value in locals().items() if name != "self"}
         )
+        return found
 
     @property
-    def outer_diameter_mm(self) -> float:
+    def outer_diameter_mm(self: Any) -> float:
         """Outer diameter D0 of the tube at rest, mm."""
         found: float = self._field("outer_diameter_mm")
         return found
 
     @property
-    def wall_mm(self) -> float:
+    def wall_mm(self: Any) -> float:
         """Wall thickness s of the tube at rest, mm."""
         found: float = self._field("wall_mm")
         return found
 
     @property
-    def length_mm(self) -> float:
+    def length_mm(self: Any) -> float:
         """Length L0 between the terminals at rest, mm."""
         found: float = self._field("length_mm")
         return found
 
     @property
-    def density_kg_per_m3(self) -> float | None:
+    def density_kg_per_m3(self: Any) -> float | None:
         """Density ρ of the rubber, kg/m3."""
         found: float | None = self._field("density_kg_per_m3")
         return found
 
     @property
-    def prestretch(self) -> float | None:
+    def prestretch(self: Any) -> float | None:
         """Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle."""
         found: float | None = self._field("prestretch")
         return found
 
     @property
-    def temperature_degc(self) -> float | None:
+    def temperature_degc(self: Any) -> float | None:
         """Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC."""
         found: float | None = self._field("temperature_degc")
         return found
 
     @property
-    def angle_deg(self) -> float:
+    def angle_deg(self: Any) -> float:
         """Angle θ0 of the strands to the axis at rest, degrees."""
         found: float = self._field("angle_deg")
         return found
 
     @property
-    def insertion_mm(self) -> float | None:
+    def insertion_mm(self: Any) -> float | None:
         """Length of tube and braid clamped on each plug, mm."""
         found: float | None = self._field("insertion_mm")
         return found
 
     @property
-    def seating_mm(self) -> float | None:
+    def seating_mm(self: Any) -> float | None:
         """Seating: total displacement of both ends under load, mm."""
         found: float | None = self._field("seating_mm")
         return found
 
     @property
-    def slip_mm_per_n(self) -> float | None:
+    def slip_mm_per_n(self: Any) -> float | None:
         """Slip of both ends together per newton of clamp load, mm/N."""
         found: float | None = self._field("slip_mm_per_n")
         return found
 
     @property
-    def grip_mm(self) -> float | None:
+    def grip_mm(self: Any) -> float | None:
         """Length at each end, within L0, in which tube and braid are clamped, mm."""
         found: float | None = self._field("grip_mm")
         return found
 
     @property
-    def plug_diameter_mm(self) -> float | None:
+    def plug_diameter_mm(self: Any) -> float | None:
         """Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
         universal.
         """
@@ -6816,145 +6811,145 @@ class MuscleFields:
         return found
 
     @property
-    def pull_off_n(self) -> float | None:
+    def pull_off_n(self: Any) -> float | None:
         """Axial load at which a clamp lets go of tube and braid, N."""
         found: float | None = self._field("pull_off_n")
         return found
 
     @property
-    def rated_pressure_mpa(self) -> float | None:
+    def rated_pressure_mpa(self: Any) -> float | None:
         """Pressure for which plugs and fittings are rated, MPa."""
         found: float | None = self._field("rated_pressure_mpa")
         return found
 
     @property
-    def end_factor(self) -> float | None:
+    def end_factor(self: Any) -> float | None:
         """Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall."""
         found: float | None = self._field("end_factor")
         return found
 
     @property
-    def cone_factor(self) -> float | None:
+    def cone_factor(self: Any) -> float | None:
         """Cone factor kc, for the model conical-ends."""
         found: float | None = self._field("cone_factor")
         return found
 
     @property
-    def stiffness_factor(self) -> float | None:
+    def stiffness_factor(self: Any) -> float | None:
         """Factor within which the stiffness of the strands is known."""
         found: float | None = self._field("stiffness_factor")
         return found
 
     @property
-    def strands(self) -> float | None:
+    def strands(self: Any) -> float | None:
         """Number N of strands, both families together."""
         found: float | None = self._field("strands")
         return found
 
     @property
-    def strands_factor(self) -> float | None:
+    def strands_factor(self: Any) -> float | None:
         """Factor by which there may be fewer strands; the allowed pressure carries it."""
         found: float | None = self._field("strands_factor")
         return found
 
     @property
-    def strand_area_mm2(self) -> float | None:
+    def strand_area_mm2(self: Any) -> float | None:
         """Cross-section A of one strand, mm2."""
         found: float | None = self._field("strand_area_mm2")
         return found
 
     @property
-    def strand_modulus_mpa(self) -> float | None:
+    def strand_modulus_mpa(self: Any) -> float | None:
         """Young's modulus E of the strands, MPa."""
         found: float | None = self._field("strand_modulus_mpa")
         return found
 
     @property
-    def strand_strength_n(self) -> float | None:
+    def strand_strength_n(self: Any) -> float | None:
         """Force at which one strand breaks, N."""
         found: float | None = self._field("strand_strength_n")
         return found
 
     @property
-    def strand_strength_factor(self) -> float | None:
+    def strand_strength_factor(self: Any) -> float | None:
         """Factor by which the strands may be weaker; the allowed pressure carries it."""
         found: float | None = self._field("strand_strength_factor")
         return found
 
     @property
-    def strands_per_carrier(self) -> float | None:
+    def strands_per_carrier(self: Any) -> float | None:
         """Strands that lie side by side on a carrier of the braiding machine."""
         found: float | None = self._field("strands_per_carrier")
         return found
 
     @property
-    def strand_length_mm(self) -> float | None:
+    def strand_length_mm(self: Any) -> float | None:
         """Length of one strand measured on the muscle, mm, for the model belforte."""
         found: float | None = self._field("strand_length_mm")
         return found
 
     @property
-    def turns(self) -> float | None:
+    def turns(self: Any) -> float | None:
         """Turns of that strand, for the model belforte."""
         found: float | None = self._field("turns")
         return found
 
     @property
-    def braid_thickness_mm(self) -> float | None:
+    def braid_thickness_mm(self: Any) -> float | None:
         """Thickness t of the braid, both layers of strands, mm."""
         found: float | None = self._field("braid_thickness_mm")
         return found
 
     @property
-    def braid_diameter_mm(self) -> float | None:
+    def braid_diameter_mm(self: Any) -> float | None:
         """Inner diameter Ds of a sleeve wider than the tube, at its angle, mm."""
         found: float | None = self._field("braid_diameter_mm")
         return found
 
     @property
-    def crimp(self) -> float | None:
+    def crimp(self: Any) -> float | None:
         """Strain c1 at which the strands are straight."""
         found: float | None = self._field("crimp")
         return found
 
     @property
-    def crimp_stiffness(self) -> float | None:
+    def crimp_stiffness(self: Any) -> float | None:
         """Share κ of their stiffness that the strands have before they are straight."""
         found: float | None = self._field("crimp_stiffness")
         return found
 
     @property
-    def friction_coefficient(self) -> float | None:
+    def friction_coefficient(self: Any) -> float | None:
         """Coefficient C of the friction C·P^β, P in MPa."""
         found: float | None = self._field("friction_coefficient")
         return found
 
     @property
-    def friction_exponent(self) -> float | None:
+    def friction_exponent(self: Any) -> float | None:
         """Exponent β of the friction C·P^β."""
         found: float | None = self._field("friction_exponent")
         return found
 
     @property
-    def friction_lever_mm(self) -> float | None:
+    def friction_lever_mm(self: Any) -> float | None:
         """Coefficient of friction times lever of the strands' crossings, μw, mm."""
         found: float | None = self._field("friction_lever_mm")
         return found
 
     @property
-    def friction_presliding_mm(self) -> float | None:
+    def friction_presliding_mm(self: Any) -> float | None:
         """Presliding length xs, over which the friction builds up after a reversal, mm."""
         found: float | None = self._field("friction_presliding_mm")
         return found
 
     @property
-    def strand_diameter_mm(self) -> float | None:
+    def strand_diameter_mm(self: Any) -> float | None:
         """Diameter of one strand of a named sleeve, if its source does not state it."""
         found: float | None = self._field("strand_diameter_mm")
         return found
 
     @property
-    def stiffness(self) -> float | str | None:
+    def stiffness(self: Any) -> float | str | None:
         """Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `paper`."""
         found: float | str | None = self._field("stiffness")
         return found
@@ -6962,27 +6957,6 @@ class MuscleFields:
 
 class MuscleNumbers:
     """What a muscle answers of numbers and arrays."""
-
-    if TYPE_CHECKING:
-
-        def _asked(
-            self,
-            wanted: str,
-            a: Any,
-            b: Any,
-            jac: bool | Sequence[str],
-            errors: str,
-            progress: Progress,
-            options: Mapping[str, Any],
-        ) -> Any: ...
-        def _solved(
-            self,
-            pressure_mpa: Any,
-            contraction: Any,
-            errors: str,
-            progress: Progress,
-            options: Mapping[str, Any],
-        ) -> Solution: ...
 
     @overload
     def force(  # type: ignore[overload-overlap]
@@ -7029,7 +7003,7 @@ class MuscleNumbers:
         **options: Unpack[Options],
     ) -> tuple[Array, Array]: ...
     def force(
-        self,
+        self: Any,
         pressure_mpa: Any,
         contraction: Any = 0.0,
         *,
@@ -7125,7 +7099,7 @@ class MuscleNumbers:
         **options: Unpack[Options],
     ) -> tuple[Array, Array]: ...
     def pressure(
-        self,
+        self: Any,
         force_n: Any,
         contraction: Any = 0.0,
         *,
@@ -7221,7 +7195,7 @@ class MuscleNumbers:
         **options: Unpack[Options],
     ) -> tuple[Array, Array]: ...
     def contraction(
-        self,
+        self: Any,
         force_n: Any,
         pressure_mpa: Any,
         *,
@@ -7273,7 +7247,7 @@ class MuscleNumbers:
         )
 
     def solve(
-        self,
+        self: Any,
         pressure_mpa: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7314,7 +7288,10 @@ class MuscleNumbers:
         >>> points.force_n.shape, bool((points.uncertainty_n > 0).all())
         ((2,), True)
         """
-        return self._solved(pressure_mpa, contraction, errors, progress, options)
+        found: Solution = self._solved(
+            pressure_mpa, contraction, errors, progress, options
+        )
+        return found
 
 
 class MuscleCommands:

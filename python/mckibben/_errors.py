@@ -92,12 +92,17 @@ KINDS: dict[str, type[MckibbenError]] = {
     ),
 }
 
+# What keywords make is no file, and is named by what it is.
+_TEXTS = ("the joint", "joint", "drive")
+
 
 def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
-    kind = KINDS.get(str(values["kind"]), InputError)
+    kind, message = KINDS.get(str(values["kind"]), InputError), str(values["message"])
+    if kind is FileError and message.split(":")[0] in _TEXTS:
+        return InputError(**{**values, "kind": "usage"})
     if kind is FileError and any(
-        words in str(values["message"]) for words in ("(os error 2)", "does not exist")
+        words in message for words in ("(os error 2)", "does not exist")
     ):
         kind = MissingFileError
     return kind(**values)

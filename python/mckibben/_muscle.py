@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
 from ._errors import InputError, MuscleWarning, warned
-from ._request import Saved, array, fields, heard, is_nan, known, modelled, put
+from ._request import (
+    Saved,
+    array,
+    fields,
+    heard,
+    is_nan,
+    known,
+    modelled,
+    number,
+    put,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -29,12 +40,14 @@ PAIRS = {
 }
 # A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
 _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
+# Contractions at which a muscle is looked at for what is to be said of it, and of how many points of an array, those of the highest pressures.
+_PROBED, _MOST = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35), 64
 
 
 class Bound:
-    """A model that is bound to a muscle, and what was said of its highest pressure."""
+    """A model that is bound to a muscle, and up to which pressure nothing is to be said of its points."""
 
-    __slots__ = ("muscle", "native", "quiet", "said")
+    __slots__ = ("muscle", "native", "quiet")
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         self.muscle, self.native = (
@@ -42,45 +55,42 @@ class Bound:
             muscle._held.model(fields(modelled(known(given, _api.Options)))),
         )
         allowed = self.native.allowed_mpa()
-        # Up to this pressure in MPa a single number needs no look.
-        self.quiet = min(
-            _LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed
-        )
-        # A pressure, the contractions between which it was looked at, and its warnings.
-        self.said: tuple[float, float, float, str] = float("-inf"), 0.0, 0.0, ""
-
-    def look(
-        self,
-        highest: float,
-        low: float,
-        high: float,
-        is_text: bool,
-        is_one: bool = False,
-    ) -> None:
-        """Warns of a pressure at contractions from one to another; of a single number again what was said of a higher pressure."""
-        if not is_text and (unlikely := _native.unlikely("pressure_mpa", highest)):
-            warned(unlikely)
-        if (
-            highest > self.said[0]
-            or not is_one
-            and (self.said[3] or low < self.said[1] or high > self.said[2])
-        ):
-            rows = (
-                self.native.solve([highest], [contraction], True)[0]
-                for contraction in {low, high}
-            )
-            self.said = (
-                highest,
-                low,
-                high,
-                "; ".join(
-                    dict.fromkeys(
-                        text for row in rows for text in row.get("warnings", ())
+        highest = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
+        # Elements would take long, and warn of what a long muscle does.
+        model = {"model": "thick-wall"} if self.native.is_elements else None
+        probe = muscle._held.model(fields(modelled(model))) if model else self.native
+        self.quiet = next(
+            (
+                pressure
+                for pressure in (highest, highest / 2, highest / 4)
+                if not any(
+                    row.get("warnings")
+                    for row in probe.solve(
+                        [pressure] * len(_PROBED), list(_PROBED), True
                     )
-                ),
-            )
-        if self.said[3]:
-            warned(self.said[3], MuscleWarning)
+                )
+            ),
+            0.0,
+        )
+
+    def is_quiet(self, pressure: Any, contraction: Any) -> Any:
+        """Whether nothing is to be said of a point, or of each of several."""
+        low, high = contraction >= _PROBED[0], contraction <= _PROBED[-1]
+        return (pressure <= self.quiet) & low & high
+
+    def look(self, pressures: list[float], contractions: list[float]) -> None:
+        """Warns of points."""
+        rows = self.native.solve(pressures, contractions, True)
+        if said := dict.fromkeys(
+            text for row in rows for text in row.get("warnings", ())
+        ):
+            warned("; ".join(said), MuscleWarning)
+
+
+def _plain(value: Any) -> Any:
+    """A number of NumPy as one of Python."""
+    numpy = sys.modules.get("numpy")
+    return value.item() if numpy and isinstance(value, numpy.generic) else value
 
 
 class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
@@ -106,6 +116,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return self._hold(_held=native, _models={}, _own=None)
 
     def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
+        missing = [n for n in MEASURES[:3] if not base and given.get(n, 0) is None]
+        if missing:
+            raise TypeError(f'{missing[0]}: a length such as 30 or "30 mm", not None')
         return self._of(_native.Muscle({"muscle": fields({**given, "file": base})}))
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
@@ -149,10 +162,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         out = {
             name: self._field(name) for name, key in _api.KEYS.items() if key in stated
         }
-        out |= (
-            {"rubber": self.rubber} if stated & {"tube.material", "tube.rubber"} else {}
-        )
-        out |= {"braid": self._field("braid")} if "braid.name" in stated else {}
+        if stated & {"tube.material", "tube.rubber"}:
+            out["rubber"] = self.rubber
+        if "braid.name" in stated:
+            out["braid"] = self._field("braid")
         try:
             whole = Muscle(**out) == self
         except (InputError, TypeError):
@@ -189,19 +202,23 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         options: Mapping[str, Any],
     ) -> Any:
         bound, nan = self._bound(options), is_nan(errors)
+        a, b = _plain(a), _plain(b)
         if (
             jac is False
             and progress is None
             and type(a) in (float, int)
             and type(b) in (float, int)
         ):
+            stated = {"force": a, "contraction": b}.get(wanted, 0.0)
+            if stated > _LIKELY_MPA:
+                number("pressure_mpa", stated)
             found = bound.native.answer_pair(wanted, a, b, nan)
             pressure = (
                 a if wanted == "force" else b if wanted == "contraction" else found
             )
-            if pressure > bound.quiet:
-                at = found if wanted == "contraction" else b
-                bound.look(pressure, at, at, wanted == "pressure", True)
+            at = found if wanted == "contraction" else b
+            if not bound.is_quiet(pressure, at) and pressure == pressure and at == at:
+                bound.look([pressure], [at])
             return found
         return _arrays(bound, wanted, a, b, jac, nan, progress)
 
@@ -213,8 +230,44 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         progress: Progress,
         options: Mapping[str, Any],
     ) -> _api.Solution:
-        return _points(
-            self._bound(options), pressure_mpa, contraction, is_nan(errors), progress
+        """All that is known of points as arrays of the broadcast shape, and what is to be known of them."""
+        import numpy as np
+
+        bound = self._bound(options)
+        p, e = np.broadcast_arrays(
+            array("pressure_mpa", pressure_mpa), array("contraction", contraction)
+        )
+        rows = bound.native.solve(
+            p.ravel().tolist(),
+            e.ravel().tolist(),
+            is_nan(errors),
+            heard(progress, "solve"),
+        )
+        if texts := list(
+            dict.fromkeys(text for row in rows for text in row.get("warnings", ()))
+        ):
+            warned("; ".join(texts), MuscleWarning)
+        usual = {"slack": False, "status": "ok", "cause": ""}
+        for row in rows:
+            said = row.pop("warnings", ())
+            row["warned"] = sum(1 << texts.index(text) for text in set(said))
+        names = dict.fromkeys(
+            name
+            for row in (usual, *rows)
+            for name, value in row.items()
+            if name in usual or isinstance(value, (int, float))
+        )
+        columns = {
+            name: [row.get(name, usual.get(name)) for row in rows] for name in names
+        }
+        return _api.Solution._read(
+            {
+                **columns,
+                "pressure_mpa": p,
+                "contraction": e,
+                "model": bound.native.name,
+                "warnings": texts,
+            }
         )
 
     @property
@@ -353,9 +406,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         given = self.to_dict()
         if "toml" in given:
             return f"Muscle.from_toml({given['toml']!r})"
-        given |= (
-            {"rubber": self.rubber} if isinstance(given.get("rubber"), dict) else {}
-        )
+        if isinstance(given.get("rubber"), dict):
+            given["rubber"] = self.rubber
         return (
             f"Muscle({', '.join(f'{name}={value!r}' for name, value in given.items())})"
         )
@@ -378,7 +430,6 @@ def _arrays(
     """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
     import numpy as np
 
-    texts = isinstance(a, str), isinstance(b, str)
     a, b = (array(name, value) for name, value in zip(PAIRS[wanted], (a, b)))
     mask: Any = (
         np.ma.getmaskarray(a) | np.ma.getmaskarray(b)
@@ -425,11 +476,10 @@ def _arrays(
         "pressure": (value.ravel(), second),
         "contraction": (second, value.ravel()),
     }[wanted]
-    if p.size and np.isfinite(highest := float(np.max(p))):
-        at = e[p == highest]
-        bound.look(
-            highest, float(at.min()), float(at.max()), texts[wanted == "contraction"]
-        )
+    loud = np.flatnonzero(~bound.is_quiet(p, e) & np.isfinite(p) & np.isfinite(e))
+    if loud.size:
+        loud = loud[np.argsort(p[loud], kind="stable")[-_MOST:]]
+        bound.look(p[loud].tolist(), e[loud].tolist())
     if by is not None:
         rates = np.concatenate([out[..., 1:3], out[..., 3:] @ by], axis=-1)
     if mask is not None:
@@ -441,45 +491,3 @@ def _arrays(
         )
     found = value if shape else float(value)
     return found if rates is None else (found, rates)
-
-
-def _points(
-    bound: Bound, pressure_mpa: Any, contraction: Any, nan: bool, progress: Progress
-) -> _api.Solution:
-    """All that is known of points as arrays of the broadcast shape, and what is to be known of them."""
-    import numpy as np
-
-    p, e = np.broadcast_arrays(
-        array("pressure_mpa", pressure_mpa), array("contraction", contraction)
-    )
-    rows = bound.native.solve(
-        p.ravel().tolist(), e.ravel().tolist(), nan, heard(progress, "solve")
-    )
-    if texts := list(
-        dict.fromkeys(text for row in rows for text in row.get("warnings", ()))
-    ):
-        warned("; ".join(texts), MuscleWarning)
-    names = dict.fromkeys(
-        name
-        for row in rows
-        for name, value in row.items()
-        if isinstance(value, (int, float)) and name != "slack"
-    )
-    columns: dict[str, list[Any]] = {
-        name: [row.get(name) for row in rows] for name in names
-    }
-    for name, without in (("slack", False), ("status", "ok"), ("cause", "")):
-        columns[name] = [row.get(name, without) for row in rows]
-    columns["warned"] = [
-        sum(1 << texts.index(text) for text in set(row.get("warnings", ())))
-        for row in rows
-    ]
-    return _api.Solution._read(
-        {
-            **columns,
-            "pressure_mpa": p,
-            "contraction": e,
-            "model": bound.native.name,
-            "warnings": texts,
-        }
-    )

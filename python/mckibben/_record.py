@@ -112,7 +112,8 @@ class Record(Fixed):
         """The columns of its table: NumPy arrays of numbers, lists of texts. ``polars.DataFrame`` and ``pyarrow.table`` take them."""
         if self._rows is None:
             raise TypeError(f"{type(self).__name__} holds no table")
-        held: Any = self.__dict__.get(self._rows) or []
+        lists = (self.__dict__.get(name) for name in self._rows.split())
+        held: Any = next(filter(None, lists), [])
         if isinstance(held, Record) and hasattr(held, "text"):
             import csv
 
@@ -178,7 +179,9 @@ class Record(Fixed):
         return json.dumps(self.to_dict(), sort_keys=True)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
+        text = f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
+        # Not more than a screen.
+        return text if len(text) <= 2000 else text[:1999] + "…"
 
     def __str__(self) -> str:
         text = repr(self)
@@ -631,6 +634,13 @@ class Designed(Record):
     @property
     def best(self) -> Muscle:
         """The first of them."""
+        bundle = self.__dict__.get("bundle")
+        if bundle and not self.__dict__["_asked"][1].get("count"):
+            raise NoAnswerError(
+                f"one muscle is not enough: {bundle.muscles} side by side are",
+                kind="no_answer",
+                hint="count=… allows a bundle, of which `best` is one muscle",
+            )
         if not self.muscles:
             raise NoAnswerError(
                 "no muscle fits",

@@ -184,7 +184,7 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
             else _native.quantity(name, value),
             dtype=np.float64,
         )
-    value = bare(name, value)
+    own, value = value, bare(name, value)
     if isinstance(value, (list, tuple)) and any(
         isinstance(v, str) or hasattr(v, "magnitude") for v in value
     ):
@@ -199,6 +199,9 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
             f"{name}: numbers, a text with its unit or quantities of pint, not {given.dtype}"
         )
     out: NDArray[np.float64] = given.astype(np.float64, copy=not given.flags.aligned)
+    highest = float(np.nanmax(np.ma.filled(out, 0.0), initial=0.0))
+    if value is own and (said := _native.unlikely(name, highest)):
+        warned(said)
     return out
 
 
@@ -320,16 +323,16 @@ def put(
         for path, content in files.items()
     }
     for path, content in contents.items():
-        if not overwrite and os.path.isfile(path) and os.path.getsize(path):
+        if not overwrite and os.path.isfile(path):
             with open(path, "rb") as there:
-                if os.path.getsize(path) != len(content) or there.read() != content:
-                    hint = "name another place, or replace it with overwrite=True"
-                    raise ExistingFileError(
-                        f"{path} is another file and would be overwritten",
-                        kind="output",
-                        field="path",
-                        hint=hint,
-                    )
+                held = there.read()
+            if held not in (b"", content):
+                raise ExistingFileError(
+                    f"{path} is another file and would be overwritten",
+                    kind="output",
+                    field="path",
+                    hint="name another place, or replace it with overwrite=True",
+                )
     for path, content in contents.items():
         _native.write_file(path, content)
 

@@ -112,7 +112,21 @@ def test_progress_is_told_and_may_end_the_work() -> None:
     with pytest.raises(RuntimeError, match="enough"):
         long_work(hear)
     assert len(told) >= 3 and told[0][1] == PRESSURES.size * CONTRACTIONS.size
+    told.clear()
+    mk.design(
+        force_n=300,
+        contraction=0.1,
+        max_pressure_mpa=0.25,
+        progress=lambda done, total: told.append((done, total)),
+    )
+    assert told and told[-1][0] == told[-1][1] > 1
     assert all(a[0] <= b[0] for a, b in zip(told, told[1:]))
+    told.clear()
+    # Work that does not count its steps is one.
+    mk.Muscle.prototype().study(
+        model="ideal", progress=lambda done, total: told.append((done, total))
+    )
+    assert told[-1] == (1, 1)
 
 
 def test_a_bar_moves(capsys: pytest.CaptureFixture[str]) -> None:
@@ -185,6 +199,8 @@ def test_a_number_costs_little_more_than_its_model() -> None:
         )
     )
     assert own - alone < 60 * seconds(lambda: empty(0.2, 0.1, model="universal"))
+    for number in (np.float64(0.2), np.float32(0.2)):
+        assert seconds(lambda: muscle.force(number, 0.1, model="universal")) < 3 * own
     code = "import sys, mckibben as mk; mk.Muscle.prototype().force(0.2, 0.1); print('numpy' in sys.modules)"
     assert (
         subprocess.run(

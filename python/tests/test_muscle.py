@@ -343,3 +343,42 @@ def test_the_generated_api_has_plain_functions() -> None:
                 and "Any" not in str(inspect.signature(made))
                 and "Raises" in (made.__doc__ or "")
             ), name
+
+
+def test_lengths_that_are_none_are_type_errors() -> None:
+    for name in ("outer_diameter_mm", "wall_mm", "length_mm"):
+        given: Any = {"outer_diameter_mm": 30, "wall_mm": 2, "length_mm": 285}
+        with pytest.raises(TypeError, match=name):
+            mk.Muscle(**{**given, name: None})
+
+
+def test_a_warning_belongs_to_a_point_whichever_way_it_is_asked() -> None:
+    """An identity: a number, a list of one and solve() say the same; in any order, as nothing that was said before counts."""
+    soft = mk.Muscle(
+        outer_diameter_mm=30, wall_mm=2, length_mm=285, rubber="ecoflex-00-10"
+    )
+
+    def said(ask: Any) -> list[str]:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            ask()
+        return [str(w.message) for w in caught]
+
+    told = 0
+    for pressure in (0.9, 0.05, 0.5, 0.2, 0.02, 0.7):
+        for contraction in (0.3, 0.0, 0.12):
+            for model in ("thick-wall", "universal"):
+                point = said(
+                    lambda: soft.solve(pressure, contraction, model=model, errors="nan")
+                )
+                told += bool(point)
+                for ask in (
+                    lambda: soft.force(
+                        pressure, contraction, model=model, errors="nan"
+                    ),
+                    lambda: soft.force(
+                        [pressure], contraction, model=model, errors="nan"
+                    ),
+                ):
+                    assert said(ask) == point, (pressure, contraction, model)
+    assert 0 < told < 36

@@ -6,7 +6,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { zip } from "../page/js/zip.js";
-import { alive, pull, soon } from "./browser.mjs";
+import { alive, go, openFiles, pull, soon } from "./browser.mjs";
+import { overHttp } from "./engines.mjs";
 import { ask, inBrowser, program, root } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -65,6 +66,78 @@ test("an archive has its files as they were, for a reader that is not ours", asy
 });
 
 inBrowser(({ name, url, open, blank }) => {
+  test("a build sheet and an export have the units of the page and the name of the muscle", async () => {
+    const { page, errors, context } = await open("#files?name=Left%20arm");
+    await page.getByRole("button", { name: "Make the build sheet" }).click();
+    const file = (/** @type {string} */ called) =>
+      page.getByRole("button", { name: called, exact: true });
+    await file("README.md").waitFor({ timeout: 120_000 });
+    const sheet = (await downloaded(page, file("README.md"))).bytes.toString();
+    assert.match(sheet, /working pressure.*\| 2\.5 bar \|/);
+    assert.ok(!sheet.includes("0.25 MPa"));
+    const toml = (await downloaded(page, file("muscle.toml"))).bytes.toString();
+    assert.match(toml, /^name = "Left arm"$/m);
+    const out = card(page, "Controllers and simulators");
+    await out.getByRole("combobox", { name: "Target" }).selectOption("c");
+    await out.getByRole("button", { name: "Export", exact: true }).click();
+    await file("muscle_left_arm.h").waitFor({ timeout: 120_000 });
+    // A name that only its file states is one too.
+    const other = await open("#muscle");
+    await alive(other.page);
+    await openFiles(other.page, {
+      name: "any.toml",
+      mimeType: "text/plain",
+      buffer: Buffer.from(toml),
+    });
+    await soon(async () => assert.match(other.page.url(), /file=/));
+    await go(other.page, "Files");
+    const again = card(other.page, "Controllers and simulators");
+    await again.getByRole("combobox", { name: "Target" }).selectOption("c");
+    await again.getByRole("button", { name: "Export", exact: true }).click();
+    await again
+      .getByRole("button", { name: "muscle_left_arm.h", exact: true })
+      .waitFor({ timeout: 120_000 });
+    assert.deepEqual([...errors, ...other.errors], []);
+    await Promise.all([context.close(), other.context.close()]);
+  });
+
+  if (name === "serve")
+    test("the curves of a design are the engine's points, and a gap is no point", async () => {
+      const { page, context } = await open("#design");
+      await page.locator(".chart h3").first().waitFor({ timeout: 120_000 });
+      const chart = page.locator(".chart").filter({ has: page.locator("h3") });
+      const { bytes } = await downloaded(
+        page,
+        chart.first().getByRole("button", { name: "CSV", exact: true }),
+      );
+      const rows = bytes
+        .toString()
+        .trim()
+        .split("\n")
+        .slice(1)
+        .map((row) => row.split(",").slice(-2));
+      const { figure } = await overHttp(url())("design", {
+        force_n: 700,
+        contraction: 0.15,
+        max_pressure_mpa: 0.25,
+        figure: "bar,N,mm",
+      });
+      const points = figure.panels[0].series.flatMap(
+        (/** @type {any} */ s) => s.points,
+      );
+      assert.equal(rows.length, points.length);
+      const gaps = points.filter((/** @type {any} */ p) => p.includes(null));
+      assert.ok(gaps.length > 0);
+      points.forEach((/** @type {any} */ [x, y], /** @type {number} */ i) => {
+        const at = `row ${i}: ${rows[i]}`;
+        if (y === null) assert.equal(rows[i][1], "", at);
+        else assert.ok(Math.abs(Number(rows[i][1]) - y) < 1e-6, at);
+        if (x === null) assert.equal(rows[i][0], "", at);
+        else assert.ok(Math.abs(Number(rows[i][0]) - 100 * x) < 1e-6, at);
+      });
+      await context.close();
+    });
+
   test("an export has the command line's error, and its files one by one and as an archive", async () => {
     const { page, errors, context } = await open("#files?D=38&p=2.2bar");
     const out = card(page, "Controllers and simulators");

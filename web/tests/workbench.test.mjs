@@ -545,6 +545,76 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a pasted table is a table, and a workbook is named with what to do", async () => {
+    const { page, errors, context } = await open("#about");
+    await page.waitForSelector("h2");
+    const paste = (/** @type {string} */ text, at = "body") =>
+      page.evaluate(
+        ([cells, where]) => {
+          const clipboardData = new DataTransfer();
+          clipboardData.setData("text/plain", cells);
+          document
+            .querySelector(where)
+            ?.dispatchEvent(
+              new ClipboardEvent("paste", { clipboardData, bubbles: true }),
+            );
+        },
+        [text, at],
+      );
+    // Cells of a workbook come with tabs between them.
+    await paste(example("bench.csv").replaceAll(",", "\t"));
+    await there(page, "data");
+    await reads(page, ".middle", "pasted.csv: 10 points");
+    const said = ask(
+      "compare",
+      "examples/prototype.toml",
+      "--data",
+      "examples/bench.csv",
+      "--models",
+      "thick-wall",
+      "--extrapolate",
+    );
+    await reads(
+      page,
+      "table[aria-label], .middle",
+      `${Number(said.models[0].rms_n.toPrecision(3))} N`,
+    );
+    // What is pasted into a field is its text.
+    await go(page, "Muscle");
+    await alive(page);
+    await paste("1,2\n3,4\n", ".muscle-bar input");
+    for (const [name, begin] of [
+      ["a.xlsx", "PK\u0003\u0004"],
+      ["b.ods", "PK\u0003\u0004"],
+    ]) {
+      await drop(page, { [name]: begin });
+      await reads(
+        page,
+        "#notice",
+        `${name} is a workbook: save its sheet as CSV`,
+      );
+    }
+    await there(page, "muscle");
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a place that was not loaded while the server was away opens once it is back", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    const away = (/** @type {import("playwright-core").Route} */ route) =>
+      route.abort();
+    await page.route(/pages\/sweep\.js/, away);
+    await page.evaluate(() => {
+      location.hash = "#sweep";
+    });
+    await page.getByRole("button", { name: "Try again" }).waitFor();
+    await page.unroute(/pages\/sweep\.js/, away);
+    await page.getByRole("button", { name: "Try again" }).click();
+    await there(page, "sweep");
+    await context.close();
+  });
+
   test("a newcomer meets eight muscles with pictures, each of which opens, until they are hidden", async () => {
     const { page, errors, context } = await blank();
     await page.goto(url());

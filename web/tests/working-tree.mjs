@@ -19,10 +19,10 @@ const TYPES = /** @type {Record<string, string>} */ ({
   ".csv": "text/plain; charset=utf-8",
 });
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
-/** As the server sends them (crates/mckibben-server/src/door.rs), read from there. */
+/** As the server sends them (crates/mckibben-server/src/request_guard.rs), read from there. */
 async function headers() {
   const door = await readFile(
-    join(ROOT, "crates/mckibben-server/src/door.rs"),
+    join(ROOT, "crates/mckibben-server/src/request_guard.rs"),
     "utf8",
   );
   const list = /const HEADERS[^=]*= \[([\s\S]*?)\n\];/.exec(door)?.[1] ?? "";

@@ -1,9 +1,12 @@
 //! Every command by name, and quantities as users write them.
 
-use crate::{error::Wrong, request, run, value};
-use mckibben_app::ask_value;
-use mckibben_core::units::NamedUnit;
+use crate::{request, run, value};
+use mckibben_app::{ProblemKind, ask_value};
+use mckibben_core::units::{NamedUnit, parse_quantity, parse_values};
 use pyo3::prelude::*;
+
+/// Parts of an interval without a step.
+const DIVISIONS: usize = 20;
 
 /// The answer to a request with numbers and the contents of files.
 ///
@@ -27,20 +30,15 @@ pub fn ask<'py>(
 /// A text such as `2.5 bar` in the unit that a name carries.
 #[pyfunction]
 pub fn quantity(name: &str, text: &str) -> PyResult<f64> {
-    let read = || {
-        request::quantity(text, request::kind_of(name)?).map_err(|problem| problem.in_field(name))
-    };
-    Ok(read().map_err(Wrong::from)?)
+    request::of_text(name, text, ProblemKind::Quantity, parse_quantity)
 }
 
 /// A text such as `0..2.5:0.5 bar` or `1,2,3 bar` as numbers; an interval without a step is cut
 /// into 20 parts.
 #[pyfunction]
 pub fn quantities(name: &str, text: &str) -> PyResult<Vec<f64>> {
-    let read = || {
-        request::quantities(text, request::kind_of(name)?).map_err(|problem| problem.in_field(name))
-    };
-    Ok(read().map_err(Wrong::from)?)
+    let values = request::of_text(name, text, ProblemKind::Range, parse_values)?;
+    Ok(values.sampled(DIVISIONS))
 }
 
 /// The unit of a name's numbers; none of plain ones.

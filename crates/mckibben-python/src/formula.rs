@@ -48,9 +48,8 @@ impl Formula {
         two_sided: bool,
         nan: bool,
     ) -> PyResult<()> {
-        let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
-        let numbers = points.as_slice().map_err(wrong)?;
-        let places = out.as_slice_mut().map_err(wrong)?;
+        let numbers = points.as_slice()?;
+        let places = out.as_slice_mut()?;
         let count = places.len();
         let mut rows = numbers.chunks_exact(count.max(1));
         let [Some(p), Some(e), Some(s), Some(d)] =
@@ -62,7 +61,7 @@ impl Formula {
                 Err(PyValueError::new_err("four rows of points"))
             };
         };
-        Ok(run::quick(py, |_| {
+        run::quick(py, |_| {
             let range = &self.formula.range;
             let points = p.iter().zip(e).zip(s).zip(d).zip(places);
             for (index, ((((&p, &e), &s), &d), place)) in points.enumerate() {
@@ -96,6 +95,6 @@ impl Formula {
                 };
             }
             Ok(())
-        })?)
+        })
     }
 }

@@ -90,18 +90,8 @@ impl Model {
             parameters: parameters.collect::<Result<_, _>>().map_err(Wrong::from)?,
             nan,
         };
-        let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
-        let pairs = [
-            first.as_slice().map_err(wrong)?,
-            second.as_slice().map_err(wrong)?,
-        ];
-        self.answer(
-            py,
-            pairs,
-            &many,
-            out.as_slice_mut().map_err(wrong)?,
-            progress,
-        )
+        let pairs = [first.as_slice()?, second.as_slice()?];
+        self.answer(py, pairs, &many, out.as_slice_mut()?, progress)
     }
 
     /// The answer to one pair of numbers; NaN where it has none and `nan` is true.
@@ -137,11 +127,11 @@ impl Model {
     ) -> PyResult<usize> {
         let moment = self.bound.is_moment(places.len());
         let work = |progress: &dyn Progress| Ok(self.bound.fill(pairs, many, places, progress)?);
-        Ok(if moment {
+        if moment {
             run::quick(py, work)
         } else {
             run::long(py, progress, work)
-        }?)
+        }
     }
 }
 

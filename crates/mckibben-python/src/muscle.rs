@@ -70,13 +70,13 @@ impl Muscle {
     #[pyo3(signature = (request: "dict[str, typing.Any]"))]
     fn new(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Self> {
         let request = request::given(py, "check", request)?;
-        Ok(run::quick(py, |_| {
+        run::quick(py, |_| {
             let question: QuestionFields = understood(&request)?;
             let made = question.muscle.resolve();
             Ok(made
                 .map_err(|problem| blamed(problem, &request["muscle"]))?
                 .into())
-        })?)
+        })
     }
 
     /// The paper's muscle with the rubber of a text: its table `tube.material`.
@@ -154,11 +154,11 @@ impl Muscle {
     #[pyo3(signature = (request: "dict[str, typing.Any]"))]
     fn model(&self, py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Model> {
         let request = request::given(py, "force", request)?;
-        Ok(run::quick(py, |_| {
+        run::quick(py, |_| {
             let question: QuestionFields = understood(&request)?;
             Ok(Model {
                 bound: BoundModel::new(&self.held, &question.model, question.asking)?,
             })
-        })?)
+        })
     }
 }

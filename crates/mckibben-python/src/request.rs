@@ -3,13 +3,11 @@
 
 use crate::{error::Wrong, value};
 use mckibben_app::{Problem, ProblemKind, TextFile, find, measured_folder};
-use mckibben_core::units::{Dimension, NamedUnit, parse_quantity, parse_values};
+use mckibben_core::units::{Dimension, NamedUnit, parse_quantity};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
-use std::path::Path;
+use std::{fmt::Display, path::Path};
 
-/// Parts of an interval without a step.
-const DIVISIONS: usize = 20;
 /// Bare numbers of fields beyond which they were likely meant in another unit.
 const LIKELY: [(&str, f64, f64); 7] = [
     ("outer_diameter_mm", 1.0, 1000.0),
@@ -45,18 +43,20 @@ pub fn given(py: Python<'_>, command: &str, object: &Bound<'_, PyAny>) -> PyResu
     Ok(request)
 }
 
-/// A text such as `2.5 bar` in the unit inside. A number that has a unit must state it.
-pub fn quantity(text: &str, kind: Dimension) -> Result<f64, Problem> {
-    stated(text, kind)?;
-    parse_quantity(text, kind).map_err(|e| Problem::new(ProblemKind::Quantity, e.to_string(), ""))
-}
-
-/// A text such as `0..2.5:0.5 bar` as numbers.
-pub fn quantities(text: &str, kind: Dimension) -> Result<Vec<f64>, Problem> {
-    stated(text, kind)?;
-    let values = parse_values(text, kind)
-        .map_err(|e| Problem::new(ProblemKind::Range, e.to_string(), ""))?;
-    Ok(values.sampled(DIVISIONS))
+/// What a text of a field says, in the unit inside. A number that has a unit must state it.
+pub fn of_text<T, E: Display>(
+    name: &str,
+    text: &str,
+    wrong: ProblemKind,
+    parse: impl Fn(&str, Dimension) -> Result<T, E>,
+) -> PyResult<T> {
+    let read = || {
+        let no_text = || Problem::new(ProblemKind::Quantity, "a plain number is no text", "");
+        let kind = dimension(name).ok_or_else(no_text)?;
+        stated(text, kind)?;
+        parse(text, kind).map_err(|e| Problem::new(wrong, e.to_string(), ""))
+    };
+    Ok(read().map_err(|problem| Wrong::from(problem.in_field(name)))?)
 }
 
 fn stated(text: &str, kind: Dimension) -> Result<(), Problem> {
@@ -124,8 +124,10 @@ impl<'a> Reading<'a> {
                 .iter_mut()
                 .try_for_each(|item| self.value(name, items, item)),
             Value::Null | Value::Bool(_) => Ok(()),
-            // Lists of quantities take one by themselves.
-            one if items.is_object() && schema["x-quantity"].is_null() => {
+            // Lists of quantities take one by themselves, lists of such lists do not.
+            one if items.is_object()
+                && (schema["x-quantity"].is_null() || items["items"].is_object()) =>
+            {
                 *one = json!([one.take()]);
                 self.value(name, schema, one)
             }
@@ -178,7 +180,7 @@ fn read(name: &str, kind: &str, text: &str) -> Result<Option<Value>, Problem> {
         "NameOrFile" if is("json") => Some(json!(TextFile::formula(path)?)),
         "NameOrFile" if is("toml") => Some(json!(TextFile::read(path)?)),
         _ => {
-            let Some(kind) = NamedUnit::of_field(name).and_then(|of| of.dimension) else {
+            let Some(kind) = dimension(name) else {
                 return Ok(None);
             };
             stated(text, kind)?;
@@ -188,10 +190,6 @@ fn read(name: &str, kind: &str, text: &str) -> Result<Option<Value>, Problem> {
 }
 
 /// The kind of quantity that a name carries, where a text may stand in its place.
-pub fn kind_of(name: &str) -> Result<Dimension, Problem> {
-    NamedUnit::of_field(name)
-        .and_then(|of| of.dimension)
-        .ok_or_else(|| {
-            Problem::new(ProblemKind::Quantity, "a plain number is no text", "").in_field(name)
-        })
+fn dimension(name: &str) -> Option<Dimension> {
+    NamedUnit::of_field(name)?.dimension
 }

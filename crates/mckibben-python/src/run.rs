@@ -20,6 +20,8 @@ use std::{
 
 /// How often the calling thread looks at signals and progress.
 const TICK: Duration = Duration::from_millis(50);
+/// After so many ticks without a word work is one step.
+const SILENT: usize = 20;
 /// Stack of the thread that works: as much as that of a program usually.
 const STACK_BYTES: usize = 8 << 20;
 
@@ -33,8 +35,9 @@ struct Watched {
 
 impl Progress for Watched {
     fn report(&self, done: usize, total: usize) {
-        self.done.store(done, Ordering::Relaxed);
-        self.total.store(total, Ordering::Relaxed);
+        // Parts of the work may tell of themselves.
+        self.done.fetch_max(done, Ordering::Relaxed);
+        self.total.fetch_max(total, Ordering::Relaxed);
     }
 }
 
@@ -42,22 +45,23 @@ impl Progress for Watched {
 pub fn quick<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
-) -> Result<T, Wrong> {
+) -> PyResult<T> {
     let watched = Watched::default();
-    py.detach(|| within(&watched.cancel, || work(&watched)))
+    Ok(py.detach(|| within(&watched.cancel, || work(&watched)))?)
 }
 
-/// Work that may take long. `progress(done, total)` is called now and then, and once at the end.
+/// Work that may take long. `progress(done, total)` is called now and then, and once at the end with
+/// all done.
 pub fn long<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
-) -> Result<T, Wrong> {
+) -> PyResult<T> {
     let watched = Watched::default();
     let progress: Option<Py<PyAny>> = progress
         .filter(|p| !p.is_none())
         .map(|p| p.clone().unbind());
-    py.detach(|| {
+    let done: Result<T, Wrong> = py.detach(|| {
         thread::scope(|scope| {
             let (sender, receiver) = sync_channel(1);
             let at_work = || within(&watched.cancel, || work(&watched));
@@ -73,10 +77,15 @@ pub fn long<T: Send>(
             }
             let mut raised = None;
             let mut reported = (0, 0);
+            let mut ticks = 0;
             let done = loop {
                 match receiver.recv_timeout(TICK) {
                     Ok(done) => break done,
                     Err(RecvTimeoutError::Timeout) => {
+                        ticks += 1;
+                        if ticks == SILENT {
+                            watched.report(0, 1);
+                        }
                         let heard = Python::attach(|py| {
                             listen(py, &watched, progress.as_ref(), &mut reported)
                         });
@@ -92,13 +101,17 @@ pub fn long<T: Send>(
                 }
             };
             if let Some(error) = raised {
-                Err(error.into())
-            } else {
-                Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported))?;
-                done
+                return Err(error.into());
             }
+            if done.is_ok() {
+                let all = watched.total.load(Ordering::Relaxed).max(1);
+                watched.report(all, all);
+            }
+            Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut reported))?;
+            done
         })
-    })
+    });
+    Ok(done?)
 }
 
 /// Signals, then the caller's function where there is news.

@@ -38,35 +38,35 @@ impl Simulation {
         records: bool,
     ) -> PyResult<Self> {
         let request = request::given(py, "motion", request)?;
-        Ok(run::long(py, None, |progress| {
+        run::long(py, None, |progress| {
             let request: MotionRequest = understood(&request)?;
             Ok(Self {
                 drive: Mutex::new(SimulatedDrive::new(&request, step_s, progress)?),
                 records,
             })
-        })?)
+        })
     }
 
     /// One step on, with a command for each of the drive's and a force in N or torque in N m from
     /// outside; what was recorded at its end.
     fn step(&self, py: Python<'_>, commands: Vec<f64>, outside: f64) -> PyResult<Vec<f64>> {
-        Ok(run::quick(py, |progress| {
+        run::quick(py, |progress| {
             let mut drive = self.drive();
             drive.step(&commands, outside, progress)?;
             if !self.records {
                 drive.forget();
             }
-            Ok::<_, Wrong>(last(&drive))
-        })?)
+            Ok(last(&drive))
+        })
     }
 
     /// Back to the start.
     fn reset(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
-        Ok(run::quick(py, |progress| {
+        run::quick(py, |progress| {
             let mut drive = self.drive();
             drive.reset(progress)?;
-            Ok::<_, Wrong>(last(&drive))
-        })?)
+            Ok(last(&drive))
+        })
     }
 
     /// Another one in the same state.
@@ -85,9 +85,9 @@ impl Simulation {
 
     /// Goes to where a simulation of the same drive was, by its numbers.
     fn restore(&self, py: Python<'_>, numbers: Vec<f64>) -> PyResult<()> {
-        Ok(run::quick(py, |progress| {
+        run::quick(py, |progress| {
             Ok(self.drive().restore(&numbers, progress)?)
-        })?)
+        })
     }
 
     /// What was recorded last, in the order of the names.
@@ -150,10 +150,9 @@ pub fn rollout(
     nan: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<()> {
-    let wrong = |e: numpy::AsSliceError| PyValueError::new_err(e.to_string());
     let count = commands.as_array().ncols();
-    let rows = commands.as_slice().map_err(wrong)?;
-    let places = out.as_slice_mut().map_err(wrong)?;
+    let rows = commands.as_slice()?;
+    let places = out.as_slice_mut()?;
     let width = py.detach(|| last(&simulation.drive()).len());
     let whole = (steps + 1) * width;
     if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
@@ -198,8 +197,7 @@ pub fn rollout(
             Some((index, problem)) if !nan => Err(Wrong::Problem(problem, Some(index))),
             _ => Ok(()),
         }
-    })?;
-    Ok(())
+    })
 }
 
 fn last(drive: &SimulatedDrive) -> Vec<f64> {

@@ -1,20 +1,30 @@
 //! Maps, lists and numbers of Python and of requests, from the one to the other by way of JSON's
 //! text; and what is said to the caller.
 
-use pyo3::{exceptions::PyValueError, prelude::*, types::PyDict};
+use crate::error::Wrong;
+use mckibben_app::{Problem, ProblemKind};
+use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::Value;
 
 /// Of maps with names, lists, texts and finite numbers; any other object is Python's `TypeError` or
 /// `ValueError`.
 pub fn request(object: &Bound<'_, PyAny>) -> PyResult<Value> {
-    let finite = PyDict::new(object.py());
-    finite.set_item("allow_nan", false)?;
     let text = object
         .py()
         .import("json")?
-        .call_method("dumps", (object,), Some(&finite))?;
-    serde_json::from_str(text.extract()?)
-        .map_err(|e| PyValueError::new_err(format!("the request is not understood: {e}")))
+        .call_method1("dumps", (object,))?;
+    let text: &str = text.extract()?;
+    serde_json::from_str(text).map_err(|e| {
+        let (before, after) = text.split_at(e.column().saturating_sub(1).min(text.len()));
+        // The name before it, in JSON that lets NaN and Infinity stand.
+        match before.rsplit('"').nth(1) {
+            Some(field) if after.starts_with(['N', 'I']) => {
+                let problem = Problem::new(ProblemKind::Quantity, "is not a finite number", "");
+                Wrong::from(problem.in_field(field)).into()
+            }
+            _ => PyValueError::new_err(format!("the request is not understood: {e}")),
+        }
+    })
 }
 
 /// An answer, with plain spaces in the place of those that join a quantity of a sentence to its

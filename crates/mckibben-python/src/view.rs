@@ -15,10 +15,10 @@ fn page(document: &Document) -> Result<String, Wrong> {
 #[pyo3(signature = (request: "dict[str, typing.Any]"))]
 pub fn body_html(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<String> {
     let request = request::given(py, "shape", request)?;
-    Ok(run::long(py, None, |_| {
+    run::long(py, None, |_| {
         let request: ShapeRequest = understood(&request)?;
         page(&body(&request)?)
-    })?)
+    })
 }
 
 /// A page with all that is known of a muscle.
@@ -31,8 +31,8 @@ pub fn report_html(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
     let request = request::given(py, "build", request)?;
-    Ok(run::long(py, progress, |progress| {
+    run::long(py, progress, |progress| {
         let request: BuildRequest = understood(&request)?;
         page(&build(&request, progress)?.document.unwrap_or_default())
-    })?)
+    })
 }

@@ -65,7 +65,7 @@ function shareButton() {
 
 /** @param {(by: -1 | 1) => void} walk to the step before or after @param {() => void} renamed */
 export function muscleBar(walk, renamed) {
-  const picture = el("span", {}),
+  const picture = el("span"),
     field = nameField(renamed),
     line = el("span", { class: "small soft measures" });
   const undo = button("Undo", () => walk(-1)),

@@ -2,7 +2,7 @@
 import { Slot } from "./ask.js";
 import { body, contracted, ground } from "./body.js";
 import { decisionView } from "./design-view.js";
-import { el } from "./dom.js";
+import { block, el } from "./dom.js";
 import { card } from "./thumbnail.js";
 import { show, withUncertainty } from "./units.js";
 import { inWords } from "./words.js";
@@ -51,13 +51,12 @@ export function candidatesView(open) {
       ...WISHES.map(([title, wish], i) => {
         const one = found[i];
         if (typeof one !== "object")
-          return el(
-            "div",
-            { class: "card" },
+          return block(
+            "card",
             el("b", {}, title),
             el("span", { class: "small soft" }, one ?? "Searching …"),
           );
-        const box = el("span", {});
+        const box = el("span");
         box.innerHTML = picture(one, wide, tall);
         const [at] = one.points;
         const parts = [

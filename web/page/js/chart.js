@@ -1,11 +1,11 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
 import { atEnd } from "./life.js";
-import { button, csv, download, el } from "./dom.js";
+import { block, button, csv, download, el } from "./dom.js";
 import { table } from "./form.js";
 import { Lines } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { isDark, onTheme } from "./theme.js";
-import { number, outside } from "./units.js";
+import { clamp, number, outside } from "./units.js";
 
 export { KINDS };
 
@@ -22,7 +22,7 @@ const VIRIDIS = [
 ];
 /** Viridis between 0 and 1 as red, green and blue. @param {number} share @param {number} most of the map */
 export function viridisAt(share, most) {
-  const t = Math.min(1, Math.max(0, share)) * most * (VIRIDIS.length - 1);
+  const t = clamp(share, 0, 1) * most * (VIRIDIS.length - 1);
   const i = Math.min(VIRIDIS.length - 2, Math.floor(t));
   return VIRIDIS[i].map((a, k) =>
     Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)),
@@ -42,7 +42,7 @@ export class Chart extends Lines {
    * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => unknown }} [options]
    */
   constructor(name, { tools, tall, drag } = {}) {
-    super(el("div", { class: "plot" }), name, drag);
+    super(block("plot"), name, drag);
     this.name = name;
     this.table = el("div", { class: "scroll", hidden: true, tabindex: 0 });
     this.asTable = button("Table", () => this.flip(), {
@@ -50,9 +50,8 @@ export class Chart extends Lines {
     });
     const save = (/** @type {"csv" | "svg" | "png"} */ kind) =>
       button(kind.toUpperCase(), () => this.save(kind));
-    const bar = el(
-      "div",
-      { class: "row" },
+    const bar = block(
+      "row",
       tools ?? null,
       el("span", { class: "grow" }),
       this.asTable,
@@ -84,7 +83,7 @@ export class Chart extends Lines {
 
   flip() {
     const on = this.asTable.getAttribute("aria-pressed") !== "true";
-    this.asTable.setAttribute("aria-pressed", String(on));
+    this.asTable.ariaPressed = String(on);
     this.table.hidden = !on;
     this.host.hidden = on;
     if (on) this.tabulate();

@@ -1,6 +1,6 @@
 // Columns of a table whose headings do not say what they are: asked for by lists of its headings and of units.
 import { choice } from "./controls.js";
-import { el } from "./dom.js";
+import { el, folded } from "./dom.js";
 import { unitsOf } from "./units.js";
 
 /**
@@ -79,12 +79,7 @@ export function columnChoice(changed) {
       column.set(heading);
       unit.set(of);
     });
-  const element = el(
-    "details",
-    {},
-    el("summary", {}, "Columns"),
-    ...rows.map((r) => r.element),
-  );
+  const element = folded("Columns", ...rows.map((r) => r.element));
   return {
     element,
     /** Another table. @param {string[]} list */

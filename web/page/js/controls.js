@@ -1,8 +1,9 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
 import { understood } from "./ask.js";
-import { addOptions, button, capital, el } from "./dom.js";
+import { addOptions, block, button, capital, el, optionsOf } from "./dom.js";
 import {
   changeUnit,
+  clamp,
   expectation,
   hasChoice,
   inside,
@@ -14,6 +15,7 @@ import {
   unitName,
 } from "./units.js";
 import { sketched } from "./sketch.js";
+import { noticeProblem } from "./notice.js";
 import { inWords } from "./words.js";
 
 let count = 0;
@@ -104,9 +106,8 @@ class Quantity {
       symbol ? " " : "",
       symbol ? el("i", { class: "soft" }, symbol) : null,
     );
-    this.element = el(
-      "div",
-      { class: "quantity" },
+    this.element = block(
+      "quantity",
       name,
       this.field,
       this.unit,
@@ -200,7 +201,7 @@ class Quantity {
     );
     // A round value may lie beyond its ends.
     const within = (/** @type {number} */ round) =>
-      Math.min(high, Math.max(low, inside(kind, round)));
+      clamp(inside(kind, round), low, high);
     if (around)
       return within(
         Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2)),
@@ -234,10 +235,7 @@ class Quantity {
           ? 10 ** Math.floor(Math.log10(now / 20))
           : this.#step();
       const next = Number((now + by * step).toPrecision(12));
-      this.#take(
-        Math.min(this.#high, Math.max(this.#low, inside(kind, next))),
-        true,
-      );
+      this.#take(clamp(inside(kind, next), this.#low, this.#high), true);
     });
     field.addEventListener("change", () => {
       this.#read().catch((problem) => this.say(problem.message, true));
@@ -355,7 +353,7 @@ export function choice(label, options, value, change) {
   const select = el(
     "select",
     { onchange: () => change(select.value) },
-    ...options.map(([name, text]) => el("option", { value: name }, text)),
+    ...optionsOf(options),
   );
   select.value = value;
   const element = el(
@@ -378,15 +376,23 @@ export function choice(label, options, value, change) {
     },
     /** All to choose from, by name and text. @param {[string, string][]} list */
     labels(list) {
-      select.replaceChildren(
-        ...list.map(([name, text]) => el("option", { value: name }, text)),
-      );
+      select.replaceChildren(...optionsOf(list));
     },
     /** More to choose from. @param {string[]} names */
     options(names) {
       addOptions(select, names);
     },
   };
+}
+
+/** The text of a file. @param {File} file */
+export async function textOf(file) {
+  const text = await file.text();
+  if (/^(PK\x03|\ufffd)/.test(text))
+    throw new Error(
+      `${file.name} is a workbook: save its sheet as CSV in UTF-8, or copy its cells and paste them here.`,
+    );
+  return text;
 }
 
 /** Boxes that take a file which is dropped on them. @type {WeakMap<Element, (file: File | undefined) => void>} */
@@ -398,7 +404,11 @@ export const boxes = new WeakMap();
  */
 export function fileField(label, accept, take) {
   const read = async (/** @type {File | undefined} */ file) => {
-    if (file) take(file.name, await file.text());
+    try {
+      if (file) take(file.name, await textOf(file));
+    } catch (problem) {
+      noticeProblem(problem);
+    }
   };
   const input = el("input", {
     type: "file",
@@ -411,9 +421,8 @@ export function fileField(label, accept, take) {
       input.value = "";
     },
   });
-  const box = el(
-    "div",
-    { class: "drop" },
+  const box = block(
+    "drop",
     button(label, () => input.click()),
     el(
       "p",

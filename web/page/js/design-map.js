@@ -4,7 +4,7 @@ import { Slot } from "./ask.js";
 import { picture as drawnMuscle } from "./candidates.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
 import { Chart, KINDS, viridisAt } from "./chart.js";
-import { el, token } from "./dom.js";
+import { el, heading, token } from "./dom.js";
 import {
   corners,
   levels,
@@ -14,7 +14,7 @@ import {
   valueBetween,
 } from "./map.js";
 import { muscle } from "./muscle.js";
-import { outside, show, unitName } from "./units.js";
+import { evenly, outside, show, unitName } from "./units.js";
 
 /**
  * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
@@ -35,9 +35,7 @@ export function designMap(linked) {
   /** @type {Found | undefined} */ let found;
   let finer = FINER;
   const slot = new Slot();
-  const tools = el(
-    "h2",
-    {},
+  const tools = heading(
     "Feasible region over diameter and wall (first estimate: universal)",
   );
   const feasible = new Chart("design-map", {
@@ -175,10 +173,7 @@ function asked(of, best, across = ACROSS, up = UP) {
     /** @type {number} */ low,
     /** @type {number} */ high,
     /** @type {number} */ n,
-  ) =>
-    Array.from({ length: n }, (_, i) =>
-      Number((low + ((high - low) * i) / (n - 1)).toPrecision(4)),
-    );
+  ) => evenly(low, high, n).map((v) => Number(v.toPrecision(4)));
   // Within the sleeve, where there is one.
   const range = muscle.sleeves.find((s) => s.name === best.sleeve),
     middle = best.outer_diameter_mm;

@@ -1,7 +1,7 @@
 // The target of a design, to drag: a pull at a contraction, over what the best muscle gives at the supply.
 import { Slot } from "./ask.js";
 import { Chart, KINDS, isobar } from "./chart.js";
-import { el } from "./dom.js";
+import { el, heading, remark } from "./dom.js";
 import { candidate, fields } from "./state.js";
 import { outside, show, unitName } from "./units.js";
 
@@ -16,7 +16,7 @@ const digits = (/** @type {number} */ v, /** @type {number} */ n) =>
 export function designTarget(act) {
   const words = el("span", { class: "small soft" });
   const chart = new Chart("design-target", {
-    tools: el("h2", {}, "Target"),
+    tools: heading("Target"),
     drag: (x, y, settled) => drag(x, y, settled),
   });
   const slot = new Slot({ lane: "curves" });
@@ -24,9 +24,7 @@ export function designTarget(act) {
     "div",
     { hidden: true },
     chart.element,
-    el(
-      "p",
-      { class: "small soft" },
+    remark(
       "Drag the ring: the border of the map below follows (universal); when you release " +
         "it, finite elements decide. ",
       words,

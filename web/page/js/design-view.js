@@ -1,6 +1,17 @@
 // The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
 import { picture } from "./candidates.js";
-import { button, capital, csv, download, el } from "./dom.js";
+import {
+  button,
+  capital,
+  csv,
+  download,
+  el,
+  folded,
+  heading,
+  paragraph,
+  remark,
+  smallPrint,
+} from "./dom.js";
 import { table, warnings } from "./form.js";
 import { number, outside, show, unitName, withUncertainty } from "./units.js";
 import { inWords } from "./words.js";
@@ -156,12 +167,10 @@ function head(answer, ask) {
     text ? [`${inWords(text)}.`] : [],
   );
   return [
-    el("h2", {}, size),
+    heading(size),
     decisionView(answer),
     joint &&
-      el(
-        "p",
-        {},
+      paragraph(
         `Pulley of radius ${show("length", joint.radius_mm, 3)}, ` +
           `${show("ratio", joint.contraction_at_neutral, 3)} contracted at the neutral angle.`,
       ),
@@ -169,8 +178,7 @@ function head(answer, ask) {
       button("Design for a guaranteed pull (95 %)", () =>
         ask({ sure: "95 %" }),
       ),
-    sentences.length > 0 &&
-      el("p", { class: "small soft" }, sentences.join(" ")),
+    sentences.length > 0 && remark(sentences.join(" ")),
   ];
 }
 
@@ -266,11 +274,7 @@ function boughtView({ bought }) {
     `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${withUncertainty("force", b.force_n, b.uncertainty_n)} ` +
     `at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
   return bought?.length
-    ? el(
-        "p",
-        { class: "small" },
-        `Sold muscles that fit: ${bought.map(one).join("; ")}.`,
-      )
+    ? smallPrint(`Sold muscles that fit: ${bought.map(one).join("; ")}.`)
     : null;
 }
 
@@ -281,15 +285,13 @@ export function closestView(answer) {
       c &&
       `D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}`;
   return there([
-    el("h2", {}, "Nothing fits."),
+    heading("Nothing fits."),
     c &&
-      el(
-        "p",
-        {},
+      paragraph(
         `Closest: ${size}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`,
       ),
     warnings(answer.warnings),
-    c?.hint ? el("p", {}, capital(inWords(c.hint))) : null,
+    c?.hint ? paragraph(capital(inWords(c.hint))) : null,
     boughtView(answer),
     c &&
       el(
@@ -310,10 +312,8 @@ export function rejectedView({ rejected }) {
   ]);
   return there([
     rows.length > 0 &&
-      el(
-        "details",
-        {},
-        el("summary", {}, "Why others fail"),
+      folded(
+        "Why others fail",
         table(["D0", "s", "L0", "reason"], rows, { text: [3] }),
       ),
   ]);

@@ -1,5 +1,5 @@
 // A window over the page, as the browser has it: Escape closes it, and the focus returns to where it was.
-import { button, el } from "./dom.js";
+import { block, button, el } from "./dom.js";
 
 let count = 0;
 /** @param {string} title @param {(close: () => void) => (Node | string | null)[]} inside */
@@ -12,19 +12,13 @@ export function dialog(title, inside) {
   box.addEventListener("click", (event) => {
     if (event.target === box) close();
   });
-  const head = el(
-    "div",
-    { class: "row head" },
+  const head = block(
+    "row head",
     el("h2", { id }, title),
     button("Close", close),
   );
   box.append(
-    el(
-      "div",
-      { class: "inside" },
-      head,
-      ...inside(close).filter((part) => part !== null),
-    ),
+    block("inside", head, ...inside(close).filter((part) => part !== null)),
   );
   document.body.append(box);
   box.showModal();

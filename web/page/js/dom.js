@@ -29,6 +29,28 @@ export function el(tag, attributes = {}, ...children) {
   return element;
 }
 
+/** What may stand in an element. @typedef {Node | string | null | undefined | false} Child */
+/** A heading of a part of a page. @param {Child[]} children */
+export const heading = (...children) => el("h2", {}, ...children);
+/** @param {Child[]} children */
+export const paragraph = (...children) => el("p", {}, ...children);
+/** What is said beside the matter. @param {Child[]} children */
+export const remark = (...children) =>
+  el("p", { class: "small soft" }, ...children);
+/** @param {Child[]} children */
+export const smallPrint = (...children) =>
+  el("p", { class: "small" }, ...children);
+/** What is said where there is nothing yet. @param {Child[]} children */
+export const faded = (...children) => el("p", { class: "soft" }, ...children);
+/** Things that belong together. @param {string} classes @param {Child[]} children */
+export const block = (classes, ...children) =>
+  el("div", { class: classes }, ...children);
+/** Buttons, fields and words in a row. @param {Child[]} children */
+export const rowOf = (...children) => el("p", { class: "row" }, ...children);
+/** What is shown once somebody opens it. @param {Child} summary @param {Child[]} children */
+export const folded = (summary, ...children) =>
+  el("details", {}, el("summary", {}, summary), ...children);
+
 /**
  * A button.
  * @param {string} text @param {(event: MouseEvent) => unknown} act @param {Record<string, unknown>} [more] attributes
@@ -45,6 +67,10 @@ export function addOptions(select, names) {
       .map((value) => el("option", { value }, value)),
   );
 }
+
+/** What a list has to choose from. @param {[string, string][]} list names and texts */
+export const optionsOf = (list) =>
+  list.map(([name, text]) => el("option", { value: name }, text));
 
 /** @param {string} id @returns {HTMLElement} */
 export const byId = (id) =>
@@ -122,10 +148,12 @@ export function dragging(element, act) {
 
 /** Rows as CSV. @param {readonly (readonly (string | number | null | undefined)[])[]} rows */
 export function csv(rows) {
-  const quoted = (/** @type {string | number | null | undefined} */ v) =>
-    typeof v === "string" && /[",\n]/.test(v)
-      ? `"${v.replaceAll('"', '""')}"`
-      : (v ?? "");
+  const quoted = (/** @type {string | number | null | undefined} */ v) => {
+    if (typeof v === "string")
+      return /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v;
+    // A gap is no number.
+    return Number.isFinite(v) ? v : "";
+  };
   return rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n";
 }
 
@@ -148,7 +176,7 @@ export function tabs(label, tabs, chosen, choose) {
   function set(/** @type {string} */ name) {
     for (const one of buttons) {
       const on = one.dataset.name === name;
-      one.setAttribute("aria-selected", String(on));
+      one.ariaSelected = String(on);
       one.tabIndex = on ? 0 : -1;
     }
   }

@@ -1,6 +1,6 @@
 // Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each goes to the page that
 // it belongs to.
-import { boxes } from "./controls.js";
+import { boxes, textOf } from "./controls.js";
 import { headings } from "./columns.js";
 import { ofFile } from "./joint-words.js";
 import { keepFile } from "./kept.js";
@@ -103,7 +103,7 @@ export async function takeFiles(files) {
     for (const file of files) {
       if (file.size > MOST)
         throw new Error(`${file.name} is larger than 60 MB.`);
-      const text = await file.text();
+      const text = await textOf(file);
       if (!text.trim()) throw new Error(`${file.name} is empty.`);
       read.push({ name: file.name, text, kind: kindOfFile(file.name, text) });
     }
@@ -119,8 +119,17 @@ export async function takeFiles(files) {
   }
 }
 
-/** The whole window takes files; boxes for one kind of file come first. */
+/** The whole window takes files, and cells that are pasted; boxes for one kind of file come first. */
 export function dropAnywhere() {
+  addEventListener("paste", (event) => {
+    const at = /** @type {Element} */ (event.target);
+    if (at.closest("input, textarea, [contenteditable]")) return;
+    const files = [...(event.clipboardData?.files ?? [])],
+      text = event.clipboardData?.getData("text/plain") ?? "";
+    if (!files.length && /[\t,;].*\n/.test(text))
+      files.push(new File([text], "pasted.csv"));
+    if (files.length) takeFiles(files);
+  });
   const { classList } = document.body;
   addEventListener("dragover", (event) => {
     if (!event.dataTransfer?.types.includes("Files")) return;

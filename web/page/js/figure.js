@@ -1,6 +1,6 @@
 // Figures of the engine (data: panels, axes, series, marks) as charts.
 import { Chart, KINDS, shade } from "./chart.js";
-import { capital, el, token } from "./dom.js";
+import { block, capital, el, remark, token } from "./dom.js";
 
 /** @typedef {NonNullable<Commands["curve"]["answer"]["figure"]>} Figure */
 /** @typedef {Figure["panels"][number]} Panel */
@@ -12,8 +12,8 @@ export class Figures {
   constructor(name) {
     this.name = name;
     /** @type {Chart[]} */ this.charts = [];
-    this.caption = el("p", { class: "small soft" });
-    this.grid = el("div", { class: "charts" });
+    this.caption = remark();
+    this.grid = block("charts");
     this.element = el("div", {}, this.grid, this.caption);
     this.element.hidden = true;
   }
@@ -83,8 +83,10 @@ function spec(panel, figure) {
     );
     const line = {
       colour: colour(s, i),
-      x: s.points.map((p) => kx * p[0]),
-      y: s.points.map((p) => ky * p[1]),
+      // A gap is no number.
+      // A gap is no number.
+      x: s.points.map((p) => kx * (p[0] ?? NaN)),
+      y: s.points.map((p) => ky * (p[1] ?? NaN)),
     };
     if (s.style === "band")
       return { ...line, name: "±", band: true, legend: "" };

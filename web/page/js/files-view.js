@@ -1,5 +1,5 @@
 // Files that the engine made: each as a download, and all of them in one archive.
-import { button, download, el } from "./dom.js";
+import { block, button, download, el, paragraph } from "./dom.js";
 import { number } from "./units.js";
 import { zip } from "./zip.js";
 
@@ -36,15 +36,10 @@ export function filesView(files, archive) {
     ),
   );
   const every = () => download(`${archive}.zip`, zip(all), "application/zip");
-  return el(
-    "div",
-    { class: "files" },
+  return block(
+    "files",
     el("ul", { class: "plain" }, ...rows),
     files.length > 1 &&
-      el(
-        "p",
-        {},
-        button(`All files (${archive}.zip)`, every, { class: "main" }),
-      ),
+      paragraph(button(`All files (${archive}.zip)`, every, { class: "main" })),
   );
 }

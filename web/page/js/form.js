@@ -2,7 +2,16 @@
 // to end it.
 import { longWork, understood } from "./ask.js";
 import { saying } from "./controls.js";
-import { addOptions, button, capital, dim, el, problemBox } from "./dom.js";
+import {
+  addOptions,
+  block,
+  button,
+  capital,
+  dim,
+  el,
+  optionsOf,
+  problemBox,
+} from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
@@ -23,11 +32,7 @@ function fieldRow(f, submit) {
   const id = `f${++count}`,
     { kind } = f;
   const input = f.options
-    ? el(
-        "select",
-        { id },
-        ...f.options.map(([name, text]) => el("option", { value: name }, text)),
-      )
+    ? el("select", { id }, ...optionsOf(f.options))
     : el("input", {
         type: "text",
         id,
@@ -265,7 +270,7 @@ export function job(
     "aria-label": `${label}: progress`,
   });
   const words = el("span", { class: "small soft" });
-  const said = el("div", {});
+  const said = el("div");
   /** @type {AbortController | undefined} */ let ends;
   let runs = 0;
   async function run() {
@@ -309,12 +314,7 @@ export function job(
   }
   atEnd(() => ends?.abort());
   return {
-    element: el(
-      "div",
-      {},
-      el("div", { class: "row" }, start, stop, bar, words),
-      said,
-    ),
+    element: el("div", {}, block("row", start, stop, bar, words), said),
     run,
   };
 }
@@ -387,9 +387,8 @@ export const warnings = (list) =>
  * @param {string} label @param {(Node | string | null)[]} controls @param {Node[]} middle
  */
 export const bench = (label, controls, middle) =>
-  el(
-    "div",
-    { class: "bench two" },
+  block(
+    "bench two",
     el("section", { class: "controls", "aria-label": label }, ...controls),
-    el("div", { class: "middle" }, ...middle),
+    block("middle", ...middle),
   );

@@ -1,12 +1,21 @@
 // A fitted formula as people see it: its errors, its figures, and maps of its pull.
 import { engine } from "./ask.js";
 import { Chart, viridisAt } from "./chart.js";
-import { button, download, el } from "./dom.js";
+import {
+  button,
+  download,
+  el,
+  folded,
+  heading,
+  paragraph,
+  remark,
+  smallPrint,
+} from "./dom.js";
 import { Figures } from "./figure.js";
 import { table } from "./form.js";
 import { atEnd } from "./life.js";
 import { levels, picture, sampled, valueBetween } from "./map.js";
-import { number, outside, show, unitName } from "./units.js";
+import { evenly, number, outside, show, unitName } from "./units.js";
 
 /** The paper's formula, with the box that it was fitted in. */
 export const PUBLISHED = {
@@ -50,22 +59,22 @@ export function errorsView(file) {
       "application/json",
     );
   return [
-    el("h2", {}, file.name),
-    el("p", { class: "small" }, el("code", {}, file.equation)),
+    heading(file.name),
+    smallPrint(el("code", {}, file.equation)),
     table(
       ["against finite elements", "points", "rms", "95 %", "largest"],
       rows,
       { label: "errors of the formula, of the blocked force" },
     ),
-    el("p", { class: "small soft" }, "Errors as shares of the blocked force."),
-    el("p", {}, button("Download the formula", save)),
+    remark("Errors as shares of the blocked force."),
+    paragraph(button("Download the formula", save)),
   ];
 }
 
 /** Figures that are drawn when they are opened. @param {Fitted["figures"]} drawn */
 export const figuresView = (drawn) =>
   (drawn ?? []).map((f) => {
-    const box = el("details", {}, el("summary", {}, f.figure.title || f.name));
+    const box = folded(f.figure.title || f.name);
     box.addEventListener(
       "toggle",
       () => {
@@ -79,13 +88,12 @@ export const figuresView = (drawn) =>
   });
 
 /** So many values between two ends. @param {[number, number]} ends */
-const steps = ([low, high], n = 11) =>
-  Array.from({ length: n }, (_, i) => low + ((high - low) * i) / (n - 1));
+const steps = ([low, high], n = 11) => evenly(low, high, n);
 
 /** The formula as two maps: over contraction and wall, and over contraction and diameter. */
 export function surfaces() {
-  const wallTitle = el("h2", {}),
-    diameterTitle = el("h2", {});
+  const wallTitle = el("h2"),
+    diameterTitle = el("h2");
   const overWall = new Chart("map-wall", { tools: wallTitle, tall: true }),
     overDiameter = new Chart("map-diameter", {
       tools: diameterTitle,

@@ -1,6 +1,6 @@
 // Muscles to begin with: files of the folder `examples`, with pictures that are drawn from them.
 import { address } from "./address.js";
-import { el } from "./dom.js";
+import { block, el } from "./dom.js";
 import { pack } from "./deflate.js";
 import { keepFile } from "./kept.js";
 import { openPart } from "./library.js";
@@ -117,9 +117,8 @@ async function openEntry({
 
 /** Cards of muscles. @param {(problem: unknown) => void} fail @param {() => void} [opened] @param {Entry[]} [list] */
 export const gallery = (fail, opened, list = GALLERY) =>
-  el(
-    "div",
-    { class: "gallery" },
+  block(
+    "gallery",
     ...list.map((entry) => {
       const {
         title,

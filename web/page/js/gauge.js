@@ -1,7 +1,7 @@
 // A pressure gauge beside the muscle: dragged about its centre. The slider says the same to keyboards and screen
 // readers.
 import { dragging } from "./dom.js";
-import { outside, number } from "./units.js";
+import { clamp, number, outside } from "./units.js";
 
 /** From straight down, clockwise: where the dial begins, and how far it goes, in degrees. */
 const FROM = 45,
@@ -41,7 +41,7 @@ export function gauge(stage, turn) {
     ];
     // Clockwise from straight down.
     const angle = ((Math.atan2(y, x) * 180) / Math.PI + 270) % 360;
-    const share = Math.min(1, Math.max(0, (angle - FROM) / REACH));
+    const share = clamp((angle - FROM) / REACH, 0, 1);
     turn(Math.round(share * top * 1000) / 1000, settled);
   };
   dragging(svg, at);

@@ -1,7 +1,7 @@
 // Help: what a page is for, how it is used, and the page of the book that says more.
 import { address } from "./address.js";
 import { dialog } from "./dialog.js";
-import { button, el } from "./dom.js";
+import { button, el, paragraph, remark } from "./dom.js";
 import { DOCUMENTATION } from "./kind.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
@@ -62,17 +62,13 @@ export function helpLink() {
   let page = "muscle";
   const open = () =>
     dialog(`Help: ${pageOf(page).text}`, (close) => [
-      el("p", {}, pageOf(page).about),
+      paragraph(pageOf(page).about),
       el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
-      el(
-        "p",
-        {},
+      paragraph(
         "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your " +
           "gestures. Every view has a link.",
       ),
-      el(
-        "p",
-        {},
+      paragraph(
         el(
           "a",
           { href: address("about", muscle.params()), onclick: close },
@@ -86,9 +82,7 @@ export function helpLink() {
             title: "The book",
             src: book(pageOf(page).help),
           })
-        : el(
-            "p",
-            { class: "small soft" },
+        : remark(
             "The book comes with the program: ",
             el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`),
             ". On the command line: ",

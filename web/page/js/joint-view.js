@@ -1,7 +1,7 @@
 // The joint in numbers and curves: torques over the angle, what it can reach, and its numbers.
 import { niceUp } from "./bench/round.js";
 import { KINDS, pressureColour } from "./chart.js";
-import { capital, el } from "./dom.js";
+import { capital, el, remark } from "./dom.js";
 import { reachable } from "./joint-drawing.js";
 import { number, outside, show, unitName } from "./units.js";
 
@@ -81,11 +81,7 @@ export function numbersView(point, which) {
         el("dd", {}, value),
       ]),
     ),
-    el(
-      "p",
-      { class: "small soft" },
-      `${which} Curves and map by universal.${words}`,
-    ),
+    remark(`${which} Curves and map by universal.${words}`),
   ];
 }
 

@@ -1,7 +1,7 @@
 // Muscles of the library: identified from measured points, each a button that opens it.
 import { address } from "./address.js";
 import { engine } from "./ask.js";
-import { button, capital, download, el } from "./dom.js";
+import { block, button, capital, download, el, heading, rowOf } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 import { card, thumbnail } from "./thumbnail.js";
@@ -24,9 +24,7 @@ export async function openPart(name, at = {}) {
  * @param {string} file @param {string} put @param {string} keep labels of the buttons @param {string} name of the file
  */
 export const muscleButtons = (file, put, keep, name) =>
-  el(
-    "p",
-    { class: "row" },
+  rowOf(
     button(
       put,
       async () => {
@@ -60,9 +58,8 @@ function entryCard(entry, opened, fail) {
 
 /** Buttons of all muscles of the library. @param {(problem: unknown) => void} fail @param {() => void} opened */
 export function library(fail, opened) {
-  const box = el(
-    "div",
-    { class: "gallery" },
+  const box = block(
+    "gallery",
     el("span", { class: "small soft" }, "The library is being read."),
   );
   engine()
@@ -74,5 +71,5 @@ export function library(fail, opened) {
         ),
       fail,
     );
-  return el("div", {}, el("h2", {}, "Identified from measured points"), box);
+  return el("div", {}, heading("Identified from measured points"), box);
 }

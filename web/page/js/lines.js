@@ -1,7 +1,7 @@
 // Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
 import { button, el, say, token } from "./dom.js";
 import { colourOf, drawing, frame, nearest, reachOf } from "./plot.js";
-import { number, plusMinus } from "./units.js";
+import { clamp, number, plusMinus } from "./units.js";
 
 /** Farther away than this in pixels nothing is read off. */
 const NEAR = 48;
@@ -37,7 +37,7 @@ export class Lines {
       undefined;
     /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ this.marked =
       undefined;
-    this.drawn = el("div", {});
+    this.drawn = el("div");
     this.ring = el("i", { class: "ring", hidden: true });
     this.dot = el("i", { class: "dot", hidden: true });
     this.tip = el("div", { class: "tip small", hidden: true });
@@ -97,7 +97,7 @@ export class Lines {
       /** @type {number} */ v,
       /** @type {number} */ low,
       /** @type {number} */ size,
-    ) => Math.min(low + size, Math.max(low, v));
+    ) => clamp(v, low, low + size);
     const [x, y] = [
       within(at.px(marked[0]), at.left, at.w),
       within(at.py(marked[1]), at.top, at.h),
@@ -358,7 +358,7 @@ export class Lines {
           readable.length
       ];
     const s = series[which];
-    let next = Math.min(s.x.length - 1, Math.max(0, i + along));
+    let next = clamp(i + along, 0, s.x.length - 1);
     if (i < 0) next = 0;
     while (s.y[next] === null && next + (along || 1) in s.x) next += along || 1;
     const y = s.y[next];

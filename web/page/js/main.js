@@ -2,7 +2,7 @@
 import { engine, loadUnits } from "./ask.js";
 import { address, onWritten, read, write } from "./address.js";
 import { muscleBar } from "./bar.js";
-import { button, byId, el, problemBox } from "./dom.js";
+import { button, byId, el, paragraph, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
 import { helpLink } from "./help.js";
 import { keepWords, onKept, wordsOf } from "./kept.js";
@@ -139,6 +139,19 @@ function frame(name) {
   document.body.classList.toggle("first", name === "muscle");
 }
 
+/** How often a page could not be loaded: browsers keep a failure with its address. @type {Record<string, number>} */
+const failures = {};
+/** @param {string} name */
+async function pageOfServer(name) {
+  const again = failures[name] ? `?again=${failures[name]}` : "";
+  try {
+    return await import(`./pages/${name}.js${again}`);
+  } catch (problem) {
+    failures[name] = (failures[name] ?? 0) + 1;
+    throw problem;
+  }
+}
+
 async function route() {
   const mine = ++routes,
     { page: wanted, params, lost, bare } = await read();
@@ -154,7 +167,7 @@ async function route() {
   welcome(bare && name === "muscle");
   try {
     if (shown?.name !== name) {
-      const { mount } = await import(`./pages/${name}.js`);
+      const { mount } = await pageOfServer(name);
       if (mine !== routes) return;
       leave();
       shown = { name, page: mount(main) };
@@ -181,7 +194,7 @@ function fail(problem) {
   leave();
   main.replaceChildren(
     problemBox(problem),
-    el("p", {}, button("Try again", start, { class: "main" })),
+    paragraph(button("Try again", start, { class: "main" })),
   );
 }
 

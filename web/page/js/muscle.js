@@ -87,12 +87,15 @@ export class MuscleState {
     this.#changed.tell();
   }
 
+  /** The name that it was given, here or in its file. */
+  get given() {
+    return this.called || nameIn(this.state.file);
+  }
   /** Its name. */
   get name() {
     const { file, said } = this.state;
     return (
-      this.called ||
-      nameIn(file) ||
+      this.given ||
       (file || Object.keys(said).length
         ? "My muscle"
         : "Reference muscle (Antonelli 2018)")

@@ -1,6 +1,6 @@
 // Spec and points as SVG: the same drawing on the page and in files. Nothing here asks the document anything.
 import { niceUp } from "./bench/round.js";
-import { number } from "./units.js";
+import { clamp, number } from "./units.js";
 
 /** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
 export const KINDS = [
@@ -88,9 +88,8 @@ export function ticks([low, high], most) {
   const step = niceUp((high - low) / Math.max(1, most)),
     first = Math.ceil(low / step - 1e-9),
     count = Math.floor(high / step + 1e-9) - first + 1;
-  const values = Array.from(
-    { length: Math.max(0, Math.min(50, count)) },
-    (_, i) => Number(((first + i) * step).toPrecision(12)),
+  const values = Array.from({ length: clamp(count, 0, 50) }, (_, i) =>
+    Number(((first + i) * step).toPrecision(12)),
   );
   return values.map((value) => ({
     value,

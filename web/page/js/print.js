@@ -1,7 +1,7 @@
 // Print: one sheet with the muscle, what was typed on the page, and its numbers.
 import { engine } from "./ask.js";
 import { isLocal } from "./address.js";
-import { byId, el } from "./dom.js";
+import { block, byId, el, heading, paragraph, smallPrint } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
 import { setTheme } from "./theme.js";
@@ -69,35 +69,21 @@ function sheet() {
   return el(
     "section",
     { class: "sheet", "aria-label": "Sheet" },
-    el(
-      "div",
-      { class: "row" },
+    block(
+      "row",
       muscle.shown && thumbnail(muscle.shown, "The muscle"),
-      el(
-        "div",
-        { class: "grow" },
-        el("h1", {}, muscle.name),
-        el("p", {}, muscle.line()),
-      ),
-      el(
-        "p",
-        { class: "small" },
+      block("grow", el("h1", {}, muscle.name), paragraph(muscle.line())),
+      smallPrint(
         `${pageOf(document.body.dataset.page ?? "").text}, ${new Date().toISOString().slice(0, 10)}`,
         el("br"),
         `mckibben workbench, ${engine().about}`,
       ),
     ),
     picture(),
-    el(
-      "div",
-      { class: "columns" },
-      el("div", {}, el("h2", {}, "Inputs"), list(inputs())),
-      el(
-        "div",
-        {},
-        el("h2", {}, "Numbers"),
-        .../** @type {Node[]} */ (numbers),
-      ),
+    block(
+      "columns",
+      el("div", {}, heading("Inputs"), list(inputs())),
+      el("div", {}, heading("Numbers"), .../** @type {Node[]} */ (numbers)),
     ),
     notes ?? null,
     el(

@@ -1,6 +1,6 @@
 // A project: several muscles, measured points, joint and drive in one file, and in this tab until it is closed.
 import { address } from "./address.js";
-import { button, download, el } from "./dom.js";
+import { button, download, el, remark, rowOf } from "./dom.js";
 import { everything, fileOf, keepFile, replaceAll } from "./kept.js";
 import { pack } from "./deflate.js";
 import { muscle } from "./muscle.js";
@@ -158,15 +158,11 @@ export function shelf(fail, close) {
     "div",
     {},
     el("h3", {}, "Project"),
-    el(
-      "p",
-      { class: "small soft" },
+    remark(
       "Several muscles with their measured points, joint and drive. It lasts until this tab is closed; save it as a file.",
     ),
     list,
-    el(
-      "p",
-      { class: "row" },
+    rowOf(
       act("Add this muscle", add),
       act("Save the project", async () =>
         download(

@@ -1,5 +1,5 @@
 // A drawing of what a symbol measures: shown while its name is pointed at, or its field has the focus.
-import { el } from "./dom.js";
+import { el, smallPrint } from "./dom.js";
 import { MEASURES, POINT } from "./state.js";
 
 // The muscle in section, at rest: tube from 40 to 200, its axis at y = 60.
@@ -160,7 +160,7 @@ export function sketches() {
     if (!draw || !row.isConnected) return;
     box.innerHTML = `<svg viewBox="0 0 240 120" aria-hidden="true">${draw()}</svg>`;
     const about = row.dataset.about;
-    if (about) box.append(el("p", { class: "small" }, about));
+    if (about) box.append(smallPrint(about));
     box.hidden = false;
     const at = row.getBoundingClientRect();
     top = at.top;

@@ -98,6 +98,14 @@ export const inside = (kind, shown) => {
     : Number(((shown * u.divide) / u.multiply).toPrecision(15));
 };
 
+/** A number within two others. @param {number} v @param {number} low @param {number} high */
+export const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
+/** Numbers at equal distances, with both ends. @param {number} low @param {number} high @param {number} count */
+export const evenly = (low, high, count) =>
+  Array.from(
+    { length: count },
+    (_, i) => low + ((high - low) * i) / (count - 1),
+  );
 /**
  * A number to so many significant digits, without an exponent where it is short without.
  * @param {number | null | undefined} v
@@ -107,9 +115,7 @@ export function number(v, digits = 4) {
   if (v === 0) return "0";
   const size = Math.floor(Math.log10(Math.abs(v)));
   if (size < -5 || size > 14) return v.toExponential(digits - 1);
-  const text = String(
-    Number(v.toFixed(Math.min(20, Math.max(0, digits - 1 - size)))),
-  );
+  const text = String(Number(v.toFixed(clamp(digits - 1 - size, 0, 20))));
   return text.replace("-", "−");
 }
 /** `2.5 bar`. @param {string} kind @param {number | null | undefined} value */
@@ -186,7 +192,7 @@ export function withUnit(kind, text) {
 /** A number to the digits that its ± leaves. @param {number} value @param {number | null | undefined} half */
 export function plusMinus(value, half) {
   if (!half) return number(value);
-  const decimals = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(half))));
+  const decimals = clamp(1 - Math.floor(Math.log10(half)), 0, 8);
   return `${value.toFixed(decimals).replace("-", "−")} ± ${half.toFixed(decimals)}`;
 }
 /** The same of a quantity. @param {string} kind @param {number} value @param {number | null | undefined} half */

@@ -3,7 +3,7 @@
 import { address } from "./address.js";
 import { engine } from "./ask.js";
 import { candidatesView } from "./candidates.js";
-import { button, byId, el } from "./dom.js";
+import { block, button, byId, el, heading, rowOf } from "./dom.js";
 import { form } from "./form.js";
 import { gallery } from "./gallery.js";
 import { remembered } from "./kept.js";
@@ -88,17 +88,12 @@ function question(hide) {
   };
   return {
     ask,
-    element: el(
-      "div",
-      { class: "question" },
-      el("h2", {}, "What must it pull?"),
+    element: block(
+      "question",
+      heading("What must it pull?"),
       fields.element,
       shown.element,
-      el(
-        "p",
-        { class: "row" },
-        button("More wishes, all muscles and the map", more),
-      ),
+      rowOf(button("More wishes, all muscles and the map", more)),
       el(
         "details",
         { class: "small" },
@@ -132,21 +127,16 @@ export function welcome(on) {
       { class: "hide" },
     ),
     asked.element,
-    el(
-      "div",
-      { class: "ways" },
-      el("h2", {}, "I have a muscle"),
-      el(
-        "p",
-        { class: "row" },
+    block(
+      "ways",
+      heading("I have a muscle"),
+      rowOf(
         button("Open a file or the library", openDialog),
         button("Build it from parts", go("parts")),
       ),
       gallery(noticeProblem, hide),
-      el("h2", {}, "I have measurements"),
-      el(
-        "p",
-        { class: "row" },
+      heading("I have measurements"),
+      rowOf(
         button("Pulls of a muscle", go("data")),
         button("A test of a rubber", go("rubber")),
       ),

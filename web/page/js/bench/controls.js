@@ -1,7 +1,7 @@
 // The controls of the page Muscle: its state, its measures, its ends.
 import { engine } from "../ask.js";
 import { choice, quantity } from "../controls.js";
-import { capital, el } from "../dom.js";
+import { capital, el, folded } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
   CONTRACTION,
@@ -45,7 +45,7 @@ export function controlsView(store) {
   };
   const picks = choices(store);
   /** What a named sleeve needs is beside it. */
-  const needed = el("div", {});
+  const needed = el("div");
   const element = section(make, picks, needed);
   const homes = new Map(
     STRANDS.map(({ key }) => [
@@ -128,7 +128,7 @@ export function controlsView(store) {
 /** @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks @param {Node} needed */
 function section(make, { rubber, braid, strands, held }, needed) {
   const group = (/** @type {string} */ name, /** @type {Node[]} */ ...list) =>
-    el("details", {}, el("summary", {}, name), ...list);
+    folded(name, ...list);
   const state = [make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)];
   const tube = [
     ...QUANTITIES.map(make),
@@ -194,12 +194,7 @@ function moreMeasures(make) {
         el("div", {}, make(m)),
       ),
     );
-  return el(
-    "details",
-    {},
-    el("summary", {}, "More measures"),
-    ...groups.map(box),
-  );
+  return folded("More measures", ...groups.map(box));
 }
 
 /**

@@ -1,7 +1,7 @@
 // Curves of the page Muscle: a family, the curve of the present state with its ±, other models, and measured points.
 import { Slot } from "../ask.js";
 import { Chart, KINDS } from "../chart.js";
-import { el, tabs } from "../dom.js";
+import { block, el, tabs } from "../dom.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { onTheme } from "../theme.js";
@@ -309,9 +309,8 @@ function overlayChoice(store, changed) {
     el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)),
   );
   return {
-    element: el(
-      "div",
-      { class: "row small" },
+    element: block(
+      "row small",
       el("span", { class: "soft" }, "Other models at this pressure:"),
       ...labels,
     ),

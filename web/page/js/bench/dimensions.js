@@ -2,7 +2,7 @@
 // rest, and the angle of a strand.
 import { dragging } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { show } from "../units.js";
+import { clamp, evenly, show } from "../units.js";
 
 /** @typedef {[number, number]} Place */
 const SVG = "http://www.w3.org/2000/svg";
@@ -24,7 +24,7 @@ export function dimensions(stage, store, view) {
   const svg = document.createElementNS(SVG, "svg"),
     lines = document.createElementNS(SVG, "g");
   svg.setAttribute("class", "dimensions");
-  svg.setAttribute("aria-hidden", "true");
+  svg.ariaHidden = "true";
   const handles = Object.keys(HANDLES).map(handle);
   svg.append(lines, ...handles);
   stage.append(svg);
@@ -99,7 +99,7 @@ export function dimensions(stage, store, view) {
       ]);
       /** @type {Record<string, () => number>} */ const next = {
         D: () => Math.max(1, from.value + 2 * by),
-        s: () => Math.min(0.9 * restRadius, Math.max(0.05, from.value + by)),
+        s: () => clamp(from.value + by, 0.05, 0.9 * restRadius),
         // Along the axis lengths are foreshortened.
         L: () =>
           Math.max(
@@ -179,13 +179,12 @@ function layout(view, { length_mm: now, muscle: { wall_mm: wall }, arrays }) {
     ]);
   const foot = place(-0.2 * now),
     rise = Math.tan((arrays.strand_angle_deg[0] * Math.PI) / 180);
-  const strand = Array.from({ length: 9 }, (_, i) => (i * HOLD) / 8).map(
-    (turn) =>
-      off(
-        foot,
-        bulge * Math.sin(turn),
-        ((bulge * turn) / rise) * ((long * perPixel) / length),
-      ),
+  const strand = evenly(0, HOLD, 9).map((turn) =>
+    off(
+      foot,
+      bulge * Math.sin(turn),
+      ((bulge * turn) / rise) * ((long * perPixel) / length),
+    ),
   );
   return {
     ends,

@@ -1,7 +1,7 @@
 // Families of curves of the page Muscle: what is asked for them, and their answers as series.
 import { KINDS, isobar, pressureColour, shade } from "../chart.js";
 import { muscle } from "../muscle.js";
-import { inside, outside, show } from "../units.js";
+import { evenly, inside, outside, show } from "../units.js";
 import { niceUp, twoDigits } from "./round.js";
 
 /** @typedef {CurveAnswer["points"][number]} Point */
@@ -12,8 +12,7 @@ export const FAMILY = 13,
   FINE = 21;
 /** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
 const steps = (count, end) => {
-  const shares = Array.from({ length: count }, (_, i) => i / (count - 1));
-  return shares.map((t) => end * t * (0.4 + 0.6 * t));
+  return evenly(0, 1, count).map((t) => end * t * (0.4 + 0.6 * t));
 };
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */

@@ -1,8 +1,8 @@
 // The numbers of the page Muscle: the pull with the parts of its ±, the margins, and what the engine warns of.
 import { engine } from "../ask.js";
-import { button, capital, el } from "../dom.js";
+import { button, capital, el, remark } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { number, show, withUncertainty } from "../units.js";
+import { clamp, number, show, withUncertainty } from "../units.js";
 import { inWords } from "../words.js";
 import { partsView } from "./parts.js";
 import { solveView } from "./solve.js";
@@ -11,7 +11,7 @@ import { tornadoView } from "./tornado.js";
 /** @param {Store} store */
 export function numbersView(store) {
   const element = el("section", { class: "numbers", "aria-label": "Numbers" });
-  const meters = el("div", {}),
+  const meters = el("div"),
     notes = el("ul", { class: "warnings" });
   const parts = partsView(store),
     tornado = tornadoView(store),
@@ -22,11 +22,11 @@ export function numbersView(store) {
     "",
     () => {
       parts.element.hidden = !parts.element.hidden;
-      half.setAttribute("aria-expanded", String(!parts.element.hidden));
+      half.ariaExpanded = String(!parts.element.hidden);
     },
     { class: "bare", "aria-expanded": "false", title: "What the ± is made of" },
   );
-  const pull = el("span", {});
+  const pull = el("span");
 
   function paint() {
     const { point } = store;
@@ -34,7 +34,7 @@ export function numbersView(store) {
     const list = rows(store, point);
     if (!values.length) {
       const lines = list.flatMap(([name]) => {
-        const value = el("dd", {});
+        const value = el("dd");
         values.push(value);
         return [el("dt", {}, name), value];
       });
@@ -50,7 +50,7 @@ export function numbersView(store) {
         notes,
         solve.element,
         tornado.element,
-        el("p", { class: "small soft" }, basis),
+        remark(basis),
       );
     }
     const [value, uncertainty] = point.slack
@@ -154,7 +154,7 @@ function meter(name, value, limit, text, from = 0) {
   )
     return null;
   const share = (value - from) / (limit - from),
-    width = Math.min(100, Math.max(0, 100 * share)).toFixed(1);
+    width = clamp(100 * share, 0, 100).toFixed(1);
   const words = el(
     "span",
     {},

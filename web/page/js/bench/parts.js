@@ -1,5 +1,5 @@
 // The parts of the ± of the pull, and what would make each smaller.
-import { capital, el } from "../dom.js";
+import { capital, el, remark } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { show } from "../units.js";
 import { inWords } from "../words.js";
@@ -45,7 +45,7 @@ const PARTS = {
 /** @param {Store} store */
 export function partsView(store) {
   const list = el("dl", { class: "parts" }),
-    note = el("p", { class: "small soft" });
+    note = remark();
   const element = el(
     "div",
     {

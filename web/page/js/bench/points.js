@@ -1,7 +1,7 @@
 // Measured points over the isobars, with their residuals against the muscle as it is now.
 import { Slot } from "../ask.js";
 import { pressureColour } from "../chart.js";
-import { button, el, problemBox } from "../dom.js";
+import { block, button, el, problemBox } from "../dom.js";
 import { job } from "../form.js";
 import { measured, onMeasured } from "../measured.js";
 import { muscle } from "../muscle.js";
@@ -18,8 +18,8 @@ export class Points {
     this.slots = { read: new Slot(), compare: new Slot() };
     /** @type {import("../measured.js").Point[]} */ this.list = [];
     this.key = "";
-    this.words = el("span", {});
-    this.said = el("div", {});
+    this.words = el("span");
+    this.said = el("div");
     // The shear modulus that fits them best becomes the muscle's.
     const fit = job(
       "Fit the rubber",
@@ -41,7 +41,7 @@ export class Points {
       fit.element,
       remove,
     );
-    this.element = el("div", { class: "points" }, this.line, this.said);
+    this.element = block("points", this.line, this.said);
     onMeasured(() => this.read());
   }
 

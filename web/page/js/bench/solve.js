@@ -1,6 +1,6 @@
 // Which pressure, contraction, diameter, wall or angle gives a wanted pull; the others stay as they are.
 import { engine } from "../ask.js";
-import { button, el } from "../dom.js";
+import { button, el, folded } from "../dom.js";
 import { isAbort } from "../engine/problem.js";
 import { form } from "../form.js";
 import { atEnd } from "../life.js";
@@ -40,10 +40,8 @@ export function solveView(store) {
     () => solve(),
   );
   const said = el("p", { class: "small", role: "status" });
-  const element = el(
-    "details",
-    {},
-    el("summary", {}, "Solve for a wanted pull"),
+  const element = folded(
+    "Solve for a wanted pull",
     asked.element,
     button("Solve", () => solve()),
     said,

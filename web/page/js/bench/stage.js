@@ -1,12 +1,12 @@
 // The muscle in space with what belongs to its picture: the pull, a scale, the colours, the gauge.
 import { choice } from "../controls.js";
 import { viridis } from "../chart.js";
-import { button, el } from "../dom.js";
+import { block, button, el } from "../dom.js";
 import { gauge } from "../gauge.js";
 import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { PRESSURE } from "../state.js";
-import { number, show, withUncertainty } from "../units.js";
+import { clamp, evenly, number, show, withUncertainty } from "../units.js";
 import { View, reach } from "../view3d.js";
 import { dimensions } from "./dimensions.js";
 import { niceUp } from "./round.js";
@@ -27,8 +27,8 @@ const HINT =
 /** @param {Store} store @param {HTMLElement} busy */
 export function stageView(store, busy) {
   const said = el("p", { class: "say" }),
-    scale = el("div", { class: "bar" }),
-    legend = el("div", { class: "legend" });
+    scale = block("bar"),
+    legend = block("legend");
   const stage = el(
     "div",
     { class: "stage", title: HINT },
@@ -74,8 +74,8 @@ export function stageView(store, busy) {
   const measure = button(
     "Dimensions",
     () => {
-      const on = measure.getAttribute("aria-pressed") !== "true";
-      measure.setAttribute("aria-pressed", String(on));
+      const on = measure.ariaPressed !== "true";
+      measure.ariaPressed = String(on);
       measures.show(on);
     },
     { "aria-pressed": "true" },
@@ -89,8 +89,8 @@ export function stageView(store, busy) {
       SHOWN[0];
     const [low, high] = store.ranges?.[name] ?? reach(shape.arrays[name]);
     colour.set(name);
-    cut.setAttribute("aria-pressed", String(Boolean(store.wanted.cut)));
     view.cut = Boolean(store.wanted.cut);
+    cut.ariaPressed = String(view.cut);
     view.set(shape, {
       field: name,
       low,
@@ -115,9 +115,9 @@ export function stageView(store, busy) {
     const key = `${words} ${end(low)} ${end(high)}`;
     if (key === legendKey) return;
     legendKey = key;
-    const ramp = Array.from({ length: 9 }, (_, i) => viridis(i / 8, 1)).join(
-      ",",
-    );
+    const ramp = evenly(0, 1, 9)
+      .map((t) => viridis(t, 1))
+      .join(",");
     const bar = el("i", { style: `background:linear-gradient(90deg,${ramp})` });
     legend.replaceChildren(
       el("span", {}, words),
@@ -131,14 +131,7 @@ export function stageView(store, busy) {
   store.on("changed", pump.stop);
   return {
     stage,
-    tools: el(
-      "div",
-      { class: "row" },
-      colour.element,
-      cut,
-      measure,
-      pump.button,
-    ),
+    tools: block("row", colour.element, cut, measure, pump.button),
     /** In other units. */
     units() {
       scaled = 0;
@@ -171,10 +164,7 @@ function contracting(store) {
   let from = /** @type {number | undefined} */ (undefined);
   return (/** @type {number} */ share, /** @type {boolean} */ settled) => {
     from ??= Number(store.shape?.shape_contraction);
-    const to = Math.min(
-      0.9,
-      Math.max(-0.1, Math.round(1000 * (from + share)) / 1000),
-    );
+    const to = clamp(Math.round(1000 * (from + share)) / 1000, -0.1, 0.9);
     if (settled) from = undefined;
     store.changed("e", to, settled);
   };
@@ -186,7 +176,7 @@ const pumping = (store) =>
     "Pump",
     (share) => {
       const { p, e } = muscle,
-        part = (/** @type {number} */ x) => Math.min(1, Math.max(0, x)),
+        part = (/** @type {number} */ x) => clamp(x, 0, 1),
         t = 3 * share;
       store.ask(
         share < 1

@@ -1,6 +1,6 @@
 // What a small change of each measure does to the pull: one millimetre, a degree, 0.1 bar. Each is computed, on demand.
 import { engine } from "../ask.js";
-import { el } from "../dom.js";
+import { block, el, folded, remark } from "../dom.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
@@ -13,15 +13,9 @@ const REST = 250;
 
 /** @param {Store} store */
 export function tornadoView(store) {
-  const bars = el("div", { class: "tornado" }),
-    words = el("p", { class: "small soft" });
-  const element = el(
-    "details",
-    {},
-    el("summary", {}, "What a small change does"),
-    bars,
-    words,
-  );
+  const bars = block("tornado"),
+    words = remark();
+  const element = folded("What a small change does", bars, words);
   let of = "",
     timer = 0,
     ends = new AbortController();

@@ -1,7 +1,15 @@
 // Verification, validation, sources, limits.
 import { engine } from "../ask.js";
 import { DOCUMENTATION } from "../kind.js";
-import { button, el } from "../dom.js";
+import {
+  block,
+  button,
+  el,
+  heading,
+  paragraph,
+  remark,
+  rowOf,
+} from "../dom.js";
 import { job, table } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscle } from "../muscle.js";
@@ -13,7 +21,7 @@ const CHECKED = "checked";
 
 /** What works without a network, and a button for the rest. */
 function withoutNetwork() {
-  const text = el("span", {});
+  const text = el("span");
   const keep = button("Make all places available offline", async () => {
     keep.disabled = true;
     text.textContent = "Fetching …";
@@ -28,8 +36,8 @@ function withoutNetwork() {
   const element = el(
     "div",
     { hidden: true },
-    el("h2", {}, "Without a network"),
-    el("p", { class: "row" }, text, keep),
+    heading("Without a network"),
+    rowOf(text, keep),
   );
   const say = async () => {
     const all = await isKept();
@@ -93,8 +101,8 @@ const TABLES = [
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const cases = el("div", {});
-  const models = el("div", {});
+  const cases = el("div");
+  const models = el("div");
   const check = job(
     "Compute them here",
     "validate",
@@ -124,53 +132,41 @@ export const mount = (main) => {
     },
   );
   main.replaceChildren(
-    el(
-      "div",
-      { class: "prose" },
-      el("h2", {}, "What this is"),
-      el(
-        "p",
-        {},
+    block(
+      "prose",
+      heading("What this is"),
+      paragraph(
         "A McKibben muscle is a rubber tube in a braided sleeve: pressurised, it bulges, shortens and pulls. This " +
           "page solves its non-linear finite-element model (axisymmetric, incompressible rubber of any law, " +
           "elastic strands, bonded ends) at every step of a slider, and shows the results.",
       ),
-      el(
-        "p",
-        {},
+      paragraph(
         "Your data stay on your computer: ",
         `the engine is ${engine().about}. Your muscle and your settings are in the address of the page; what you ` +
           `typed and opened is kept in this tab until you close it.`,
       ),
-      el("h2", {}, "Accuracy"),
-      el(
-        "p",
-        {},
+      heading("Accuracy"),
+      paragraph(
         "The ± covers 95 % of the differences from measured muscles. It is wide because rubbers vary from batch to " +
           "batch and few are known; it becomes smaller when you identify your own rubber in Measurements. The " +
           "model includes the thickness of the braid, the gap before first contact, the slip of the ends, the " +
           "history of the rubber and the friction between strands only if the muscle file states them.",
       ),
       withoutNetwork(),
-      el("h2", {}, "Verification and validation"),
+      heading("Verification and validation"),
       check.element,
     ),
     cases,
-    el("div", { class: "prose" }, el("h2", {}, "Models")),
+    block("prose", heading("Models")),
     models,
-    el(
-      "div",
-      { class: "prose" },
-      el("h2", {}, "Sources and licence"),
-      el(
-        "p",
-        {},
+    block(
+      "prose",
+      heading("Sources and licence"),
+      paragraph(
         "mckibben is free software under MIT or Apache 2.0. The documentation lists the sources and terms of formulas, rubbers and measured muscles. ",
         DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it."),
       ),
-      el(
-        "p",
-        { class: "small soft" },
+      remark(
         "The command line, Rust, Python and HTTP offer the same commands under the same names: `mckibben --help`.",
       ),
     ),

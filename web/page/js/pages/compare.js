@@ -4,7 +4,17 @@ import { Slot } from "../ask.js";
 import { Chart, KINDS, isobar } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
-import { button, capital, dim, el, problemBox } from "../dom.js";
+import {
+  block,
+  button,
+  capital,
+  dim,
+  el,
+  folded,
+  heading,
+  problemBox,
+  remark,
+} from "../dom.js";
 import { form, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
 import {
@@ -79,8 +89,8 @@ function sideForm(name, ask) {
 function sideOf(name, { ask, paint }) {
   const fields = sideForm(name, ask),
     stage = el("div", { class: "stage", style: "height:220px" }),
-    which = el("p", { class: "small soft" }),
-    said = el("div", {});
+    which = remark(),
+    said = el("div");
   const view = new View(stage);
   const point = new Slot(),
     shape = new Slot({ lane: "state" }),
@@ -95,21 +105,19 @@ function sideOf(name, { ask, paint }) {
   };
   const box =
     name === "b" &&
-    el(
-      "details",
-      {},
-      el("summary", {}, "Another muscle"),
+    folded(
+      "Another muscle",
       fileField("Open a muscle file (TOML)", ".toml", (_, text) => take(text)),
       back,
     );
   const element = el(
     "section",
     { "aria-label": name.toUpperCase() },
-    el("h2", {}, name === "a" ? "A: the muscle" : "B: with changes"),
+    heading(name === "a" ? "A: the muscle" : "B: with changes"),
     stage,
     said,
     which,
-    el("div", { class: "controls" }, fields.element, box),
+    block("controls", fields.element, box),
   );
   const stale = (/** @type {boolean} */ on) => dim([stage, which], on);
   const side = {
@@ -224,13 +232,12 @@ export const mount = (main) => {
     ),
     [, b] = sides;
   const chart = new Chart("compare", {
-      tools: el("h2", {}, "Pull over contraction"),
+      tools: heading("Pull over contraction"),
     }),
-    numbers = el("div", {});
+    numbers = el("div");
   main.replaceChildren(
-    el(
-      "div",
-      { class: "pair" },
+    block(
+      "pair",
       el("div", {}, sides[0].element, numbers, chart.element),
       b.element,
     ),

@@ -2,7 +2,17 @@
 import { Slot } from "../ask.js";
 import { columnChoice, columnLine, headings } from "../columns.js";
 import { fileField } from "../controls.js";
-import { button, dim, el, problemBox } from "../dom.js";
+import {
+  block,
+  button,
+  dim,
+  el,
+  faded,
+  heading,
+  paragraph,
+  problemBox,
+  remark,
+} from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, form, job, table, warnings } from "../form.js";
 import { GALLERY, gallery } from "../gallery.js";
@@ -26,14 +36,12 @@ function identifiedView(answer) {
     ];
   });
   return [
-    el("h2", {}, "Identified"),
+    heading("Identified"),
     table(["constant", "value", "95 %", ""], rows, {
       text: [0, 3],
       label: "constants",
     }),
-    el(
-      "p",
-      {},
+    paragraph(
       `Residuals ${show("force", answer.rms_n, 3)} rms, ${show("force", answer.rms_before_n, 3)} before.`,
     ),
     warnings(answer.warnings),
@@ -98,10 +106,10 @@ class DataPage {
     this.understood = el(
       "div",
       {},
-      ...(this.data ? [] : [el("p", { class: "soft" }, BEGIN), this.#begins()]),
+      ...(this.data ? [] : [faded(BEGIN), this.#begins()]),
     );
-    this.errors = el("div", {});
-    this.found = el("div", {});
+    this.errors = el("div");
+    this.found = el("div");
     this.figures = new Figures("data");
     this.fitted = new Figures("identified");
     this.identify = job(
@@ -130,16 +138,15 @@ class DataPage {
 
   #controls() {
     return [
-      el("h2", {}, "Measured points"),
+      heading("Measured points"),
       fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) =>
         this.#take(name, text),
       ),
-      el("p", { class: "small soft" }, HINT),
+      remark(HINT),
       this.columns.element,
       this.what.element,
-      el(
-        "div",
-        { class: "row" },
+      block(
+        "row",
         button("Compare", () => this.#look()),
       ),
       this.identify.element,
@@ -164,9 +171,7 @@ class DataPage {
   async #request() {
     const read = await this.what.read();
     if (!this.data || !read) {
-      this.found.replaceChildren(
-        el("p", { class: "soft" }, "Open a table first."),
-      );
+      this.found.replaceChildren(faded("Open a table first."));
       return undefined;
     }
     return {
@@ -253,7 +258,7 @@ class DataPage {
         ...(compared.warnings ?? []),
       ];
       const line = `${this.data.name}: ${compared.points} points. ${columnLine(u?.columns ?? [])}`;
-      this.understood.replaceChildren(el("p", {}, line), warnings(said));
+      this.understood.replaceChildren(paragraph(line), warnings(said));
       this.errors.replaceChildren(errorTable(compared.models));
     }
     if (known) this.found.replaceChildren(...identifiedView(known));

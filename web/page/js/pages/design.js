@@ -4,7 +4,7 @@ import { address, write } from "../address.js";
 import { designMap } from "../design-map.js";
 import { designTarget } from "../design-target.js";
 import { closestView, foundView, rejectedView } from "../design-view.js";
-import { el } from "../dom.js";
+import { el, faded, folded, heading } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, form, job } from "../form.js";
 import { muscle } from "../muscle.js";
@@ -194,12 +194,7 @@ function specification(submit) {
   const wanted = form(WANTED, submit),
     choice = form(choices(), submit),
     forms = [wanted, choice];
-  const vary = el(
-    "details",
-    {},
-    el("summary", {}, "Search space"),
-    choice.element,
-  );
+  const vary = folded("Search space", choice.element);
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
     const k = choice.text("k"),
@@ -292,9 +287,7 @@ export const mount = (main) => {
   const results = el(
     "div",
     {},
-    el(
-      "p",
-      { class: "soft" },
+    faded(
       "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and " +
         "walls where you give them; finite elements compute the final values.",
     ),
@@ -363,7 +356,7 @@ export const mount = (main) => {
   main.replaceChildren(
     bench(
       "Specification",
-      [el("h2", {}, "Specification"), ...spec.elements, search.element],
+      [heading("Specification"), ...spec.elements, search.element],
       [results, target.element, ...map.elements, figures.element],
     ),
   );

@@ -1,11 +1,20 @@
 // The muscle as files: a report, what the workshop needs, code for controllers and simulators, and files of
 // finite-element programs.
 import { engine } from "../ask.js";
-import { button, download, el } from "../dom.js";
+import {
+  block,
+  button,
+  download,
+  el,
+  faded,
+  heading,
+  paragraph,
+  remark,
+} from "../dom.js";
 import { filesView } from "../files-view.js";
 import { form, job, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
-import { fileName } from "../toml.js";
+import { fileName, named } from "../toml.js";
 import { withViewer } from "../report.js";
 import { number, onUnits, show, unitName } from "../units.js";
 
@@ -70,7 +79,7 @@ export const ELEMENTS = [
  */
 function card(title, about, fields, [label, command], request, shown) {
   const asked = form(fields, () => go.run()),
-    done = el("div", {});
+    done = el("div");
   const go = job(
     label,
     command,
@@ -87,14 +96,17 @@ function card(title, about, fields, [label, command], request, shown) {
     element: el(
       "section",
       { class: "card-of-files", "aria-label": title },
-      el("h2", {}, title),
-      el("p", { class: "soft" }, about),
+      heading(title),
+      faded(about),
       asked.element,
       go.element,
       done,
     ),
   };
 }
+
+/** The units that people read. */
+const readUnits = () => ["pressure", "force", "length"].map(unitName).join(",");
 
 /** The muscle at its pressure, where it has one. */
 const atPressure = () => ({
@@ -114,7 +126,7 @@ const report = () =>
       name: muscle.name,
       ...read,
       report: true,
-      units: ["pressure", "force", "length"].map(unitName).join(","),
+      units: readUnits(),
     }),
     async (answer) => {
       const html = await withViewer(
@@ -124,9 +136,7 @@ const report = () =>
         save = () => download(name, html, "text/html");
       return [
         warnings(answer.warnings),
-        el(
-          "p",
-          {},
+        paragraph(
           button(`Save ${name}`, save, { class: "main" }),
           " ",
           el(
@@ -146,16 +156,23 @@ const workshop = () =>
     "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.",
     [],
     ["Make the build sheet", "build"],
-    atPressure,
+    () => ({ ...atPressure(), units: readUnits() }),
     (answer) => {
       const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map(
         (p) => show("pressure", p, 3),
       );
       const cut = `At ${at}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
       return [
-        el("p", {}, cut),
+        paragraph(cut),
         warnings(answer.warnings),
-        filesView(answer.files, fileName(muscle.name, "-build")),
+        filesView(
+          answer.files.map((file) =>
+            file.name === "muscle.toml"
+              ? { ...file, text: named(file.text ?? "", muscle.given) }
+              : file,
+          ),
+          fileName(muscle.name, "-build"),
+        ),
       ];
     },
   );
@@ -183,12 +200,12 @@ const code = () =>
       ...atPressure(),
       ...read,
       target: read.target,
-      name: muscle.called
-        ? fileName(muscle.called, "").replace(/\W/g, "_")
+      name: muscle.given
+        ? fileName(muscle.given, "").replace(/\W/g, "_")
         : undefined,
     }),
     (answer) => [
-      el("p", {}, `Error: ${errorLine(answer)}`),
+      paragraph(`Error: ${errorLine(answer)}`),
       warnings(answer.warnings),
       filesView(answer.files, `${answer.name}-${answer.target}`),
     ],
@@ -237,12 +254,8 @@ export const mount = (main) => {
   const cards = [report(), workshop(), code(), elements()],
     box = cards[2].form,
     forms = cards.map((c) => c.form);
-  const about = el("p", { class: "small soft" }),
-    element = el(
-      "div",
-      { class: "cards-of-files" },
-      ...cards.map((c) => c.element),
-    );
+  const about = remark(),
+    element = block("cards-of-files", ...cards.map((c) => c.element));
   /** @type {readonly Target[]} */ let targets = [];
   let target = "";
   box.element.prepend(about);

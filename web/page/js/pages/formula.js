@@ -1,5 +1,13 @@
 // A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
-import { button, download, el } from "../dom.js";
+import {
+  button,
+  download,
+  el,
+  faded,
+  heading,
+  remark,
+  smallPrint,
+} from "../dom.js";
 import { bench, form, job } from "../form.js";
 import {
   PUBLISHED,
@@ -80,9 +88,9 @@ export const mount = (main) => {
     keepFile("plan", plan.value === PLAN ? undefined : plan.value),
   );
   const how = form(HOW, () => (made ? fit.run() : paint()));
-  const table1 = el("p", { class: "small" }),
-    errors = el("div", {}),
-    figures = el("div", {}),
+  const table1 = smallPrint(),
+    errors = el("div"),
+    figures = el("div"),
     shown = surfaces();
   const about = { fields: how, shown: [errors, shown.element, figures] };
   const campaign = job(
@@ -107,9 +115,7 @@ export const mount = (main) => {
     "fit",
     async () => {
       if (!made) {
-        errors.replaceChildren(
-          el("p", { class: "soft" }, "Compute the plan first."),
-        );
+        errors.replaceChildren(faded("Compute the plan first."));
         return undefined;
       }
       const read = await how.read();
@@ -135,10 +141,8 @@ export const mount = (main) => {
     bench(
       "Campaign",
       [
-        el("h2", {}, "Campaign"),
-        el(
-          "p",
-          { class: "small soft" },
+        heading("Campaign"),
+        remark(
           "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018).",
         ),
         plan,
@@ -151,10 +155,8 @@ export const mount = (main) => {
     ),
   );
   errors.append(
-    el("h2", {}, PUBLISHED.name),
-    el(
-      "p",
-      { class: "soft" },
+    heading(PUBLISHED.name),
+    faded(
       "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run " +
         "while you watch.",
     ),

@@ -3,7 +3,17 @@ import { Slot } from "../ask.js";
 import { Chart } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
 import { pack } from "../deflate.js";
-import { button, dim, dragging, el, problemBox } from "../dom.js";
+import {
+  block,
+  button,
+  dim,
+  dragging,
+  el,
+  folded,
+  heading,
+  problemBox,
+  remark,
+} from "../dom.js";
 import { job, warnings } from "../form.js";
 import { jointDrawing } from "../joint-drawing.js";
 import {
@@ -16,7 +26,7 @@ import { FILES, JointWords, KEYS, KINDS_OF } from "../joint-words.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { angles, drive } from "../trajectory.js";
-import { onUnits } from "../units.js";
+import { clamp, evenly, onUnits } from "../units.js";
 import { visit } from "../visit.js";
 
 /** @typedef {Commands["joint"]["request"]} Request */
@@ -86,7 +96,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       }),
     ),
   );
-  const ofFile = el("p", { class: "small soft" });
+  const ofFile = remark();
   const back = button("Use the same muscle twice", () => takeSecond(""), {
     hidden: true,
   });
@@ -97,22 +107,14 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     "section",
     { class: "controls", "aria-label": "Joint" },
     ...groups,
-    el(
-      "details",
-      {},
-      el("summary", {}, "Another muscle 2"),
-      el(
-        "p",
-        { class: "small soft" },
-        "Both muscles are the one above, unless you open a file.",
-      ),
+    folded(
+      "Another muscle 2",
+      remark("Both muscles are the one above, unless you open a file."),
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)),
       back,
     ),
-    el(
-      "details",
-      {},
-      el("summary", {}, "Joint file"),
+    folded(
+      "Joint file",
       ofFile,
       fileField("Open a joint file (TOML)", ".toml", (_, text) =>
         takeJoint(text),
@@ -169,11 +171,9 @@ function moveBox(v, question) {
   const about =
     "From the angle above at the required stiffness. Motion shows how valves and arm follow.";
   return {
-    element: el(
-      "details",
-      {},
-      el("summary", {}, "Move the arm"),
-      el("p", { class: "small soft" }, about),
+    element: folded(
+      "Move the arm",
+      remark(about),
       field("angle", "Move to", "angle", -60, 60),
       field("seconds", "Within", "time", 0.1, 5),
       play.element,
@@ -233,10 +233,7 @@ function questions({ take, fail, family }) {
           },
         );
       if (settled) settling = window.setTimeout(last, 50);
-      const angles = Array.from(
-        { length: 25 },
-        (_, i) => v.low + ((v.high - v.low) * i) / 24,
-      );
+      const angles = evenly(v.low, v.high, 25);
       const pairs = [
         [1, 0],
         [0.75, 0.25],
@@ -270,7 +267,7 @@ class JointPage {
       "aria-label": "The joint",
     });
     this.numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
-    this.said = el("div", {});
+    this.said = el("div");
     this.bench = controlsOf(this.joint.v, {
       changed: (key, settled) => {
         this.joint.over.add(key);
@@ -280,11 +277,11 @@ class JointPage {
       takeJoint: (text) => this.#takeJoint(text),
     });
     this.torque = new Chart("joint-torque", {
-      tools: el("h2", {}, "Torque over the angle"),
+      tools: heading("Torque over the angle"),
       drag: (x, _, settled) => this.#turned(x, settled),
     });
     this.reach = new Chart("joint-map", {
-      tools: el("h2", {}, "Reachable stiffness"),
+      tools: heading("Reachable stiffness"),
     });
     const question = async () => ({
       ...this.#request(),
@@ -311,19 +308,13 @@ class JointPage {
       ...wanted(v, list),
     }));
     this.bench.element.append(this.move.element);
-    const charts = el(
-      "div",
-      { class: "charts" },
-      this.torque.element,
-      this.reach.element,
-    );
+    const charts = block("charts", this.torque.element, this.reach.element);
     main.replaceChildren(
-      el(
-        "div",
-        { class: "bench" },
+      block(
+        "bench",
         this.bench.element,
-        el("div", { class: "middle" }, this.arm, charts, this.map.element),
-        el("div", { class: "side" }, this.said, this.numbers),
+        block("middle", this.arm, charts, this.map.element),
+        block("side", this.said, this.numbers),
       ),
     );
     dragging(this.arm, (event, settled) => {
@@ -358,7 +349,7 @@ class JointPage {
   /** @param {number} angle @param {boolean} settled */
   #turned(angle, settled) {
     const { v } = this.joint;
-    v.phi = Math.max(v.low, Math.min(v.high, Math.round(angle)));
+    v.phi = clamp(Math.round(angle), v.low, v.high);
     this.bench.controls.phi.set(v.phi);
     this.#ask(settled);
   }

@@ -3,7 +3,15 @@ import { Slot } from "../ask.js";
 import { Chart } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
-import { button, el, problemBox } from "../dom.js";
+import {
+  block,
+  button,
+  el,
+  folded,
+  heading,
+  problemBox,
+  remark,
+} from "../dom.js";
 import { bench, form, job, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
@@ -89,7 +97,7 @@ async function driven(text, file, model) {
 
 /** The muscle in space at every time of a run, and the time that is shown. */
 function player() {
-  const stage = el("div", { class: "stage" }),
+  const stage = block("stage"),
     clock = el("p", { class: "say" });
   stage.append(clock);
   const view = new View(stage),
@@ -133,12 +141,7 @@ function player() {
   }
   return {
     stage,
-    row: el(
-      "div",
-      { class: "row" },
-      play.button,
-      el("span", { style: "flex:1" }, slider),
-    ),
+    row: block("row", play.button, el("span", { style: "flex:1" }, slider)),
     show(/** @type {Run} */ found) {
       run = found;
       play.start();
@@ -156,8 +159,8 @@ const EXAMPLES = [
 
 /** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
 function driveBox(take) {
-  const words = el("p", { class: "small soft" }),
-    said = el("div", {});
+  const words = remark(),
+    said = el("div");
   const fail = (/** @type {unknown} */ problem) =>
     said.replaceChildren(problemBox(problem));
   const leave = button("Close the drive file", () => take(""), {
@@ -166,10 +169,8 @@ function driveBox(take) {
   const samples = EXAMPLES.map(([text, name]) =>
     button(text, () => example(name).then(take).catch(fail)),
   );
-  const element = el(
-    "details",
-    {},
-    el("summary", {}, "Drive file and examples"),
+  const element = folded(
+    "Drive file and examples",
     words,
     el("p", { class: "row small" }, "Examples:", ...samples),
     fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)),
@@ -191,12 +192,12 @@ function driveBox(take) {
 /** Pressure and way over time. */
 function chartsOf() {
   const pressure = new Chart("motion-pressure", {
-    tools: el("h2", {}, "Pressure over time"),
+    tools: heading("Pressure over time"),
   });
-  const title = el("h2", {}),
+  const title = el("h2"),
     way = new Chart("motion-contraction", { tools: title });
   return {
-    element: el("div", { class: "charts" }, pressure.element, way.element),
+    element: block("charts", pressure.element, way.element),
     /** @param {Run} run */
     show(run) {
       pressure.show(pressureChart(run));
@@ -213,9 +214,9 @@ export const mount = (main) => {
   const fields = form(STEP, () => go.run()),
     shown = player();
   const charts = chartsOf();
-  const numbers = el("div", {});
+  const numbers = el("div");
   const box = driveBox((text) => take(text));
-  const title = el("h2", {}, "A step on a valve");
+  const title = heading("A step on a valve");
   const go = job(
     "Run",
     "motion",

@@ -4,34 +4,32 @@ import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
-import { button, dim, el, problemBox, say } from "../dom.js";
+import { block, button, dim, el, problemBox, remark, say } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { onUnits, withUncertainty } from "../units.js";
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const busy = el("div", { class: "busy" }),
-    said = el("div", {});
+  const busy = block("busy"),
+    said = el("div");
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
   const stage = stageView(store, busy),
     curves = new Curves(store),
     numbers = numbersView(store);
   main.replaceChildren(
-    el(
-      "div",
-      { class: "bench" },
+    block(
+      "bench",
       controls.element,
-      el(
-        "div",
-        { class: "middle" },
+      block(
+        "middle",
         stage.stage,
         stage.tools,
         curves.chart.element,
         curves.points.element,
         curves.over.element,
       ),
-      el("div", { class: "side" }, said, numbers.element),
+      block("side", said, numbers.element),
     ),
   );
 
@@ -49,9 +47,7 @@ export const mount = (main) => {
   });
   store.on("problem", ({ problem }) => {
     const again = button("Try again", () => store.ask(), { class: "main" });
-    const old = el(
-      "p",
-      { class: "small soft" },
+    const old = remark(
       "The page shows the last result, which is for another muscle or state.",
     );
     said.replaceChildren(

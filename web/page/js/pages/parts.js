@@ -2,7 +2,7 @@
 import { engine } from "../ask.js";
 import { address } from "../address.js";
 import { choice } from "../controls.js";
-import { button, capital, el, problemBox } from "../dom.js";
+import { block, button, capital, el, problemBox } from "../dom.js";
 import { table } from "../form.js";
 import { library } from "../library.js";
 import { muscle } from "../muscle.js";
@@ -223,12 +223,11 @@ export const mount = (main) => {
     changed(),
   );
   const cast = check("parts-sold", "sold only", () => changed());
-  const list = el("div", { class: "parts-list" }),
+  const list = block("parts-list"),
     count = el("p", { class: "small soft", role: "status" }),
     filter = el("label", { for: "parts-find" }, "Filter");
-  const line = el(
-    "div",
-    { class: "parts-filter" },
+  const line = block(
+    "parts-filter",
     kind.element,
     filter,
     find,

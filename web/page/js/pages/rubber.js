@@ -1,7 +1,7 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
 import { columnLine } from "../columns.js";
 import { fileField } from "../controls.js";
-import { el } from "../dom.js";
+import { el, faded, heading } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, form, job, table, warnings } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
@@ -88,8 +88,8 @@ export const mount = (main) => {
   let data = fileOf("rubber");
   const fields = form(FIELDS, () => fit.run()),
     figures = new Figures("rubber");
-  const understood = el("p", { class: "soft" }, BEGIN),
-    laws = el("div", {});
+  const understood = faded(BEGIN),
+    laws = el("div");
   const fit = job(
     "Fit",
     "rubber",
@@ -122,7 +122,7 @@ export const mount = (main) => {
     bench(
       "Rubber test",
       [
-        el("h2", {}, "Rubber test"),
+        heading("Rubber test"),
         fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) =>
           take(name, text),
         ),
@@ -156,9 +156,7 @@ export const mount = (main) => {
       "",
     ];
     laws.replaceChildren(
-      el(
-        "h2",
-        {},
+      heading(
         answer.recommended
           ? `Recommended: ${answer.recommended}`
           : "No law is stable",

@@ -2,14 +2,30 @@
 import { engine } from "../ask.js";
 import { Chart, KINDS } from "../chart.js";
 import { choice } from "../controls.js";
-import { button, capital, el, problemBox } from "../dom.js";
+import {
+  button,
+  capital,
+  el,
+  heading,
+  problemBox,
+  rowOf,
+  smallPrint,
+} from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
 import { bench, form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
 import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
-import { number, onUnits, outside, show, unitName } from "../units.js";
+import {
+  clamp,
+  evenly,
+  number,
+  onUnits,
+  outside,
+  show,
+  unitName,
+} from "../units.js";
 import { inWords } from "../words.js";
 
 /** @typedef {Commands["shape"]["answer"]} Answer */
@@ -72,7 +88,7 @@ function usualRange({
   const ends =
     now === 0 ? [0, 1] : [0.7 * now, 1.3 * now].sort((a, b) => a - b);
   const at = (/** @type {number} */ v) =>
-    Number(Math.min(maximum, Math.max(minimum, v)).toPrecision(3));
+    Number(clamp(v, minimum, maximum).toPrecision(3));
   return [at(ends[0]), at(ends[1])];
 }
 
@@ -100,9 +116,9 @@ export const mount = (main) => {
       paint();
     },
   );
-  const box = el("div", {}),
-    said = el("div", {}),
-    title = el("h2", {}, "Sweep");
+  const box = el("div"),
+    said = el("div"),
+    title = heading("Sweep");
   const bar = el("progress", {
     hidden: true,
     "aria-label": "Progress of the sweep",
@@ -115,9 +131,7 @@ export const mount = (main) => {
         what.element,
         box,
         result.element,
-        el(
-          "p",
-          { class: "row" },
+        rowOf(
           button("Compute", () => run(), { class: "main" }),
           bar,
         ),
@@ -167,9 +181,7 @@ export const mount = (main) => {
       to = read.to ?? high;
     const count = Math.round(read.points ?? POINTS);
     if (count >= 2 && count <= MOST)
-      return Array.from({ length: count }, (_, i) =>
-        Number((from + ((to - from) * i) / (count - 1)).toPrecision(12)),
-      );
+      return evenly(from, to, count).map((v) => Number(v.toPrecision(12)));
     range.mark("points", `Give between 2 and ${MOST} points.`);
   }
   async function run() {
@@ -250,9 +262,7 @@ export const mount = (main) => {
         `${number(outside(kind, one.value))} ${unitName(kind)}: ${inWords(one.why ?? "")}`;
     said.replaceChildren(
       one
-        ? el(
-            "p",
-            { class: "small" },
+        ? smallPrint(
             `${failed.length} of ${rows.length} values have no answer, such as ${such}`,
           )
         : "",
