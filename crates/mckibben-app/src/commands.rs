@@ -102,7 +102,7 @@ fn check_fields(
         // By its type a list would be read as the fields in their order.
         if known.is_some() {
             let message = format!("{what} is an object of fields, not a list");
-            return Err(Problem::new(ProblemKind::Usage, message, ""));
+            return Err(ProblemKind::Usage.problem(message));
         }
         return list.iter().try_for_each(|item| {
             check_fields(format_args!("each of {what}"), item, &schema["items"], root)
@@ -333,7 +333,7 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
             "there is no command \"{command}\"{meant}; the commands are {}",
             names.join(", ")
         );
-        Problem::new(ProblemKind::Usage, message, "")
+        ProblemKind::Usage.problem(message)
     })
 }
 
@@ -392,7 +392,7 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
         None if field.is_some() => said,
         None => format!("the request cannot be understood: {said}"),
     };
-    let problem = Problem::new(ProblemKind::Usage, message, "");
+    let problem = ProblemKind::Usage.problem(message);
     if let Some(field) = field {
         problem.in_field(field)
     } else {
@@ -401,11 +401,6 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
 }
 
 fn json<A: Serialize>(answer: &A) -> Result<Value, Problem> {
-    serde_json::to_value(answer).map_err(|e| {
-        Problem::new(
-            ProblemKind::Output,
-            format!("the answer cannot be written: {e}"),
-            "",
-        )
-    })
+    serde_json::to_value(answer)
+        .map_err(|e| ProblemKind::Output.problem(format!("the answer cannot be written: {e}")))
 }

@@ -483,7 +483,7 @@ fn fitted(
         let message = format!(
             "{points} points are too few to fit {unknowns} constants: measure at least {least}"
         );
-        return Err(Problem::new(ProblemKind::Fit, message, ""));
+        return Err(ProblemKind::Fit.problem(message));
     }
     let start = |c: FitConstant| Some(c.target().value(muscle).unwrap_or(STIFF));
     let parameter = |&c: &FitConstant| Parameter {
@@ -497,13 +497,11 @@ fn fitted(
     };
     let identified = identify(&request).map_err(|error| match error {
         IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),
-        IdentifyError::Estimate(_) => Problem::new(
-            ProblemKind::NotConverged,
-            format!("the fit did not converge: {error}"),
-            "",
-        ),
+        IdentifyError::Estimate(_) => {
+            ProblemKind::NotConverged.problem(format!("the fit did not converge: {error}"))
+        }
         error @ (IdentifyError::Flipped(_) | IdentifyError::NoRubber { .. }) => error.into(),
-        other => Problem::new(ProblemKind::Fit, other.to_string(), ""),
+        other => ProblemKind::Fit.problem(other),
     })?;
     Ok((
         identified.muscle,

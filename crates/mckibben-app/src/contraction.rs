@@ -97,7 +97,7 @@ impl FromStr for Contractions {
                 RangeError::Quantity(_) => ProblemKind::Quantity,
                 RangeError::Form(_) => ProblemKind::Range,
             };
-            Problem::new(kind, error.to_string(), "")
+            kind.problem(error)
         })?;
         Ok(Self { values, in_mm })
     }
@@ -113,7 +113,7 @@ impl FromStr for Contraction {
         }
         let error = text.parse::<Ratio>().err();
         let message = error.map_or_else(String::new, |error| error.to_string());
-        Err(Problem::new(ProblemKind::Quantity, message, ""))
+        Err(ProblemKind::Quantity.problem(message))
     }
 }
 
@@ -138,7 +138,7 @@ impl TryFrom<Given> for Contraction {
             Given::Text(text) => text.parse(),
             Given::Several(_) => {
                 let message = "one contraction is needed, not a list";
-                Err(Problem::new(ProblemKind::Quantity, message, ""))
+                Err(ProblemKind::Quantity.problem(message))
             }
         }
     }

@@ -113,7 +113,7 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         (Some(_), false) => {
             let message =
                 "`load` is for isobaric tests only, where the pressure is constant along a curve";
-            return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
+            return Err(ProblemKind::Usage.problem(message).in_field("load"));
         }
     };
     let mut family = Family::default();
@@ -265,9 +265,9 @@ pub fn list<Q>(
 ) -> Result<Vec<f64>> {
     match values {
         None => Ok(default()),
-        Some(values) if values.is_empty() => {
-            Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field))
-        }
+        Some(values) if values.is_empty() => Err(ProblemKind::Range
+            .problem("the list is empty")
+            .in_field(field)),
         Some(values) => values.iter().map(|&v| finite(field, v)).collect(),
     }
 }

@@ -131,7 +131,7 @@ impl From<FillError> for Problem {
             FillError::TooLarge { .. } => "volume_mm3",
             FillError::Refused(refused) => refused.fields[0],
         };
-        Self::new(ProblemKind::NoAnswer, error.to_string(), "").in_field(field)
+        ProblemKind::NoAnswer.problem(error).in_field(field)
     }
 }
 
@@ -188,7 +188,9 @@ impl LiquidFields {
     pub(crate) fn supply(&self) -> Result<LiquidSupply> {
         let name = self.liquid.as_deref().unwrap_or("water");
         let wrong = |error: Refused| {
-            Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field(error.fields[0])
+            ProblemKind::Quantity
+                .problem(&error)
+                .in_field(error.fields[0])
         };
         let mut liquid =
             Liquid::named(name, self.gas_share.unwrap_or_default().0).map_err(wrong)?;

@@ -218,9 +218,7 @@ mod parsers {
     /// A volume. Users think of mL, and the unit inside is a thousandth of it.
     pub fn volume(text: &str) -> Result<Volume, Problem> {
         let text = text.trim();
-        let volume: Volume = text
-            .parse()
-            .map_err(|e| Problem::new(ProblemKind::Quantity, format!("{e}"), ""))?;
+        let volume: Volume = text.parse().map_err(|e| ProblemKind::Quantity.problem(e))?;
         if volume.0 != 0.0 && text.parse::<f64>().is_ok() {
             let message = format!("\"{text}\" has no unit, and a bare number is mm³");
             let hint = format!("write {text}mL or {text}mm3");
@@ -280,7 +278,7 @@ mod parsers {
         let read: Result<mckibben_core::units::typed::Stiffness, _> = text.parse();
         let wrong = |e| {
             let message = format!("{e}, or `inextensible`, or `paper`");
-            Problem::new(ProblemKind::Quantity, message, "")
+            ProblemKind::Quantity.problem(message)
         };
         Ok(crate::Stiffness::NewtonPerMm(read.map_err(wrong)?.0))
     }
@@ -300,7 +298,7 @@ mod parsers {
         let length = |at: usize| {
             let read = words.get(at).map(|text| text.parse::<Length>());
             let read = read.transpose().map(|length| length.map(f64::from));
-            read.map_err(|e| Problem::new(ProblemKind::Quantity, e.to_string(), ""))
+            read.map_err(|e| ProblemKind::Quantity.problem(e))
         };
         Ok(Plug {
             material,

@@ -59,13 +59,13 @@ impl JointFields {
                 .find(|m| m.name == name)
                 .ok_or_else(|| {
                     let message = format!("{}: its muscle file {name} is missing", text.name);
-                    Problem::new(ProblemKind::File, message, "").in_field("muscles")
+                    ProblemKind::File.problem(message).in_field("muscles")
                 })?;
             MuscleFields::from_file(of.clone()).resolve()
         };
         let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
         file.with_muscles(muscles)
-            .map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))
+            .map_err(|e| ProblemKind::File.problem(format!("{}: {e}", text.name)))
     }
 }
 
@@ -234,7 +234,7 @@ impl JointRequest {
         for &p in self.pressures_mpa.iter().flat_map(|list| list.iter()) {
             if !(p.is_finite() && p >= 0.0) {
                 let message = format!("{p}\u{a0}MPa is not a valid gauge pressure of a muscle");
-                let problem = Problem::new(ProblemKind::Quantity, message, "");
+                let problem = ProblemKind::Quantity.problem(message);
                 return Err(problem.in_field("pressures_mpa"));
             }
         }

@@ -222,6 +222,6 @@ impl From<&CaseError> for Problem {
             CaseError::Parameter { .. } => ProblemKind::Parameter,
             _ => ProblemKind::File,
         };
-        Self::new(kind, error.to_string(), "")
+        kind.problem(error)
     }
 }

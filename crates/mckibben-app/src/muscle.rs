@@ -33,7 +33,7 @@ impl MuscleFields {
                 place: None,
                 ..error
             };
-            Problem::new(ProblemKind::File, error.to_string(), "").in_field("with")
+            ProblemKind::File.problem(error).in_field("with")
         })?)
     }
 
@@ -120,7 +120,7 @@ pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
     };
     if !cfg!(feature = "whole") {
         let message = "the library of muscles needs the full engine; this is a reduced one";
-        return Err(Problem::new(ProblemKind::File, message, ""));
+        return Err(ProblemKind::File.problem(message));
     }
     let hint = "`parts list muscles` shows them with their sources";
     muscles::file(name)
@@ -135,7 +135,7 @@ pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
 
 /// A rubber of the library.
 pub fn rubber(name: &str) -> Result<Rubber, Problem> {
-    library::find(name.trim()).map_err(|e| Problem::new(ProblemKind::Rubber, e.to_string(), ""))
+    library::find(name.trim()).map_err(|e| ProblemKind::Rubber.problem(e))
 }
 
 /// A sleeve of the library.
@@ -163,10 +163,8 @@ impl From<MuscleError> for Problem {
                 let message = in_fields(format!("`{field}`{rest}"));
                 Self::new(ProblemKind::Usage, message, "a muscle file can state it").in_field(field)
             }
-            None if first == "braid.name" => {
-                Self::new(ProblemKind::Braid, in_fields(error.message), "")
-            }
-            None => Self::new(ProblemKind::Muscle, in_fields(error.message), ""),
+            None if first == "braid.name" => ProblemKind::Braid.problem(in_fields(error.message)),
+            None => ProblemKind::Muscle.problem(in_fields(error.message)),
         }
     }
 }

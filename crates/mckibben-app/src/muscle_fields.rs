@@ -168,7 +168,7 @@ impl FromStr for TubeSize {
         };
         let length = |text: &str| {
             let read = text.parse::<Length>();
-            read.map_err(|e| Problem::new(ProblemKind::Quantity, e.to_string(), ""))
+            read.map_err(|e| ProblemKind::Quantity.problem(e))
         };
         let (Length(inner_mm), Length(outer_mm)) = (length(&inner)?, length(outer)?);
         if 0.0 < inner_mm && inner_mm < outer_mm {

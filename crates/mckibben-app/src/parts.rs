@@ -139,7 +139,7 @@ pub fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
 }
 
 pub fn unread(error: tubes::TubeError) -> Problem {
-    Problem::new(ProblemKind::Specification, error.to_string(), "")
+    ProblemKind::Specification.problem(error)
 }
 
 /// The tubes of a user's table, where it has some: in place of the catalogue's.

@@ -197,13 +197,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
             .or(list.clone().next())
             .map(|e| e.answer.clone());
         said = said.take().or(answer);
-        best.ok_or_else(|| {
-            Problem::new(
-                ProblemKind::NoAnswer,
-                "there is no equilibrium with the load",
-                "",
-            )
-        })
+        best.ok_or_else(|| ProblemKind::NoAnswer.problem("there is no equilibrium with the load"))
     })?;
     answer.loaded = said;
     Ok(answer)
@@ -257,12 +251,9 @@ pub fn finite(field: &str, value: impl Into<f64>) -> Result<f64> {
     if value.is_finite() {
         return Ok(value);
     }
-    Err(Problem::new(
-        ProblemKind::Quantity,
-        format!("{value} is not a finite number"),
-        "",
-    )
-    .in_field(field))
+    Err(ProblemKind::Quantity
+        .problem(format!("{value} is not a finite number"))
+        .in_field(field))
 }
 
 /// A number above zero.
@@ -272,7 +263,9 @@ pub fn above_zero(kind: ProblemKind, field: &str, value: impl Into<f64>) -> Resu
         return Ok(value);
     }
     let unit = NamedUnit::of_field(field).map_or("", |of| of.unit);
-    Err(Problem::new(kind, format!("{value} {unit}; it must be above zero"), "").in_field(field))
+    Err(kind
+        .problem(format!("{value} {unit}; it must be above zero"))
+        .in_field(field))
 }
 
 /// Refuses a push where the muscle is allowed to lie slack instead.

@@ -22,13 +22,13 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
     let problem = if let Some(problem) = source.downcast_ref::<Problem>() {
         problem.clone()
     } else if let Some(error) = source.downcast_ref::<QuantityError>() {
-        Problem::new(ProblemKind::Quantity, error.to_string(), "")
+        ProblemKind::Quantity.problem(error)
     } else {
         let kind = match source.downcast_ref::<RangeError>()? {
             RangeError::Quantity(_) => ProblemKind::Quantity,
             RangeError::Form(_) => ProblemKind::Range,
         };
-        Problem::new(kind, source.to_string(), "")
+        kind.problem(source)
     };
     let flag = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(name)) => name.split(' ').next().unwrap_or_default(),
@@ -93,7 +93,7 @@ pub fn unprinted(error: &io::Error) -> Problem {
         io::ErrorKind::BrokenPipe => String::new(),
         _ => format!("cannot write to standard output: {error}"),
     };
-    Problem::new(ProblemKind::Output, message, "")
+    ProblemKind::Output.problem(message)
 }
 
 /// A problem in the words of the command line: flags in place of fields, and what to do where the

@@ -107,7 +107,7 @@ impl MotionRequest {
                 "a sweep has 1 to {MOST_RUNS} values, not {}",
                 sweep.values.len()
             );
-            return Err(Problem::new(ProblemKind::Range, message, "").in_field("sweep"));
+            return Err(ProblemKind::Range.problem(message).in_field("sweep"));
         }
         let values = sweep.values.iter();
         let one = |value: &String| {

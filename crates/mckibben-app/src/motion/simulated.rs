@@ -45,7 +45,7 @@ impl Setup {
                         let wanted = of_file.commands().len();
                         let given = values.len();
                         let message = format!("the drive has {wanted} commands, not {given}");
-                        Problem::new(ProblemKind::Usage, message, "").in_field("command")
+                        ProblemKind::Usage.problem(message).in_field("command")
                     })?
                 }
             };

@@ -46,7 +46,7 @@ impl Check {
     fn show_formula(self, formula: CheckFormulaRequest, format: Format) -> Result<u8, Problem> {
         if self.request.pressure_mpa.is_some() {
             let message = "--pressure is of a muscle, not of a formula";
-            return Err(Problem::new(ProblemKind::Usage, message, ""));
+            return Err(ProblemKind::Usage.problem(message));
         }
         let answer = check_formula(&CheckFormulaRequest {
             latex: self.latex,

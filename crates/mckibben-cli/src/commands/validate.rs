@@ -72,9 +72,8 @@ impl Validate {
 
 /// The measured muscle or rubber of a folder, or those of the folders in it.
 fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Problem> {
-    let unread = |e: std::io::Error| {
-        Problem::new(ProblemKind::File, format!("{}: {e}", folder.display()), "")
-    };
+    let unread =
+        |e: std::io::Error| ProblemKind::File.problem(format!("{}: {e}", folder.display()));
     if folder.join("case.toml").is_file() {
         return Ok(vec![measured_folder(folder)?]);
     }
@@ -106,7 +105,7 @@ fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolde
             "there is no measured muscle or rubber \"{name}\"; there are {}",
             joined(all.iter().map(|c| c.name.as_str()), ", ")
         );
-        return Err(Problem::new(ProblemKind::Usage, message, ""));
+        return Err(ProblemKind::Usage.problem(message));
     }
     Ok(all
         .into_iter()

@@ -25,7 +25,7 @@ pub use write::{
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
     serde_json::to_value(answer)
-        .map_err(|e| Problem::new(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
+        .map_err(|e| ProblemKind::Output.problem(format!("cannot make JSON: {e}")))
 }
 
 /// A text with plain spaces in the place of those that join a quantity to its unit.

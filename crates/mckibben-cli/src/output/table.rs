@@ -173,7 +173,7 @@ fn text(value: Option<&Value>) -> Option<String> {
 }
 
 fn broken(error: &dyn std::fmt::Display) -> Problem {
-    Problem::new(ProblemKind::Output, format!("cannot make CSV: {error}"), "")
+    ProblemKind::Output.problem(format!("cannot make CSV: {error}"))
 }
 
 pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
