@@ -33,6 +33,7 @@ use mckibben_core::{
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_with_macros::skip_serializing_none;
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P;
 /// isobaric: P fixed, F over ε.
@@ -335,7 +336,7 @@ fn all_failed(curve: &Curve, before: Option<Problem>) -> Option<Problem> {
 }
 
 /// A family of curves.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct CurveAnswer {
     /// The model's name.
@@ -386,7 +387,7 @@ pub enum PointRow {
 }
 
 /// The quantities that fix a point.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 pub struct RequestedPoint {
     /// Requested pressure, MPa.
@@ -464,7 +465,7 @@ pub struct StudyRequest {
 
 /// The study: curves of five walls and of the ideal formula, and the paper's findings with a
 /// verdict on each.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyAnswer {
     /// The model's name.
@@ -485,7 +486,7 @@ pub struct StudyAnswer {
 }
 
 /// A point of the study.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyRow {
     /// The point.

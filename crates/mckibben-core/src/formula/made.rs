@@ -6,10 +6,11 @@ use crate::{
     muscle::{Braid, BraidStiffness, Bulk, Muscle, Tube},
 };
 use indexmap::IndexMap;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Stiffness k of one strand family of the muscles of a formula.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub enum MadeBraid {
     /// A braid with a name.
     #[serde(rename = "stiffness")]
@@ -23,7 +24,7 @@ pub enum MadeBraid {
 }
 
 /// A braid with a name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum NamedBraid {
     /// k = 452 N/mm · (D0/40 mm)^1.2
@@ -33,7 +34,7 @@ pub enum NamedBraid {
 }
 
 /// What a formula's muscles have in common.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct Made {
     /// L0 in mm.
@@ -49,7 +50,7 @@ pub struct Made {
 }
 
 /// The rubber of a formula's muscles.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct MadeRubber {
     /// Its name, where it has one.
