@@ -39,7 +39,6 @@ pub struct Mode {
 }
 
 /// One muscle at one time.
-#[derive(Debug)]
 pub struct MusclePoint {
     pub pressure_mpa: f64,
     pub contraction: f64,
@@ -61,7 +60,7 @@ pub struct MusclePoint {
 }
 
 /// Everything at one time.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Point {
     pub muscles: Vec<MusclePoint>,
     /// Net generalised force with damping.

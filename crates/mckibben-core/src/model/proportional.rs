@@ -3,7 +3,6 @@
 use super::{ForceModel, ModelInfo, Response, Result, Workspace};
 
 /// What such a formula says at a contraction, per unit of pressure.
-#[derive(Default)]
 pub struct PerPressure {
     /// F/P
     pub f: f64,

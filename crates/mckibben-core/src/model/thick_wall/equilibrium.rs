@@ -14,7 +14,7 @@ const ITERATIONS: usize = 60;
 
 /// One equilibrium of the infinitely long muscle; derivatives in λ and P are along the equilibrium,
 /// (∂λ, ∂P).
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct State {
     pub r: f64,
     pub r_by: [f64; 2],

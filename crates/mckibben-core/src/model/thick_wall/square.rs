@@ -7,7 +7,6 @@ use super::ThickWall;
 use std::f64::consts::PI;
 
 /// Energy of wall and braid and its derivatives in (λ, x); strands that do not stretch carry none.
-#[derive(Debug, Clone, Copy)]
 pub struct Sheet {
     pub w: f64,
     pub l: f64,
