@@ -337,8 +337,8 @@ fn operating(
     let proof_mpa = proof_mpa(pressure_mpa, burst.first().map(|f| f.1));
     // A muscle whose free state at the proof pressure is not found stores at least what its cavity
     // at the working pressure does.
-    let at_proof = evaluation.free_contraction(proof_mpa);
-    let at_proof = at_proof
+    let at_proof = evaluation
+        .free_contraction(proof_mpa)
         .and_then(|free| evaluation.cavity_mm3(proof_mpa, free))
         .ok();
     let operating = Operating {

@@ -81,8 +81,9 @@ pub fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(),
     if pressure_mpa <= most_mpa {
         return Ok(());
     }
-    let said = said_of(found, pressure_mpa, f64::INFINITY);
-    let said = said.first().map_or_else(String::new, ToString::to_string);
+    let said = said_of(found, pressure_mpa, f64::INFINITY)
+        .first()
+        .map_or_else(String::new, ToString::to_string);
     let hint = "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the \
         burst pressure";
     Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))

@@ -369,8 +369,9 @@ fn implausible(muscle: &Muscle, burst: &Burst, values: &Characteristics) -> Vec<
             pull > 0.0 && share > WIDE,
             format!("the ± is {half} of the blocked force: measure before you rely on the pull"),
         ),
-    ];
-    let oddities = oddities.into_iter().filter(|(is_odd, _)| *is_odd);
+    ]
+    .into_iter()
+    .filter(|(is_odd, _)| *is_odd);
     oddities.map(|(_, sentence)| sentence).collect()
 }
 

@@ -247,8 +247,9 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let of_muscle = muscle.warnings().into_iter().chain(doubts);
     let warned: Vec<Warning> = of_muscle.map(Warning::from).chain(beyond).collect();
     let figure = request.figure.as_ref().map(|unit| {
-        let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
-        let fits: String = fits
+        let fits: String = compared
+            .iter()
+            .filter(|c| !c.row.fitted().is_empty())
             .map(|c| format!(". {} fitted: {}", c.row.errors.model, c.row.fitted()))
             .collect();
         let about = format!("{}{fits}", MuscleSummary::from(&muscle).line(unit));

@@ -281,8 +281,9 @@ pub fn contractions(
     let Some(values) = values else {
         return Ok(default());
     };
-    let ratios = values.of_length(length_mm);
-    let ratios = ratios.map_err(|problem| problem.in_field("contractions"))?;
+    let ratios = values
+        .of_length(length_mm)
+        .map_err(|problem| problem.in_field("contractions"))?;
     list("contractions", &Some(List::<Ratio>::from(ratios)), Vec::new)
 }
 
@@ -508,10 +509,10 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
         model,
         asking,
     } = &request.question;
-    let sizes = fields()
+    let sizes: Vec<(&str, bool)> = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
-        .map(|(field, measure)| (field, m.measures.get(measure).is_some()));
-    let sizes: Vec<(&str, bool)> = sizes.collect();
+        .map(|(field, measure)| (field, m.measures.get(measure).is_some()))
+        .collect();
     Problem::refuse_unused(
         &sizes,
         "the study has the diameter, walls and length of the paper",

@@ -145,8 +145,11 @@ pub fn fill(request: &FillRequest) -> Result<FillAnswer> {
     } = request.liquid.supply()?;
     let mut question = request.question.ask()?;
     let length_mm = question.muscle.length_mm();
-    let held_at = request.contraction.as_ref();
-    let held_at = held_at.map(|e| e.of_length(length_mm)).transpose()?;
+    let held_at = request
+        .contraction
+        .as_ref()
+        .map(|e| e.of_length(length_mm))
+        .transpose()?;
     let load = request.load.resolve(length_mm)?;
     let filling = Filling {
         liquid: &liquid,

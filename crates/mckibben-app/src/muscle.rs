@@ -147,8 +147,10 @@ impl From<MuscleError> for Problem {
     fn from(error: MuscleError) -> Self {
         let first = error.fields.first().copied().unwrap_or_default();
         // Keys of a muscle file are fields in a request.
-        let names = MEASURES.iter().filter_map(|m| Some((m.name(), m.field?)));
-        let names = names.chain([("strand_diameter", "strand_diameter_mm")]);
+        let names = MEASURES
+            .iter()
+            .filter_map(|m| Some((m.name(), m.field?)))
+            .chain([("strand_diameter", "strand_diameter_mm")]);
         let in_fields = |message: String| {
             names.fold(message, |text, (key, field)| {
                 text.replace(&format!("`{key}`"), &format!("`{field}`"))

@@ -221,8 +221,7 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     let all = tubes
         .iter()
         .map(|t| t.name.as_str())
-        .chain(sleeves.iter().map(|s| s.name.as_str()));
-    let all = all
+        .chain(sleeves.iter().map(|s| s.name.as_str()))
         .chain(rubbers.iter().map(|r| r.name.as_str()))
         .chain(muscles.iter().map(String::as_str));
     let all = all.chain(Model::all().into_iter().map(|m| m.name));

@@ -479,8 +479,9 @@ pub fn panics_are_problems() {
 }
 
 fn internal(cause: &(dyn Any + Send)) -> Problem {
-    let said = cause.downcast_ref::<&str>().copied();
-    let said = said
+    let said = cause
+        .downcast_ref::<&str>()
+        .copied()
         .or_else(|| cause.downcast_ref::<String>().map(String::as_str))
         .unwrap_or("no reason given");
     let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner).take();

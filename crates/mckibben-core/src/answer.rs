@@ -175,9 +175,11 @@ impl Evaluation<'_> {
     ) -> Result<Answer> {
         let model = self.model;
         let options = self.options;
-        let said = self.check_range(pressure_mpa, contraction)?;
-        let said = said.into_iter().chain(model.muscle().warnings());
-        let said = said.chain(model.notes(self.workspace));
+        let said = self
+            .check_range(pressure_mpa, contraction)?
+            .into_iter()
+            .chain(model.muscle().warnings())
+            .chain(model.notes(self.workspace));
         let mut warnings: Vec<Warning> = said.map(Warning::from).collect();
         let response = self.equilibrium(pressure_mpa, contraction, hanging)?;
         let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
@@ -219,8 +221,9 @@ impl Evaluation<'_> {
         let response = if broken { response.hanging() } else { response };
         // Where strands stretch further than in any muscle that was measured, no ± is known.
         let valid = !broken && !warnings.iter().any(|w| w.kind == WarningKind::StrandStrain);
-        let parts = valid.then(|| self.uncertainty(pressure_mpa, contraction, response.force_n));
-        let parts = parts.flatten();
+        let parts = valid
+            .then(|| self.uncertainty(pressure_mpa, contraction, response.force_n))
+            .flatten();
         Ok(Answer {
             model: model.info().name.to_string(),
             direction: options.direction,

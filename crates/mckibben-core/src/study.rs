@@ -104,8 +104,10 @@ where
         .iter()
         .map(|&s| Ok((build(&with(30.0, s)?)?, Workspace::new())))
         .collect::<Result<_, StudyError>>()?;
-    let ideals = [24.0, 30.0].map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::new(&m))));
-    let ideals: Vec<(f64, Ideal)> = ideals.into_iter().collect::<Result<_, _>>()?;
+    let ideals: Vec<(f64, Ideal)> = [24.0, 30.0]
+        .map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::new(&m))))
+        .into_iter()
+        .collect::<Result<_, _>>()?;
     let pressures: Vec<f64> = (0..=25).map(|i| f64::from(i) / 100.0).collect();
     let mut panels = vec![];
     let tests = SHORTENINGS_MM

@@ -220,8 +220,11 @@ impl CheckAnswer {
 
 /// How far the muscle stretches its rubber, and how far the rubber is known.
 fn reach(m: &Muscle) -> String {
-    let known = m.tube().rubber.fitted_to_stretch;
-    let known = known.map(|end| format!(", fitted up to {}", number(end, 3)));
+    let known = m
+        .tube()
+        .rubber
+        .fitted_to_stretch
+        .map(|end| format!(", fitted up to {}", number(end, 3)));
     let place = if m.is_extensile() {
         "along the tube"
     } else {

@@ -157,8 +157,7 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
             series(&text)
         });
     }
-    let numbered = list.iter().enumerate();
-    let numbered = numbered.filter(|_| list.len() <= MOST_BANDS);
+    let numbered = list.iter().enumerate().filter(|_| list.len() <= MOST_BANDS);
     let bands: Vec<Series> = numbered
         .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)))
         .collect();

@@ -54,8 +54,10 @@ impl IdentifyAnswer {
         let force = u.force.digits(3);
         let pulls = self.points.iter().map(|p| p.point.at.force_n);
         let largest_n = peak(pulls);
-        let bench = identified.bench.as_ref();
-        let bench = bench.filter(|_| self.muscle_file.contains("\n[identified]"));
+        let bench = identified
+            .bench
+            .as_ref()
+            .filter(|_| self.muscle_file.contains("\n[identified]"));
         Rows::default()
             .quantity("rms of the residuals", &force, identified.rms_n)
             .quantity("at the start", &force, identified.rms_before_n)

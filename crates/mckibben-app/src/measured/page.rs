@@ -73,8 +73,10 @@ impl MeasuredCase {
             ", points that pull",
             found,
         );
-        let results = results.iter().filter(|r| r.case == self.facts.name);
-        let results: Vec<&MeasuredResult> = results.collect();
+        let results: Vec<&MeasuredResult> = results
+            .iter()
+            .filter(|r| r.case == self.facts.name)
+            .collect();
         let force = u.force.digits(3);
         let share = PERCENT.digits(3);
         page.table(
@@ -93,11 +95,13 @@ impl MeasuredCase {
                 .text("fitted to", |r| &r.fitted_to)
                 .text("fit", |r| &r.fit),
         );
-        let branches = results.iter().flat_map(|r| {
-            let branches = r.group.by_branch.iter();
-            branches.map(move |b| (b, format!("{} [{}]", r.fit, r.group.of)))
-        });
-        let branches: Vec<(&MeasuredBranch, String)> = branches.collect();
+        let branches: Vec<(&MeasuredBranch, String)> = results
+            .iter()
+            .flat_map(|r| {
+                let branches = r.group.by_branch.iter();
+                branches.map(move |b| (b, format!("{} [{}]", r.fit, r.group.of)))
+            })
+            .collect();
         page.table_under(
             "Branches",
             Table::of(&branches)
@@ -118,8 +122,10 @@ impl MeasuredRubber {
         });
         let title = "; % is of the measured stress";
         head(page, (&self.facts, self.points), title, found);
-        let errors = stresses.iter().filter(|s| s.case == self.facts.name);
-        let errors: Vec<&MeasuredStress> = errors.collect();
+        let errors: Vec<&MeasuredStress> = stresses
+            .iter()
+            .filter(|s| s.case == self.facts.name)
+            .collect();
         let stress = MEGAPASCALS.digits(3);
         page.table(
             Table::of(&errors)

@@ -25,8 +25,10 @@ impl Moved {
         drives: &[(Option<String>, DriveFile)],
     ) -> Vec<Warning> {
         let of_run = |(run, (value, drive)): (&MotionRun, &(Option<String>, DriveFile))| {
-            let with = value.as_ref().map(|value| format!("with {value}: "));
-            let with = with.unwrap_or_default();
+            let with = value
+                .as_ref()
+                .map(|value| format!("with {value}: "))
+                .unwrap_or_default();
             let said = self.warnings(&run.motion, drive).into_iter();
             said.map(move |text| Warning::from(with.clone() + &text))
         };
@@ -178,8 +180,9 @@ impl Moved {
         let mut model = Evaluation::new(&**model, workspace, options);
         let balances = model.balances(load, *pressures_mpa.first()?).ok()?;
         let far = |e: f64| (e - contraction).abs();
-        let nearest = balances.into_iter().map(|b| b.answer);
-        let nearest = nearest
+        let nearest = balances
+            .into_iter()
+            .map(|b| b.answer)
             .min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
         Some(EndUncertainty {
             end_contraction_uncertainty: Some(nearest.contraction_uncertainty?),

@@ -183,8 +183,8 @@ impl Fit<'_> {
             let (dimension, written) = number_at(self.text, &name)?;
             let value = value
                 .map(|value| parse_quantity(value, dimension))
-                .transpose();
-            let value = value.map_err(|error| wrong(error.to_string(), ""))?;
+                .transpose()
+                .map_err(|error| wrong(error.to_string(), ""))?;
             let usual = USUAL
                 .iter()
                 .find(|usual| usual.0 == name)

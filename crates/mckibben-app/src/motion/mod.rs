@@ -178,8 +178,14 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
 
 /// The highest pressure that a muscle reaches, or that is commanded of it.
 fn highest_mpa(run: &MotionRun, drive: &DriveFile, muscle: usize) -> f64 {
-    let reached = run.motion.series.muscles.get(muscle);
-    let reached = reached.map_or(&[][..], |m| &m.pressure_mpa).iter().copied();
+    let reached = run
+        .motion
+        .series
+        .muscles
+        .get(muscle)
+        .map_or(&[][..], |m| &m.pressure_mpa)
+        .iter()
+        .copied();
     let commanded = match &drive.target {
         Target::Pressure(list) => list.get(muscle).map(|command| command.bounds().1),
         _ => None,

@@ -202,8 +202,10 @@ fn relaxation_onto(page: &mut Page, fit: &PronyFit) {
 
 fn softening_rows(fit: &SofteningFit) -> Rows {
     let stress = MEGAPASCALS.digits(3);
-    let errors = fit.standard_errors.iter();
-    let errors = errors.map(|e| e.map_or_else(String::new, |e| number(e, 5)));
+    let errors = fit
+        .standard_errors
+        .iter()
+        .map(|e| e.map_or_else(String::new, |e| number(e, 5)));
     Rows::default()
         .text("softening of", fit.form.name())
         .text("first loading", constants(&fit.first_loading))

@@ -36,8 +36,11 @@ struct Drawn<'a> {
 impl<'a> Drawn<'a> {
     fn new(column: &'a Column) -> Self {
         let heading = &*column.heading;
-        let cells = column.cells.iter().map(|cell| line(cell).into_owned());
-        let cells: Vec<String> = cells.collect();
+        let cells: Vec<String> = column
+            .cells
+            .iter()
+            .map(|cell| line(cell).into_owned())
+            .collect();
         let number = |c: &str| {
             c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch))
                 && !c.starts_with("--")

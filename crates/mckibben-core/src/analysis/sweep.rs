@@ -141,8 +141,8 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
                 return Ok(Some(zero.at));
             }
         }
-        let further = places((shortest, highest.max(shortest)), beyond);
-        let further = further.filter(|_| least.is_infinite());
+        let further =
+            places((shortest, highest.max(shortest)), beyond).filter(|_| least.is_infinite());
         let beyond_start = places((start, shortest), branch).chain(further);
         if let Some(place) = self.first(beyond_start, true, least)? {
             return Ok(Some(place));

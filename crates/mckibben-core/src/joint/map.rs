@@ -84,8 +84,9 @@ impl JointModel<'_> {
         self.outside(max_pressure_mpa)?;
         let count = count.max(2);
         let steps = (count - 1) as f64;
-        let grid = (0..count).map(|i| max_pressure_mpa * i as f64 / steps);
-        let grid: Vec<f64> = grid.collect();
+        let grid: Vec<f64> = (0..count)
+            .map(|i| max_pressure_mpa * i as f64 / steps)
+            .collect();
         let two = self.joint().muscles().len() == 2;
         // What a muscle's free contraction depends on is its pressure alone.
         let workspaces = &mut self.workspaces();
@@ -99,8 +100,10 @@ impl JointModel<'_> {
             progress.check()?;
             self.row(*i, &grid, &free)
         };
-        let rows = Threads::shared().map(&places, row).into_iter();
-        let rows = rows.collect::<Result<Vec<_>, _>>()?;
+        let rows = Threads::shared()
+            .map(&places, row)
+            .into_iter()
+            .collect::<Result<Vec<_>, _>>()?;
         let all = || rows.iter().flatten();
         let missing = all().filter_map(|rest| rest.as_ref().err());
         if let Some((_, error)) = missing.clone().next().filter(|_| all().all(Result::is_err)) {

@@ -251,8 +251,10 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
             .filter_map(|n| Ends::inner_name(n))
             .map(str::to_owned)
             .collect();
-        let known = self.inner.force_by(w, p, state.between, &inside);
-        let known = known.map_err(|error| self.for_whole_muscle(error, e, state.between))?;
+        let known = self
+            .inner
+            .force_by(w, p, state.between, &inside)
+            .map_err(|error| self.for_whole_muscle(error, e, state.between))?;
         let Some((known, _)) = known.zip(response.stiffness_n_per_mm) else {
             return Ok(None);
         };

@@ -150,8 +150,10 @@ impl Symbolic {
         // Rows of the supernode that may go on, and how many of them have become its columns.
         let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
         for j in 0..n {
-            let below = pattern.rows[pattern.column(j)].iter().copied();
-            let below = below.filter(|r| *r as usize > j);
+            let below = pattern.rows[pattern.column(j)]
+                .iter()
+                .copied()
+                .filter(|r| *r as usize > j);
             if let Some(last) = begin.len().checked_sub(1) {
                 let parent = open.get(passed).copied();
                 let only = parent == Some(j as u32) && child[j] == NONE;

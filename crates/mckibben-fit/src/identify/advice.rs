@@ -234,8 +234,12 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
             && apart > 0.15 * p.force_n.abs().max(q.force_n.abs())
             && apart > 0.03 * largest
     };
-    let pairs = order.iter().copied().zip(order.iter().copied().skip(1));
-    let pairs: Vec<(&DataPoint, &DataPoint)> = pairs.filter(clash).collect();
+    let pairs: Vec<(&DataPoint, &DataPoint)> = order
+        .iter()
+        .copied()
+        .zip(order.iter().copied().skip(1))
+        .filter(clash)
+        .collect();
     let &(a, b) = pairs.first()?;
     let branch = if a.at.direction().is_mean() {
         "; if they are the two branches of the hysteresis loop, say so in a column `branch`"

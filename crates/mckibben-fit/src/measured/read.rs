@@ -314,8 +314,10 @@ const NO_WEIGHT: &str = "is not a valid weight; it must not be below zero";
 fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let weights = table.some_numbers(Weight)?;
     let errors = [ForceError, ContractionError, PressureError, VolumeError];
-    let stated = errors.map(|meaning| table.some_numbers(meaning));
-    let stated = stated.into_iter().collect::<Result<Vec<_>>>()?;
+    let stated = errors
+        .map(|meaning| table.some_numbers(meaning))
+        .into_iter()
+        .collect::<Result<Vec<_>>>()?;
     let volumes = table.above_zero(Volume, "is not a volume of a muscle; it must be above zero")?;
     // Without pulls the volumes were measured.
     let alone = table.column(Force).is_none() && table.column(Volume).is_some();
@@ -383,8 +385,10 @@ fn understood(table: &Table, joined: Note, note: Note) -> Result<Understood> {
         (table.needed(CONTRACTION)?, note),
         (table.needed(FORCE)?, None),
     ];
-    let others = [RestLength, FreeLength].iter().chain(MEASURED);
-    let others = others.filter(|meaning| **meaning != Force);
+    let others = [RestLength, FreeLength]
+        .iter()
+        .chain(MEASURED)
+        .filter(|meaning| **meaning != Force);
     used.extend(others.filter_map(|meaning| Some((table.column(*meaning)?, None))));
     Ok(table.understood(&used))
 }

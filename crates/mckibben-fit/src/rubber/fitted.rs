@@ -216,8 +216,10 @@ fn judged(
     let law = form
         .law_of(&raw.constants)
         .ok_or_else(|| no_fit(form, "its constants are not complete"))?;
-    let squares = problem.squares(&law).filter(|s| s.is_finite());
-    let squares = squares.ok_or_else(|| no_fit(form, "its stresses are not finite"))?;
+    let squares = problem
+        .squares(&law)
+        .filter(|s| s.is_finite())
+        .ok_or_else(|| no_fit(form, "its stresses are not finite"))?;
     let points = &problem.points;
     let off = |p: &TensionPoint| p.stress_mpa(&law) - p.nominal_stress_mpa;
     let average = points.iter().map(|p| p.nominal_stress_mpa).sum::<f64>() / points.len() as f64;

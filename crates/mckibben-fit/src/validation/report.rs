@@ -191,8 +191,8 @@ impl Group {
     fn new(of: String, blind: bool, residuals: &[Residual], unanswered: usize) -> Self {
         let means = || residuals.iter().filter(|r| r.branch.is_mean());
         let end = peak(means().map(|r| r.contraction));
-        let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
-        let bins = bins
+        let bins = (0..)
+            .map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN))
             .take_while(|bin| bin.0 <= end)
             .map(|(from, to)| MeasuredBin {
                 from,

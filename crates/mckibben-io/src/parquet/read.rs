@@ -70,8 +70,11 @@ impl Reader {
             let schema = self.metadata().schema_descr();
             let mut out = vec![];
             for (name, kind) in columns {
-                let at = schema.columns().iter().position(|c| c.name() == name);
-                let at = at.ok_or_else(|| ParquetError::General(format!("no column {name}")))?;
+                let at = schema
+                    .columns()
+                    .iter()
+                    .position(|c| c.name() == name)
+                    .ok_or_else(|| ParquetError::General(format!("no column {name}")))?;
                 let pages = Pages(group.get_column_page_reader(at)?);
                 out.push(column(
                     &kind,

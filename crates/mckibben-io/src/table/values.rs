@@ -258,8 +258,12 @@ impl Table {
                 column = column.heading
             ));
         }
-        let column = column.heading.split(['[', '(']).next();
-        let column = column.unwrap_or_default().trim();
+        let column = column
+            .heading
+            .split(['[', '('])
+            .next()
+            .unwrap_or_default()
+            .trim();
         TableError::Refused(format!(
             "column {column} does not state its unit{stated}; write it after the heading, as \
              {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"

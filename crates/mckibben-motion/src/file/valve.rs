@@ -107,15 +107,18 @@ fn of_air(valve: &OfValve, source: &Source<'_>) -> Result<Valve, FileError> {
             format!("is not a known valve: {}", valves_known(name)),
         )
     };
-    let named = valve.name.as_deref();
-    let named = named.map(|name| valve_named(name).ok_or_else(|| unknown(name)));
-    let named = named.transpose()?;
+    let named = valve
+        .name
+        .as_deref()
+        .map(|name| valve_named(name).ok_or_else(|| unknown(name)))
+        .transpose()?;
     let path = |(c, conductance): (&str, Option<Positive<Conductance>>),
                 (b, ratio): (&str, Option<f64>),
                 default: Option<Orifice>|
      -> Result<Option<Orifice>, FileError> {
-        let conductance = conductance.map(f64::from);
-        let conductance = conductance.or(default.map(|o| o.conductance_l_per_s_bar));
+        let conductance = conductance
+            .map(f64::from)
+            .or(default.map(|o| o.conductance_l_per_s_bar));
         let key = if ratio.is_some() { b } else { c };
         let ratio = ratio.or(default.map(|o| o.critical_ratio));
         let orifice = |c| Orifice::new(c, ratio.unwrap_or(CRITICAL_RATIO));

@@ -185,8 +185,10 @@ fn balances() -> [VerificationRow; 2] {
         Heat::Adiabatic,
         Heat::Transfer(30.0),
     ];
-    let motions = heats.into_iter().map(|heat| after(heat, 1.0, 0.0, 0.3));
-    let motions: Option<Vec<Motion>> = motions.collect();
+    let motions: Option<Vec<Motion>> = heats
+        .into_iter()
+        .map(|heat| after(heat, 1.0, 0.0, 0.3))
+        .collect();
     let largest = |value: fn(&Motion) -> f64| {
         let values = motions.as_ref()?.iter().map(value);
         Some(peak(values.map(f64::abs)))

@@ -122,8 +122,9 @@ fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileErro
         return Ok(Sampling::Factorial);
     }
     let needs = "it is the number of random muscles";
-    let samples = keys.samples;
-    let samples = samples.ok_or_else(|| source.missing(SAMPLES, "sampling.method", needs))?;
+    let samples = keys
+        .samples
+        .ok_or_else(|| source.missing(SAMPLES, "sampling.method", needs))?;
     if samples == 0 {
         return Err(source.error(SAMPLES, "must be above zero"));
     }

@@ -202,8 +202,9 @@ impl ThickWall {
         let lowest = (self.wall.section() / l).sqrt();
         let at_rest = self.pantograph(l).max(lowest);
         let highest = self.largest_radius(l).max(1.0001 * at_rest);
-        let guess = near.filter(|r| *r > lowest && *r < highest);
-        let guess = guess.unwrap_or_else(|| (at_rest * 1.005).max(lowest * 1.01).min(highest));
+        let guess = near
+            .filter(|r| *r > lowest && *r < highest)
+            .unwrap_or_else(|| (at_rest * 1.005).max(lowest * 1.01).min(highest));
         self.solve(k, p, l, highest, guess)
     }
 

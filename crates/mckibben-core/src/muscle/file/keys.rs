@@ -155,9 +155,12 @@ impl Keys {
         let last = |dotted: &str| dotted.rsplit('.').next().is_some_and(|last| last == key);
         // `thickness` in the tube is its `wall_thickness`, not that of the braid.
         let of_last_word = |k: &&str| k.strip_suffix(key).is_some_and(|k| k.ends_with('_'));
-        let suggestion = known.iter().copied().find(of_last_word);
-        let suggestion = suggestion.or_else(|| all().find(|dotted| last(dotted)));
-        let suggestion = suggestion.or_else(|| nearest(key, known.iter().copied()));
+        let suggestion = known
+            .iter()
+            .copied()
+            .find(of_last_word)
+            .or_else(|| all().find(|dotted| last(dotted)))
+            .or_else(|| nearest(key, known.iter().copied()));
         let suggestion =
             suggestion.or_else(|| all().find(|k| nearest(key, k.rsplit('.').next()).is_some()));
         let problem = format!(
@@ -170,8 +173,9 @@ impl Keys {
 }
 
 fn properties(schema: &Value) -> Option<&Map<String, Value>> {
-    let own = schema["properties"].as_object();
-    let own = own.or_else(|| properties(schema.get("items")?));
+    let own = schema["properties"]
+        .as_object()
+        .or_else(|| properties(schema.get("items")?));
     own.or_else(|| schema["anyOf"].as_array()?.iter().find_map(properties))
 }
 

@@ -233,8 +233,12 @@ fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, Fil
         let key = format!("{TABLE}.{}", constant.name);
         values.ok_or_else(|| source.missing(&key, "tube.material.law", NEEDS_ALL))
     };
-    let lists = law.constants.iter().zip(constants).map(values);
-    let lists = lists.collect::<Result<Vec<_>, _>>()?;
+    let lists = law
+        .constants
+        .iter()
+        .zip(constants)
+        .map(values)
+        .collect::<Result<Vec<_>, _>>()?;
     let law = law.law_of_terms(&lists);
     let wrong = |key: &str, said: String| source.error(&format!("{TABLE}.{key}"), said);
     let mut rubber = Rubber {

@@ -104,8 +104,12 @@ impl Text {
                     number(*v)
                 }
             };
-            let terms = values.iter().skip(i).step_by(kind.constants.len());
-            let terms: Vec<f64> = terms.copied().collect();
+            let terms: Vec<f64> = values
+                .iter()
+                .skip(i)
+                .step_by(kind.constants.len())
+                .copied()
+                .collect();
             let value = if kind.is_sum {
                 list(&terms, one)
             } else {

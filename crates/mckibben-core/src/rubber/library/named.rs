@@ -211,8 +211,11 @@ impl RubberEntry {
         // Without a curve: the first law of the table, which for the silicones is the neo-Hookean
         // one.
         let published = law.or_else(|| self.published_default()).map(str::to_owned);
-        let fits = self.fits.iter().filter(|_| self.windows.is_empty());
-        let fits = fits.filter(move |f| Some(f.law.name()) == published.as_deref());
+        let fits = self
+            .fits
+            .iter()
+            .filter(|_| self.windows.is_empty())
+            .filter(move |f| Some(f.law.name()) == published.as_deref());
         let published = fits.map(|f| LibraryFit {
             law: f.law.clone(),
             fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),

@@ -86,8 +86,8 @@ impl Tests<'_> {
                 let column = along
                     .into_iter()
                     .chain([difference])
-                    .find_map(|meaning| table.column(meaning));
-                let column = column.map_or_else(|| table.needed(STRESS), Ok)?;
+                    .find_map(|meaning| table.column(meaning))
+                    .map_or_else(|| table.needed(STRESS), Ok)?;
                 let expected = "is not a valid stress, nor is there another in its line";
                 return Err(table.impossible(row, column, expected));
             }
