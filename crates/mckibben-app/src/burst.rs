@@ -167,8 +167,9 @@ impl PressureLimits {
 
     /// The same as lines.
     pub(crate) fn lines(&self, u: &Units) -> impl Iterator<Item = String> {
-        let rows = self.rows(u).into_iter();
-        rows.map(|(name, value)| format!("{name} {value}"))
+        self.rows(u)
+            .into_iter()
+            .map(|(name, value)| format!("{name} {value}"))
     }
 
     /// The rows with a note behind the burst pressure.
@@ -201,13 +202,16 @@ impl PressureLimits {
     /// Those of the weakest of several muscles; none where that of one of them is not known.
     pub(crate) fn of_all(all: &[Burst]) -> Self {
         let known: Option<Vec<&Burst>> = all.iter().map(|b| b.pressure_mpa().map(|_| b)).collect();
-        let weakest = known.into_iter().flatten().reduce(|a, b| {
-            if b.pressure_mpa() < a.pressure_mpa() {
-                b
-            } else {
-                a
-            }
-        });
-        weakest.map_or_else(Self::default, Self::from)
+        known
+            .into_iter()
+            .flatten()
+            .reduce(|a, b| {
+                if b.pressure_mpa() < a.pressure_mpa() {
+                    b
+                } else {
+                    a
+                }
+            })
+            .map_or_else(Self::default, Self::from)
     }
 }

@@ -20,13 +20,16 @@ pub struct CommandEntry {
     pub name: &'static str,
     #[cfg(feature = "schema")]
     schema: fn() -> Value,
-    read: Box<dyn Fn(&Value) -> Result<Ready, Problem> + Send + Sync>,
+    read: Box<Read>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
     /// The schema of its request, which is made once.
     #[cfg(feature = "schema")]
     request: OnceLock<Value>,
 }
+
+/// What makes the work of a request.
+type Read = dyn Fn(&Value) -> Result<Ready, Problem> + Send + Sync;
 
 /// The work that answers a request.
 type Work = dyn FnOnce(&dyn Progress) -> Result<Value, Problem> + Send;
@@ -309,8 +312,9 @@ fn blamed<'a>(fields: &'a Value, said: &str, wrong: &dyn Fn(&Value) -> String) -
     };
     let fields_of = || fields.as_object().into_iter().flatten();
     let others = || {
-        let others = fields_of().map(|(name, value)| (name, value, without(name)));
-        others.filter(|(_, _, other)| other != said)
+        fields_of()
+            .map(|(name, value)| (name, value, without(name)))
+            .filter(|(_, _, other)| other != said)
     };
     // A field that must be there is to blame where no other one is.
     let (name, value, _) = others()
@@ -357,11 +361,13 @@ const PLAIN: [(&str, &str); 12] = [
 fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
     let said = error.to_string();
     let plain = |words: &str| {
-        let known = PLAIN.into_iter().find(|(from, _)| words.starts_with(from));
-        known.map_or_else(
-            || words.to_owned(),
-            |(from, plain)| words.replacen(from, plain, 1).replace('`', ""),
-        )
+        PLAIN
+            .into_iter()
+            .find(|(from, _)| words.starts_with(from))
+            .map_or_else(
+                || words.to_owned(),
+                |(from, plain)| words.replacen(from, plain, 1).replace('`', ""),
+            )
     };
     let parts = said
         .strip_prefix("invalid type: ")

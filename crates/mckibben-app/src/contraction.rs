@@ -40,8 +40,10 @@ impl Contractions {
     /// The ratios, of a muscle of the length L0 in mm.
     pub(crate) fn of_length(&self, length_mm: f64) -> Result<Vec<f64>> {
         let divisor = if self.in_mm { length_mm } else { 1.0 };
-        let ratios = self.values.iter().map(|value| ratio(value / divisor));
-        ratios.collect()
+        self.values
+            .iter()
+            .map(|value| ratio(value / divisor))
+            .collect()
     }
 }
 

@@ -322,11 +322,10 @@ pub fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<
 
 /// Where no point has an answer: the first of the gravest reasons, those before among them.
 fn all_failed(curve: &Curve, before: Option<Problem>) -> Option<Problem> {
-    let errors = curve
+    curve
         .points
         .iter()
-        .filter_map(|point| point.answer.as_ref().err());
-    errors
+        .filter_map(|point| point.answer.as_ref().err())
         .map(|e| Problem::from(e.clone()))
         .fold(before, |gravest, problem| {
             let graver = gravest

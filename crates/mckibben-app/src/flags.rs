@@ -130,20 +130,26 @@ mod parsers {
     }
 
     fn models() -> Vec<String> {
-        let all = Model::all().into_iter();
-        all.map(|model| model.name.to_owned()).collect()
+        Model::all()
+            .into_iter()
+            .map(|model| model.name.to_owned())
+            .collect()
     }
 
     fn rubber_names() -> Vec<String> {
         let all = rubber::library::entries().ok();
-        let all = all.iter().flat_map(|list| list.iter());
-        all.map(|entry| entry.name.clone()).collect()
+        all.iter()
+            .flat_map(|list| list.iter())
+            .map(|entry| entry.name.clone())
+            .collect()
     }
 
     fn sleeve_names() -> Vec<String> {
         let all = sleeve::library::entries().ok();
-        let all = all.iter().flat_map(|list| list.iter());
-        all.map(|entry| entry.sleeve.shape.name.clone()).collect()
+        all.iter()
+            .flat_map(|list| list.iter())
+            .map(|entry| entry.sleeve.shape.name.clone())
+            .collect()
     }
 
     /// The name of a rubber.
@@ -297,8 +303,9 @@ mod parsers {
         }
         let length = |at: usize| {
             let read = words.get(at).map(|text| text.parse::<Length>());
-            let read = read.transpose().map(|length| length.map(f64::from));
-            read.map_err(|e| ProblemKind::Quantity.problem(e))
+            read.transpose()
+                .map(|length| length.map(f64::from))
+                .map_err(|e| ProblemKind::Quantity.problem(e))
         };
         Ok(Plug {
             material,
@@ -331,16 +338,19 @@ mod parsers {
     /// A whole number from one to another.
     pub fn between<const LOW: usize, const HIGH: usize>(text: &str) -> Result<usize, String> {
         let number = text.trim().parse().ok();
-        let within = number.filter(|n| (LOW..=HIGH).contains(n));
-        within.ok_or_else(|| format!("{text} is not in {LOW}..={HIGH}"))
+        number
+            .filter(|n| (LOW..=HIGH).contains(n))
+            .ok_or_else(|| format!("{text} is not in {LOW}..={HIGH}"))
     }
 
     /// The name of a target of `export`.
     pub fn targets() -> Names<String> {
         let list = || {
             let all = crate::export_list(&crate::ExportListRequest {}).ok();
-            let all = all.into_iter().flat_map(|answer| answer.targets);
-            all.map(|target| target.name.to_owned()).collect()
+            all.into_iter()
+                .flat_map(|answer| answer.targets)
+                .map(|target| target.name.to_owned())
+                .collect()
         };
         Names { list, read: text }
     }

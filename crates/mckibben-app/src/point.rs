@@ -319,8 +319,10 @@ impl Question {
     /// A contraction ratio of its muscle; 0 where none is given.
     fn ratio(&self, contraction: &Option<Contraction>) -> Result<f64> {
         let length_mm = self.muscle.length_mm();
-        let ratio = contraction.as_ref().map(|e| e.of_length(length_mm));
-        ratio.unwrap_or(Ok(0.0))
+        contraction
+            .as_ref()
+            .map(|e| e.of_length(length_mm))
+            .unwrap_or(Ok(0.0))
     }
 }
 

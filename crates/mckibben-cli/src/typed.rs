@@ -76,8 +76,11 @@ pub fn flag_of(field: &str) -> Option<String> {
     };
     let fills =
         |flag: &&Flag| flag.field == field || field == "direction" && flag.field == "branch";
-    let flag = flags().iter().find(fills).map(|flag| flag.name.clone());
-    flag.or_else(|| Some(format!("--with {}", Measure::of_field(field)?.key)))
+    flags()
+        .iter()
+        .find(fills)
+        .map(|flag| flag.name.clone())
+        .or_else(|| Some(format!("--with {}", Measure::of_field(field)?.key)))
 }
 
 /// A sentence with flags in place of the fields that it names in backquotes.

@@ -456,10 +456,10 @@ fn intact(
     force_n: f64,
     broken: impl FnOnce(f64, f64) -> Option<AnalysisError>,
 ) -> Result<f64, AnalysisError> {
-    let at = answer
+    answer
         .as_ref()
-        .map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)));
-    at.and_then(|(place, force_n)| broken(place, force_n))
+        .map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)))
+        .and_then(|(place, force_n)| broken(place, force_n))
         .map_or(answer, Err)
 }
 

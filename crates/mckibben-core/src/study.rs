@@ -169,8 +169,8 @@ fn answers(
     ask: impl Fn(&mut Evaluation<'_>, f64) -> Result<f64, AnalysisError>,
 ) -> Result<Vec<Vec<f64>>, AnalysisError> {
     let of_walls = |&value: &f64| {
-        let walls = walls.iter_mut();
         walls
+            .iter_mut()
             .map(|(m, w)| ask(&mut Evaluation::new(&**m, w, options), value))
             .collect()
     };

@@ -216,10 +216,10 @@ impl Shared {
 
 /// What the environment says, up to a number that is of use; none where it says nothing.
 fn wanted(cores: usize) -> usize {
-    let stated = std::env::var("RAYON_NUM_THREADS")
+    std::env::var("RAYON_NUM_THREADS")
         .ok()
-        .and_then(|text| text.trim().parse::<usize>().ok());
-    stated.map_or(0, |count| at_most(count, cores))
+        .and_then(|text| text.trim().parse::<usize>().ok())
+        .map_or(0, |count| at_most(count, cores))
 }
 
 fn at_most(count: usize, cores: usize) -> usize {

@@ -273,8 +273,9 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
 /// The push in N at which a muscle that extends buckles between two joints, by its wall alone;
 /// `None` of a muscle that contracts, and where the infinitely long muscle has no answer.
 pub fn buckling_load_n(muscle: &Muscle, response: &Response) -> Option<f64> {
-    let model = muscle.is_extensile().then(|| ThickWall::new(muscle))?;
-    model
+    muscle
+        .is_extensile()
+        .then(|| ThickWall::new(muscle))?
         .buckling_n(response.pressure_mpa, response.contraction)
         .ok()
         .filter(|n| n.is_finite())

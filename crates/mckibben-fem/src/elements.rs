@@ -115,7 +115,8 @@ impl FromStr for Elements {
             Self::Axisymmetric(MeshSpec::default()),
             Self::ThreeDimensional(BrickSpec::default()),
         ];
-        let named = all.into_iter().find(|e| e.name() == word.trim());
-        named.ok_or_else(|| unknown_model(word, &Self::ENTRIES.map(|entry| entry.name)))
+        all.into_iter()
+            .find(|e| e.name() == word.trim())
+            .ok_or_else(|| unknown_model(word, &Self::ENTRIES.map(|entry| entry.name)))
     }
 }

@@ -38,8 +38,9 @@ pub fn fit_recorded<E: From<EstimateError>>(
     };
     let scales = |lists: &[Vec<f64>]| -> Vec<f64> {
         let scale = |(list, scatter): (&Vec<f64>, &f64)| {
-            let rms = Errors::new(list.iter().copied()).rms;
-            rms.max(ROUNDING * scatter)
+            Errors::new(list.iter().copied())
+                .rms
+                .max(ROUNDING * scatter)
         };
         lists.iter().zip(scatter).map(scale).collect()
     };

@@ -234,11 +234,10 @@ impl BoundModel {
         };
         by_pair.copy_from_slice(pair.get(..by_pair.len()).unwrap_or_default());
         by_parameters.iter_mut().for_each(|v| *v *= scale);
-        let finite = by_pair
+        by_pair
             .iter()
             .chain(by_parameters.iter())
-            .all(|v| v.is_finite());
-        finite
+            .all(|v| v.is_finite())
             .then_some(())
             .ok_or_else(|| self.no_slope("a requested quantity", p, e))
     }

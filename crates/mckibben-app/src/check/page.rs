@@ -39,8 +39,11 @@ const HEADINGS: [(FindingKind, &str, &str); 4] = [
 impl Show for CheckAnswer {
     /// The others are among the findings.
     fn warnings(&self) -> Vec<String> {
-        let of_burst = self.warnings.iter().filter(|w| is_of_burst(w));
-        of_burst.cloned().collect()
+        self.warnings
+            .iter()
+            .filter(|w| is_of_burst(w))
+            .cloned()
+            .collect()
     }
 
     fn page(&self, u: &Units) -> Page {

@@ -56,16 +56,15 @@ pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
         "figure_12_formula_and_points",
         against_points(&f.formula, &f.compared),
     );
-    let all = f
-        .paper
+    f.paper
         .iter()
         .flat_map(|m| paper_figures(m, &f.formula))
-        .chain([last]);
-    all.map(|(name, figure)| NamedFigure {
-        name: name.into(),
-        figure,
-    })
-    .collect()
+        .chain([last])
+        .map(|(name, figure)| NamedFigure {
+            name: name.into(),
+            figure,
+        })
+        .collect()
 }
 
 /// Figures 5 to 11.
@@ -176,8 +175,10 @@ impl Section<'_> {
 
     /// The lines over pressure, for each wall of the diameter.
     fn lines(&self) -> impl Iterator<Item = &LineFit> {
-        let lines = self.method.lines.iter();
-        lines.filter(|l| same(l.outer_diameter_mm, self.d))
+        self.method
+            .lines
+            .iter()
+            .filter(|l| same(l.outer_diameter_mm, self.d))
     }
 
     fn abc_over_pressure(&self) -> Figure {

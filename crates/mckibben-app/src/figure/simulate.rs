@@ -78,8 +78,10 @@ fn along_the_muscle(shown: &[(&Simulated, &Solution)], u: &Units) -> [Panel; 3] 
             percent(s.response.contraction)
         );
         let surface = |of: fn(&ProfilePoint) -> (f64, f64)| {
-            let points = s.profile.iter().map(of);
-            points.map(|(z, r)| (u.length.value(z), u.length.value(r)))
+            s.profile
+                .iter()
+                .map(of)
+                .map(|(z, r)| (u.length.value(z), u.length.value(r)))
         };
         let along = |of: &dyn Fn(&StrandState) -> f64| -> Vec<(f64, f64)> {
             s.strands

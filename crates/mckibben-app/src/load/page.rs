@@ -25,11 +25,13 @@ impl LoadAnswer {
                             _ => "none",
                         },
                     );
-                let balanced = at.equilibria.iter().map(|e| {
-                    let balance = if e.stable { "stable" } else { "unstable" };
-                    (e.answer.response.pressure_mpa, Some(e), balance)
-                });
-                balanced.chain(nothing.map(|word| (at.pressure_mpa, None, word)))
+                at.equilibria
+                    .iter()
+                    .map(|e| {
+                        let balance = if e.stable { "stable" } else { "unstable" };
+                        (e.answer.response.pressure_mpa, Some(e), balance)
+                    })
+                    .chain(nothing.map(|word| (at.pressure_mpa, None, word)))
             })
             .collect();
         let table = Table::of(&lines)

@@ -98,8 +98,10 @@ impl MeasuredCase {
         let branches: Vec<(&MeasuredBranch, String)> = results
             .iter()
             .flat_map(|r| {
-                let branches = r.group.by_branch.iter();
-                branches.map(move |b| (b, format!("{} [{}]", r.fit, r.group.of)))
+                r.group
+                    .by_branch
+                    .iter()
+                    .map(move |b| (b, format!("{} [{}]", r.fit, r.group.of)))
             })
             .collect();
         page.table_under(
@@ -149,8 +151,9 @@ impl MeasuredRubber {
 /// The constants of a fitted law, its Prony series, and whether it is doubtful.
 fn constants(fit: &MeasuredRubberFit) -> String {
     let constants = fit.parameters.iter().map(|p| {
-        let constant = format!("{} {} {}", p.name, number(p.value, 3), p.unit);
-        constant.trim().to_owned()
+        format!("{} {} {}", p.name, number(p.value, 3), p.unit)
+            .trim()
+            .to_owned()
     });
     let branches = fit
         .prony

@@ -29,8 +29,9 @@ impl Moved {
                 .as_ref()
                 .map(|value| format!("with {value}: "))
                 .unwrap_or_default();
-            let said = self.warnings(&run.motion, drive).into_iter();
-            said.map(move |text| Warning::from(with.clone() + &text))
+            self.warnings(&run.motion, drive)
+                .into_iter()
+                .map(move |text| Warning::from(with.clone() + &text))
         };
         let of_runs = runs.iter().zip(drives).flat_map(of_run);
         let of_muscles = self.models.iter().flat_map(|m| m.muscle().warnings());
@@ -41,11 +42,10 @@ impl Moved {
     }
 
     fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
-        let ended = motion
+        motion
             .ended
             .as_ref()
-            .map(|error| format!("it ended early: {error}"));
-        ended
+            .map(|error| format!("it ended early: {error}"))
             .into_iter()
             .chain(suction(motion))
             .chain(self.not_at_rest(motion, file))

@@ -82,14 +82,14 @@ impl MotionRequest {
             .iter()
             .map(|t| (t.name.clone(), t.text.clone()))
             .collect();
-        let drive = parse_drive(
+        parse_drive(
             text,
             &Tables {
                 texts,
                 rest_length_mm,
             },
-        );
-        drive.map_err(|error| self.in_drive(error))
+        )
+        .map_err(|error| self.in_drive(error))
     }
 
     fn in_drive(&self, error: FileError) -> Problem {
@@ -201,8 +201,10 @@ fn go(
 ) -> Result<(Motion, Option<f64>)> {
     let bandwidth_hz = |side: f64| {
         let of_pressure = matches!(&drive.target, Target::Pressure(list) if !list.is_empty());
-        let reached = of_pressure.then(|| Linear::at_state_reached(drive, side))?;
-        reached.ok()?.bandwidth_hz()
+        of_pressure
+            .then(|| Linear::at_state_reached(drive, side))?
+            .ok()?
+            .bandwidth_hz()
     };
     let (mut motion, conductance) = match rise_time_s {
         None => (run_as_far(drive, progress)?, None),

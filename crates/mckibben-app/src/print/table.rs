@@ -100,14 +100,14 @@ fn aligned_cells(amounts: &[Amount], scale: &Scale) -> Vec<Option<String>> {
             _ => None,
         })
         .collect();
-    let cells = amounts
+    amounts
         .iter()
         .zip(aligned(&numbers, scale.digits))
         .map(|(amount, aligned)| match amount {
             Amount::Number(_) => Some(with_percent(aligned, amount, scale)),
             _ => unaligned_cell(amount, scale),
-        });
-    cells.collect()
+        })
+        .collect()
 }
 
 fn unaligned_cell(amount: &Amount, scale: &Scale) -> Option<String> {

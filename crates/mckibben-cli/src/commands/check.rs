@@ -67,8 +67,9 @@ fn formula(file: &TextFile) -> Option<CheckFormulaRequest> {
             ..CheckFormulaRequest::default()
         });
     }
-    let end = Path::new(&file.name).extension()?;
-    end.eq_ignore_ascii_case("json")
+    Path::new(&file.name)
+        .extension()?
+        .eq_ignore_ascii_case("json")
         .then(|| CheckFormulaRequest {
             file: Some(file.clone()),
             ..CheckFormulaRequest::default()

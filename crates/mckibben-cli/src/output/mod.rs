@@ -59,11 +59,11 @@ pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Pro
         return emit(plain(format!("{:#}\n", json(answer)?)), target);
     }
     let mut out = BufWriter::new(std::io::stdout().lock());
-    let written = serde_json::to_writer_pretty(Plain(&mut out), answer)
+    serde_json::to_writer_pretty(Plain(&mut out), answer)
         .map_err(Error::from)
         .and_then(|()| writeln!(out))
-        .and_then(|()| out.flush());
-    written.map_err(|error| unprinted(&error))
+        .and_then(|()| out.flush())
+        .map_err(|error| unprinted(&error))
 }
 
 /// Units that are shown.

@@ -60,10 +60,10 @@ fn properties<'a>(
     root: &'a Value,
     node: &'a Value,
 ) -> impl Iterator<Item = (&'a String, &'a Value)> {
-    let maps = variants(root, node)
+    variants(root, node)
         .into_iter()
-        .filter_map(|node| node.get("properties")?.as_object());
-    maps.flat_map(Map::iter)
+        .filter_map(|node| node.get("properties")?.as_object())
+        .flat_map(Map::iter)
 }
 
 /// The keys of an object whose values are numbers, flags or texts, or lists of such.
@@ -120,10 +120,11 @@ impl Table {
         let rows: Vec<Value> = match answer.form {
             Form::Rows => rows,
             Form::Flat => rows.into_iter().map(flat).collect(),
-            Form::Columns => {
-                let lists = rows.iter().filter_map(Value::as_object);
-                lists.flat_map(of_columns).collect()
-            }
+            Form::Columns => rows
+                .iter()
+                .filter_map(Value::as_object)
+                .flat_map(of_columns)
+                .collect(),
         };
         Ok(Self {
             columns: with_others(schema_columns(&schema, answer.form), &rows),

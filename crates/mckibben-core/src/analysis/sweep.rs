@@ -285,14 +285,16 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
 
     /// The sample that is the least by a measure of its value, with the value.
     pub fn least(&self, measure: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
-        let values = self.samples.iter().filter_map(|s| s.1.map(|v| (s.0, v)));
-        values.reduce(|best, s| {
-            if measure(s.1) < measure(best.1) {
-                s
-            } else {
-                best
-            }
-        })
+        self.samples
+            .iter()
+            .filter_map(|s| s.1.map(|v| (s.0, v)))
+            .reduce(|best, s| {
+                if measure(s.1) < measure(best.1) {
+                    s
+                } else {
+                    best
+                }
+            })
     }
 }
 

@@ -67,8 +67,10 @@ pub struct MadeRubber {
 
 /// Constants of a law with their unit in the name.
 fn constants(muscle: &Muscle) -> IndexMap<String, f64> {
-    let constants = muscle.rubber().law.constants();
-    constants
+    muscle
+        .rubber()
+        .law
+        .constants()
         .into_iter()
         .map(|c| (c.column(), c.value))
         .collect()

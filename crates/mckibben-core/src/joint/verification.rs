@@ -63,8 +63,11 @@ pub fn cases() -> Vec<VerificationRow> {
 /// (W(φ + h) − W(φ − h))/2h against τ, and −dτ/dφ by differences.
 /// The muscles of a joint as ideal ones.
 fn ideals(joint: &Joint) -> Vec<Ideal> {
-    let muscles = joint.muscles().iter();
-    muscles.map(|m| Ideal::new(&m.muscle)).collect()
+    joint
+        .muscles()
+        .iter()
+        .map(|m| Ideal::new(&m.muscle))
+        .collect()
 }
 
 fn model<'m>(joint: &'m Joint, ideals: &'m [Ideal]) -> Option<JointModel<'m>> {
@@ -239,7 +242,8 @@ fn round_trip(random: &mut Random) -> Option<Option<f64>> {
     };
     let back = model.pressures(w, wanted, 0.6).ok();
     Some(back.map(|back| {
-        let torque = (back.torque_nm - there.torque_nm).abs() / (1.0 + there.torque_nm.abs());
-        torque.max((back.stiffness_nm_per_rad / there.stiffness_nm_per_rad - 1.0).abs())
+        (back.torque_nm - there.torque_nm).abs()
+            / (1.0 + there.torque_nm.abs())
+                .max((back.stiffness_nm_per_rad / there.stiffness_nm_per_rad - 1.0).abs())
     }))
 }

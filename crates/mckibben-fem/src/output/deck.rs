@@ -181,8 +181,10 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     let mesh = &model.divided.mesh;
     let [ni, nj, nk] = mesh.grid();
     let all = |keep: &dyn Fn(usize, usize, usize) -> bool| {
-        let kept = (0..ni * nj * nk).filter(|n| keep(n % ni, n / ni % nj, n / (ni * nj)));
-        kept.map(|n| n + 1).collect()
+        (0..ni * nj * nk)
+            .filter(|n| keep(n % ni, n / ni % nj, n / (ni * nj)))
+            .map(|n| n + 1)
+            .collect()
     };
     let last = nk - 1;
     let mut write = |head: &str, list: Vec<usize>| {

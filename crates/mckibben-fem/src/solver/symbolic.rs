@@ -260,8 +260,10 @@ impl Symbolic {
         let this = &*self;
         let targets = |i: usize| {
             let mut before = NONE;
-            let owners = this.below(i).iter().map(|r| owner[*r as usize]);
-            owners.filter(move |o| std::mem::replace(&mut before, *o) != *o)
+            this.below(i)
+                .iter()
+                .map(|r| owner[*r as usize])
+                .filter(move |o| std::mem::replace(&mut before, *o) != *o)
         };
         let mut first = vec![0; count + 1];
         (0..count)

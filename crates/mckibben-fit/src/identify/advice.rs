@@ -220,8 +220,9 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
     let forces = points.iter().filter(|p| p.measured == Quantity::Force);
     let mut order: Vec<&DataPoint> = forces.collect();
     order.sort_by(|a, b| {
-        let pressures = a.at.pressure_mpa.total_cmp(&b.at.pressure_mpa);
-        pressures.then(a.at.contraction.total_cmp(&b.at.contraction))
+        a.at.pressure_mpa
+            .total_cmp(&b.at.pressure_mpa)
+            .then(a.at.contraction.total_cmp(&b.at.contraction))
     });
     let largest = peak(points.iter().map(|p| p.at.force_n.abs()));
     let clash = |(a, b): &(&DataPoint, &DataPoint)| {
@@ -534,8 +535,9 @@ fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
         let e = p.at.contraction + result.candidate.contraction_offset;
         let force_n = || {
             let model = build(&result.candidate.section_muscle(&p.section).ok()?).ok()?;
-            let force_n = model.force_n(&mut Workspace::new(), p.at.pressure_mpa, e);
-            force_n.ok()
+            model
+                .force_n(&mut Workspace::new(), p.at.pressure_mpa, e)
+                .ok()
         };
         force_n().is_some_and(|f| f > limit)
     };

@@ -178,8 +178,9 @@ impl<'a> Problem<'a> {
                     None => Evaluation::new(m, w, options).force_n(p, e)? - pull_n,
                 },
                 Quantity::Contraction => {
-                    let found = at_measured_pull(m, w, &zeroed, offset, options)?;
-                    found.contraction - offset - at.contraction
+                    at_measured_pull(m, w, &zeroed, offset, options)?.contraction
+                        - offset
+                        - at.contraction
                 }
                 Quantity::Pressure => {
                     at_measured_pull(m, w, &zeroed, offset, options)?.pressure_mpa - p
@@ -282,8 +283,9 @@ impl<'a> Problem<'a> {
             let model = (self.request.build)(&candidate.section_muscle(section).ok()?).ok()?;
             let e = at.contraction + candidate.contraction_offset;
             let names = self.names(&candidate);
-            let slopes = model.force_by(&mut Workspace::new(), at.pressure_mpa, e, &names);
-            slopes.ok()?
+            model
+                .force_by(&mut Workspace::new(), at.pressure_mpa, e, &names)
+                .ok()?
         };
         probe().is_some()
     }
@@ -316,8 +318,11 @@ impl<'a> Problem<'a> {
         let not_known = || ModelError::not_finite(&m.info().name, p, e);
         let slopes = m.force_by(w, p, e, names)?.ok_or_else(not_known)?;
         let slope = |name: &str| {
-            let known = names.iter().zip(&slopes).find(|s| s.0 == name);
-            known.map_or(0.0, |s| *s.1)
+            names
+                .iter()
+                .zip(&slopes)
+                .find(|s| s.0 == name)
+                .map_or(0.0, |s| *s.1)
         };
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
@@ -390,8 +395,8 @@ fn chain_rule(
     match target {
         Target::Modulus => {
             let constants = muscle.tube().rubber.law.constants().into_iter();
-            let moduli = constants.filter(|c| c.constant.is_modulus());
-            moduli
+            constants
+                .filter(|c| c.constant.is_modulus())
                 .map(|c| (format!("tube.material.{}", c.name), c.value / v))
                 .collect()
         }
@@ -471,8 +476,9 @@ fn chunks(points: &[DataPoint]) -> Vec<Chunk> {
     for mut group in groups {
         group.rows.sort_by(|&a, &b| {
             let (a, b) = (&points[a].at, &points[b].at);
-            let contractions = a.contraction.total_cmp(&b.contraction);
-            contractions.then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
+            a.contraction
+                .total_cmp(&b.contraction)
+                .then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
         });
         let size = group.rows.len().div_ceil(PARTS).max(LEAST);
         out.extend(group.rows.chunks(size).map(|rows| Chunk {

@@ -83,11 +83,12 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
 
 /// A dimension of the specimen of each row.
 fn of_specimen(table: &Table, meaning: Meaning, of: &Column, needs: &str) -> Result<Vec<f64>> {
-    let rows = table.above_zero(
-        meaning,
-        "is not a dimension of a specimen; it must be above zero",
-    )?;
-    rows.into_iter()
+    table
+        .above_zero(
+            meaning,
+            "is not a dimension of a specimen; it must be above zero",
+        )?
+        .into_iter()
         .map(|row| row.ok_or_else(|| of.needs(needs)))
         .collect()
 }

@@ -340,6 +340,10 @@ pub fn errors(law: &Law, points: &[TensionPoint], hoop: f64) -> Vec<HeldOutError
         };
         held_out_error(mode, law, &points.iter().filter(is_of).collect::<Vec<_>>())
     };
-    let tests = Mode::ALL.map(Some).into_iter().chain([None]);
-    tests.filter_map(of).collect()
+    Mode::ALL
+        .map(Some)
+        .into_iter()
+        .chain([None])
+        .filter_map(of)
+        .collect()
 }

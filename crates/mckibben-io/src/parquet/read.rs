@@ -34,8 +34,10 @@ impl Reader {
 
     /// Keys and values of its metadata.
     pub fn pairs(&self) -> Vec<(String, String)> {
-        let pairs = self.metadata().key_value_metadata().into_iter().flatten();
-        pairs
+        self.metadata()
+            .key_value_metadata()
+            .into_iter()
+            .flatten()
             .filter_map(|pair| Some((pair.key.clone(), pair.value.clone()?)))
             .collect()
     }

@@ -122,8 +122,9 @@ fn of_air(valve: &OfValve, source: &Source<'_>) -> Result<Valve, FileError> {
         let key = if ratio.is_some() { b } else { c };
         let ratio = ratio.or(default.map(|o| o.critical_ratio));
         let orifice = |c| Orifice::new(c, ratio.unwrap_or(CRITICAL_RATIO));
-        let orifice = conductance.map(|c| source.valid(key, orifice(c)));
-        orifice.transpose()
+        conductance
+            .map(|c| source.valid(key, orifice(c)))
+            .transpose()
     };
     let supply = path(
         ("valve.sonic_conductance", valve.sonic_conductance),
@@ -208,9 +209,10 @@ fn heat(text: &str) -> Option<Heat> {
     match text {
         "isothermal" => Some(Heat::Isothermal),
         "adiabatic" => Some(Heat::Adiabatic),
-        _ => {
-            let of_area = of_area.into_iter().find_map(number).map(Heat::Transfer);
-            of_area.or_else(|| number("W/K").map(Heat::Conductance))
-        }
+        _ => of_area
+            .into_iter()
+            .find_map(number)
+            .map(Heat::Transfer)
+            .or_else(|| number("W/K").map(Heat::Conductance)),
     }
 }

@@ -94,8 +94,13 @@ pub fn pressure(motion: Option<&Motion>) -> Option<f64> {
 
 /// Temperature in K at the end of a motion.
 fn temperature(motion: Option<Motion>) -> Option<f64> {
-    let motion = motion?;
-    motion.series.muscles.first()?.temperature_k.last().copied()
+    motion?
+        .series
+        .muscles
+        .first()?
+        .temperature_k
+        .last()
+        .copied()
 }
 
 /// Charges, discharges and balances.

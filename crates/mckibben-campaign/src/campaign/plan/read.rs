@@ -210,6 +210,7 @@ fn elements(
     let Some(mesh) = mesh else {
         return Ok(elements);
     };
-    let with_mesh = elements.with_mesh(&mesh);
-    with_mesh.map_err(|error| source.error("test.mesh", error.to_string()))
+    elements
+        .with_mesh(&mesh)
+        .map_err(|error| source.error("test.mesh", error.to_string()))
 }

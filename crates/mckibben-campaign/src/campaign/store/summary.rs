@@ -119,8 +119,9 @@ impl Summary {
 
 /// The fields whose ranges are stated.
 fn questions_and_answers(provenance: &Provenance) -> Vec<Field> {
-    let fields = provenance.layout.fields();
-    fields
+    provenance
+        .layout
+        .fields()
         .iter()
         .filter(|f| f.column.role != Role::Note)
         .cloned()

@@ -244,8 +244,9 @@ impl Burst {
 
     fn earliest(&self, of: fn(FailurePressure) -> Option<f64>) -> Option<(FailureMode, f64)> {
         let modes = self.modes().into_iter();
-        let known = modes.filter_map(|(mode, p)| Some((mode, of(p)?)));
-        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
+        modes
+            .filter_map(|(mode, p)| Some((mode, of(p)?)))
+            .reduce(|a, b| if b.1 < a.1 { b } else { a })
     }
 
     /// P_b in MPa, where it is known.
@@ -276,8 +277,11 @@ impl Burst {
             by: None,
             factor: 1.0,
         });
-        let all = self.modes().into_iter().filter_map(of).chain(rated);
-        all.reduce(|a, b| if b.mpa < a.mpa { b } else { a })
+        self.modes()
+            .into_iter()
+            .filter_map(of)
+            .chain(rated)
+            .reduce(|a, b| if b.mpa < a.mpa { b } else { a })
     }
 
     /// Why the strength of the strands was not checked.

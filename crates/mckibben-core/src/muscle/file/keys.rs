@@ -28,8 +28,10 @@ pub fn schema_of<T: JsonSchema>() -> Value {
 }
 
 fn generated<T: JsonSchema>() -> Schema {
-    let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
-    settings.into_generator().into_root_schema_for::<T>()
+    SchemaSettings::draft07()
+        .with(|settings| settings.inline_subschemas = true)
+        .into_generator()
+        .into_root_schema_for::<T>()
 }
 
 /// What may be written in place of a number, and what TOML has not.
@@ -173,10 +175,10 @@ impl Keys {
 }
 
 fn properties(schema: &Value) -> Option<&Map<String, Value>> {
-    let own = schema["properties"]
+    schema["properties"]
         .as_object()
-        .or_else(|| properties(schema.get("items")?));
-    own.or_else(|| schema["anyOf"].as_array()?.iter().find_map(properties))
+        .or_else(|| properties(schema.get("items")?))
+        .or_else(|| schema["anyOf"].as_array()?.iter().find_map(properties))
 }
 
 /// Every key of a table and of the tables in it, dotted; tells a key in the wrong table from one

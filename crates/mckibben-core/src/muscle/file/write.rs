@@ -317,8 +317,9 @@ impl Text {
 
 /// The measures of a table that are stated and have no rules of their own.
 fn written(muscle: &Muscle, section: &str) -> impl Iterator<Item = (&'static Measure, f64)> {
-    let plain = of_section(section).filter(|m| !m.has_rules);
-    plain.filter_map(|m| Some((m, muscle.measure(m)?)))
+    of_section(section)
+        .filter(|m| !m.has_rules)
+        .filter_map(|m| Some((m, muscle.measure(m)?)))
 }
 
 /// The sleeve of the library that has this shape.

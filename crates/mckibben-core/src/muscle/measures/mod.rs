@@ -50,8 +50,7 @@ impl Parts {
     /// rp² − Ri² in mm² of plugs of the radius rp in a bore of the radius Ri; the wall on them
     /// keeps its section, r² = R² + rp² − Ri². Zero where no diameter is stated.
     pub fn plug_mm2(&self) -> f64 {
-        let stated = self.terminals.plug_diameter_mm;
-        stated.map_or(0.0, |_| {
+        self.terminals.plug_diameter_mm.map_or(0.0, |_| {
             self.plug_radius_mm().powi(2) - self.tube.inner_radius_mm().powi(2)
         })
     }

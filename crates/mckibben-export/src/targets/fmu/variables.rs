@@ -166,8 +166,9 @@ fn reference(name: &str) -> usize {
 /// them.
 pub fn settings(variables: &[Variable]) -> Vec<f64> {
     let names = references();
-    let known = names.iter().take_while(|name| *name != "force");
-    known
+    names
+        .iter()
+        .take_while(|name| *name != "force")
         .flat_map(|name| match variables.iter().find(|v| v.name == name) {
             Some(v) => [v.start, v.range.0, v.range.1, v.nominal],
             None => [0.0, f64::NAN, f64::NAN, 1.0],

@@ -53,8 +53,9 @@ impl Tests<'_> {
             let mode = stated.unwrap_or_default();
             let lambda_2 = self.second_stretch(row, mode, stretch, across)?;
             let first = |columns: &[Vec<Option<(&Column, f64)>>], along| {
-                let stress = columns.iter().find_map(|cells| cells[row]);
-                stress
+                columns
+                    .iter()
+                    .find_map(|cells| cells[row])
                     .map(|(column, value)| self.nominal_mpa(row, column, value, along))
                     .transpose()
             };
