@@ -104,8 +104,9 @@ fn check_fields(
     if let Some(list) = fields.as_array() {
         // By its type a list would be read as the fields in their order.
         if known.is_some() {
-            let message = format!("{what} is an object of fields, not a list");
-            return Err(ProblemKind::Usage.problem(message));
+            return Err(
+                ProblemKind::Usage.problem(format!("{what} is an object of fields, not a list"))
+            );
         }
         return list.iter().try_for_each(|item| {
             check_fields(format_args!("each of {what}"), item, &schema["items"], root)
@@ -333,11 +334,10 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
         let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
         let meant = meant(nearest(command, names.iter().copied()));
-        let message = format!(
+        ProblemKind::Usage.problem(format!(
             "there is no command \"{command}\"{meant}; the commands are {}",
             names.join(", ")
-        );
-        ProblemKind::Usage.problem(message)
+        ))
     })
 }
 

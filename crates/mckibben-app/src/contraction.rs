@@ -114,8 +114,8 @@ impl FromStr for Contraction {
             return Ok(Self(contractions));
         }
         let error = text.parse::<Ratio>().err();
-        let message = error.map_or_else(String::new, |error| error.to_string());
-        Err(ProblemKind::Quantity.problem(message))
+        Err(ProblemKind::Quantity
+            .problem(error.map_or_else(String::new, |error| error.to_string())))
     }
 }
 
@@ -139,8 +139,7 @@ impl TryFrom<Given> for Contraction {
             Given::One(ratio) => Ok(ratio.into()),
             Given::Text(text) => text.parse(),
             Given::Several(_) => {
-                let message = "one contraction is needed, not a list";
-                Err(ProblemKind::Quantity.problem(message))
+                Err(ProblemKind::Quantity.problem("one contraction is needed, not a list"))
             }
         }
     }

@@ -282,10 +282,8 @@ mod parsers {
             return Ok(word);
         }
         let read: Result<mckibben_core::units::typed::Stiffness, _> = text.parse();
-        let wrong = |e| {
-            let message = format!("{e}, or `inextensible`, or `paper`");
-            ProblemKind::Quantity.problem(message)
-        };
+        let wrong =
+            |e| ProblemKind::Quantity.problem(format!("{e}, or `inextensible`, or `paper`"));
         Ok(crate::Stiffness::NewtonPerMm(read.map_err(wrong)?.0))
     }
 

@@ -58,8 +58,9 @@ impl JointFields {
                 .iter()
                 .find(|m| m.name == name)
                 .ok_or_else(|| {
-                    let message = format!("{}: its muscle file {name} is missing", text.name);
-                    ProblemKind::File.problem(message).in_field("muscles")
+                    ProblemKind::File
+                        .problem(format!("{}: its muscle file {name} is missing", text.name))
+                        .in_field("muscles")
                 })?;
             MuscleFields::from_file(of.clone()).resolve()
         };
@@ -233,8 +234,9 @@ impl JointRequest {
         }
         for &p in self.pressures_mpa.iter().flat_map(|list| list.iter()) {
             if !(p.is_finite() && p >= 0.0) {
-                let message = format!("{p}\u{a0}MPa is not a valid gauge pressure of a muscle");
-                let problem = ProblemKind::Quantity.problem(message);
+                let problem = ProblemKind::Quantity.problem(format!(
+                    "{p}\u{a0}MPa is not a valid gauge pressure of a muscle"
+                ));
                 return Err(problem.in_field("pressures_mpa"));
             }
         }

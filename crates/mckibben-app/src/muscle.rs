@@ -119,8 +119,8 @@ pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
         return Err(Problem::new(ProblemKind::File, message, hint).in_field("muscle"));
     };
     if !cfg!(feature = "whole") {
-        let message = "the library of muscles needs the full engine; this is a reduced one";
-        return Err(ProblemKind::File.problem(message));
+        return Err(ProblemKind::File
+            .problem("the library of muscles needs the full engine; this is a reduced one"));
     }
     let hint = "`parts list muscles` shows them with their sources";
     muscles::file(name)

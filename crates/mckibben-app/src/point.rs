@@ -217,8 +217,9 @@ fn answered(
     }
     let mut on = |options| ask(&mut question.evaluation().with(options));
     let mut point = on(options)?;
-    let both = Direction::BRANCHES.into_iter().filter(|_| both);
-    let branches: Vec<Answer> = both
+    let branches: Vec<Answer> = Direction::BRANCHES
+        .into_iter()
+        .filter(|_| both)
         .map(|direction| {
             on(Options {
                 direction,

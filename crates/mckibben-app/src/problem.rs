@@ -199,19 +199,21 @@ impl Problem {
 
     /// Refuses all but one of fields that say the same, in a sentence of what each of them does.
     pub fn refuse_several(fields: &[(&str, bool)], each: &str) -> Result<(), Self> {
-        let given = fields.iter().filter(|field| field.1);
-        let names: Vec<String> = given.map(|field| format!("`{}`", field.0)).collect();
+        let names: Vec<String> = fields
+            .iter()
+            .filter(|field| field.1)
+            .map(|field| format!("`{}`", field.0))
+            .collect();
         let [first @ .., last] = &names[..] else {
             return Ok(());
         };
         if first.is_empty() {
             return Ok(());
         }
-        let message = format!(
+        Err(ProblemKind::Usage.problem(format!(
             "{} and {last} each {each}: give one of them",
             first.join(", ")
-        );
-        Err(ProblemKind::Usage.problem(message))
+        )))
     }
 
     /// Refuses fields that are there and would change nothing, with the reason, which names the

@@ -82,9 +82,8 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
         "a pressure, such as 0.2 MPa",
     )?;
     if pressure_mpa < 0.0 {
-        let message = format!("{pressure_mpa}\u{a0}MPa is below zero");
         return Err(ProblemKind::OutOfRange
-            .problem(message)
+            .problem(format!("{pressure_mpa}\u{a0}MPa is below zero"))
             .in_field("pressure_mpa"));
     }
     let fe = Axisymmetric::with_mesh(&muscle.between_ends(), mesh)

@@ -223,10 +223,9 @@ impl Units {
                 .trim()
                 .rsplit(|c: char| c.is_ascii_digit() || ".: ".contains(c))
                 .next();
-            let of = [Dimension::Pressure, Dimension::Force, Dimension::Length]
+            let named = [Dimension::Pressure, Dimension::Force, Dimension::Length]
                 .into_iter()
-                .enumerate();
-            let named = of
+                .enumerate()
                 .into_iter()
                 .find_map(|(i, kind)| Some((i, kind.unit(unit?)?.name)));
             if let Some((i, name)) = named.filter(|(_, name)| known.contains(name)) {

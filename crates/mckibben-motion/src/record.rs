@@ -266,11 +266,15 @@ impl System<'_> {
 
     /// The same with what syringes have pushed out and not drawn back.
     pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
-        let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        let pistons = muscles.map(|(muscle, now)| match &muscle.actuator {
-            Actuator::Syringe(syringe) => now.opening.unwrap_or(0.0) * syringe.volume_mm3,
-            _ => 0.0,
-        });
+        let pistons = self
+            .drive
+            .muscles
+            .iter()
+            .zip(&state.muscles)
+            .map(|(muscle, now)| match &muscle.actuator {
+                Actuator::Syringe(syringe) => now.opening.unwrap_or(0.0) * syringe.volume_mm3,
+                _ => 0.0,
+            });
         Some(self.supplied_mm3(state)? + pistons.sum::<f64>())
     }
 

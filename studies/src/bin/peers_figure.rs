@@ -48,8 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (turn, contraction) in [0.0, 0.1].into_iter().enumerate() {
         let reference = |p: f64| bricks.force_n(&mut Workspace::new(), p, contraction);
         for (number, (name, model, style)) in models.iter().enumerate() {
-            let pressures = (1..=25).map(|i| 0.01 * f64::from(i));
-            let answers = pressures.filter_map(|p| {
+            let answers = (1..=25).map(|i| 0.01 * f64::from(i)).filter_map(|p| {
                 let force = model.force_n(&mut Workspace::new(), p, contraction);
                 Some((p, force.ok()?))
             });

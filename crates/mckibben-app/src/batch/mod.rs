@@ -178,14 +178,19 @@ impl BoundModel {
     ) -> Result<usize, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
         if count != other {
-            let message = format!(
-                "the two lists must have the same length; they have {count} and {other} numbers"
-            );
-            return Err(ProblemKind::Usage.problem(message).into());
+            return Err(ProblemKind::Usage
+                .problem(format!(
+                    "the two lists must have the same length; they have {count} and {other} numbers"
+                ))
+                .into());
         }
         if count.checked_mul(width) != Some(out.len()) {
-            let message = format!("{} places for {count} points of {width} numbers", out.len());
-            return Err(ProblemKind::Usage.problem(message).into());
+            return Err(ProblemKind::Usage
+                .problem(format!(
+                    "{} places for {count} points of {width} numbers",
+                    out.len()
+                ))
+                .into());
         }
         let share = if self.is_elements() {
             BLOCK_OF_ELEMENTS

@@ -194,10 +194,11 @@ impl Section<'_> {
                 Axis::new(format!("{letter} [N]")),
             );
             for (n, l) in self.lines().enumerate() {
-                let curves = self.method.curves.iter();
-                let of_wall = curves
-                    .filter(|c| same(c.outer_diameter_mm, self.d) && same(c.wall_mm, l.wall_mm));
-                let points = of_wall
+                let points = self
+                    .method
+                    .curves
+                    .iter()
+                    .filter(|c| same(c.outer_diameter_mm, self.d) && same(c.wall_mm, l.wall_mm))
                     .filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients[k])))
                     .collect();
                 let label = format!("s {}", number(l.wall_mm, 3));
@@ -310,11 +311,12 @@ fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
     {
         let mut panel = Panel::new(contraction(), pull()).title(format!("s {} mm", number(s, 3)));
         for (n, &p) in shown.iter().rev().enumerate() {
-            let mine = of_d
+            let points: Vec<(f64, f64)> = of_d
                 .iter()
                 .map(|c| c.point)
-                .filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p));
-            let points: Vec<(f64, f64)> = mine.map(|q| (q.contraction, q.force_n)).collect();
+                .filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p))
+                .map(|q| (q.contraction, q.force_n))
+                .collect();
             if !points.is_empty() {
                 let label = format!("{} MPa", number(p, 3));
                 panel = pair(panel, &label, n, points, |e| formula.force_n(d, s, p, e));

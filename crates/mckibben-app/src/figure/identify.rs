@@ -118,8 +118,11 @@ pub fn identified(
             sections.len() > 1,
         ));
     }
-    let drawn = figure.panels.iter().flat_map(|panel| &panel.series);
-    let bands = drawn.filter(|series| series.style == Style::Band);
+    let bands = figure
+        .panels
+        .iter()
+        .flat_map(|panel| &panel.series)
+        .filter(|series| series.style == Style::Band);
     let said = said(&bands.cloned().collect::<Vec<_>>(), "");
     let shown = levels.shown();
     let rms = u.force.to(identified.rms_n, 3);
@@ -130,8 +133,11 @@ pub fn identified(
     let residuals = |x: fn(&PointFit) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new(u.force.heading("model − data")).from_zero());
         for n in 0..levels.fixed.len() {
-            let mine = identified.points.iter().filter(|f| levels.nearest(f) == n);
-            let points = mine.map(|f| (scale * x(f), u.force.value(f.residual_n)));
+            let points = identified
+                .points
+                .iter()
+                .filter(|f| levels.nearest(f) == n)
+                .map(|f| (scale * x(f), u.force.value(f.residual_n)));
             let points = Series::scatter(levels.label(n, u), points).colour(n);
             if !points.points.is_empty() {
                 panel = panel.series(points);

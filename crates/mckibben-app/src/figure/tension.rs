@@ -64,10 +64,10 @@ fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
     let mut panel = Panel::new(x, y).title(Mode::General.name());
     panel = panel.series(Series::new("", line).colour(LAWS));
     for (n, law) in laws.iter().enumerate() {
-        let pairs = points
+        let inside = points
             .iter()
-            .map(|p| (p.nominal_stress_mpa, p.stress_mpa(&law.law)));
-        let inside = pairs.filter(|p| p.1 >= ends.0 && p.1 <= ends.1);
+            .map(|p| (p.nominal_stress_mpa, p.stress_mpa(&law.law)))
+            .filter(|p| p.1 >= ends.0 && p.1 <= ends.1);
         panel = panel.series(Series::scatter("", inside).colour(n));
     }
     Some(panel)

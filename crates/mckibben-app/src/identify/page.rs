@@ -149,8 +149,11 @@ fn correlation(identified: &Identification, page: &mut Page) {
 
 /// Where a bench was, and how far its pulls are known.
 fn bench_text(bench: &Bench, u: &Units) -> String {
-    let fits = bench.fit_n.iter().flatten();
-    let half = fits.map(|fit| fit.hypot(bench.scatter_n));
+    let half = bench
+        .fit_n
+        .iter()
+        .flatten()
+        .map(|fit| fit.hypot(bench.scatter_n));
     let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
     let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
     let [p, q] = [p, q].map(|v| u.pressure.show(v));

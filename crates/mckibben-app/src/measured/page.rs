@@ -62,11 +62,13 @@ fn head(page: &mut Page, about: (&MeasuredFacts, usize), title: &str, found: Row
 
 impl MeasuredCase {
     fn onto(&self, page: &mut Page, results: &[MeasuredResult], u: &Units) {
-        let fits = self.fits.iter().filter(|f| !f.parameters.is_empty());
-        let found = fits.fold(Rows::default(), |rows, f| {
-            let label = format!("{} [{}]", f.fit, f.fitted_to);
-            rows.text(&label, in_one_line(&f.parameters))
-        });
+        let found = self.fits.iter().filter(|f| !f.parameters.is_empty()).fold(
+            Rows::default(),
+            |rows, f| {
+                let label = format!("{} [{}]", f.fit, f.fitted_to);
+                rows.text(&label, in_one_line(&f.parameters))
+            },
+        );
         head(
             page,
             (&self.facts, self.points),

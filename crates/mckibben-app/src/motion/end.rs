@@ -197,8 +197,13 @@ const SUCTION_MPA: f64 = 1e-3;
 
 /// A liquid that is sucked out.
 fn suction(motion: &Motion) -> Option<String> {
-    let pressures = motion.series.muscles.iter().flat_map(|m| &m.pressure_mpa);
-    let lowest = pressures.copied().fold(f64::INFINITY, f64::min);
+    let lowest = motion
+        .series
+        .muscles
+        .iter()
+        .flat_map(|m| &m.pressure_mpa)
+        .copied()
+        .fold(f64::INFINITY, f64::min);
     (motion.series.liquid && lowest < -SUCTION_MPA).then(|| {
         format!(
             "the pressure falls to {}\u{a0}MPa: below atmospheric pressure a tube collapses, which \

@@ -103,11 +103,12 @@ impl MotionRequest {
             return Ok(vec![(None, self.parsed(text, rest_length_mm)?)]);
         };
         if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS {
-            let message = format!(
-                "a sweep has 1 to {MOST_RUNS} values, not {}",
-                sweep.values.len()
-            );
-            return Err(ProblemKind::Range.problem(message).in_field("sweep"));
+            return Err(ProblemKind::Range
+                .problem(format!(
+                    "a sweep has 1 to {MOST_RUNS} values, not {}",
+                    sweep.values.len()
+                ))
+                .in_field("sweep"));
         }
         let values = sweep.values.iter();
         let one = |value: &String| {

@@ -171,8 +171,10 @@ impl RubberFitAnswer {
 
 /// The constants of a law, as in its columns.
 fn constants(law: &Law) -> String {
-    let columns = law.columns().into_iter();
-    let constants = columns.map(|(name, v)| format!("{name} {}", number(v, 5)));
+    let constants = law
+        .columns()
+        .into_iter()
+        .map(|(name, v)| format!("{name} {}", number(v, 5)));
     in_a_row(constants)
 }
 

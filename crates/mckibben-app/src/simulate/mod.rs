@@ -266,9 +266,8 @@ impl SimulateRequest {
         };
         check_count(&[pressures.len(), held.len()], MOST_POINTS)?;
         if let Some(low) = pressures.iter().copied().find(|p| *p < 0.0) {
-            let message = format!("{low}\u{a0}MPa is below zero");
             return Err(ProblemKind::OutOfRange
-                .problem(message)
+                .problem(format!("{low}\u{a0}MPa is below zero"))
                 .in_field("pressures_mpa"));
         }
         let at = |pressure_mpa, (contraction, force_n)| RequestedPoint {

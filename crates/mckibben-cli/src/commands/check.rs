@@ -45,8 +45,7 @@ impl Check {
 
     fn show_formula(self, formula: CheckFormulaRequest, format: Format) -> Result<u8, Problem> {
         if self.request.pressure_mpa.is_some() {
-            let message = "--pressure is of a muscle, not of a formula";
-            return Err(ProblemKind::Usage.problem(message));
+            return Err(ProblemKind::Usage.problem("--pressure is of a muscle, not of a formula"));
         }
         let answer = check_formula(&CheckFormulaRequest {
             latex: self.latex,

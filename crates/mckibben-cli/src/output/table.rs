@@ -183,11 +183,10 @@ pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
         .write_record(table.columns.iter().map(|c| cell(c).into_owned()))
         .map_err(|e| broken(&e))?;
     for object in table.rows.iter().filter_map(Value::as_object) {
-        let texts = table
+        let cells: Vec<String> = table
             .columns
             .iter()
-            .map(|c| text(object.get(c)).unwrap_or_default());
-        let cells: Vec<String> = texts
+            .map(|c| text(object.get(c)).unwrap_or_default())
             .map(|text| super::plain(cell(&text).into_owned()))
             .collect();
         writer.write_record(cells).map_err(|e| broken(&e))?;

@@ -158,8 +158,10 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
                 (zero.at - start).abs(),
             )
         };
-        let zeros = self.all_zeros()?.into_iter();
-        let best = zeros.min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal));
+        let best = self
+            .all_zeros()?
+            .into_iter()
+            .min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal));
         Ok(best.map(|zero| zero.at))
     }
 

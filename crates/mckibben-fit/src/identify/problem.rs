@@ -238,11 +238,10 @@ impl<'a> Problem<'a> {
             )
         })?;
         let mean = |quantity: Quantity, slope: &dyn Fn(&Local) -> f64| {
-            let rows = list
+            let slopes: Vec<f64> = list
                 .iter()
                 .zip(self.points)
-                .filter(|r| r.1.measured == quantity);
-            let slopes: Vec<f64> = rows
+                .filter(|r| r.1.measured == quantity)
                 .filter_map(|r| Some(slope(r.0.as_ref().ok()?).abs()))
                 .collect();
             let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
@@ -368,8 +367,10 @@ fn friction_share(request: &Request<'_>) -> f64 {
         .is_some_and(|one| request.points.iter().all(|p| p.at.branch == Some(one)));
     let is_free =
         |target: &Target| matches!(target, Target::Measure(m) if m.section() == "friction");
-    let targets = request.free.iter().map(|p| &p.target);
-    let known = targets
+    let known = request
+        .free
+        .iter()
+        .map(|p| &p.target)
         .chain(request.fixed.iter().map(|f| &f.0))
         .any(is_free);
     let muscle = request.muscle;

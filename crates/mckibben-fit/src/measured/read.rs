@@ -282,10 +282,11 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
     if lengths().count() != contractions.len() || spread(lengths()) < 0.005 {
         return Ok(());
     }
-    let way = table
+    let ways = table
         .column(Shortening)
-        .filter(|_| table.column(Contraction).is_none());
-    let ways = way.map(|column| table.numbers(column)).transpose()?;
+        .filter(|_| table.column(Contraction).is_none())
+        .map(|column| table.numbers(column))
+        .transpose()?;
     let rests = lengths()
         .zip(contractions)
         .enumerate()

@@ -132,8 +132,10 @@ fn stretches(table: &Table, column: &Column, gauges: &[f64]) -> Result<Vec<f64>>
             "is not an extension: the specimen would have no length left",
         ),
     };
-    let values = table.numbers(column)?.into_iter().zip(gauges);
-    let stretches: Vec<f64> = values
+    let stretches: Vec<f64> = table
+        .numbers(column)?
+        .into_iter()
+        .zip(gauges)
         .map(|(value, gauge)| stretch(value, *gauge))
         .collect();
     let sound = |s: &f64| s.is_finite() && (0.02..=LARGEST_STRETCH).contains(s);

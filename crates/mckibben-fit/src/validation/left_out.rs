@@ -115,8 +115,10 @@ fn row(set: &'static MuscleCase, from: &str, residuals: &[Residual]) -> Verifica
 /// same product (specimen, fittings, gauge and zero of the length differ) or a sibling of another
 /// angle, against the points of the other.
 fn specimens(sets: &[&'static MuscleCase], build: &Build<'_>) -> Vec<VerificationRow> {
-    let all = library().unwrap_or_default().into_iter();
-    let pairs = all.flat_map(|from| sets.iter().map(move |to| (from, *to)));
+    let pairs = library()
+        .unwrap_or_default()
+        .into_iter()
+        .flat_map(|from| sets.iter().map(move |to| (from, *to)));
     let specimen = |((from, muscle), to): ((&MuscleCase, &Muscle), &'static MuscleCase)| {
         let other = &to.fits.first()?.muscle;
         let is_product = from.facts.product.is_some();

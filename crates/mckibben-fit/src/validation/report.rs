@@ -199,11 +199,12 @@ impl Group {
                 to,
                 errors: ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction))),
             });
-        let branches = [Direction::Contraction, Direction::Elongation].into_iter();
-        let by_branch = branches.map(|branch| MeasuredBranch {
-            branch,
-            errors: ForceErrors::new(residuals.iter().filter(|r| r.branch == branch)),
-        });
+        let by_branch = [Direction::Contraction, Direction::Elongation]
+            .into_iter()
+            .map(|branch| MeasuredBranch {
+                branch,
+                errors: ForceErrors::new(residuals.iter().filter(|r| r.branch == branch)),
+            });
         let single = ForceErrors::new(residuals.iter().filter(|r| !r.branch.is_mean()));
         Self {
             of,

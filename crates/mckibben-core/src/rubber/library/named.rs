@@ -211,16 +211,16 @@ impl RubberEntry {
         // Without a curve: the first law of the table, which for the silicones is the neo-Hookean
         // one.
         let published = law.or_else(|| self.published_default()).map(str::to_owned);
-        let fits = self
+        let published = self
             .fits
             .iter()
             .filter(|_| self.windows.is_empty())
-            .filter(move |f| Some(f.law.name()) == published.as_deref());
-        let published = fits.map(|f| LibraryFit {
-            law: f.law.clone(),
-            fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
-            window: None,
-        });
+            .filter(move |f| Some(f.law.name()) == published.as_deref())
+            .map(|f| LibraryFit {
+                law: f.law.clone(),
+                fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
+                window: None,
+            });
         let name = match law {
             Some(law) => self.name_in_windows(|l| l.name == law || l.law.name() == law),
             None => self.usual_law.as_ref(),
