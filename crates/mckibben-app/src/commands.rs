@@ -122,10 +122,11 @@ fn check_fields(
             let message = format!("there is no field \"{field}\" in this request");
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
         };
-        let checked = check_fields(format_args!("`{field}`"), value, schema, root);
-        checked.map_err(|problem| Problem {
-            field: problem.field.or_else(|| Some(field.clone())),
-            ..problem
+        check_fields(format_args!("`{field}`"), value, schema, root).map_err(|problem| {
+            Problem {
+                field: problem.field.or_else(|| Some(field.clone())),
+                ..problem
+            }
         })?;
     }
     Ok(())

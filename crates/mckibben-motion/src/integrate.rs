@@ -133,8 +133,10 @@ impl Step {
         let (core, totals) = state.split_at_mut(increments.len());
         core.iter_mut().zip(&increments).for_each(|(y, z)| *y += z);
         for (rates, weight) in self.rates.iter().zip(weights(share)) {
-            let totals = totals.iter_mut().zip(rates);
-            totals.for_each(|(total, rate)| *total += weight * self.h * rate);
+            totals
+                .iter_mut()
+                .zip(rates)
+                .for_each(|(total, rate)| *total += weight * self.h * rate);
         }
         state
     }

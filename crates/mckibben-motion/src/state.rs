@@ -76,8 +76,8 @@ impl State {
         visit(&mut self.coordinate);
         visit(&mut self.velocity);
         for m in &mut self.muscles {
-            let fluid = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
-            fluid
+            [&mut m.absolute_mpa, &mut m.mass_g]
+                .into_iter()
                 .chain(&mut m.opening)
                 .chain(&mut m.branches_n)
                 .for_each(&mut visit);

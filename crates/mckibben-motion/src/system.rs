@@ -295,8 +295,10 @@ fn add_flows(totals: &mut Totals, medium: &dyn Medium, fluid: &FluidRates, cavit
     let pushed = fluid.piston_mm3_per_s.max(0.0);
     totals.enthalpy_in += absolute_mpa * pushed;
     totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
-    let atmosphere = totals.atmosphere.iter_mut();
-    atmosphere.for_each(|work| *work += ATMOSPHERE_MPA * pushed);
+    totals
+        .atmosphere
+        .iter_mut()
+        .for_each(|work| *work += ATMOSPHERE_MPA * pushed);
     totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
     let flows = [fluid.supply, fluid.exhaust];
     totals.heat += medium.heat_mw(fluid.pressure_rate, cavity, &flows);

@@ -131,8 +131,11 @@ pub fn print_page<T: Show>(
     let csv = || {
         let csv = answer.csv();
         let warnings = answer.warnings();
-        let all = warnings.iter().chain(&csv.warnings);
-        all.filter(|w| is_of_burst(w)).for_each(warn);
+        warnings
+            .iter()
+            .chain(&csv.warnings)
+            .filter(|w| is_of_burst(w))
+            .for_each(warn);
         table::csv(&Table::of(csv)?)
     };
     made(&|| json(answer), &csv, format, Box::new(text), target)

@@ -213,8 +213,9 @@ fn muscle_file_of_fit(files: &MeasuredFolder, number: usize) -> Result<String, C
     };
     for (section, keys) in changes.as_table_like().ok_or_else(wrong)?.iter() {
         for (key, value) in keys.as_table_like().ok_or_else(wrong)?.iter() {
-            let place = muscle.entry(section).or_insert_with(toml_edit::table);
-            place
+            muscle
+                .entry(section)
+                .or_insert_with(toml_edit::table)
                 .as_table_like_mut()
                 .ok_or_else(wrong)?
                 .insert(key, value.clone());

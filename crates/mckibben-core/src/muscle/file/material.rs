@@ -262,8 +262,9 @@ fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, Fil
             return Err(source.missing("tube.material.prony", "tube.material.held", needs));
         }
         // Before its stresses are taken as less, the series must be one.
-        let checked = rubber.check();
-        checked.map_err(|e| wrong("prony", without_key(&e, "tube.material.prony")))?;
+        rubber
+            .check()
+            .map_err(|e| wrong("prony", without_key(&e, "tube.material.prony")))?;
         rubber = rubber.relaxed(held);
     }
     // Constants that are written are those of this muscle, also where they are the library's for
