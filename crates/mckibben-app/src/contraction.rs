@@ -50,8 +50,7 @@ impl Contractions {
 impl Contraction {
     /// The ratio, of a muscle of the length L0 in mm.
     pub(crate) fn of_length(&self, length_mm: f64) -> Result<f64> {
-        let ratios = self.0.of_length(length_mm)?;
-        Ok(ratios.first().copied().unwrap_or(0.0))
+        Ok(self.0.of_length(length_mm)?.first().copied().unwrap_or(0.0))
     }
 }
 

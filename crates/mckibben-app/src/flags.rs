@@ -245,8 +245,11 @@ mod parsers {
                 let arg = arg
                     .value_name(measure.value_name())
                     .help(measure.help().replacen(" at rest", "", 1));
-                let arg = arg.hide_short_help(measure.short.is_none() && *measure != ANGLE);
-                Some(arg.value_parser(read).short(measure.short))
+                Some(
+                    arg.hide_short_help(measure.short.is_none() && *measure != ANGLE)
+                        .value_parser(read)
+                        .short(measure.short),
+                )
             });
             command.args(args)
         }

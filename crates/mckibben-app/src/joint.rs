@@ -40,9 +40,11 @@ pub struct JointFields {
 impl JointFields {
     /// The names of the muscle files that a joint file names.
     pub fn files_of(joint: &TextFile) -> Result<Vec<String>> {
-        let file = parse_joint(&joint.text)
-            .map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?;
-        Ok(file.files().map(str::to_owned).collect())
+        Ok(parse_joint(&joint.text)
+            .map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?
+            .files()
+            .map(str::to_owned)
+            .collect())
     }
 
     pub(crate) fn resolve(&self) -> Result<Joint> {
@@ -234,10 +236,11 @@ impl JointRequest {
         }
         for &p in self.pressures_mpa.iter().flat_map(|list| list.iter()) {
             if !(p.is_finite() && p >= 0.0) {
-                let problem = ProblemKind::Quantity.problem(format!(
-                    "{p}\u{a0}MPa is not a valid gauge pressure of a muscle"
-                ));
-                return Err(problem.in_field("pressures_mpa"));
+                return Err(ProblemKind::Quantity
+                    .problem(format!(
+                        "{p}\u{a0}MPa is not a valid gauge pressure of a muscle"
+                    ))
+                    .in_field("pressures_mpa"));
             }
         }
         for &angle in self.angles_deg.as_deref().unwrap_or_default() {

@@ -144,8 +144,9 @@ pub fn unread(error: tubes::TubeError) -> Problem {
 
 /// The tubes of a user's table, where it has some: in place of the catalogue's.
 pub fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>, Problem> {
-    let read = parts.map(|file| tubes::read(&file.text)).transpose();
-    Ok(read
+    Ok(parts
+        .map(|file| tubes::read(&file.text))
+        .transpose()
         .map_err(|e| unread(e).in_field("parts"))?
         .filter(|tubes| !tubes.is_empty()))
 }

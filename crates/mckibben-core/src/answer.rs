@@ -352,10 +352,11 @@ impl Evaluation<'_> {
         contraction: f64,
     ) -> Result<f64, AnalysisError> {
         self.check_range(self.model.info().range.pressure_mpa.0, contraction)?;
-        let pressure = self.pressure_at(force_n, contraction);
-        intact(pressure, force_n, |p, force| {
-            self.broken(p, contraction, force)
-        })
+        intact(
+            self.pressure_at(force_n, contraction),
+            force_n,
+            |p, force| self.broken(p, contraction, force),
+        )
     }
 
     /// The number alone that [`Evaluation::contraction`] seeks.

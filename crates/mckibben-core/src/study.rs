@@ -238,10 +238,7 @@ fn isometric(
     let rise: Vec<f64> = starts.iter().map(|s| s[4] - s[0]).collect();
     let falling = falls(&forces);
     let rising = starts.iter().all(|of_walls| of_walls.is_sorted());
-    let joined = |forces: Vec<f64>| {
-        let texts = forces.iter().map(|f| format!("{f:.0}"));
-        joined(texts, " / ")
-    };
+    let joined = |forces: Vec<f64>| joined(forces.iter().map(|f| format!("{f:.0}")), " / ");
     let thinnest: Vec<f64> = forces.iter().map(|f| f[0]).collect();
     let [bore, outer] = [0, 1].map(|i| contractions.map(|e| ideals[i].1.pull(HIGHEST_MPA, e)));
     let steepest = |ideal: [f64; 3]| ideal.iter().zip(&thinnest).all(|(ideal, f)| ideal >= f);

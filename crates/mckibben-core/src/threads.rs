@@ -36,8 +36,7 @@ pub struct Threads(Option<ThreadPool>);
 impl Threads {
     /// So many threads; one is the calling thread itself.
     pub fn new(count: usize) -> Result<Self, ThreadsError> {
-        let pool = (count > 1).then(|| pool(count)).transpose()?;
-        Ok(Self(pool))
+        Ok(Self((count > 1).then(|| pool(count)).transpose()?))
     }
 
     /// Those of the process.

@@ -176,9 +176,9 @@ impl Figure {
         self.size_mm(width, 0.0)
     }
 
-    /// Sets how colours follow from colour numbers.
-    pub fn palette(mut self, palette: Palette) -> Self {
-        self.palette = palette;
+    /// Colours as of a ramp: numbers stand for an order.
+    pub fn sequential(mut self) -> Self {
+        self.palette = Palette::Sequential;
         self
     }
 }
@@ -315,8 +315,7 @@ mod gaps {
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(f64, f64)>, D::Error> {
-        let points = Vec::<Point>::deserialize(from)?;
-        Ok(points
+        Ok(Vec::<Point>::deserialize(from)?
             .into_iter()
             .map(|(x, y)| (x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN)))
             .collect())

@@ -46,8 +46,12 @@ impl BoundModel {
         }
         let mut failed = 0;
         let mut free = None;
-        let points = first.iter().zip(second).zip(out.chunks_mut(many.width()));
-        for (index, ((&a, &b), places)) in points.enumerate() {
+        for (index, ((&a, &b), places)) in first
+            .iter()
+            .zip(second)
+            .zip(out.chunks_mut(many.width()))
+            .enumerate()
+        {
             // A point has the same digits alone and among others: nothing is kept of the one
             // before.
             match self.answer_point((a, b), many, &mut Workspace::new(), &mut free, places) {

@@ -11,7 +11,7 @@ use mckibben_core::{
 };
 use mckibben_design::{Candidate, OperatingPoint};
 use mckibben_fit::compare::MeasuredPoint;
-use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
 
 /// Six panels: isometric above, isotonic below.
 pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
@@ -188,7 +188,7 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
     let about = format!("Model {model}{branches}{said}. {}", muscle.line(u));
     Figure::new(title)
         .caption(caption(about))
-        .palette(Palette::Sequential)
+        .sequential()
         .panel(panel)
 }
 

@@ -9,7 +9,7 @@ use mckibben_campaign::fit::{
     paper_method::{CurveFit, LineFit, PaperMethod},
 };
 use mckibben_core::{extremes::ends, formula::Formula};
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// The diameter and wall that figures of one muscle show, where the table has them: the
 /// prototype's.
@@ -116,7 +116,7 @@ impl Section<'_> {
                 self.formula.provenance.method,
                 mckibben_core::PAPER
             )))
-            .palette(Palette::Sequential)
+            .sequential()
     }
 
     /// Points and quadratics of some curves.
@@ -296,7 +296,7 @@ fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
     .caption(caption(format!(
         "Lines: the formula; dots: the table, {text}. {method}"
     )))
-    .palette(Palette::Sequential)
+    .sequential()
     .columns(2);
     let pressures = distinct(of_d.iter().map(|c| c.point.pressure_mpa));
     let shown: Vec<f64> = pressures

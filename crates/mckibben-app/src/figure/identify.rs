@@ -13,7 +13,7 @@ use mckibben_fit::{
     measured::{DataPoint, Section, distinct, mean_of_data},
     validation::{case::MuscleCase, report::MeasuredFit},
 };
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Curves of one figure at most; of more levels some are shown.
 const CURVES: usize = 6;
@@ -105,7 +105,7 @@ pub fn identified(
     about: &str,
     u: &Units,
 ) -> Figure {
-    let mut figure = Figure::new(format!("Identified from {origin}")).palette(Palette::Sequential);
+    let mut figure = Figure::new(format!("Identified from {origin}")).sequential();
     let sections = sections(identified);
     let levels = Levels::new(identified);
     for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
@@ -273,7 +273,7 @@ pub fn measured(
     );
     let mut figure = Figure::new(format!("Measured muscles and {name}"))
         .caption(caption(&about))
-        .palette(Palette::Sequential);
+        .sequential();
     for (number, case) in cases.iter().enumerate() {
         let Some(first) = results.iter().find(|r| r.case == number) else {
             continue;

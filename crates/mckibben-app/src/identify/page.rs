@@ -52,8 +52,7 @@ impl IdentifyAnswer {
     fn residuals(&self, u: &Units) -> Rows {
         let identified = &self.identified;
         let force = u.force.digits(3);
-        let pulls = self.points.iter().map(|p| p.point.at.force_n);
-        let largest_n = peak(pulls);
+        let largest_n = peak(self.points.iter().map(|p| p.point.at.force_n));
         let bench = identified
             .bench
             .as_ref()

@@ -259,8 +259,9 @@ impl Fit<'_> {
             let text = changed.try_fold(self.text.to_owned(), |text, (free, value)| {
                 with_value(&text, &free.name, &value.to_string())
             });
-            let lists = self.residuals(&text?, half_s)?.into_iter();
-            Ok(lists
+            Ok(self
+                .residuals(&text?, half_s)?
+                .into_iter()
                 .map(|(_, list)| list.into_iter().map(|r| r.1).collect())
                 .collect())
         };

@@ -162,10 +162,9 @@ impl StepFields {
             "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = \
              [[0, 0], [0.05, {pressure:?}]]\nuntil = {until_s:?}\n"
         );
-        let text = values
+        Ok(values
             .into_iter()
-            .try_fold(head, |text, (key, value)| with_value(&text, key, &value));
-        Ok(text?)
+            .try_fold(head, |text, (key, value)| with_value(&text, key, &value))?)
     }
 }
 

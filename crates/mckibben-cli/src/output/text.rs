@@ -21,8 +21,7 @@ const GAP: usize = 2;
 fn table_within(room: usize, list: &[Column]) -> String {
     let columns: Vec<Drawn<'_>> = list.iter().map(Drawn::new).collect();
     let parts = parts(room, &columns.iter().collect::<Vec<_>>());
-    let drawn = parts.iter().map(|columns| table(room, columns));
-    joined(drawn, "\n")
+    joined(parts.iter().map(|columns| table(room, columns)), "\n")
 }
 
 /// A column of one line a cell.

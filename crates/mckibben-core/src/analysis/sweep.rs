@@ -158,11 +158,11 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
                 (zero.at - start).abs(),
             )
         };
-        let best = self
+        Ok(self
             .all_zeros()?
             .into_iter()
-            .min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal));
-        Ok(best.map(|zero| zero.at))
+            .min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal))
+            .map(|zero| zero.at))
     }
 
     /// Every zero of the whole, by rising place, once samples are taken at the edges, the extrema

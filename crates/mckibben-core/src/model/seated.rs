@@ -293,8 +293,11 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         };
         let inner = pivoting_n_per_mm(&*self.inner, workspace, p, state.between);
         // Of the whole muscle's change of length the strands get a share.
-        let whole = inner.map(|g| g / self.ends.series_factor(state.stiffness_n_per_mm));
-        Some(whole.map_err(|error| self.for_whole_muscle(error, e, state.between)))
+        Some(
+            inner
+                .map(|g| g / self.ends.series_factor(state.stiffness_n_per_mm))
+                .map_err(|error| self.for_whole_muscle(error, e, state.between)),
+        )
     }
 }
 

@@ -51,8 +51,9 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<Point>>
     let shortened =
         (1..=turns as usize).map(|i| (contraction * (i as f64 / turns), pressures_mpa[filled]));
     let (before, after) = pressures_mpa.split_at(filled + 1);
-    let before = before.iter().map(|p| (0.0, *p));
     Ok(before
+        .iter()
+        .map(|p| (0.0, *p))
         .chain(shortened)
         .chain(after.iter().map(|p| (contraction, *p)))
         .collect())

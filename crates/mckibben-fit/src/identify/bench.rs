@@ -118,8 +118,14 @@ impl Minimum<'_> {
         let problem = Problem::new(request, (&point, None), self.x);
         let g = slopes(&problem, self.unknowns, self.x)?.concat();
         let dot = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
-        let rows = self.estimate.covariance.iter().zip(&g);
-        Some(rows.map(|(row, g)| g * dot(row)).sum())
+        Some(
+            self.estimate
+                .covariance
+                .iter()
+                .zip(&g)
+                .map(|(row, g)| g * dot(row))
+                .sum(),
+        )
     }
 }
 

@@ -209,8 +209,13 @@ impl<'a> Problem<'a> {
             let muscle = candidate.section_muscle(&chunk.section).ok()?;
             let model = (self.request.build)(&muscle).ok()?;
             let mut w = Workspace::new();
-            let rows = chunk.rows.iter();
-            Some(rows.map(|&i| one(model.as_ref(), &mut w, i)).collect())
+            Some(
+                chunk
+                    .rows
+                    .iter()
+                    .map(|&i| one(model.as_ref(), &mut w, i))
+                    .collect(),
+            )
         };
         let lists = threads::map(&self.chunks, compute);
         let mut out: Vec<Option<Result<T>>> = self.points.iter().map(|_| None).collect();
@@ -449,8 +454,11 @@ impl Residuals for Problem<'_> {
                 let (at, e) = (&point.at, point.at.contraction + offset);
                 (local(m, w, at.pressure_mpa, e, self.options(point))?, scale)
             };
-            let slopes = self.slopes((m, w), point, &candidate, x, &names, &here)?;
-            Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
+            Ok(self
+                .slopes((m, w), point, &candidate, x, &names, &here)?
+                .into_iter()
+                .map(|s| factor * s)
+                .collect::<Vec<f64>>())
         })?;
         let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>>>().ok()?;
         Some(

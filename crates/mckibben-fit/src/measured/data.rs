@@ -75,13 +75,13 @@ impl Section {
         tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
         let mut braid = muscle.braid_on(tube.outer_diameter_mm)?;
         braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
-        let section = Muscle::new(
+        Ok(Muscle::new(
             tube,
             braid,
             muscle.terminals().clone(),
             muscle.friction().copied(),
-        )?;
-        Ok(section.with_bench_of(muscle))
+        )?
+        .with_bench_of(muscle))
     }
 }
 

@@ -354,8 +354,9 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
         ] {
             if wrong {
                 let column = table.column(meaning);
-                let refused = column.map(|column| table.impossible(row, column, expected));
-                return Err(refused.unwrap_or_else(TableError::empty));
+                return Err(column
+                    .map(|column| table.impossible(row, column, expected))
+                    .unwrap_or_else(TableError::empty));
             }
         }
         let at = MeasuredPoint {

@@ -36,8 +36,10 @@ impl TimePoint {
 pub fn read_history(text: &str, columns: &Columns) -> Result<Vec<TimePoint>, TableError> {
     let table = Table::read(text, &HISTORIES, columns)?;
     let column = |group| table.numbers(table.needed(group)?);
-    let rows = column(0)?.into_iter().zip(column(1)?).zip(column(2)?);
-    Ok(rows
+    Ok(column(0)?
+        .into_iter()
+        .zip(column(1)?)
+        .zip(column(2)?)
         .map(|((time_s, stretch), nominal_stress_mpa)| TimePoint {
             time_s,
             stretch,

@@ -226,8 +226,7 @@ impl Choice {
                 text: rest.trim().to_owned(),
                 ..self.clone()
             };
-            let column = plus.find(headings, place)?;
-            return Ok(column.map(|c| Column {
+            return Ok(plus.find(headings, place)?.map(|c| Column {
                 negated: !c.negated,
                 ..c
             }));

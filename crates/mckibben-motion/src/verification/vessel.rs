@@ -194,10 +194,8 @@ fn balances() -> [VerificationRow; 2] {
         .into_iter()
         .map(|heat| after(heat, 1.0, 0.0, 0.3))
         .collect();
-    let largest = |value: fn(&Motion) -> f64| {
-        let values = motions.as_ref()?.iter().map(value);
-        Some(peak(values.map(f64::abs)))
-    };
+    let largest =
+        |value: fn(&Motion) -> f64| Some(peak(motions.as_ref()?.iter().map(value).map(f64::abs)));
     let energy = largest(|m| {
         let e = m.energies;
         (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j)

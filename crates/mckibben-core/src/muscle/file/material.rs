@@ -192,8 +192,12 @@ fn of_constant(law: &LawKind, constant: &Constant, generator: &mut SchemaGenerat
 
 pub fn rubbers(_: &mut SchemaGenerator) -> Schema {
     // A damaged table of names leaves the key without them.
-    let all = library::entries().unwrap_or_default();
-    named(all.iter().map(|entry| entry.name.as_str()))
+    named(
+        library::entries()
+            .unwrap_or_default()
+            .iter()
+            .map(|entry| entry.name.as_str()),
+    )
 }
 
 /// The schema of a text for which there are names.

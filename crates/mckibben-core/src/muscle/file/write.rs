@@ -324,8 +324,7 @@ fn written(muscle: &Muscle, section: &str) -> impl Iterator<Item = (&'static Mea
 
 /// The sleeve of the library that has this shape.
 fn library_sleeve(shape: &SleeveShape) -> Option<Sleeve> {
-    let sleeve = sleeve::library::find(&shape.name).ok()?;
-    Some(sleeve).filter(|s| s.shape == *shape)
+    Some(sleeve::library::find(&shape.name).ok()?).filter(|s| s.shape == *shape)
 }
 
 /// The sleeve that the braid was cut from, where its name and angle may be written together in a

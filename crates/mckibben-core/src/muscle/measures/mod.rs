@@ -291,10 +291,11 @@ impl Measure {
     pub fn flag(&self) -> Option<String> {
         let field = self.field.filter(|_| self.has_flag)?;
         let unit = self.dimension.end_of_name().filter(|_| !self.is_plain());
-        let name = unit
-            .and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_'))
-            .unwrap_or(field);
-        Some(name.replace('_', "-"))
+        Some(
+            unit.and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_'))
+                .unwrap_or(field)
+                .replace('_', "-"),
+        )
     }
 
     /// The placeholder of its value in help texts: `LENGTH`, or the symbol of a plain number that a

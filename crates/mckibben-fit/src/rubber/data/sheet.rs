@@ -34,8 +34,9 @@ impl Tests<'_> {
     pub fn sheet_points(&self, lengths: &[f64]) -> Result<Vec<TensionPoint>> {
         let table = self.table;
         let cells = |meaning: &Meaning| -> Result<Vec<Option<(&Column, f64)>>> {
-            let values = table.some_numbers(*meaning)?.into_iter();
-            Ok(values
+            Ok(table
+                .some_numbers(*meaning)?
+                .into_iter()
                 .map(|value| table.column(*meaning).zip(value))
                 .collect())
         };
