@@ -111,7 +111,6 @@ pub struct CompareAnswer {
     /// The models.
     pub models: Vec<ComparedModel>,
     /// Warnings about the muscle and its rubber, in sentences.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,

@@ -349,7 +349,6 @@ pub struct CurveAnswer {
     /// requested.
     pub fixed: Vec<f64>,
     /// Warnings; of each kind the most serious.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The pressures that the muscle bears.
     #[serde(flatten)]
@@ -479,7 +478,6 @@ pub struct StudyAnswer {
     #[schemars(with = "Vec<StudyRow>")]
     pub panels: Vec<StudyPanel>,
     /// Warnings, in sentences: those of the points, once per wall.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,

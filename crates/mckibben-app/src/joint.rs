@@ -568,7 +568,6 @@ pub struct JointAnswer {
     /// `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
     pub uncertainty_text: Option<String>,
     /// Warnings.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,

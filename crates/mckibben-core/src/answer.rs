@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 
 /// One answered point.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Answer {
     /// The model's name.
     pub model: String,
@@ -63,7 +63,6 @@ pub struct Answer {
     /// bending stiffness of its wall alone.
     pub buckling_load_n: Option<f64>,
     /// Warnings, in sentences.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
 }
 
@@ -229,19 +228,13 @@ impl Evaluation<'_> {
             direction: options.direction,
             uncertainty_n: parts.map(|p| p.total()),
             uncertainty_parts_n: parts,
-            pressure_uncertainty_mpa: None,
-            contraction_uncertainty: None,
-            pressure_low_mpa: None,
-            pressure_high_mpa: None,
-            contraction_low: None,
-            contraction_high: None,
             response,
             slack,
             two_sided_force_n,
             free_contraction: hanging.filter(|_| slack).map(|h| h.free_contraction),
-            start_pressure_mpa: None,
             buckling_load_n: buckling_load_n(model.muscle(), &response),
             warnings,
+            ..Answer::default()
         })
     }
 

@@ -6,8 +6,9 @@ use crate::{
     muscle::{Muscle, Rubber},
     units::{rounded, short_numbers},
 };
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::fmt;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Serialize, Serializer};
+use std::{borrow::Cow, fmt};
 
 /// Strand strain at which the validated range of all models ends.
 pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
@@ -48,7 +49,8 @@ pub enum WarningKind {
 }
 
 /// What the user should know of an answer; as data it is its sentence.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(from = "String")]
 pub struct Warning {
     /// What it is about.
     pub kind: WarningKind,
@@ -169,9 +171,17 @@ impl Serialize for Warning {
     }
 }
 
-impl<'de> Deserialize<'de> for Warning {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        String::deserialize(from).map(Self::from)
+impl JsonSchema for Warning {
+    fn schema_name() -> Cow<'static, str> {
+        String::schema_name()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        String::json_schema(generator)
     }
 }
 

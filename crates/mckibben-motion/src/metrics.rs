@@ -1,7 +1,10 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
 use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target, system::System};
-use mckibben_core::{analysis::bisect, extremes::peak};
+use mckibben_core::{
+    analysis::bisect,
+    extremes::{ends, peak},
+};
 
 /// A point that was integrated.
 pub struct Passed {
@@ -247,8 +250,7 @@ pub fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option
         .collect();
     let first = *late.first()?;
     let end = *late.last()?;
-    let low = late.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = late.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let (low, high) = ends(late.iter().copied());
     let length = 1.0 / drive.mechanism.lever(0, end).per_coordinate.abs().max(1e-9);
     let room = (SHARE * (end - begin).abs()).max(OF_LENGTH * length);
     let moves = if high - low <= room {

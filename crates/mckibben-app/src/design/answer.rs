@@ -61,7 +61,6 @@ pub struct DesignAnswer {
     /// Near misses, or the muscles that come closest.
     pub rejected: Vec<RejectedAnswer>,
     /// Warnings about the best muscle; if nothing fits, whether burst was checked.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// If none of the candidates is sure at a pressure that it may have: the best muscle whose
     /// lower end of the ± meets the requirement (`guaranteed`); none where the same search finds

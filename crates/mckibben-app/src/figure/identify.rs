@@ -10,7 +10,7 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     identify::{Build, Identification, PointFit},
-    measured::{DataPoint, Section, distinct, mean_of_data},
+    measured::{DataPoint, Section, distinct, mean_of_data, same},
     validation::{case::MuscleCase, report::MeasuredFit},
 };
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
@@ -26,10 +26,6 @@ fn thinned(list: &[f64]) -> Vec<f64> {
     (0..CURVES)
         .map(|i| list[i * (list.len() - 1) / (CURVES - 1)])
         .collect()
-}
-
-fn same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
 }
 
 /// What is fixed along the curves of a figure, and so what its colours mean.

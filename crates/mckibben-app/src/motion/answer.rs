@@ -78,7 +78,6 @@ pub struct MotionAnswer {
     #[serde(flatten)]
     pub identified: Option<IdentifiedDrive>,
     /// Warnings.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,
