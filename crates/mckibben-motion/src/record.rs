@@ -255,8 +255,10 @@ impl Integration<'_, '_> {
 impl System<'_> {
     /// Liquid that came from the supply in mm³ at atmospheric pressure; `None` of air.
     fn supplied_mm3(&self, state: &State) -> Option<f64> {
-        let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        muscles
+        self.drive
+            .muscles
+            .iter()
+            .zip(&state.muscles)
             .map(|(muscle, now)| match &muscle.fluid {
                 Fluid::Liquid(liquid) => Some(liquid.volume_mm3(now.supplied_g)),
                 Fluid::Air(_) => None,

@@ -534,8 +534,8 @@ fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
     let pulls = |p: &&DataPoint| {
         let e = p.at.contraction + result.candidate.contraction_offset;
         let force_n = || {
-            let model = build(&result.candidate.section_muscle(&p.section).ok()?).ok()?;
-            model
+            build(&result.candidate.section_muscle(&p.section).ok()?)
+                .ok()?
                 .force_n(&mut Workspace::new(), p.at.pressure_mpa, e)
                 .ok()
         };

@@ -399,13 +399,15 @@ fn chain_rule(
     let family = candidate.family;
     let by_stiffness = |factor: f64| ("braid.stiffness".to_owned(), factor);
     match target {
-        Target::Modulus => {
-            let constants = muscle.tube().rubber.law.constants().into_iter();
-            constants
-                .filter(|c| c.constant.is_modulus())
-                .map(|c| (format!("tube.material.{}", c.name), c.value / v))
-                .collect()
-        }
+        Target::Modulus => muscle
+            .tube()
+            .rubber
+            .law
+            .constants()
+            .into_iter()
+            .filter(|c| c.constant.is_modulus())
+            .map(|c| (format!("tube.material.{}", c.name), c.value / v))
+            .collect(),
         Target::Stiffness => vec![by_stiffness(
             family.map_or(1.0, |f| f.ratio(d).powf(f.exponent)),
         )],

@@ -57,8 +57,10 @@ impl Problem {
         };
         let divisors: Vec<Option<f64>> = out.points.iter().map(divisor).collect();
         let counts = |mode: Option<Mode>| {
-            let each = out.points.iter().zip(&divisors);
-            each.filter(|(p, _)| mode.is_none_or(|mode| p.mode == mode))
+            out.points
+                .iter()
+                .zip(&divisors)
+                .filter(|(p, _)| mode.is_none_or(|mode| p.mode == mode))
                 .filter(|(_, divisor)| divisor.is_some())
                 .count()
         };

@@ -118,8 +118,11 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
 
     /// Its stresses less the measured ones, where all are numbers.
     pub(super) fn differences(self, history: &[TimePoint]) -> Option<Vec<f64>> {
-        let rows = self.over(history).ok()?.into_iter().zip(history);
-        rows.map(|(model, p)| model - p.nominal_stress_mpa)
+        self.over(history)
+            .ok()?
+            .into_iter()
+            .zip(history)
+            .map(|(model, p)| model - p.nominal_stress_mpa)
             .map(|d| Some(d).filter(|d| d.is_finite()))
             .collect()
     }

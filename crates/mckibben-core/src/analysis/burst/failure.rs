@@ -243,8 +243,8 @@ impl Burst {
     }
 
     fn earliest(&self, of: fn(FailurePressure) -> Option<f64>) -> Option<(FailureMode, f64)> {
-        let modes = self.modes().into_iter();
-        modes
+        self.modes()
+            .into_iter()
             .filter_map(|(mode, p)| Some((mode, of(p)?)))
             .reduce(|a, b| if b.1 < a.1 { b } else { a })
     }

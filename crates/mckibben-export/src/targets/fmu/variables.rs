@@ -165,8 +165,7 @@ fn reference(name: &str) -> usize {
 /// Start, range and nominal value of each variable that can be set or is a state, as muscle.bin has
 /// them.
 pub fn settings(variables: &[Variable]) -> Vec<f64> {
-    let names = references();
-    names
+    references()
         .iter()
         .take_while(|name| *name != "force")
         .flat_map(|name| match variables.iter().find(|v| v.name == name) {
