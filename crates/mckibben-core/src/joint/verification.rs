@@ -242,8 +242,7 @@ fn round_trip(random: &mut Random) -> Option<Option<f64>> {
     };
     let back = model.pressures(w, wanted, 0.6).ok();
     Some(back.map(|back| {
-        (back.torque_nm - there.torque_nm).abs()
-            / (1.0 + there.torque_nm.abs())
-                .max((back.stiffness_nm_per_rad / there.stiffness_nm_per_rad - 1.0).abs())
+        let torque = (back.torque_nm - there.torque_nm).abs() / (1.0 + there.torque_nm.abs());
+        torque.max((back.stiffness_nm_per_rad / there.stiffness_nm_per_rad - 1.0).abs())
     }))
 }

@@ -546,8 +546,8 @@ fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> Unc
 /// force at the same pressure.
 fn measured_n(muscle: &Muscle, blocked_n: f64, contraction: f64) -> f64 {
     let share = (contraction / muscle.max_ideal_contraction()).clamp(0.0, 1.0);
-    (MEASURED + MEASURED_BY_CONTRACTION * share)
-        * blocked_n.hypot(MEASURED_BY_WALL * wall_n(muscle))
+    let by_pressure = (MEASURED + MEASURED_BY_CONTRACTION * share) * blocked_n;
+    by_pressure.hypot(MEASURED_BY_WALL * wall_n(muscle))
 }
 
 /// μ A in N.
