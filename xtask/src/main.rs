@@ -79,8 +79,7 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         };
     };
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let done = env::set_current_dir(root)
+    let done = env::set_current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
         .map_err(|e| e.to_string())
         .and_then(|()| run(check));
     match done {

@@ -159,8 +159,8 @@ fn point(sleeve: &Sleeve, outer_diameter_mm: f64) -> Result<BraidPoint, Problem>
 /// The least diameter, and round ones below the largest.
 fn round_diameters((least, largest): (f64, f64)) -> Vec<f64> {
     let decade = 10f64.powf((largest - least).log10().floor() - 1.0);
-    let steps = [1.0, 2.0, 5.0, 10.0, 20.0].map(|s| s * decade);
-    let step = steps
+    let step = [1.0, 2.0, 5.0, 10.0, 20.0]
+        .map(|s| s * decade)
         .into_iter()
         .find(|s| (largest - least) / s <= 12.0)
         .unwrap_or(largest - least);

@@ -219,13 +219,8 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     }
     let (plan, burst) = planned(request)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
-    let files = mckibben_build::files(&plan).map_err(|e| {
-        Problem::new(
-            ProblemKind::Internal,
-            format!("the drawing cannot be drawn: {e}"),
-            "",
-        )
-    })?;
+    let files = mckibben_build::files(&plan)
+        .map_err(|e| ProblemKind::Internal.problem(format!("the drawing cannot be drawn: {e}")))?;
     let mut files: Vec<BuiltFile> = files
         .into_iter()
         .map(|file| named(file, request.muscle.file()))
@@ -238,7 +233,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     if let Some(document) = &document {
         let html = document
             .to_html("")
-            .map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), ""))?;
+            .map_err(|e| ProblemKind::Plot.problem(e))?;
         let about = "all that is known of the muscle, for reading and printing";
         files.push(File::text(REPORT, about, html).into());
     }
@@ -287,7 +282,7 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
     let muscle = request.muscle.resolve()?;
     let fitting = request.fitting.as_deref().map(str::parse).transpose();
     let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
-        Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("fitting")
+        ProblemKind::Usage.problem(e).in_field("fitting")
     })?;
     let above_zero = |field: &str, value: Option<f64>| {
         value
@@ -306,7 +301,9 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
     let (operating, burst) = operating(request, &muscle, pressure_mpa)?;
     let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
         let field = error.fields.first().copied().unwrap_or_default();
-        Problem::new(ProblemKind::OutOfRange, error.message, "").in_field(field)
+        ProblemKind::OutOfRange
+            .problem(error.message)
+            .in_field(field)
     })?;
     Ok((plan, burst))
 }
@@ -356,8 +353,8 @@ fn operating(
     let proof_mpa = proof_mpa(pressure_mpa, burst.first().map(|f| f.1));
     // A muscle whose free state at the proof pressure is not found stores at least what its cavity
     // at the working pressure does.
-    let at_proof = evaluation.free_contraction(proof_mpa);
-    let at_proof = at_proof
+    let at_proof = evaluation
+        .free_contraction(proof_mpa)
         .and_then(|free| evaluation.cavity_mm3(proof_mpa, free))
         .ok();
     let operating = Operating {

@@ -81,8 +81,9 @@ pub fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(),
     if pressure_mpa <= most_mpa {
         return Ok(());
     }
-    let said = said_of(found, pressure_mpa, f64::INFINITY);
-    let said = said.first().map_or_else(String::new, ToString::to_string);
+    let said = said_of(found, pressure_mpa, f64::INFINITY)
+        .first()
+        .map_or_else(String::new, ToString::to_string);
     let hint = "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the \
         burst pressure";
     Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
@@ -166,8 +167,9 @@ impl PressureLimits {
 
     /// The same as lines.
     pub(crate) fn lines(&self, u: &Units) -> impl Iterator<Item = String> {
-        let rows = self.rows(u).into_iter();
-        rows.map(|(name, value)| format!("{name} {value}"))
+        self.rows(u)
+            .into_iter()
+            .map(|(name, value)| format!("{name} {value}"))
     }
 
     /// The rows with a note behind the burst pressure.
@@ -200,13 +202,16 @@ impl PressureLimits {
     /// Those of the weakest of several muscles; none where that of one of them is not known.
     pub(crate) fn of_all(all: &[Burst]) -> Self {
         let known: Option<Vec<&Burst>> = all.iter().map(|b| b.pressure_mpa().map(|_| b)).collect();
-        let weakest = known.into_iter().flatten().reduce(|a, b| {
-            if b.pressure_mpa() < a.pressure_mpa() {
-                b
-            } else {
-                a
-            }
-        });
-        weakest.map_or_else(Self::default, Self::from)
+        known
+            .into_iter()
+            .flatten()
+            .reduce(|a, b| {
+                if b.pressure_mpa() < a.pressure_mpa() {
+                    b
+                } else {
+                    a
+                }
+            })
+            .map_or_else(Self::default, Self::from)
     }
 }

@@ -369,8 +369,9 @@ fn implausible(muscle: &Muscle, burst: &Burst, values: &Characteristics) -> Vec<
             pull > 0.0 && share > WIDE,
             format!("the ± is {half} of the blocked force: measure before you rely on the pull"),
         ),
-    ];
-    let oddities = oddities.into_iter().filter(|(is_odd, _)| *is_odd);
+    ]
+    .into_iter()
+    .filter(|(is_odd, _)| *is_odd);
     oddities.map(|(_, sentence)| sentence).collect()
 }
 
@@ -424,13 +425,16 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
         ]
     };
     // Of its first fit, with what each point says of the muscle.
-    let built = cases.iter().flat_map(|case| {
-        let fit = case.fits.first();
-        case.points
-            .iter()
-            .filter_map(move |point| point.section.apply(&fit?.muscle).ok())
-    });
-    let measured: Vec<[f64; 4]> = built.map(|m| sizes(&m)).collect();
+    let measured: Vec<[f64; 4]> = cases
+        .iter()
+        .flat_map(|case| {
+            let fit = case.fits.first();
+            case.points
+                .iter()
+                .filter_map(move |point| point.section.apply(&fit?.muscle).ok())
+        })
+        .map(|m| sizes(&m))
+        .collect();
     let highest_mpa = peak(
         cases
             .iter()
@@ -520,19 +524,22 @@ impl CheckAnswer {
             .warnings
             .iter()
             .filter(|w| kind == FindingKind::Implausible && !is_of_burst(w));
-        let of_kind = self.findings.iter().filter(|finding| finding.kind == kind);
-        let sentences = of_kind.map(|finding| match finding.left_n {
-            Some(left) if Some(left) == words.and_then(|w| w.bench_uncertainty_n) => {
-                words.and_then(|w| w.bench_in(u)).unwrap_or_default()
-            }
-            Some(left) => {
-                let text = &finding.text;
-                let least = u.force.half_width(left);
-                let unit = &u.force.name;
-                format!("{text}; the ± would still be at least {least} {unit}")
-            }
-            None => finding.text.clone(),
-        });
+        let sentences = self
+            .findings
+            .iter()
+            .filter(|finding| finding.kind == kind)
+            .map(|finding| match finding.left_n {
+                Some(left) if Some(left) == words.and_then(|w| w.bench_uncertainty_n) => {
+                    words.and_then(|w| w.bench_in(u)).unwrap_or_default()
+                }
+                Some(left) => {
+                    let text = &finding.text;
+                    let least = u.force.half_width(left);
+                    let unit = &u.force.name;
+                    format!("{text}; the ± would still be at least {least} {unit}")
+                }
+                None => finding.text.clone(),
+            });
         warnings.cloned().chain(sentences).collect()
     }
 }

@@ -1,16 +1,13 @@
 //! Every command by name: its schema, and its way from JSON to JSON.
 
 use crate::*;
-#[cfg(feature = "files")]
-use mckibben_campaign::campaign::{CampaignStatus, Merged, Outcome, Summary};
-#[cfg(feature = "whole")]
-use mckibben_campaign::fit::results::Results;
 use mckibben_core::{
     cancel::Cancel,
     nearest::{meant, nearest},
     progress::Progress,
     units::NamedUnit,
 };
+use schemars::JsonSchema;
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -18,19 +15,21 @@ use std::sync::LazyLock;
 use std::sync::OnceLock;
 
 /// A command: what a front end may call by name.
-#[derive(Debug)]
 pub struct CommandEntry {
     /// Its name: the words of the command line, joined by a hyphen.
     pub name: &'static str,
     #[cfg(feature = "schema")]
     schema: fn() -> Value,
-    read: fn(&Value) -> Result<Ready, Problem>,
+    read: Box<Read>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
     /// The schema of its request, which is made once.
     #[cfg(feature = "schema")]
     request: OnceLock<Value>,
 }
+
+/// What makes the work of a request.
+type Read = dyn Fn(&Value) -> Result<Ready, Problem> + Send + Sync;
 
 /// The work that answers a request.
 type Work = dyn FnOnce(&dyn Progress) -> Result<Value, Problem> + Send;
@@ -105,8 +104,9 @@ fn check_fields(
     if let Some(list) = fields.as_array() {
         // By its type a list would be read as the fields in their order.
         if known.is_some() {
-            let message = format!("{what} is an object of fields, not a list");
-            return Err(Problem::new(ProblemKind::Usage, message, ""));
+            return Err(
+                ProblemKind::Usage.problem(format!("{what} is an object of fields, not a list"))
+            );
         }
         return list.iter().try_for_each(|item| {
             check_fields(format_args!("each of {what}"), item, &schema["items"], root)
@@ -122,85 +122,103 @@ fn check_fields(
             let message = format!("there is no field \"{field}\" in this request");
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
         };
-        let checked = check_fields(format_args!("`{field}`"), value, schema, root);
-        checked.map_err(|problem| Problem {
-            field: problem.field.or_else(|| Some(field.clone())),
-            ..problem
+        check_fields(format_args!("`{field}`"), value, schema, root).map_err(|problem| {
+            Problem {
+                field: problem.field.or_else(|| Some(field.clone())),
+                ..problem
+            }
         })?;
     }
     Ok(())
 }
 
-macro_rules! command {
-    ($name:literal, $request:ty => $answer:ty, |$r:ident, $progress:ident| $body:expr) => {
-        CommandEntry {
-            name: $name,
-            #[cfg(feature = "schema")]
-            schema: schemas::schemas::<$request, $answer>,
-            read: |value| {
-                let $r: $request = understood(value)?;
-                Ok(Ready(Box::new(move |$progress| {
-                    let answer: $answer = $body?;
-                    json(&answer)
-                })))
-            },
-            #[cfg(feature = "schema")]
-            request: OnceLock::new(),
-            long: false,
-        }
-    };
-    (long $($command:tt)*) => {
-        CommandEntry { long: true, ..command!($($command)*) }
-    };
+/// A command that may take long.
+fn long<Q, A>(
+    name: &'static str,
+    answer: impl Fn(&Q, &dyn Progress) -> Result<A, Problem> + Copy + Send + Sync + 'static,
+) -> CommandEntry
+where
+    Q: DeserializeOwned + JsonSchema + Send + 'static,
+    A: Serialize + JsonSchema,
+{
+    CommandEntry {
+        name,
+        #[cfg(feature = "schema")]
+        schema: schemas::schemas::<Q, A>,
+        read: Box::new(move |value| {
+            let request: Q = understood(value)?;
+            Ok(Ready(Box::new(move |progress| {
+                json(&answer(&request, progress)?)
+            })))
+        }),
+        #[cfg(feature = "schema")]
+        request: OnceLock::new(),
+        long: true,
+    }
+}
+
+/// A command that is done in a moment.
+fn short<Q, A>(name: &'static str, answer: fn(&Q) -> Result<A, Problem>) -> CommandEntry
+where
+    Q: DeserializeOwned + JsonSchema + Send + 'static,
+    A: Serialize + JsonSchema + 'static,
+{
+    CommandEntry {
+        long: false,
+        ..long(name, move |request: &Q, _: &dyn Progress| answer(request))
+    }
 }
 
 /// Every command; those on campaigns need the feature `files`, and many `whole`.
 pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     let always = [
-        command!("force", ForceRequest => PointAnswer, |r, _progress| force(&r)),
-        command!("pressure", PressureRequest => PointAnswer, |r, _progress| pressure(&r)),
-        command!("contraction", ContractionRequest => PointAnswer, |r, _progress| contraction(&r)),
-        command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
-        command!("check", CheckRequest => CheckAnswer, |r, _progress| check(&r)),
-        command!("measures", MeasuresRequest => MeasuresAnswer, |r, _progress| measures(&r)),
-        command!("parts-list", PartsListRequest => PartsListAnswer, |r, _progress| parts_list(&r)),
-        command!("shape", ShapeRequest => ShapeAnswer, |r, _progress| shape(&r)),
-        command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
-        command!("units", UnitsRequest => UnitsAnswer, |r, _progress| units(&r)),
+        short("force", force),
+        short("pressure", pressure),
+        short("contraction", contraction),
+        CommandEntry {
+            long: false,
+            ..long("curve", curve)
+        },
+        short("check", check),
+        short("measures", measures),
+        short("parts-list", parts_list),
+        short("shape", shape),
+        short("quantities", quantities),
+        short("units", units),
     ];
     #[cfg(not(feature = "whole"))]
     let whole = [];
     #[cfg(feature = "whole")]
     let whole = [
-        command!("fill", FillRequest => FillAnswer, |r, _progress| fill(&r)),
-        command!(long "design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
-        command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
-        command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
-        command!(long "study", StudyRequest => StudyAnswer, |r, _progress| study(&r)),
-        command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress)),
-        command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
-        command!(long "measured", MeasuredRequest => MeasuredAnswer, |r, progress| measured(&r, progress)),
-        command!(long "compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
-        command!(long "identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
-        command!(long "fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
-        command!(long "fit-report", FitReportRequest => Results, |r, progress| fit_report(&r, progress)),
-        command!(long "plan", PlanRequest => PlanAnswer, |r, progress| plan(&r, progress)),
-        command!("check-formula", CheckFormulaRequest => CheckFormulaAnswer, |r, _progress| check_formula(&r)),
-        command!("parts-show", PartShowRequest => PartShowAnswer, |r, _progress| part_show(&r)),
-        command!(long "rubber", RubberFitRequest => RubberFitAnswer, |r, progress| rubber_fit(&r, progress)),
-        command!(long "build", BuildRequest => BuildAnswer, |r, progress| build(&r, progress)),
-        command!(long "export", ExportRequest => ExportAnswer, |r, _progress| export(&r)),
-        command!(long "export-joint", ExportJointRequest => ExportJointAnswer, |r, _progress| export_joint(&r)),
-        command!("export-list", ExportListRequest => ExportListAnswer, |r, _progress| export_list(&r)),
+        short("fill", fill),
+        long("design", design),
+        long("joint", joint),
+        long("motion", motion),
+        long("study", |r, _| study(r)),
+        long("simulate", simulate),
+        long("validate", validate),
+        long("measured", measured),
+        long("compare", compare),
+        long("identify", identify),
+        long("fit", fit),
+        long("fit-report", fit_report),
+        long("plan", plan),
+        short("check-formula", check_formula),
+        short("parts-show", part_show),
+        long("rubber", rubber_fit),
+        long("build", build),
+        long("export", |r, _| export(r)),
+        long("export-joint", |r, _| export_joint(r)),
+        short("export-list", export_list),
     ];
     #[cfg(not(feature = "files"))]
     let files = [];
     #[cfg(feature = "files")]
     let files = [
-        command!(long "campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
-        command!("campaign-show", CampaignShowRequest => Summary, |r, _progress| campaign_show(&r)),
-        command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
-        command!("campaign-status", CampaignStatusRequest => CampaignStatus, |r, _progress| campaign_status(&r)),
+        long("campaign", campaign),
+        short("campaign-show", campaign_show),
+        short("campaign-merge", campaign_merge),
+        short("campaign-status", campaign_status),
     ];
     always.into_iter().chain(whole).chain(files).collect()
 });
@@ -296,8 +314,9 @@ fn blamed<'a>(fields: &'a Value, said: &str, wrong: &dyn Fn(&Value) -> String) -
     };
     let fields_of = || fields.as_object().into_iter().flatten();
     let others = || {
-        let others = fields_of().map(|(name, value)| (name, value, without(name)));
-        others.filter(|(_, _, other)| other != said)
+        fields_of()
+            .map(|(name, value)| (name, value, without(name)))
+            .filter(|(_, _, other)| other != said)
     };
     // A field that must be there is to blame where no other one is.
     let (name, value, _) = others()
@@ -316,11 +335,10 @@ pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
         let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
         let meant = meant(nearest(command, names.iter().copied()));
-        let message = format!(
+        ProblemKind::Usage.problem(format!(
             "there is no command \"{command}\"{meant}; the commands are {}",
             names.join(", ")
-        );
-        Problem::new(ProblemKind::Usage, message, "")
+        ))
     })
 }
 
@@ -344,11 +362,13 @@ const PLAIN: [(&str, &str); 12] = [
 fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
     let said = error.to_string();
     let plain = |words: &str| {
-        let known = PLAIN.into_iter().find(|(from, _)| words.starts_with(from));
-        known.map_or_else(
-            || words.to_owned(),
-            |(from, plain)| words.replacen(from, plain, 1).replace('`', ""),
-        )
+        PLAIN
+            .into_iter()
+            .find(|(from, _)| words.starts_with(from))
+            .map_or_else(
+                || words.to_owned(),
+                |(from, plain)| words.replacen(from, plain, 1).replace('`', ""),
+            )
     };
     let parts = said
         .strip_prefix("invalid type: ")
@@ -383,7 +403,7 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
         None if field.is_some() => said,
         None => format!("the request cannot be understood: {said}"),
     };
-    let problem = Problem::new(ProblemKind::Usage, message, "");
+    let problem = ProblemKind::Usage.problem(message);
     if let Some(field) = field {
         problem.in_field(field)
     } else {
@@ -392,11 +412,6 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
 }
 
 fn json<A: Serialize>(answer: &A) -> Result<Value, Problem> {
-    serde_json::to_value(answer).map_err(|e| {
-        Problem::new(
-            ProblemKind::Output,
-            format!("the answer cannot be written: {e}"),
-            "",
-        )
-    })
+    serde_json::to_value(answer)
+        .map_err(|e| ProblemKind::Output.problem(format!("the answer cannot be written: {e}")))
 }

@@ -111,7 +111,6 @@ pub struct CompareAnswer {
     /// The models.
     pub models: Vec<ComparedModel>,
     /// Warnings about the muscle and its rubber, in sentences.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,
@@ -247,8 +246,9 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let of_muscle = muscle.warnings().into_iter().chain(doubts);
     let warned: Vec<Warning> = of_muscle.map(Warning::from).chain(beyond).collect();
     let figure = request.figure.as_ref().map(|unit| {
-        let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
-        let fits: String = fits
+        let fits: String = compared
+            .iter()
+            .filter(|c| !c.row.fitted().is_empty())
             .map(|c| format!(". {} fitted: {}", c.row.errors.model, c.row.fitted()))
             .collect();
         let about = format!("{}{fits}", MuscleSummary::from(&muscle).line(unit));
@@ -483,7 +483,7 @@ fn fitted(
         let message = format!(
             "{points} points are too few to fit {unknowns} constants: measure at least {least}"
         );
-        return Err(Problem::new(ProblemKind::Fit, message, ""));
+        return Err(ProblemKind::Fit.problem(message));
     }
     let start = |c: FitConstant| Some(c.target().value(muscle).unwrap_or(STIFF));
     let parameter = |&c: &FitConstant| Parameter {
@@ -497,13 +497,11 @@ fn fitted(
     };
     let identified = identify(&request).map_err(|error| match error {
         IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),
-        IdentifyError::Estimate(_) => Problem::new(
-            ProblemKind::NotConverged,
-            format!("the fit did not converge: {error}"),
-            "",
-        ),
+        IdentifyError::Estimate(_) => {
+            ProblemKind::NotConverged.problem(format!("the fit did not converge: {error}"))
+        }
         error @ (IdentifyError::Flipped(_) | IdentifyError::NoRubber { .. }) => error.into(),
-        other => Problem::new(ProblemKind::Fit, other.to_string(), ""),
+        other => ProblemKind::Fit.problem(other),
     })?;
     Ok((
         identified.muscle,

@@ -40,16 +40,17 @@ impl Contractions {
     /// The ratios, of a muscle of the length L0 in mm.
     pub(crate) fn of_length(&self, length_mm: f64) -> Result<Vec<f64>> {
         let divisor = if self.in_mm { length_mm } else { 1.0 };
-        let ratios = self.values.iter().map(|value| ratio(value / divisor));
-        ratios.collect()
+        self.values
+            .iter()
+            .map(|value| ratio(value / divisor))
+            .collect()
     }
 }
 
 impl Contraction {
     /// The ratio, of a muscle of the length L0 in mm.
     pub(crate) fn of_length(&self, length_mm: f64) -> Result<f64> {
-        let ratios = self.0.of_length(length_mm)?;
-        Ok(ratios.first().copied().unwrap_or(0.0))
+        Ok(self.0.of_length(length_mm)?.first().copied().unwrap_or(0.0))
     }
 }
 
@@ -97,7 +98,7 @@ impl FromStr for Contractions {
                 RangeError::Quantity(_) => ProblemKind::Quantity,
                 RangeError::Form(_) => ProblemKind::Range,
             };
-            Problem::new(kind, error.to_string(), "")
+            kind.problem(error)
         })?;
         Ok(Self { values, in_mm })
     }
@@ -112,8 +113,8 @@ impl FromStr for Contraction {
             return Ok(Self(contractions));
         }
         let error = text.parse::<Ratio>().err();
-        let message = error.map_or_else(String::new, |error| error.to_string());
-        Err(Problem::new(ProblemKind::Quantity, message, ""))
+        Err(ProblemKind::Quantity
+            .problem(error.map_or_else(String::new, |error| error.to_string())))
     }
 }
 
@@ -137,8 +138,7 @@ impl TryFrom<Given> for Contraction {
             Given::One(ratio) => Ok(ratio.into()),
             Given::Text(text) => text.parse(),
             Given::Several(_) => {
-                let message = "one contraction is needed, not a list";
-                Err(Problem::new(ProblemKind::Quantity, message, ""))
+                Err(ProblemKind::Quantity.problem("one contraction is needed, not a list"))
             }
         }
     }

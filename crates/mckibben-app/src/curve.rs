@@ -33,6 +33,7 @@ use mckibben_core::{
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_with_macros::skip_serializing_none;
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P;
 /// isobaric: P fixed, F over ε.
@@ -113,7 +114,7 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         (Some(_), false) => {
             let message =
                 "`load` is for isobaric tests only, where the pressure is constant along a curve";
-            return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
+            return Err(ProblemKind::Usage.problem(message).in_field("load"));
         }
     };
     let mut family = Family::default();
@@ -265,9 +266,9 @@ pub fn list<Q>(
 ) -> Result<Vec<f64>> {
     match values {
         None => Ok(default()),
-        Some(values) if values.is_empty() => {
-            Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field))
-        }
+        Some(values) if values.is_empty() => Err(ProblemKind::Range
+            .problem("the list is empty")
+            .in_field(field)),
         Some(values) => values.iter().map(|&v| finite(field, v)).collect(),
     }
 }
@@ -280,8 +281,9 @@ pub fn contractions(
     let Some(values) = values else {
         return Ok(default());
     };
-    let ratios = values.of_length(length_mm);
-    let ratios = ratios.map_err(|problem| problem.in_field("contractions"))?;
+    let ratios = values
+        .of_length(length_mm)
+        .map_err(|problem| problem.in_field("contractions"))?;
     list("contractions", &Some(List::<Ratio>::from(ratios)), Vec::new)
 }
 
@@ -320,11 +322,10 @@ pub fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<
 
 /// Where no point has an answer: the first of the gravest reasons, those before among them.
 fn all_failed(curve: &Curve, before: Option<Problem>) -> Option<Problem> {
-    let errors = curve
+    curve
         .points
         .iter()
-        .filter_map(|point| point.answer.as_ref().err());
-    errors
+        .filter_map(|point| point.answer.as_ref().err())
         .map(|e| Problem::from(e.clone()))
         .fold(before, |gravest, problem| {
             let graver = gravest
@@ -335,7 +336,7 @@ fn all_failed(curve: &Curve, before: Option<Problem>) -> Option<Problem> {
 }
 
 /// A family of curves.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct CurveAnswer {
     /// The model's name.
@@ -348,7 +349,6 @@ pub struct CurveAnswer {
     /// requested.
     pub fixed: Vec<f64>,
     /// Warnings; of each kind the most serious.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The pressures that the muscle bears.
     #[serde(flatten)]
@@ -386,7 +386,7 @@ pub enum PointRow {
 }
 
 /// The quantities that fix a point.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 pub struct RequestedPoint {
     /// Requested pressure, MPa.
@@ -464,7 +464,7 @@ pub struct StudyRequest {
 
 /// The study: curves of five walls and of the ideal formula, and the paper's findings with a
 /// verdict on each.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyAnswer {
     /// The model's name.
@@ -478,14 +478,13 @@ pub struct StudyAnswer {
     #[schemars(with = "Vec<StudyRow>")]
     pub panels: Vec<StudyPanel>,
     /// Warnings, in sentences: those of the points, once per wall.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,
 }
 
 /// A point of the study.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyRow {
     /// The point.
@@ -507,10 +506,10 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
         model,
         asking,
     } = &request.question;
-    let sizes = fields()
+    let sizes: Vec<(&str, bool)> = fields()
         .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
-        .map(|(field, measure)| (field, m.measures.get(measure).is_some()));
-    let sizes: Vec<(&str, bool)> = sizes.collect();
+        .map(|(field, measure)| (field, m.measures.get(measure).is_some()))
+        .collect();
     Problem::refuse_unused(
         &sizes,
         "the study has the diameter, walls and length of the paper",

@@ -180,10 +180,11 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     Evaluation::new(model, &mut Workspace::new(), Options::default())
         .check_range(supply_mpa, 0.0)?;
     let end = |field, contraction: &Option<Contraction>| {
-        let ratio = contraction
+        contraction
             .as_ref()
-            .map(|e| e.of_length(muscle.length_mm()));
-        ratio.transpose().map_err(|problem| problem.in_field(field))
+            .map(|e| e.of_length(muscle.length_mm()))
+            .transpose()
+            .map_err(|problem| problem.in_field(field))
     };
     let name = name_of(request.name.as_ref(), request.muscle.file(), "muscle");
     let wanted = BoxRequest {

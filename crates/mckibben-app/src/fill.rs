@@ -131,7 +131,7 @@ impl From<FillError> for Problem {
             FillError::TooLarge { .. } => "volume_mm3",
             FillError::Refused(refused) => refused.fields[0],
         };
-        Self::new(ProblemKind::NoAnswer, error.to_string(), "").in_field(field)
+        ProblemKind::NoAnswer.problem(error).in_field(field)
     }
 }
 
@@ -145,8 +145,11 @@ pub fn fill(request: &FillRequest) -> Result<FillAnswer> {
     } = request.liquid.supply()?;
     let mut question = request.question.ask()?;
     let length_mm = question.muscle.length_mm();
-    let held_at = request.contraction.as_ref();
-    let held_at = held_at.map(|e| e.of_length(length_mm)).transpose()?;
+    let held_at = request
+        .contraction
+        .as_ref()
+        .map(|e| e.of_length(length_mm))
+        .transpose()?;
     let load = request.load.resolve(length_mm)?;
     let filling = Filling {
         liquid: &liquid,
@@ -188,7 +191,9 @@ impl LiquidFields {
     pub(crate) fn supply(&self) -> Result<LiquidSupply> {
         let name = self.liquid.as_deref().unwrap_or("water");
         let wrong = |error: Refused| {
-            Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field(error.fields[0])
+            ProblemKind::Quantity
+                .problem(&error)
+                .in_field(error.fields[0])
         };
         let mut liquid =
             Liquid::named(name, self.gas_share.unwrap_or_default().0).map_err(wrong)?;

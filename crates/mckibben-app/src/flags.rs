@@ -130,20 +130,26 @@ mod parsers {
     }
 
     fn models() -> Vec<String> {
-        let all = Model::all().into_iter();
-        all.map(|model| model.name.to_owned()).collect()
+        Model::all()
+            .into_iter()
+            .map(|model| model.name.to_owned())
+            .collect()
     }
 
     fn rubber_names() -> Vec<String> {
         let all = rubber::library::entries().ok();
-        let all = all.iter().flat_map(|list| list.iter());
-        all.map(|entry| entry.name.clone()).collect()
+        all.iter()
+            .flat_map(|list| list.iter())
+            .map(|entry| entry.name.clone())
+            .collect()
     }
 
     fn sleeve_names() -> Vec<String> {
         let all = sleeve::library::entries().ok();
-        let all = all.iter().flat_map(|list| list.iter());
-        all.map(|entry| entry.sleeve.shape.name.clone()).collect()
+        all.iter()
+            .flat_map(|list| list.iter())
+            .map(|entry| entry.sleeve.shape.name.clone())
+            .collect()
     }
 
     /// The name of a rubber.
@@ -218,9 +224,7 @@ mod parsers {
     /// A volume. Users think of mL, and the unit inside is a thousandth of it.
     pub fn volume(text: &str) -> Result<Volume, Problem> {
         let text = text.trim();
-        let volume: Volume = text
-            .parse()
-            .map_err(|e| Problem::new(ProblemKind::Quantity, format!("{e}"), ""))?;
+        let volume: Volume = text.parse().map_err(|e| ProblemKind::Quantity.problem(e))?;
         if volume.0 != 0.0 && text.parse::<f64>().is_ok() {
             let message = format!("\"{text}\" has no unit, and a bare number is mm³");
             let hint = format!("write {text}mL or {text}mm3");
@@ -241,8 +245,11 @@ mod parsers {
                 let arg = arg
                     .value_name(measure.value_name())
                     .help(measure.help().replacen(" at rest", "", 1));
-                let arg = arg.hide_short_help(measure.short.is_none() && *measure != ANGLE);
-                Some(arg.value_parser(read).short(measure.short))
+                Some(
+                    arg.hide_short_help(measure.short.is_none() && *measure != ANGLE)
+                        .value_parser(read)
+                        .short(measure.short),
+                )
             });
             command.args(args)
         }
@@ -278,10 +285,8 @@ mod parsers {
             return Ok(word);
         }
         let read: Result<mckibben_core::units::typed::Stiffness, _> = text.parse();
-        let wrong = |e| {
-            let message = format!("{e}, or `inextensible`, or `paper`");
-            Problem::new(ProblemKind::Quantity, message, "")
-        };
+        let wrong =
+            |e| ProblemKind::Quantity.problem(format!("{e}, or `inextensible`, or `paper`"));
         Ok(crate::Stiffness::NewtonPerMm(read.map_err(wrong)?.0))
     }
 
@@ -299,8 +304,9 @@ mod parsers {
         }
         let length = |at: usize| {
             let read = words.get(at).map(|text| text.parse::<Length>());
-            let read = read.transpose().map(|length| length.map(f64::from));
-            read.map_err(|e| Problem::new(ProblemKind::Quantity, e.to_string(), ""))
+            read.transpose()
+                .map(|length| length.map(f64::from))
+                .map_err(|e| ProblemKind::Quantity.problem(e))
         };
         Ok(Plug {
             material,
@@ -333,16 +339,19 @@ mod parsers {
     /// A whole number from one to another.
     pub fn between<const LOW: usize, const HIGH: usize>(text: &str) -> Result<usize, String> {
         let number = text.trim().parse().ok();
-        let within = number.filter(|n| (LOW..=HIGH).contains(n));
-        within.ok_or_else(|| format!("{text} is not in {LOW}..={HIGH}"))
+        number
+            .filter(|n| (LOW..=HIGH).contains(n))
+            .ok_or_else(|| format!("{text} is not in {LOW}..={HIGH}"))
     }
 
     /// The name of a target of `export`.
     pub fn targets() -> Names<String> {
         let list = || {
             let all = crate::export_list(&crate::ExportListRequest {}).ok();
-            let all = all.into_iter().flat_map(|answer| answer.targets);
-            all.map(|target| target.name.to_owned()).collect()
+            all.into_iter()
+                .flat_map(|answer| answer.targets)
+                .map(|target| target.name.to_owned())
+                .collect()
         };
         Names { list, read: text }
     }

@@ -37,6 +37,7 @@ use mckibben_io::table::{OverTime, read_over_time};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_with_macros::skip_serializing_none;
 
 /// Points, and the parameters of a muscle to identify from them.
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
@@ -125,7 +126,7 @@ pub enum Branches {
 const MOST_POINTS: usize = 100_000;
 
 /// Result of the identification.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct IdentifyAnswer {
     /// The model.
@@ -155,7 +156,7 @@ pub struct IdentifyAnswer {
 }
 
 /// Fit of a rubber law to the points.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct LawRow {
     /// The law.
@@ -192,7 +193,7 @@ impl LawRow {
 }
 
 /// A point, with the value of the model.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct IdentifiedPoint {
     /// Measures of its muscle that it states.

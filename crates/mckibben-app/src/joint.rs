@@ -40,9 +40,11 @@ pub struct JointFields {
 impl JointFields {
     /// The names of the muscle files that a joint file names.
     pub fn files_of(joint: &TextFile) -> Result<Vec<String>> {
-        let file = parse_joint(&joint.text)
-            .map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?;
-        Ok(file.files().map(str::to_owned).collect())
+        Ok(parse_joint(&joint.text)
+            .map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?
+            .files()
+            .map(str::to_owned)
+            .collect())
     }
 
     pub(crate) fn resolve(&self) -> Result<Joint> {
@@ -58,14 +60,15 @@ impl JointFields {
                 .iter()
                 .find(|m| m.name == name)
                 .ok_or_else(|| {
-                    let message = format!("{}: its muscle file {name} is missing", text.name);
-                    Problem::new(ProblemKind::File, message, "").in_field("muscles")
+                    ProblemKind::File
+                        .problem(format!("{}: its muscle file {name} is missing", text.name))
+                        .in_field("muscles")
                 })?;
             MuscleFields::from_file(of.clone()).resolve()
         };
         let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
         file.with_muscles(muscles)
-            .map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))
+            .map_err(|e| ProblemKind::File.problem(format!("{}: {e}", text.name)))
     }
 }
 
@@ -233,9 +236,11 @@ impl JointRequest {
         }
         for &p in self.pressures_mpa.iter().flat_map(|list| list.iter()) {
             if !(p.is_finite() && p >= 0.0) {
-                let message = format!("{p}\u{a0}MPa is not a valid gauge pressure of a muscle");
-                let problem = Problem::new(ProblemKind::Quantity, message, "");
-                return Err(problem.in_field("pressures_mpa"));
+                return Err(ProblemKind::Quantity
+                    .problem(format!(
+                        "{p}\u{a0}MPa is not a valid gauge pressure of a muscle"
+                    ))
+                    .in_field("pressures_mpa"));
             }
         }
         for &angle in self.angles_deg.as_deref().unwrap_or_default() {
@@ -563,7 +568,6 @@ pub struct JointAnswer {
     /// `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
     pub uncertainty_text: Option<String>,
     /// Warnings.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,

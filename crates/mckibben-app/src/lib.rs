@@ -30,7 +30,6 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 // What only flags use.
 #![cfg_attr(not(feature = "clap"), allow(unused_imports))]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod batch;
 mod braid;

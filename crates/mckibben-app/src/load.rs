@@ -2,7 +2,7 @@
 
 mod page;
 
-use crate::{Problem, ProblemKind, Result, TextFile, flags::Args};
+use crate::{ProblemKind, Result, TextFile, flags::Args};
 use mckibben_core::{
     analysis::Evaluation,
     cancel,
@@ -38,7 +38,8 @@ impl LoadFields {
         };
         let read = |file: &TextFile| -> Result<(String, LoadTable)> {
             let bad = |error: &dyn fmt::Display| {
-                Problem::new(ProblemKind::Data, format!("{}: {error}", file.name), "")
+                ProblemKind::Data
+                    .problem(format!("{}: {error}", file.name))
                     .in_field("load_tables")
             };
             if !cfg!(feature = "whole") {
@@ -57,9 +58,7 @@ impl LoadFields {
             .collect::<Result<BTreeMap<_, _>, _>>()?;
         Load::parse(text, &|name| tables.get(name).cloned())
             .map(Some)
-            .map_err(|error| {
-                Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load")
-            })
+            .map_err(|error| ProblemKind::Quantity.problem(error).in_field("load"))
     }
 }
 

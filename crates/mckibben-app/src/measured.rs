@@ -107,8 +107,8 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
         .cases
         .iter()
         .map(Measurement::read)
-        .collect::<Result<Vec<_>, _>>();
-    let read = read.map_err(|error| Problem::from(&error))?;
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|error| Problem::from(&error))?;
     let all = if read.is_empty() {
         measurements().map_err(Problem::from)?
     } else {
@@ -222,6 +222,6 @@ impl From<&CaseError> for Problem {
             CaseError::Parameter { .. } => ProblemKind::Parameter,
             _ => ProblemKind::File,
         };
-        Self::new(kind, error.to_string(), "")
+        kind.problem(error)
     }
 }

@@ -83,15 +83,14 @@ impl Model {
             return Ok(Self::ClosedForm(kind));
         }
         let names: Vec<_> = Self::all().into_iter().map(|entry| entry.name).collect();
-        let message = unknown_model(name, &names).to_string();
-        Err(Problem::new(ProblemKind::Model, message, ""))
+        Err(ProblemKind::Model.problem(unknown_model(name, &names).to_string()))
     }
 
     /// The model of a formula's file.
     pub fn from_formula(file: &TextFile) -> Result<Self> {
         if !cfg!(feature = "whole") {
-            let message = "formula files need the full engine; this is a reduced one";
-            return Err(Problem::new(ProblemKind::Formula, message, ""));
+            return Err(ProblemKind::Formula
+                .problem("formula files need the full engine; this is a reduced one"));
         }
         let read =
             Document::parse(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?;

@@ -49,7 +49,7 @@ impl MuscleFields {
                 place: None,
                 ..error
             };
-            Problem::new(ProblemKind::File, error.to_string(), "").in_field("with")
+            ProblemKind::File.problem(error).in_field("with")
         })?)
     }
 
@@ -135,8 +135,8 @@ pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
         return Err(Problem::new(ProblemKind::File, message, hint).in_field("muscle"));
     };
     if !cfg!(feature = "whole") {
-        let message = "the library of muscles needs the full engine; this is a reduced one";
-        return Err(Problem::new(ProblemKind::File, message, ""));
+        return Err(ProblemKind::File
+            .problem("the library of muscles needs the full engine; this is a reduced one"));
     }
     let hint = "`parts list muscles` shows them with their sources";
     muscles::file(name)
@@ -151,7 +151,7 @@ pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
 
 /// A rubber of the library.
 pub fn rubber(name: &str) -> Result<Rubber, Problem> {
-    library::find(name.trim()).map_err(|e| Problem::new(ProblemKind::Rubber, e.to_string(), ""))
+    library::find(name.trim()).map_err(|e| ProblemKind::Rubber.problem(e))
 }
 
 /// A sleeve of the library.
@@ -163,8 +163,10 @@ impl From<MuscleError> for Problem {
     fn from(error: MuscleError) -> Self {
         let first = error.fields.first().copied().unwrap_or_default();
         // Keys of a muscle file are fields in a request.
-        let names = MEASURES.iter().filter_map(|m| Some((m.name(), m.field?)));
-        let names = names.chain([("strand_diameter", "strand_diameter_mm")]);
+        let names = MEASURES
+            .iter()
+            .filter_map(|m| Some((m.name(), m.field?)))
+            .chain([("strand_diameter", "strand_diameter_mm")]);
         let in_fields = |message: String| {
             names.fold(message, |text, (key, field)| {
                 text.replace(&format!("`{key}`"), &format!("`{field}`"))
@@ -179,10 +181,8 @@ impl From<MuscleError> for Problem {
                 let message = in_fields(format!("`{field}`{rest}"));
                 Self::new(ProblemKind::Usage, message, "a muscle file can state it").in_field(field)
             }
-            None if first == "braid.name" => {
-                Self::new(ProblemKind::Braid, in_fields(error.message), "")
-            }
-            None => Self::new(ProblemKind::Muscle, in_fields(error.message), ""),
+            None if first == "braid.name" => ProblemKind::Braid.problem(in_fields(error.message)),
+            None => ProblemKind::Muscle.problem(in_fields(error.message)),
         }
     }
 }

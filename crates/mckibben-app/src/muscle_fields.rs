@@ -167,8 +167,8 @@ impl FromStr for TubeSize {
             inner.to_owned()
         };
         let length = |text: &str| {
-            let read = text.parse::<Length>();
-            read.map_err(|e| Problem::new(ProblemKind::Quantity, e.to_string(), ""))
+            text.parse::<Length>()
+                .map_err(|e| ProblemKind::Quantity.problem(e))
         };
         let (Length(inner_mm), Length(outer_mm)) = (length(&inner)?, length(outer)?);
         if 0.0 < inner_mm && inner_mm < outer_mm {

@@ -139,13 +139,14 @@ pub fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
 }
 
 pub fn unread(error: tubes::TubeError) -> Problem {
-    Problem::new(ProblemKind::Specification, error.to_string(), "")
+    ProblemKind::Specification.problem(error)
 }
 
 /// The tubes of a user's table, where it has some: in place of the catalogue's.
 pub fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>, Problem> {
-    let read = parts.map(|file| tubes::read(&file.text)).transpose();
-    Ok(read
+    Ok(parts
+        .map(|file| tubes::read(&file.text))
+        .transpose()
         .map_err(|e| unread(e).in_field("parts"))?
         .filter(|tubes| !tubes.is_empty()))
 }
@@ -221,8 +222,7 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
     let all = tubes
         .iter()
         .map(|t| t.name.as_str())
-        .chain(sleeves.iter().map(|s| s.name.as_str()));
-    let all = all
+        .chain(sleeves.iter().map(|s| s.name.as_str()))
         .chain(rubbers.iter().map(|r| r.name.as_str()))
         .chain(muscles.iter().map(String::as_str));
     let all = all.chain(Model::all().into_iter().map(|m| m.name));

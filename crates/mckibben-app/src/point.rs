@@ -197,13 +197,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
             .or(list.clone().next())
             .map(|e| e.answer.clone());
         said = said.take().or(answer);
-        best.ok_or_else(|| {
-            Problem::new(
-                ProblemKind::NoAnswer,
-                "there is no equilibrium with the load",
-                "",
-            )
-        })
+        best.ok_or_else(|| ProblemKind::NoAnswer.problem("there is no equilibrium with the load"))
     })?;
     answer.loaded = said;
     Ok(answer)
@@ -223,8 +217,9 @@ fn answered(
     }
     let mut on = |options| ask(&mut question.evaluation().with(options));
     let mut point = on(options)?;
-    let both = Direction::BRANCHES.into_iter().filter(|_| both);
-    let branches: Vec<Answer> = both
+    let branches: Vec<Answer> = Direction::BRANCHES
+        .into_iter()
+        .filter(|_| both)
         .map(|direction| {
             on(Options {
                 direction,
@@ -257,12 +252,9 @@ pub fn finite(field: &str, value: impl Into<f64>) -> Result<f64> {
     if value.is_finite() {
         return Ok(value);
     }
-    Err(Problem::new(
-        ProblemKind::Quantity,
-        format!("{value} is not a finite number"),
-        "",
-    )
-    .in_field(field))
+    Err(ProblemKind::Quantity
+        .problem(format!("{value} is not a finite number"))
+        .in_field(field))
 }
 
 /// A number above zero.
@@ -272,7 +264,9 @@ pub fn above_zero(kind: ProblemKind, field: &str, value: impl Into<f64>) -> Resu
         return Ok(value);
     }
     let unit = NamedUnit::of_field(field).map_or("", |of| of.unit);
-    Err(Problem::new(kind, format!("{value} {unit}; it must be above zero"), "").in_field(field))
+    Err(kind
+        .problem(format!("{value} {unit}; it must be above zero"))
+        .in_field(field))
 }
 
 /// Refuses a push where the muscle is allowed to lie slack instead.
@@ -326,8 +320,10 @@ impl Question {
     /// A contraction ratio of its muscle; 0 where none is given.
     fn ratio(&self, contraction: &Option<Contraction>) -> Result<f64> {
         let length_mm = self.muscle.length_mm();
-        let ratio = contraction.as_ref().map(|e| e.of_length(length_mm));
-        ratio.unwrap_or(Ok(0.0))
+        contraction
+            .as_ref()
+            .map(|e| e.of_length(length_mm))
+            .unwrap_or(Ok(0.0))
     }
 }
 

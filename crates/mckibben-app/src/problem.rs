@@ -122,6 +122,11 @@ impl ProblemKind {
             _ => Ending::WrongInput,
         }
     }
+
+    /// A problem of this kind, without advice.
+    pub fn problem(self, message: impl fmt::Display) -> Problem {
+        Problem::new(self, message.to_string(), "")
+    }
 }
 
 mckibben_core::units::display_as_serde_word!(ProblemKind);
@@ -184,33 +189,31 @@ impl Problem {
 
     /// A table that cannot be read.
     pub fn of_table(name: &str, error: &TableError) -> Self {
-        Self::new(ProblemKind::Data, format!("{name}: {error}"), "")
+        ProblemKind::Data.problem(format!("{name}: {error}"))
     }
 
     /// A field that must be there and is not.
     pub fn missing(field: &str, expected: &str) -> Self {
-        Self::new(
-            ProblemKind::Usage,
-            format!("`{field}` is missing; expected {expected}"),
-            "",
-        )
+        ProblemKind::Usage.problem(format!("`{field}` is missing; expected {expected}"))
     }
 
     /// Refuses all but one of fields that say the same, in a sentence of what each of them does.
     pub fn refuse_several(fields: &[(&str, bool)], each: &str) -> Result<(), Self> {
-        let given = fields.iter().filter(|field| field.1);
-        let names: Vec<String> = given.map(|field| format!("`{}`", field.0)).collect();
+        let names: Vec<String> = fields
+            .iter()
+            .filter(|field| field.1)
+            .map(|field| format!("`{}`", field.0))
+            .collect();
         let [first @ .., last] = &names[..] else {
             return Ok(());
         };
         if first.is_empty() {
             return Ok(());
         }
-        let message = format!(
+        Err(ProblemKind::Usage.problem(format!(
             "{} and {last} each {each}: give one of them",
             first.join(", ")
-        );
-        Err(Self::new(ProblemKind::Usage, message, ""))
+        )))
     }
 
     /// Refuses fields that are there and would change nothing, with the reason, which names the
@@ -345,12 +348,12 @@ impl From<ModelError> for Problem {
                 };
                 Self::new(ProblemKind::MissingInput, message, hint)
             }
-            ModelError::Elements(_) => Self::new(ProblemKind::Mesh, message, ""),
+            ModelError::Elements(_) => ProblemKind::Mesh.problem(message),
             ModelError::Cancelled(cancelled) => cancelled.into(),
             ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
-                Self::new(ProblemKind::NotConverged, message, "")
+                ProblemKind::NotConverged.problem(message)
             }
-            _ => Self::new(ProblemKind::NoAnswer, message, ""),
+            _ => ProblemKind::NoAnswer.problem(message),
         }
     }
 }
@@ -478,8 +481,9 @@ pub fn panics_are_problems() {
 }
 
 fn internal(cause: &(dyn Any + Send)) -> Problem {
-    let said = cause.downcast_ref::<&str>().copied();
-    let said = said
+    let said = cause
+        .downcast_ref::<&str>()
+        .copied()
         .or_else(|| cause.downcast_ref::<String>().map(String::as_str))
         .unwrap_or("no reason given");
     let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner).take();

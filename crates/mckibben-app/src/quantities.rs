@@ -70,8 +70,8 @@ const DIVISIONS: usize = 20;
 /// Texts of a user as numbers, of which there may be [`MAX_POINTS`](mckibben_core::units::MAX_POINTS).
 pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Problem> {
     let mut points = 0.0;
-    let wrong = |kind, message: String| Reading::Wrong {
-        problem: Problem::new(kind, message, ""),
+    let wrong = |kind: ProblemKind, message: String| Reading::Wrong {
+        problem: kind.problem(message),
     };
     let mut read = |typed: &Typed| {
         let reading = if !typed.list {

@@ -169,9 +169,12 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
     // The title and the lead say these.
     let said = ["muscle", "model", "pressure", "contraction", "shortening"];
     let rows = point.rows(u).only(|label| !said.contains(&label));
-    let more = shown.characteristics.as_ref().map(|c| c.rows(u));
-    let more = more.unwrap_or_default();
-    let more = more.only(|label| rows.iter().all(|(name, _)| name != label));
+    let more = shown
+        .characteristics
+        .as_ref()
+        .map(|c| c.rows(u))
+        .unwrap_or_default()
+        .only(|label| rows.iter().all(|(name, _)| name != label));
     let rows = rows.and(more);
     vec![Part::Heading("Performance".into()), table(rows)]
 }
@@ -237,8 +240,7 @@ fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) ->
     let rows = answer
         .models
         .iter()
-        .filter(|m| m.errors.model != answer.reference);
-    let rows = rows
+        .filter(|m| m.errors.model != answer.reference)
         .map(|m| {
             vec![
                 m.errors.model.clone(),

@@ -242,8 +242,8 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
             &several,
             "`relaxation` and `softening` are of one specimen: give one table",
         )?;
-        let points = read_history(&first.text, &request.tables.columns);
-        points.map_err(|error| Problem::of_table(&first.name, &error))
+        read_history(&first.text, &request.tables.columns)
+            .map_err(|error| Problem::of_table(&first.name, &error))
     };
     let relaxes = |branches| form().and_then(|form| Ok(fit_prony(&history()?, form, branches)?));
     let relaxation = request.relaxation.map(relaxes).transpose()?;

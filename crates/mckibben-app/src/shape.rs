@@ -74,11 +74,7 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     let model = Model::named("fe", &request.mesh)?;
     model.admit(&muscle)?;
     let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
-        return Err(Problem::new(
-            ProblemKind::Model,
-            "the shape is always computed by `fe`",
-            "",
-        ));
+        return Err(ProblemKind::Model.problem("the shape is always computed by `fe`"));
     };
     let pressure_mpa = given(
         "pressure_mpa",
@@ -86,11 +82,12 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
         "a pressure, such as 0.2 MPa",
     )?;
     if pressure_mpa < 0.0 {
-        let message = format!("{pressure_mpa}\u{a0}MPa is below zero");
-        return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
+        return Err(ProblemKind::OutOfRange
+            .problem(format!("{pressure_mpa}\u{a0}MPa is below zero"))
+            .in_field("pressure_mpa"));
     }
     let fe = Axisymmetric::with_mesh(&muscle.between_ends(), mesh)
-        .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
+        .map_err(|e| ProblemKind::Mesh.problem(e))?;
     let workspace = &mut Workspace::new();
     let (point, shape_contraction, section) =
         point_and_shape((&fe, &muscle), workspace, pressure_mpa, request)?;

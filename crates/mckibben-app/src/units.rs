@@ -151,6 +151,9 @@ impl Scale {
     }
 }
 
+/// The kinds of quantities whose units a user selects.
+const KINDS: [Dimension; 3] = [Dimension::Pressure, Dimension::Force, Dimension::Length];
+
 /// The units of a text or figure; as text a list of names such as `bar` or `psi,lbf,in`, where what
 /// is not named is in MPa, N and mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -164,7 +167,7 @@ pub struct Units {
 }
 
 impl Units {
-    fn new(pressure: Unit, force: Unit, length: Unit, named: Vec<&'static str>) -> Self {
+    fn new([pressure, force, length]: [Unit; 3], named: Vec<&'static str>) -> Self {
         let volume = match length.name {
             "in" => Scale {
                 name: "in³".into(),
@@ -223,11 +226,9 @@ impl Units {
                 .trim()
                 .rsplit(|c: char| c.is_ascii_digit() || ".: ".contains(c))
                 .next();
-            let of = [Dimension::Pressure, Dimension::Force, Dimension::Length]
+            let named = KINDS
                 .into_iter()
-                .enumerate();
-            let named = of
-                .into_iter()
+                .enumerate()
                 .find_map(|(i, kind)| Some((i, kind.unit(unit?)?.name)));
             if let Some((i, name)) = named.filter(|(_, name)| known.contains(name)) {
                 units[i].get_or_insert(name);
@@ -287,13 +288,7 @@ impl Units {
 
 impl Default for Units {
     fn default() -> Self {
-        let inside = Dimension::unit_inside;
-        Self::new(
-            inside(Dimension::Pressure),
-            inside(Dimension::Force),
-            inside(Dimension::Length),
-            vec![],
-        )
+        Self::new(KINDS.map(Dimension::unit_inside), vec![])
     }
 }
 
@@ -301,27 +296,25 @@ impl FromStr for Units {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let kinds = [Dimension::Pressure, Dimension::Force, Dimension::Length];
-        let mut units = kinds.map(Dimension::unit_inside);
+        let mut units = KINDS.map(Dimension::unit_inside);
         let mut named = vec![];
         for word in text
             .split(',')
             .map(str::trim)
             .filter(|word| !word.is_empty())
         {
-            let Some((i, unit)) = (0..3).find_map(|i| Some((i, kinds[i].unit(word)?))) else {
+            let Some((i, unit)) = (0..3).find_map(|i| Some((i, KINDS[i].unit(word)?))) else {
                 let word: String = word.chars().take(40).collect();
                 return Err(format!(
                     "\"{word}\" is not a unit of pressure, force or length; one of {}, or several \
                      with commas: psi,lbf,in",
-                    joined(kinds.into_iter().flat_map(Dimension::unit_names), ", ")
+                    joined(KINDS.into_iter().flat_map(Dimension::unit_names), ", ")
                 ));
             };
             units[i] = unit;
             named.push(unit.name);
         }
-        let [pressure, force, length] = units;
-        Ok(Self::new(pressure, force, length, named))
+        Ok(Self::new(units, named))
     }
 }
 

@@ -18,8 +18,10 @@ pub fn of_responses<'a>(
     muscle: &Muscle,
     responses: impl Iterator<Item = &'a Response>,
 ) -> Vec<Warning> {
-    let said = muscle.warnings().into_iter().map(Warning::from);
-    let all: Vec<Warning> = said
+    let all: Vec<Warning> = muscle
+        .warnings()
+        .into_iter()
+        .map(Warning::from)
         .chain(responses.flat_map(|r| of_response(muscle, r)))
         .collect();
     Warning::gravest(&all)

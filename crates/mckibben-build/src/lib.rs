@@ -9,7 +9,6 @@
 //! Units: mm, MPa, N.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod clamps;
 mod cut;

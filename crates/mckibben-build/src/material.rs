@@ -125,8 +125,10 @@ fn sleeve(muscle: &Muscle, cut: &SleeveCut) -> BuildPart {
     let density = entry
         .and_then(|e| e.modulus_of)
         .and_then(|material| material.density_kg_per_m3);
-    let rubber_free = cut.strands.zip(cut.strand_area_mm2);
-    let volume = rubber_free.map(|(n, area)| f64::from(n) * area * cut.strand_mm);
+    let volume = cut
+        .strands
+        .zip(cut.strand_area_mm2)
+        .map(|(n, area)| f64::from(n) * area * cut.strand_mm);
     let angle = mm(muscle.braid().angle_deg);
     let amount = match (cut.relaxed_mm, cut.relaxed_diameter_mm) {
         (Some(length), Some(diameter)) => {

@@ -280,8 +280,10 @@ pub struct EyePlug {
 
 /// Hole of a bolt, thickness and width of its eye, distance of its centre, in mm.
 fn eye_mm(bolt_mm: f64) -> (f64, f64, f64, f64) {
-    let standard = BOLTS_MM.iter().find(|b| b.0 == bolt_mm);
-    let hole = standard.map_or(1.1 * bolt_mm, |b| b.1);
+    let hole = BOLTS_MM
+        .iter()
+        .find(|b| b.0 == bolt_mm)
+        .map_or(1.1 * bolt_mm, |b| b.1);
     (hole, bolt_mm.max(4.0), 2.5 * hole, 1.5 * hole)
 }
 

@@ -112,8 +112,10 @@ fn bill(plan: &Plan) -> Values {
                 .map_or_else(dash, |price| clean::markdown(price))
         )
     };
-    let sources = plan.parts.iter().filter_map(|p| p.source.as_ref());
-    let sources: Vec<String> = sources
+    let sources: Vec<String> = plan
+        .parts
+        .iter()
+        .filter_map(|p| p.source.as_ref())
         .map(|source| format!("- {}", clean::markdown(source)))
         .collect();
     let mut values = vec![

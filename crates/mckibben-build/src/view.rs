@@ -51,8 +51,12 @@ impl View<'_> {
     /// beyond by a share of the width.
     pub fn eye(&mut self, eye: &EyePlug, foot: f64, reach: f64) {
         let (outline, _) = eye.eye();
-        let around = outline.iter().skip(1).chain(outline.first());
-        let tab: Vec<[f64; 2]> = around.map(|[x, z]| [foot + z, *x]).collect();
+        let tab: Vec<[f64; 2]> = outline
+            .iter()
+            .skip(1)
+            .chain(outline.first())
+            .map(|[x, z]| [foot + z, *x])
+            .collect();
         self.line(Pen::Outline, &tab);
         let x = foot + eye.centre_mm;
         self.sheet.circle(

@@ -297,8 +297,7 @@ fn first_example(all: &str) -> String {
         seen += usize::from(starts(line));
         seen < 2
     });
-    let first = joined(lines, "\n");
-    first.replacen("Examples:", "Example:", 1)
+    joined(lines, "\n").replacen("Examples:", "Example:", 1)
 }
 
 #[cfg(test)]

@@ -28,8 +28,10 @@ static OF_FILE: OnceLock<Units> = OnceLock::new();
 /// Looks at a command line that was understood: at `--units`, else at the flags in the order in
 /// which they were typed.
 pub fn take() {
-    let named = flags().iter().find(|flag| flag.name == "--units");
-    let named = named.and_then(|flag| flag.texts.first()?.1.parse().ok());
+    let named = flags()
+        .iter()
+        .find(|flag| flag.name == "--units")
+        .and_then(|flag| flag.texts.first()?.1.parse().ok());
     let mut texts: Vec<&(usize, String)> = vec![];
     for flag in flags().iter().filter(|flag| FLAGS.contains(&&*flag.name)) {
         texts.extend(&flag.texts);

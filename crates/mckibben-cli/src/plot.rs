@@ -39,7 +39,7 @@ fn figure_file(path: &str) -> Result<PathBuf, Problem> {
 }
 
 fn width(text: &str) -> Result<Length, Problem> {
-    let wrong = |message: String| Problem::new(ProblemKind::Quantity, message, "");
+    let wrong = |message: String| ProblemKind::Quantity.problem(message);
     let width: Length = text.parse().map_err(|e| wrong(format!("{e}")))?;
     if (20.0..=2000.0).contains(&width.0) {
         return Ok(width);

@@ -34,7 +34,7 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
             RangeError::Quantity(_) => ProblemKind::Quantity,
             RangeError::Form(_) => ProblemKind::Range,
         };
-        Problem::new(kind, source.to_string(), "")
+        kind.problem(source)
     };
     let flag = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(name)) => name.split(' ').next().unwrap_or_default(),
@@ -114,7 +114,7 @@ pub fn unprinted(error: &io::Error) -> Problem {
         io::ErrorKind::BrokenPipe => String::new(),
         _ => format!("cannot write to standard output: {error}"),
     };
-    Problem::new(ProblemKind::Output, message, "")
+    ProblemKind::Output.problem(message)
 }
 
 /// A problem in the words of the command line: flags in place of fields, and what to do where the

@@ -17,8 +17,11 @@ pub fn check_unit(flag: &str, text: &str) {
     if !(flag.ends_with("pressure") || flag == "--supply") {
         return;
     }
-    let parts = text.split([',', ':']).flat_map(|part| part.split(".."));
-    let numbers: Result<Vec<f64>, _> = parts.map(|part| part.trim().parse::<f64>()).collect();
+    let numbers: Result<Vec<f64>, _> = text
+        .split([',', ':'])
+        .flat_map(|part| part.split(".."))
+        .map(|part| part.trim().parse::<f64>())
+        .collect();
     if let Some(high) = numbers
         .ok()
         .and_then(|list| list.into_iter().find(|p| *p >= HIGH_MPA))

@@ -19,8 +19,9 @@ static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
 /// Takes the flags of the command that runs, for its messages and units; of a command line that
 /// clap refuses their names alone.
 pub fn take(root: &Command, matches: Option<&ArgMatches>) {
-    let args = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned());
-    let typed: Vec<String> = args.collect();
+    let typed: Vec<String> = std::env::args_os()
+        .map(|arg| arg.to_string_lossy().into_owned())
+        .collect();
     let mut command = root;
     let mut leaf = matches;
     for word in &typed[1..] {
@@ -34,8 +35,13 @@ pub fn take(root: &Command, matches: Option<&ArgMatches>) {
         let Some(leaf) = leaf.filter(is_typed) else {
             return vec![];
         };
-        let raw = leaf.try_get_raw(id).ok().flatten().into_iter().flatten();
-        let texts = raw.map(|text| text.to_string_lossy().into_owned());
+        let texts = leaf
+            .try_get_raw(id)
+            .ok()
+            .flatten()
+            .into_iter()
+            .flatten()
+            .map(|text| text.to_string_lossy().into_owned());
         leaf.indices_of(id)
             .into_iter()
             .flatten()
@@ -76,8 +82,11 @@ pub fn flag_of(field: &str) -> Option<String> {
     };
     let fills =
         |flag: &&Flag| flag.field == field || field == "direction" && flag.field == "branch";
-    let flag = flags().iter().find(fills).map(|flag| flag.name.clone());
-    flag.or_else(|| Some(format!("--with {}", Measure::of_field(field)?.key)))
+    flags()
+        .iter()
+        .find(fills)
+        .map(|flag| flag.name.clone())
+        .or_else(|| Some(format!("--with {}", Measure::of_field(field)?.key)))
 }
 
 /// A sentence with flags in place of the fields that it names in backquotes.

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 
 /// One answered point.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Answer {
     /// The model's name.
     pub model: String,
@@ -63,7 +63,6 @@ pub struct Answer {
     /// bending stiffness of its wall alone.
     pub buckling_load_n: Option<f64>,
     /// Warnings, in sentences.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
 }
 
@@ -175,9 +174,11 @@ impl Evaluation<'_> {
     ) -> Result<Answer> {
         let model = self.model;
         let options = self.options;
-        let said = self.check_range(pressure_mpa, contraction)?;
-        let said = said.into_iter().chain(model.muscle().warnings());
-        let said = said.chain(model.notes(self.workspace));
+        let said = self
+            .check_range(pressure_mpa, contraction)?
+            .into_iter()
+            .chain(model.muscle().warnings())
+            .chain(model.notes(self.workspace));
         let mut warnings: Vec<Warning> = said.map(Warning::from).collect();
         let response = self.equilibrium(pressure_mpa, contraction, hanging)?;
         let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
@@ -219,26 +220,21 @@ impl Evaluation<'_> {
         let response = if broken { response.hanging() } else { response };
         // Where strands stretch further than in any muscle that was measured, no ± is known.
         let valid = !broken && !warnings.iter().any(|w| w.kind == WarningKind::StrandStrain);
-        let parts = valid.then(|| self.uncertainty(pressure_mpa, contraction, response.force_n));
-        let parts = parts.flatten();
+        let parts = valid
+            .then(|| self.uncertainty(pressure_mpa, contraction, response.force_n))
+            .flatten();
         Ok(Answer {
             model: model.info().name.to_string(),
             direction: options.direction,
             uncertainty_n: parts.map(|p| p.total()),
             uncertainty_parts_n: parts,
-            pressure_uncertainty_mpa: None,
-            contraction_uncertainty: None,
-            pressure_low_mpa: None,
-            pressure_high_mpa: None,
-            contraction_low: None,
-            contraction_high: None,
             response,
             slack,
             two_sided_force_n,
             free_contraction: hanging.filter(|_| slack).map(|h| h.free_contraction),
-            start_pressure_mpa: None,
             buckling_load_n: buckling_load_n(model.muscle(), &response),
             warnings,
+            ..Answer::default()
         })
     }
 
@@ -367,10 +363,11 @@ impl Evaluation<'_> {
         contraction: f64,
     ) -> Result<f64, AnalysisError> {
         self.check_range(self.model.info().range.pressure_mpa.0, contraction)?;
-        let pressure = self.pressure_at(force_n, contraction);
-        intact(pressure, force_n, |p, force| {
-            self.broken(p, contraction, force)
-        })
+        intact(
+            self.pressure_at(force_n, contraction),
+            force_n,
+            |p, force| self.broken(p, contraction, force),
+        )
     }
 
     /// The number alone that [`Evaluation::contraction`] seeks.
@@ -471,10 +468,10 @@ fn intact(
     force_n: f64,
     broken: impl FnOnce(f64, f64) -> Option<AnalysisError>,
 ) -> Result<f64, AnalysisError> {
-    let at = answer
+    answer
         .as_ref()
-        .map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)));
-    at.and_then(|(place, force_n)| broken(place, force_n))
+        .map_or_else(AnalysisError::nearest, |place| Some((*place, force_n)))
+        .and_then(|(place, force_n)| broken(place, force_n))
         .map_or(answer, Err)
 }
 

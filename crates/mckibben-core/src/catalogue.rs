@@ -123,19 +123,19 @@ pub fn named<'a, T>(
     name: &str,
 ) -> Result<&'a T, String> {
     let sought = plain(name);
-    let part = parts
+    parts
         .iter()
-        .find(|part| names(part).0 == sought || names(part).1.contains(&sought));
-    part.ok_or_else(|| {
-        let all = parts.iter().map(&names);
-        let spellings = all
-            .clone()
-            .flat_map(|(name, also)| also.iter().map(String::as_str).chain([name]));
-        let given: String = name.chars().take(60).collect();
-        let known = match nearest(&sought, spellings) {
-            None => format!("; known: {}", joined(all.map(|names| names.0), ", ")),
-            near => meant(near),
-        };
-        format!("there is no {kind} named \"{given}\"{known}")
-    })
+        .find(|part| names(part).0 == sought || names(part).1.contains(&sought))
+        .ok_or_else(|| {
+            let all = parts.iter().map(&names);
+            let spellings = all
+                .clone()
+                .flat_map(|(name, also)| also.iter().map(String::as_str).chain([name]));
+            let given: String = name.chars().take(60).collect();
+            let known = match nearest(&sought, spellings) {
+                None => format!("; known: {}", joined(all.map(|names| names.0), ", ")),
+                near => meant(near),
+            };
+            format!("there is no {kind} named \"{given}\"{known}")
+        })
 }

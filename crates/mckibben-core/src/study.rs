@@ -104,8 +104,10 @@ where
         .iter()
         .map(|&s| Ok((build(&with(30.0, s)?)?, Workspace::new())))
         .collect::<Result<_, StudyError>>()?;
-    let ideals = [24.0, 30.0].map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::new(&m))));
-    let ideals: Vec<(f64, Ideal)> = ideals.into_iter().collect::<Result<_, _>>()?;
+    let ideals: Vec<(f64, Ideal)> = [24.0, 30.0]
+        .map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::new(&m))))
+        .into_iter()
+        .collect::<Result<_, _>>()?;
     let pressures: Vec<f64> = (0..=25).map(|i| f64::from(i) / 100.0).collect();
     let mut panels = vec![];
     let tests = SHORTENINGS_MM
@@ -167,8 +169,8 @@ fn answers(
     ask: impl Fn(&mut Evaluation<'_>, f64) -> Result<f64, AnalysisError>,
 ) -> Result<Vec<Vec<f64>>, AnalysisError> {
     let of_walls = |&value: &f64| {
-        let walls = walls.iter_mut();
         walls
+            .iter_mut()
             .map(|(m, w)| ask(&mut Evaluation::new(&**m, w, options), value))
             .collect()
     };
@@ -236,10 +238,7 @@ fn isometric(
     let rise: Vec<f64> = starts.iter().map(|s| s[4] - s[0]).collect();
     let falling = falls(&forces);
     let rising = starts.iter().all(|of_walls| of_walls.is_sorted());
-    let joined = |forces: Vec<f64>| {
-        let texts = forces.iter().map(|f| format!("{f:.0}"));
-        joined(texts, " / ")
-    };
+    let joined = |forces: Vec<f64>| joined(forces.iter().map(|f| format!("{f:.0}")), " / ");
     let thinnest: Vec<f64> = forces.iter().map(|f| f[0]).collect();
     let [bore, outer] = [0, 1].map(|i| contractions.map(|e| ideals[i].1.pull(HIGHEST_MPA, e)));
     let steepest = |ideal: [f64; 3]| ideal.iter().zip(&thinnest).all(|(ideal, f)| ideal >= f);

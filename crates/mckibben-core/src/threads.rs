@@ -36,8 +36,7 @@ pub struct Threads(Option<ThreadPool>);
 impl Threads {
     /// So many threads; one is the calling thread itself.
     pub fn new(count: usize) -> Result<Self, ThreadsError> {
-        let pool = (count > 1).then(|| pool(count)).transpose()?;
-        Ok(Self(pool))
+        Ok(Self((count > 1).then(|| pool(count)).transpose()?))
     }
 
     /// Those of the process.
@@ -216,10 +215,10 @@ impl Shared {
 
 /// What the environment says, up to a number that is of use; none where it says nothing.
 fn wanted(cores: usize) -> usize {
-    let stated = std::env::var("RAYON_NUM_THREADS")
+    std::env::var("RAYON_NUM_THREADS")
         .ok()
-        .and_then(|text| text.trim().parse::<usize>().ok());
-    stated.map_or(0, |count| at_most(count, cores))
+        .and_then(|text| text.trim().parse::<usize>().ok())
+        .map_or(0, |count| at_most(count, cores))
 }
 
 fn at_most(count: usize, cores: usize) -> usize {

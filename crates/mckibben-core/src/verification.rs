@@ -1,10 +1,11 @@
 //! Rows of the tables that `mckibben validate` prints: verification against exact values,
 //! validation against measurements.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Whether equations are solved right, or are the right equations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "CaseKind")]
 pub enum CaseKind {
@@ -15,7 +16,7 @@ pub enum CaseKind {
 }
 
 /// What the numbers of a case are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "CaseMeasure")]
 pub enum Measure {
@@ -30,7 +31,7 @@ pub enum Measure {
 }
 
 /// A case.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "Case")]
 pub struct VerificationRow {
     /// What is computed.

@@ -6,8 +6,9 @@ use crate::{
     muscle::{Muscle, Rubber},
     units::{rounded, short_numbers},
 };
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::fmt;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Serialize, Serializer};
+use std::{borrow::Cow, fmt};
 
 /// Strand strain at which the validated range of all models ends.
 pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
@@ -48,7 +49,8 @@ pub enum WarningKind {
 }
 
 /// What the user should know of an answer; as data it is its sentence.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(from = "String")]
 pub struct Warning {
     /// What it is about.
     pub kind: WarningKind,
@@ -169,9 +171,17 @@ impl Serialize for Warning {
     }
 }
 
-impl<'de> Deserialize<'de> for Warning {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        String::deserialize(from).map(Self::from)
+impl JsonSchema for Warning {
+    fn schema_name() -> Cow<'static, str> {
+        String::schema_name()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        String::json_schema(generator)
     }
 }
 
@@ -273,8 +283,9 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
 /// The push in N at which a muscle that extends buckles between two joints, by its wall alone;
 /// `None` of a muscle that contracts, and where the infinitely long muscle has no answer.
 pub fn buckling_load_n(muscle: &Muscle, response: &Response) -> Option<f64> {
-    let model = muscle.is_extensile().then(|| ThickWall::new(muscle))?;
-    model
+    muscle
+        .is_extensile()
+        .then(|| ThickWall::new(muscle))?
         .buckling_n(response.pressure_mpa, response.contraction)
         .ok()
         .filter(|n| n.is_finite())

@@ -64,7 +64,7 @@ impl Sample {
 
 /// How good a muscle is: the shares by which it misses its limits, then its score. The smaller the
 /// better.
-#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub struct Merit(f64, Score);
 
 impl Merit {

@@ -339,10 +339,13 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
         }
         for (i, coefficients) in all.chunks(spline.len()).enumerate() {
             let at_nodes = |e: &f64| {
-                let sums = spline.weights_at(*e).into_iter().zip(coefficients);
-                sums.fold((0.0, 0.0), |(value, slope), ((v, s), c)| {
-                    (value + c * v, slope + c * s)
-                })
+                spline
+                    .weights_at(*e)
+                    .into_iter()
+                    .zip(coefficients)
+                    .fold((0.0, 0.0), |(value, slope), ((v, s), c)| {
+                        (value + c * v, slope + c * s)
+                    })
             };
             (form.a[i], form.b[i]) = form.contractions.iter().map(at_nodes).unzip();
         }
@@ -387,10 +390,9 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
 /// The solution with the least squares by Householder's QR; `None` where it is not finite.
 pub fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
     let qr = matrix.qr();
-    let solved = qr
-        .r()
-        .solve_upper_triangular(&(qr.q().transpose() * values));
-    solved.filter(|s| s.iter().all(|v| v.is_finite()))
+    qr.r()
+        .solve_upper_triangular(&(qr.q().transpose() * values))
+        .filter(|s| s.iter().all(|v| v.is_finite()))
 }
 
 /// The pull of the model between four samples; `None` where one of them is slack.

@@ -111,11 +111,12 @@ impl FromStr for Elements {
 
     /// By their name, with the usual mesh.
     fn from_str(word: &str) -> Result<Self, Refused> {
-        let all = [
+        [
             Self::Axisymmetric(MeshSpec::default()),
             Self::ThreeDimensional(BrickSpec::default()),
-        ];
-        let named = all.into_iter().find(|e| e.name() == word.trim());
-        named.ok_or_else(|| unknown_model(word, &Self::ENTRIES.map(|entry| entry.name)))
+        ]
+        .into_iter()
+        .find(|e| e.name() == word.trim())
+        .ok_or_else(|| unknown_model(word, &Self::ENTRIES.map(|entry| entry.name)))
     }
 }

@@ -40,7 +40,6 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 // Components, nodes, rows and columns are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod axisymmetric;
 pub mod element;

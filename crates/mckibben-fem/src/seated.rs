@@ -46,11 +46,15 @@ fn for_whole_muscle(muscle: &Whole, displacement_mm: f64, mut error: FemError) -
 
 /// One equilibrium of the muscle between its ends.
 fn inner(muscle: &Whole, w: &mut Workspace, p: f64, x: f64, detail: Detail) -> Result<CurvePoint> {
-    let points = muscle.inner.isometric(w, x, &[p], detail);
-    points.into_iter().next().unwrap_or(Err(FemError::Question {
-        pressure_mpa: p,
-        contraction: x,
-    }))
+    muscle
+        .inner
+        .isometric(w, x, &[p], detail)
+        .into_iter()
+        .next()
+        .unwrap_or(Err(FemError::Question {
+            pressure_mpa: p,
+            contraction: x,
+        }))
 }
 
 /// x of the ends at a pressure and a contraction of the whole.
@@ -80,14 +84,15 @@ fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> R
     }
     let mut miss = |p: f64| {
         let x = at(p);
-        let reached = muscle.inner.reach(
-            w,
-            Given::ContractionAndPull {
-                contraction: x,
-                force_n,
-            },
-        );
-        reached
+        muscle
+            .inner
+            .reach(
+                w,
+                Given::ContractionAndPull {
+                    contraction: x,
+                    force_n,
+                },
+            )
             .map(|point| point.pressure_mpa - p)
             .map_err(|error| for_whole_muscle(muscle, ends.displacement_between_mm(e, x), error))
     };

@@ -248,8 +248,9 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
     }
 
     fn notes(&self, workspace: &Workspace) -> Vec<String> {
-        let unstable = self.known(workspace).and_then(|c| c.unstable);
-        let unstable = unstable
+        let unstable = self
+            .known(workspace)
+            .and_then(|c| c.unstable)
             .filter(|_| D::Body::SETTINGS.take_unstable)
             .map(|u| u.to_string());
         self.info.notes.iter().cloned().chain(unstable).collect()

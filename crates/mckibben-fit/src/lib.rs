@@ -16,7 +16,6 @@
 //! Units: mm, MPa (= N/mm²), N.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod compare;
 pub mod identify;

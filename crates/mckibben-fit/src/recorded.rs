@@ -38,8 +38,9 @@ pub fn fit_recorded<E: From<EstimateError>>(
     };
     let scales = |lists: &[Vec<f64>]| -> Vec<f64> {
         let scale = |(list, scatter): (&Vec<f64>, &f64)| {
-            let rms = Errors::new(list.iter().copied()).rms;
-            rms.max(ROUNDING * scatter)
+            Errors::new(list.iter().copied())
+                .rms
+                .max(ROUNDING * scatter)
         };
         lists.iter().zip(scatter).map(scale).collect()
     };
@@ -61,8 +62,11 @@ fn divided(lists: Vec<Vec<f64>>, scales: &[f64]) -> Vec<Vec<f64>> {
 
 /// By how much the ± is larger because neighbouring rows are alike.
 fn widening(lists: &[Vec<f64>]) -> f64 {
-    let pairs = lists.iter().flat_map(|list| list.windows(2));
-    let products: f64 = pairs.map(|pair| pair[0] * pair[1]).sum();
+    let products: f64 = lists
+        .iter()
+        .flat_map(|list| list.windows(2))
+        .map(|pair| pair[0] * pair[1])
+        .sum();
     let squares: f64 = lists.iter().flatten().map(|r| r * r).sum();
     let alike = (products / squares).clamp(0.0, MOST_ALIKE);
     ((1.0 + alike) / (1.0 - alike)).sqrt()

@@ -2,7 +2,6 @@
 //! files (feature `parquet`).
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod files;
 #[cfg(feature = "parquet")]

@@ -56,8 +56,8 @@ pub fn valve_named(name: &str) -> Option<&'static NamedValve> {
 /// What valves there are, beginning with the one that a wrong name may mean.
 pub fn valves_known(name: &str) -> String {
     let all: Vec<&str> = valves().iter().map(|v| v.name.as_str()).collect();
-    let near = nearest(name, all.iter().copied());
-    let near = near.map_or_else(String::new, |n| format!("did you mean {n}? "));
+    let near = nearest(name, all.iter().copied())
+        .map_or_else(String::new, |n| format!("did you mean {n}? "));
     format!("{near}there are {}", all.join(", "))
 }
 
@@ -136,7 +136,6 @@ impl Row {
 fn read(text: &str) -> Result<Vec<NamedValve>, FileError> {
     let source = Source::parse(text)?;
     let table: Table = source.read()?;
-    let valves = table.valve.into_iter().map(Row::valve);
-    let valves: Result<Vec<NamedValve>> = valves.collect();
+    let valves: Result<Vec<NamedValve>> = table.valve.into_iter().map(Row::valve).collect();
     valves.map_err(|error| source.error("valve", error.to_string()))
 }

@@ -100,14 +100,13 @@ impl Command {
                 points
                     .iter()
                     .try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
-                let back = points
+                points
                     .windows(2)
                     .zip(2..)
                     .find_map(|(pair, number)| match pair {
                         [before, after] if after.0 <= before.0 => Some((before.0, after.0, number)),
                         _ => None,
-                    });
-                back.map_or(Ok(()), |(before, after, number)| {
+                    }).map_or(Ok(()), |(before, after, number)| {
                     Err(MotionError::Refused(format!(
                         "the command's times must increase: {after} s follows {before} s (point \
                          {number})"

@@ -242,8 +242,9 @@ impl System<'_> {
                 Ok(answer) => answer.force_n.value < -self.slack_n(i),
                 Err(_) => member.hangs(p, contraction),
             };
-            let at = member.answer_or_slack(mode.slack, p, contraction);
-            let at = at.map_err(|error| MotionError::model(error, 0.0, i, p, contraction))?;
+            let at = member
+                .answer_or_slack(mode.slack, p, contraction)
+                .map_err(|error| MotionError::model(error, 0.0, i, p, contraction))?;
             let volume = at.volume_mm3.value + muscle.outside_mm3(now.opening);
             now.absolute_mpa = p + ATMOSPHERE_MPA;
             now.mass_g = muscle.fluid.medium().mass_g(now.absolute_mpa, volume);

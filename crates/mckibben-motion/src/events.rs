@@ -111,8 +111,7 @@ impl System<'_> {
                 });
             }
         }
-        let parts = self.drive.muscles.iter().zip(&modes.muscles);
-        for (i, (m, mode)) in parts.enumerate() {
+        for (i, (m, mode)) in self.drive.muscles.iter().zip(&modes.muscles).enumerate() {
             let Some(kind @ ValveKind::OnOff { .. }) = m.actuator.kind() else {
                 continue;
             };

@@ -133,8 +133,10 @@ impl Step {
         let (core, totals) = state.split_at_mut(increments.len());
         core.iter_mut().zip(&increments).for_each(|(y, z)| *y += z);
         for (rates, weight) in self.rates.iter().zip(weights(share)) {
-            let totals = totals.iter_mut().zip(rates);
-            totals.for_each(|(total, rate)| *total += weight * self.h * rate);
+            totals
+                .iter_mut()
+                .zip(rates)
+                .for_each(|(total, rate)| *total += weight * self.h * rate);
         }
         state
     }
@@ -319,8 +321,11 @@ impl Stepper {
 
     /// Tolerances of the numbers that are solved for.
     fn allowed(&self, equations: &dyn Equations) -> DVector<f64> {
-        let scales = equations.scales().iter().zip(&self.state);
-        let allowed = scales.map(|(scale, y)| self.relative * (scale + y.abs()));
+        let allowed = equations
+            .scales()
+            .iter()
+            .zip(&self.state)
+            .map(|(scale, y)| self.relative * (scale + y.abs()));
         DVector::from_iterator(equations.implicit(), allowed.take(equations.implicit()))
     }
 
@@ -469,12 +474,13 @@ impl Stepper {
     /// the mean square of all numbers.
     fn error_of_totals(&self, step: &Step, first: &[f64], totals: &[f64], scales: &[f64]) -> f64 {
         let n = step.z[0].len();
-        let each = totals.iter().zip(&scales[n..]).zip(first).enumerate();
-        let squares = each.map(|(i, ((total, scale), first))| {
-            let at_start = START.iter().zip(&step.rates).map(|(l, rates)| l * rates[i]);
-            let error = GAMMA * step.h * (first - at_start.sum::<f64>());
-            (error / (self.tolerance * (scale + total.abs()))).powi(2)
-        });
+        let squares = totals.iter().zip(&scales[n..]).zip(first).enumerate().map(
+            |(i, ((total, scale), first))| {
+                let at_start = START.iter().zip(&step.rates).map(|(l, rates)| l * rates[i]);
+                let error = GAMMA * step.h * (first - at_start.sum::<f64>());
+                (error / (self.tolerance * (scale + total.abs()))).powi(2)
+            },
+        );
         (squares.sum::<f64>() / (n + totals.len()) as f64).sqrt()
     }
 

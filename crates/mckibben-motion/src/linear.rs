@@ -153,8 +153,11 @@ impl Linear {
 
     /// Frequency |Im λ|/2π in Hz and damping ratio of the fastest oscillation, if it oscillates.
     pub fn oscillation(&self) -> Option<(f64, f64)> {
-        let all = self.eigenvalues().into_iter().filter(|(_, im)| *im > 0.0);
-        let fastest = all.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let fastest = self
+            .eigenvalues()
+            .into_iter()
+            .filter(|(_, im)| *im > 0.0)
+            .max_by(|a, b| a.1.total_cmp(&b.1))?;
         Some((fastest.1 / TAU, -fastest.0 / fastest.0.hypot(fastest.1)))
     }
 

@@ -75,8 +75,12 @@ impl Integration<'_, '_> {
             let Some(state) = self.within(method, time) else {
                 return Ok(0.0);
             };
-            let all = self.system.guards(time, &state, needs_model(guard))?;
-            Ok(all.into_iter().find(|g| g.0 == guard).map_or(0.0, |g| g.1))
+            Ok(self
+                .system
+                .guards(time, &state, needs_model(guard))?
+                .into_iter()
+                .find(|g| g.0 == guard)
+                .map_or(0.0, |g| g.1))
         };
         Ok(find_root(function, low, high, 1e-12 * (high - self.t))?.unwrap_or(low))
     }

@@ -213,19 +213,18 @@ impl Mechanism for Joint {
     }
 
     fn lever(&self, muscle: usize, q: f64) -> Lever {
-        let at = self
-            .contraction(muscle, q)
-            .zip(Joint::muscles(self).get(muscle));
-        at.map_or(
-            Lever {
-                contraction: 0.0,
-                per_coordinate: 0.0,
-            },
-            |((contraction, s), m)| Lever {
-                contraction,
-                per_coordinate: s.arm_mm / m.muscle.length_mm(),
-            },
-        )
+        self.contraction(muscle, q)
+            .zip(Joint::muscles(self).get(muscle))
+            .map_or(
+                Lever {
+                    contraction: 0.0,
+                    per_coordinate: 0.0,
+                },
+                |((contraction, s), m)| Lever {
+                    contraction,
+                    per_coordinate: s.arm_mm / m.muscle.length_mm(),
+                },
+            )
     }
 
     fn load(&self, q: f64) -> f64 {

@@ -1,7 +1,10 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
 use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target, system::System};
-use mckibben_core::{analysis::bisect, extremes::peak};
+use mckibben_core::{
+    analysis::bisect,
+    extremes::{ends, peak},
+};
 
 /// A point that was integrated.
 pub struct Passed {
@@ -79,15 +82,15 @@ impl Track {
 /// The time from 10 % to 90 % of the way between two positions within a piece.
 pub fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) -> Option<f64> {
     let series = &motion.series;
-    let points = series
+    let spots = series
         .time_s
         .iter()
-        .zip(series.coordinate.iter().zip(&series.velocity));
-    let spots = points.map(|(time, (value, v))| Spot {
-        time: *time,
-        value: *value,
-        slope: Some(*v),
-    });
+        .zip(series.coordinate.iter().zip(&series.velocity))
+        .map(|(time, (value, v))| Spot {
+            time: *time,
+            value: *value,
+            slope: Some(*v),
+        });
     Track(spots.collect()).rise_time(from, to, piece)
 }
 
@@ -163,10 +166,11 @@ pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
         {
             // Less than the error of the integration is none.
             let overshoot = peak(positions.inside(piece).map(|spot| (spot.value - to) / step));
-            let far = positions
+            let outside = positions
                 .inside(piece)
-                .filter(|spot| (spot.value - to).abs() > 0.02 * step.abs());
-            let outside = far.map(|spot| spot.time).reduce(f64::max);
+                .filter(|spot| (spot.value - to).abs() > 0.02 * step.abs())
+                .map(|spot| spot.time)
+                .reduce(f64::max);
             motion.steps.push(StepFigures {
                 time_s: begin,
                 from,
@@ -246,8 +250,7 @@ pub fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option
         .collect();
     let first = *late.first()?;
     let end = *late.last()?;
-    let low = late.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = late.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let (low, high) = ends(late.iter().copied());
     let length = 1.0 / drive.mechanism.lever(0, end).per_coordinate.abs().max(1e-9);
     let room = (SHARE * (end - begin).abs()).max(OF_LENGTH * length);
     let moves = if high - low <= room {

@@ -23,8 +23,8 @@ impl Integration<'_, '_> {
         let from = self.t;
         let width = t - self.t;
         let mut speed = |i: usize| {
-            let at = self.within(method, from + width * i as f64 / PIECES as f64);
-            at.map_or(0.0, |state| state.velocity.abs())
+            self.within(method, from + width * i as f64 / PIECES as f64)
+                .map_or(0.0, |state| state.velocity.abs())
         };
         let speeds: [f64; PIECES + 1] = std::array::from_fn(&mut speed);
         let of_points = peak(speeds.iter().copied());
@@ -255,21 +255,28 @@ impl Integration<'_, '_> {
 impl System<'_> {
     /// Liquid that came from the supply in mm³ at atmospheric pressure; `None` of air.
     fn supplied_mm3(&self, state: &State) -> Option<f64> {
-        let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        let each = muscles.map(|(muscle, now)| match &muscle.fluid {
-            Fluid::Liquid(liquid) => Some(liquid.volume_mm3(now.supplied_g)),
-            Fluid::Air(_) => None,
-        });
-        each.sum()
+        self.drive
+            .muscles
+            .iter()
+            .zip(&state.muscles)
+            .map(|(muscle, now)| match &muscle.fluid {
+                Fluid::Liquid(liquid) => Some(liquid.volume_mm3(now.supplied_g)),
+                Fluid::Air(_) => None,
+            })
+            .sum()
     }
 
     /// The same with what syringes have pushed out and not drawn back.
     pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
-        let muscles = self.drive.muscles.iter().zip(&state.muscles);
-        let pistons = muscles.map(|(muscle, now)| match &muscle.actuator {
-            Actuator::Syringe(syringe) => now.opening.unwrap_or(0.0) * syringe.volume_mm3,
-            _ => 0.0,
-        });
+        let pistons = self
+            .drive
+            .muscles
+            .iter()
+            .zip(&state.muscles)
+            .map(|(muscle, now)| match &muscle.actuator {
+                Actuator::Syringe(syringe) => now.opening.unwrap_or(0.0) * syringe.volume_mm3,
+                _ => 0.0,
+            });
         Some(self.supplied_mm3(state)? + pistons.sum::<f64>())
     }
 

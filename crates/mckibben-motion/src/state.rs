@@ -4,7 +4,7 @@
 use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Result, Target, ValveKind};
 
 /// The state of one muscle, or its rates.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Clone, Default)]
 pub struct MuscleState {
     /// Absolute pressure in MPa.
     pub absolute_mpa: f64,
@@ -24,14 +24,14 @@ impl MuscleState {
 }
 
 /// The state of a controller, or its rates.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Clone, Copy, Default)]
 pub struct ControllerState {
     pub integral: f64,
     pub filtered: f64,
 }
 
 /// Quadratures of the whole drive, in mJ.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Clone, Copy, Default)]
 pub struct Totals {
     pub enthalpy_in: f64,
     pub enthalpy_out: f64,
@@ -50,7 +50,7 @@ pub struct Totals {
 }
 
 /// The state of a drive, its rates, or the size of each of its numbers.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Clone, Default)]
 pub struct State {
     /// In mm or rad.
     pub coordinate: f64,
@@ -76,8 +76,8 @@ impl State {
         visit(&mut self.coordinate);
         visit(&mut self.velocity);
         for m in &mut self.muscles {
-            let fluid = [&mut m.absolute_mpa, &mut m.mass_g].into_iter();
-            fluid
+            [&mut m.absolute_mpa, &mut m.mass_g]
+                .into_iter()
                 .chain(&mut m.opening)
                 .chain(&mut m.branches_n)
                 .for_each(&mut visit);

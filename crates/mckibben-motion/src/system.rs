@@ -39,7 +39,6 @@ pub struct Mode {
 }
 
 /// One muscle at one time.
-#[derive(Debug)]
 pub struct MusclePoint {
     pub pressure_mpa: f64,
     pub contraction: f64,
@@ -61,7 +60,7 @@ pub struct MusclePoint {
 }
 
 /// Everything at one time.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Point {
     pub muscles: Vec<MusclePoint>,
     /// Net generalised force with damping.
@@ -214,8 +213,9 @@ impl<'a> System<'a> {
 
     /// What a muscle answers.
     fn answer_at(&self, t: f64, i: usize, mode: &Mode, p: f64, e: f64) -> Result<Answer> {
-        let answer = self.members[i].answer_or_slack(mode.slack, p, e);
-        answer.map_err(|error| MotionError::model(error, t, i, p, e))
+        self.members[i]
+            .answer_or_slack(mode.slack, p, e)
+            .map_err(|error| MotionError::model(error, t, i, p, e))
     }
 
     /// After a step: the friction of each muscle remembers where it went, and its pressure there.
@@ -246,8 +246,9 @@ impl<'a> System<'a> {
         let rates = self.point(t, state)?.rates;
         let modes = self.modes.borrow();
         let muscles = state.muscles.iter().zip(&rates.muscles);
-        let parts = muscles.zip(&modes.muscles).enumerate();
-        parts
+        muscles
+            .zip(&modes.muscles)
+            .enumerate()
             .map(|(i, ((now, rate), mode))| {
                 let p = now.gauge_mpa();
                 let lever = self.drive.mechanism.lever(i, state.coordinate);
@@ -294,8 +295,10 @@ fn add_flows(totals: &mut Totals, medium: &dyn Medium, fluid: &FluidRates, cavit
     let pushed = fluid.piston_mm3_per_s.max(0.0);
     totals.enthalpy_in += absolute_mpa * pushed;
     totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
-    let atmosphere = totals.atmosphere.iter_mut();
-    atmosphere.for_each(|work| *work += ATMOSPHERE_MPA * pushed);
+    totals
+        .atmosphere
+        .iter_mut()
+        .for_each(|work| *work += ATMOSPHERE_MPA * pushed);
     totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
     let flows = [fluid.supply, fluid.exhaust];
     totals.heat += medium.heat_mw(fluid.pressure_rate, cavity, &flows);
@@ -356,8 +359,10 @@ fn pulls(
 /// Half the width of the hysteresis at a pressure and an answer.
 fn half_width_n(member: &Member<'_>, now: &MuscleState, at: &Answer) -> f64 {
     let pivoting = at.pivoting_n_per_mm.value.max(0.0);
-    let friction = member.muscle.friction;
-    friction.map_or(0.0, |f| f.half_width_n(now.gauge_mpa(), pivoting))
+    member
+        .muscle
+        .friction
+        .map_or(0.0, |f| f.half_width_n(now.gauge_mpa(), pivoting))
 }
 
 /// The size of each number of the state.

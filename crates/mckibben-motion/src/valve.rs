@@ -74,10 +74,10 @@ impl Valve {
                 };
             }
             let orifice = orifice.scaled(share.min(1.0));
-            let whole = self
-                .hose
-                .and_then(|hose| in_series(&[orifice, hose.orifice()]));
-            whole.unwrap_or(orifice).flow(from, muscle)
+            self.hose
+                .and_then(|hose| in_series(&[orifice, hose.orifice()]))
+                .unwrap_or(orifice)
+                .flow(from, muscle)
         };
         (
             path(self.supply, opening, supply),

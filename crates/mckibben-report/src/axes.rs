@@ -304,16 +304,16 @@ impl<'a> Grid<'a, '_> {
                 .numbered()
                 .any(|(other, s)| other == number && !s.label.trim().is_empty())
         };
-        let named = panel
+        let ended = panel
             .numbered()
-            .filter(|(_, s)| !s.end_label.trim().is_empty());
-        let ended = named.filter_map(|(number, s)| {
-            Some(Ended {
-                text: s.end_label.trim().to_owned(),
-                colour: (!s.neutral && !is_explained(number)).then_some(number),
-                line: axes.frame.line(&s.points).pop()?,
-            })
-        });
+            .filter(|(_, s)| !s.end_label.trim().is_empty())
+            .filter_map(|(number, s)| {
+                Some(Ended {
+                    text: s.end_label.trim().to_owned(),
+                    colour: (!s.neutral && !is_explained(number)).then_some(number),
+                    line: axes.frame.line(&s.points).pop()?,
+                })
+            });
         labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
         Ok(Placed {

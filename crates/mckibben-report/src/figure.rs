@@ -1,5 +1,6 @@
 //! The description of a figure: panels, axes, series, marks.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -17,7 +18,7 @@ use std::path::PathBuf;
 /// assert!(figure.to_svg()?.starts_with("<svg"));
 /// # Ok::<(), mckibben_report::FigureError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Figure {
     /// Title above the panels; may be empty.
@@ -36,9 +37,7 @@ pub struct Figure {
 }
 
 /// How the colour number of a series becomes a colour.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Palette {
     /// Clearly different colours that stay apart for colour-blind readers (Okabe and Ito,
@@ -51,7 +50,7 @@ pub enum Palette {
 }
 
 /// One set of axes with its series and marks.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Panel {
     /// Title above the axes; may be empty.
@@ -67,7 +66,7 @@ pub struct Panel {
 }
 
 /// An axis.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Axis {
     /// Quantity and unit, such as `pull F [N]`.
@@ -81,7 +80,7 @@ pub struct Axis {
 /// A line or a set of points.
 ///
 /// A point with a coordinate that is not finite breaks the line and is not drawn.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Series {
     /// Text of the legend; an empty text makes no legend entry. Series of one panel with
@@ -106,9 +105,7 @@ pub struct Series {
 }
 
 /// How a series is drawn.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Style {
     /// A line whose dash pattern goes with its colour number, so that lines stay apart
@@ -130,7 +127,7 @@ pub enum Style {
 }
 
 /// A marked operating point: a ringed dot with a label.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Mark {
     /// Place on the horizontal axis, in its unit.
@@ -179,9 +176,9 @@ impl Figure {
         self.size_mm(width, 0.0)
     }
 
-    /// Sets how colours follow from colour numbers.
-    pub fn palette(mut self, palette: Palette) -> Self {
-        self.palette = palette;
+    /// Colours as of a ramp: numbers stand for an order.
+    pub fn sequential(mut self) -> Self {
+        self.palette = Palette::Sequential;
         self
     }
 }
@@ -318,8 +315,7 @@ mod gaps {
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(f64, f64)>, D::Error> {
-        let points = Vec::<Point>::deserialize(from)?;
-        Ok(points
+        Ok(Vec::<Point>::deserialize(from)?
             .into_iter()
             .map(|(x, y)| (x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN)))
             .collect())

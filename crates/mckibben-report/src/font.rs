@@ -42,11 +42,10 @@ impl Metrics {
 
     /// How far a character moves the pen; one that the font lacks takes 0.7 of the size.
     pub fn advance(&self, c: char, size: f64) -> f64 {
-        let advance = self
-            .font
+        self.font
             .glyph_index(c)
-            .and_then(|glyph| self.font.glyph_hor_advance(glyph));
-        advance.map_or(0.7 * size, |units| f64::from(units) * self.scale(size))
+            .and_then(|glyph| self.font.glyph_hor_advance(glyph))
+            .map_or(0.7 * size, |units| f64::from(units) * self.scale(size))
     }
 
     pub fn scale(&self, size: f64) -> f64 {

@@ -33,8 +33,12 @@ pub struct Page<'a> {
 
 /// The colours of a figure.
 pub fn colours(figure: &Figure) -> Colours {
-    let series = figure.panels.iter().flat_map(Panel::numbered);
-    let last = series.map(|(number, _)| number).max();
+    let last = figure
+        .panels
+        .iter()
+        .flat_map(Panel::numbered)
+        .map(|(number, _)| number)
+        .max();
     Colours {
         palette: figure.palette,
         count: last.map_or(1, |last| last.saturating_add(1)),
@@ -125,8 +129,11 @@ pub fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
         let gap = if caption.is_empty() { 0.0 } else { 3.0 };
         let y = bottom - legend.frame.h - gap;
         // rows narrower than the paper are centred
-        let ends = legend.entries.iter().map(|entry| entry_end(entry, metrics));
-        let right = ends.fold(MARGIN, f64::max);
+        let right = legend
+            .entries
+            .iter()
+            .map(|entry| entry_end(entry, metrics))
+            .fold(MARGIN, f64::max);
         legend.shift(((MARGIN + inner - right) / 2.0).max(0.0), y);
         bottom = y - 8.0;
     }

@@ -39,8 +39,9 @@ pub fn tree(svg: &str) -> Result<Tree> {
 
 fn path(out: &mut String, number: usize, text: Node<'_, '_>, metrics: &Metrics) -> Result<()> {
     let number_of = |name: &str| {
-        let value = text.attribute(name).and_then(|v| v.parse::<f64>().ok());
-        value.ok_or_else(|| FigureError::image(format!("a text has no {name}")))
+        text.attribute(name)
+            .and_then(|v| v.parse::<f64>().ok())
+            .ok_or_else(|| FigureError::image(format!("a text has no {name}")))
     };
     let x = number_of("x")?;
     let y = number_of("y")?;

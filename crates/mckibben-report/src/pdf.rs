@@ -44,8 +44,8 @@ pub fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
     let mut stream = ZlibEncoder::new(vec![], Compression::default());
     let content = stream
         .write_all(&drawn.content.finish())
-        .and_then(|()| stream.finish());
-    let content = content.map_err(FigureError::image)?;
+        .and_then(|()| stream.finish())
+        .map_err(FigureError::image)?;
     let [info, catalog, pages, sheet, body] = [1, 2, 3, 4, 5].map(Ref::new);
     let mut pdf = Pdf::new();
     pdf.document_info(info)

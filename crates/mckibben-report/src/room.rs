@@ -30,13 +30,15 @@ impl Room {
     }
 
     fn column(&self, x: f64) -> usize {
-        let column = ((x - self.plot.x) / CELL).floor();
-        column.clamp(0.0, (self.columns - 1) as f64) as usize
+        ((x - self.plot.x) / CELL)
+            .floor()
+            .clamp(0.0, (self.columns - 1) as f64) as usize
     }
 
     fn row(&self, y: f64) -> usize {
-        let row = ((y - self.plot.y) / CELL).floor();
-        row.clamp(0.0, (self.rows - 1) as f64) as usize
+        ((y - self.plot.y) / CELL)
+            .floor()
+            .clamp(0.0, (self.rows - 1) as f64) as usize
     }
 
     /// Notes a drawn line.
@@ -92,8 +94,9 @@ impl Room {
     /// How many cells with something drawn lie under a rectangle.
     pub fn drawn_under(&self, rect: &Rect) -> usize {
         let columns = self.column(rect.x)..=self.column(rect.right());
-        let rows = self.cells.chunks(self.columns);
-        rows.take(self.row(rect.bottom()) + 1)
+        self.cells
+            .chunks(self.columns)
+            .take(self.row(rect.bottom()) + 1)
             .skip(self.row(rect.y))
             .map(|row| row[columns.clone()].iter().filter(|drawn| **drawn).count())
             .sum()

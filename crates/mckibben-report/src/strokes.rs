@@ -24,8 +24,11 @@ pub fn series(
 ) {
     if style == Style::Points {
         let shape = palette::shape(number);
-        let spots = runs.iter().flatten();
-        let shapes: String = spots.map(|spot| marker(shape, *spot)).collect();
+        let shapes: String = runs
+            .iter()
+            .flatten()
+            .map(|spot| marker(shape, *spot))
+            .collect();
         if !shapes.is_empty() {
             let width = if shape == Shape::Cross { 1.4 } else { 1.3 };
             let _ = writeln!(

@@ -61,10 +61,10 @@ fn admitted(request: &Request) -> Result<(), Refusal> {
             .map(|v| v.to_str().unwrap_or_default())
     };
     let host = header(HOST).unwrap_or_default();
-    let with_port = host
+    let name = host
         .rsplit_once(':')
-        .filter(|(_, port)| port.parse::<u16>().is_ok());
-    let name = with_port.map_or(host, |(name, _)| name);
+        .filter(|(_, port)| port.parse::<u16>().is_ok())
+        .map_or(host, |(name, _)| name);
     if !LOCAL.iter().any(|local| local.eq_ignore_ascii_case(name)) {
         let message = format!("\"{host}\" is not a name of this server");
         return Err(Refusal::new(

@@ -7,7 +7,6 @@
 //! characters ([`clean`]), the bytes of a regular file ([`read()`]).
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod bounded;
 pub mod cancel;

@@ -67,21 +67,22 @@ impl NamedUnit {
                 .is_some_and(|rest| rest.ends_with('_'))
         };
         // The longest: `_n_per_mm` ends with `_mm` too.
-        let end = typed
+        typed
             .chain(answered)
             .filter(|(end, _)| ends(end))
-            .max_by_key(|(end, _)| end.len());
-        end.map(|(_, unit)| unit).or_else(|| {
-            let last = name
-                .rsplit('_')
-                .find(|word| word.parse::<u32>().is_err())
-                .unwrap_or_default();
-            match last {
-                _ if name == STIFFNESS => Some(Self::inside(Dimension::Stiffness)),
-                last if RATIOS.contains(&last) => Some(Self::inside(Dimension::Ratio)),
-                _ => None,
-            }
-        })
+            .max_by_key(|(end, _)| end.len())
+            .map(|(_, unit)| unit)
+            .or_else(|| {
+                let last = name
+                    .rsplit('_')
+                    .find(|word| word.parse::<u32>().is_err())
+                    .unwrap_or_default();
+                match last {
+                    _ if name == STIFFNESS => Some(Self::inside(Dimension::Stiffness)),
+                    last if RATIOS.contains(&last) => Some(Self::inside(Dimension::Ratio)),
+                    _ => None,
+                }
+            })
     }
 }
 

@@ -131,8 +131,11 @@ impl Dimension {
 
     /// The unit used inside.
     pub fn unit_inside(self) -> Unit {
-        let usual = self.units().iter().find(|u| u.1 == u.2).map(Unit::new);
-        usual.unwrap_or(RATIO)
+        self.units()
+            .iter()
+            .find(|u| u.1 == u.2)
+            .map(Unit::new)
+            .unwrap_or(RATIO)
     }
 
     /// The usual spellings of all its units, for messages.

@@ -48,8 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (turn, contraction) in [0.0, 0.1].into_iter().enumerate() {
         let reference = |p: f64| bricks.force_n(&mut Workspace::new(), p, contraction);
         for (number, (name, model, style)) in models.iter().enumerate() {
-            let pressures = (1..=25).map(|i| 0.01 * f64::from(i));
-            let answers = pressures.filter_map(|p| {
+            let answers = (1..=25).map(|i| 0.01 * f64::from(i)).filter_map(|p| {
                 let force = model.force_n(&mut Workspace::new(), p, contraction);
                 Some((p, force.ok()?))
             });
@@ -64,8 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             pull = pull.series(series);
             if number == 1 {
-                let off_fe = line.iter();
-                let off_fe = off_fe.filter_map(|&(p, f)| Some((p, f - reference(p).ok()?)));
+                let off_fe = line.iter().filter_map(|&(p, f)| Some((p, f - reference(p).ok()?)));
                 off = off.series(Series::line(name, off_fe).colour(number).style(*style));
             }
         }

@@ -4,6 +4,7 @@
 //! `cargo study universal_errors -- 500 7` takes the number of muscles and a seed.
 
 use mckibben_core::{
+    analysis::bisect,
     model::{ForceModel, ModelKind, Workspace},
     rubber::RubberLaw,
 };
@@ -87,7 +88,12 @@ fn small_pressures(samples: &[Sample]) {
             ) else {
                 continue;
             };
-            let farthest = zero(model.as_ref(), p, s.muscle.max_ideal_contraction());
+            let largest = s.muscle.max_ideal_contraction();
+            let (farthest, _) = bisect(0.0, largest, 30, |e| {
+                model
+                    .force_n(&mut Workspace::new(), p, e)
+                    .is_ok_and(|f| f > 0.0)
+            });
             for i in 0..10 {
                 let contraction = farthest * f64::from(i) / 10.0;
                 let (Ok(exact), Ok(force)) = (
@@ -111,22 +117,4 @@ fn small_pressures(samples: &[Sample]) {
              {newtons:>9.4}"
         );
     }
-}
-
-/// Contraction at which the pull ends, between 0 and a largest one, by halves.
-fn zero(model: &dyn ForceModel, p: f64, largest: f64) -> f64 {
-    let mut low = 0.0;
-    let mut high = largest;
-    for _ in 0..30 {
-        let mid = 0.5 * (low + high);
-        if model
-            .force_n(&mut Workspace::new(), p, mid)
-            .is_ok_and(|f| f > 0.0)
-        {
-            low = mid
-        } else {
-            high = mid
-        }
-    }
-    low
 }

@@ -15,8 +15,7 @@ const STEPS: usize = 200;
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let file = arguments.next().unwrap_or_else(|| "universal.svg".into());
-    let count = arguments.next().map_or(Ok(150), |n| n.parse())?;
-    let samples = held_out_samples(count, 7);
+    let samples = held_out_samples(arguments.next().map_or(Ok(150), |n| n.parse())?, 7);
     let points: usize = samples.iter().map(|s| s.points.len()).sum();
     let mut panel = Panel::new(
         Axis::new("|error| in % of the blocked force, log10").range(-4.0, 2.0),

@@ -178,14 +178,19 @@ impl BoundModel {
     ) -> Result<usize, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
         if count != other {
-            let message = format!(
-                "the two lists must have the same length; they have {count} and {other} numbers"
-            );
-            return Err(Problem::new(ProblemKind::Usage, message, "").into());
+            return Err(ProblemKind::Usage
+                .problem(format!(
+                    "the two lists must have the same length; they have {count} and {other} numbers"
+                ))
+                .into());
         }
         if count.checked_mul(width) != Some(out.len()) {
-            let message = format!("{} places for {count} points of {width} numbers", out.len());
-            return Err(Problem::new(ProblemKind::Usage, message, "").into());
+            return Err(ProblemKind::Usage
+                .problem(format!(
+                    "{} places for {count} points of {width} numbers",
+                    out.len()
+                ))
+                .into());
         }
         let share = if self.is_elements() {
             BLOCK_OF_ELEMENTS
@@ -242,7 +247,7 @@ impl BoundModel {
 
 /// The constant or measure of a muscle by its name in the muscle file.
 fn parameter(muscle: &Muscle, name: &str) -> Result<Target> {
-    let wrong = |e: String| Problem::new(ProblemKind::Parameter, e, "");
+    let wrong = |e: String| ProblemKind::Parameter.problem(e);
     match Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))? {
         Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => {
             let why = "is a property of measured data, not of the muscle: it has no derivative";

@@ -46,8 +46,12 @@ impl BoundModel {
         }
         let mut failed = 0;
         let mut free = None;
-        let points = first.iter().zip(second).zip(out.chunks_mut(many.width()));
-        for (index, ((&a, &b), places)) in points.enumerate() {
+        for (index, ((&a, &b), places)) in first
+            .iter()
+            .zip(second)
+            .zip(out.chunks_mut(many.width()))
+            .enumerate()
+        {
             // A point has the same digits alone and among others: nothing is kept of the one
             // before.
             match self.answer_point((a, b), many, &mut Workspace::new(), &mut free, places) {
@@ -234,11 +238,10 @@ impl BoundModel {
         };
         by_pair.copy_from_slice(pair.get(..by_pair.len()).unwrap_or_default());
         by_parameters.iter_mut().for_each(|v| *v *= scale);
-        let finite = by_pair
+        by_pair
             .iter()
             .chain(by_parameters.iter())
-            .all(|v| v.is_finite());
-        finite
+            .all(|v| v.is_finite())
             .then_some(())
             .ok_or_else(|| self.no_slope("a requested quantity", p, e))
     }

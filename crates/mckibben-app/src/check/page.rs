@@ -39,8 +39,11 @@ const HEADINGS: [(FindingKind, &str, &str); 4] = [
 impl Show for CheckAnswer {
     /// The others are among the findings.
     fn warnings(&self) -> Vec<String> {
-        let of_burst = self.warnings.iter().filter(|w| is_of_burst(w));
-        of_burst.cloned().collect()
+        self.warnings
+            .iter()
+            .filter(|w| is_of_burst(w))
+            .cloned()
+            .collect()
     }
 
     fn page(&self, u: &Units) -> Page {
@@ -220,8 +223,11 @@ impl CheckAnswer {
 
 /// How far the muscle stretches its rubber, and how far the rubber is known.
 fn reach(m: &Muscle) -> String {
-    let known = m.tube().rubber.fitted_to_stretch;
-    let known = known.map(|end| format!(", fitted up to {}", number(end, 3)));
+    let known = m
+        .tube()
+        .rubber
+        .fitted_to_stretch
+        .map(|end| format!(", fitted up to {}", number(end, 3)));
     let place = if m.is_extensile() {
         "along the tube"
     } else {

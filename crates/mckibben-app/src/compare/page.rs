@@ -22,8 +22,10 @@ impl Show for CompareAnswer {
         page.gap();
         let (there, not): (Vec<&ComparedModel>, Vec<&ComparedModel>) =
             self.models.iter().partition(|m| m.errors.cause.is_none());
-        let some = not.iter().copied();
-        let some = some.filter(|m| m.errors.rms_n.is_some() || m.errors.volume_points > 0);
+        let some = not
+            .iter()
+            .copied()
+            .filter(|m| m.errors.rms_n.is_some() || m.errors.volume_points > 0);
         let compared: Vec<&ComparedModel> = there.into_iter().chain(some).collect();
         let force = u.force.digits(3);
         page.table(

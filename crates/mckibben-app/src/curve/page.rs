@@ -129,15 +129,15 @@ fn cells(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
             .collect(),
         None => aligned(&numbers, 4),
     };
-    let shown = cells
+    cells
         .into_iter()
         .zip(&curve.points)
         .map(|(cell, q)| match &q.answer {
             Ok(_) if test == Test::Isotonic => cell + " %",
             Ok(a) if a.slack => "slack".into(),
             _ => cell,
-        });
-    shown.collect()
+        })
+        .collect()
 }
 
 impl Show for StudyAnswer {

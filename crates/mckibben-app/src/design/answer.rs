@@ -23,9 +23,10 @@ use mckibben_design::{
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
+use serde_with_macros::skip_serializing_none;
 
 /// Ranked muscles, and the reasons why others fail.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct DesignAnswer {
     /// The decision in sentences: what to take, which pressure to set, what it pulls, what is sure,
@@ -60,7 +61,6 @@ pub struct DesignAnswer {
     /// Near misses, or the muscles that come closest.
     pub rejected: Vec<RejectedAnswer>,
     /// Warnings about the best muscle; if nothing fits, whether burst was checked.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// If none of the candidates is sure at a pressure that it may have: the best muscle whose
     /// lower end of the ± meets the requirement (`guaranteed`); none where the same search finds
@@ -110,7 +110,7 @@ pub enum DemandAnswer {
 }
 
 /// Search space and limits.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct SearchedAnswer {
     /// The rubber, or how many.
@@ -184,7 +184,7 @@ pub struct CandidateJoint {
 }
 
 /// A muscle that does not fit.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct RejectedAnswer {
     /// The muscle.

@@ -12,7 +12,7 @@ use mckibben_core::{
 };
 use mckibben_design::{Candidate, OperatingPoint};
 use mckibben_fit::compare::MeasuredPoint;
-use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
 
 /// Six panels: isometric above, isotonic below.
 pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
@@ -116,13 +116,17 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
         .iter()
         .flat_map(|c| &c.points)
         .filter_map(|p| p.contraction);
-    let equilibria = loaded.at.iter().flat_map(|at| &at.equilibria);
-    let responses = equilibria.map(|e| &e.answer.response);
+    let responses = loaded
+        .at
+        .iter()
+        .flat_map(|at| &at.equilibria)
+        .map(|e| &e.answer.response);
     let end = peak(along.chain(responses.clone().map(|r| r.contraction)));
     let (low, high) = loaded.line.reach_mm();
-    let places = (0..LINE).map(|i| end * i as f64 / (LINE - 1) as f64);
-    let known = places.filter(|e| (low..=high).contains(&(e * length_mm)));
-    let line = known.map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm))));
+    let line = (0..LINE)
+        .map(|i| end * i as f64 / (LINE - 1) as f64)
+        .filter(|e| (low..=high).contains(&(e * length_mm)))
+        .map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm))));
     let points = responses.map(|r| (r.contraction, u.force.value(r.force_n)));
     (
         Series::new("", line).style(Style::Dashed).neutral(),
@@ -158,9 +162,10 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
             series(&text)
         });
     }
-    let numbered = list.iter().enumerate();
-    let numbered = numbered.filter(|_| list.len() <= MOST_BANDS);
-    let bands: Vec<Series> = numbered
+    let bands: Vec<Series> = list
+        .iter()
+        .enumerate()
+        .filter(|_| list.len() <= MOST_BANDS)
         .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)))
         .collect();
     let said = said(&bands, "");
@@ -184,7 +189,7 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
     let about = format!("Model {model}{branches}{said}. {}", muscle.line(u));
     Figure::new(title)
         .caption(caption(about))
-        .palette(Palette::Sequential)
+        .sequential()
         .panel(panel)
 }
 

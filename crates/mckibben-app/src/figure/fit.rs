@@ -9,7 +9,7 @@ use mckibben_campaign::fit::{
     paper_method::{CurveFit, LineFit, PaperMethod},
 };
 use mckibben_core::{extremes::ends, formula::Formula};
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// The diameter and wall that figures of one muscle show, where the table has them: the
 /// prototype's.
@@ -56,16 +56,15 @@ pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
         "figure_12_formula_and_points",
         against_points(&f.formula, &f.compared),
     );
-    let all = f
-        .paper
+    f.paper
         .iter()
         .flat_map(|m| paper_figures(m, &f.formula))
-        .chain([last]);
-    all.map(|(name, figure)| NamedFigure {
-        name: name.into(),
-        figure,
-    })
-    .collect()
+        .chain([last])
+        .map(|(name, figure)| NamedFigure {
+            name: name.into(),
+            figure,
+        })
+        .collect()
 }
 
 /// Figures 5 to 11.
@@ -117,7 +116,7 @@ impl Section<'_> {
                 self.formula.provenance.method,
                 mckibben_core::PAPER
             )))
-            .palette(Palette::Sequential)
+            .sequential()
     }
 
     /// Points and quadratics of some curves.
@@ -176,8 +175,10 @@ impl Section<'_> {
 
     /// The lines over pressure, for each wall of the diameter.
     fn lines(&self) -> impl Iterator<Item = &LineFit> {
-        let lines = self.method.lines.iter();
-        lines.filter(|l| same(l.outer_diameter_mm, self.d))
+        self.method
+            .lines
+            .iter()
+            .filter(|l| same(l.outer_diameter_mm, self.d))
     }
 
     fn abc_over_pressure(&self) -> Figure {
@@ -193,10 +194,11 @@ impl Section<'_> {
                 Axis::new(format!("{letter} [N]")),
             );
             for (n, l) in self.lines().enumerate() {
-                let curves = self.method.curves.iter();
-                let of_wall = curves
-                    .filter(|c| same(c.outer_diameter_mm, self.d) && same(c.wall_mm, l.wall_mm));
-                let points = of_wall
+                let points = self
+                    .method
+                    .curves
+                    .iter()
+                    .filter(|c| same(c.outer_diameter_mm, self.d) && same(c.wall_mm, l.wall_mm))
                     .filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients[k])))
                     .collect();
                 let label = format!("s {}", number(l.wall_mm, 3));
@@ -294,7 +296,7 @@ fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
     .caption(caption(format!(
         "Lines: the formula; dots: the table, {text}. {method}"
     )))
-    .palette(Palette::Sequential)
+    .sequential()
     .columns(2);
     let pressures = distinct(of_d.iter().map(|c| c.point.pressure_mpa));
     let shown: Vec<f64> = pressures
@@ -309,11 +311,12 @@ fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
     {
         let mut panel = Panel::new(contraction(), pull()).title(format!("s {} mm", number(s, 3)));
         for (n, &p) in shown.iter().rev().enumerate() {
-            let mine = of_d
+            let points: Vec<(f64, f64)> = of_d
                 .iter()
                 .map(|c| c.point)
-                .filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p));
-            let points: Vec<(f64, f64)> = mine.map(|q| (q.contraction, q.force_n)).collect();
+                .filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p))
+                .map(|q| (q.contraction, q.force_n))
+                .collect();
             if !points.is_empty() {
                 let label = format!("{} MPa", number(p, 3));
                 panel = pair(panel, &label, n, points, |e| formula.force_n(d, s, p, e));

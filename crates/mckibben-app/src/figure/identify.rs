@@ -10,10 +10,10 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     identify::{Build, Identification, PointFit},
-    measured::{DataPoint, Section, distinct, mean_of_data},
+    measured::{DataPoint, Section, distinct, mean_of_data, same},
     validation::{case::MuscleCase, report::MeasuredFit},
 };
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Curves of one figure at most; of more levels some are shown.
 const CURVES: usize = 6;
@@ -26,10 +26,6 @@ fn thinned(list: &[f64]) -> Vec<f64> {
     (0..CURVES)
         .map(|i| list[i * (list.len() - 1) / (CURVES - 1)])
         .collect()
-}
-
-fn same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
 }
 
 /// What is fixed along the curves of a figure, and so what its colours mean.
@@ -105,7 +101,7 @@ pub fn identified(
     about: &str,
     u: &Units,
 ) -> Figure {
-    let mut figure = Figure::new(format!("Identified from {origin}")).palette(Palette::Sequential);
+    let mut figure = Figure::new(format!("Identified from {origin}")).sequential();
     let sections = sections(identified);
     let levels = Levels::new(identified);
     for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
@@ -118,8 +114,11 @@ pub fn identified(
             sections.len() > 1,
         ));
     }
-    let drawn = figure.panels.iter().flat_map(|panel| &panel.series);
-    let bands = drawn.filter(|series| series.style == Style::Band);
+    let bands = figure
+        .panels
+        .iter()
+        .flat_map(|panel| &panel.series)
+        .filter(|series| series.style == Style::Band);
     let said = said(&bands.cloned().collect::<Vec<_>>(), "");
     let shown = levels.shown();
     let rms = u.force.to(identified.rms_n, 3);
@@ -130,8 +129,11 @@ pub fn identified(
     let residuals = |x: fn(&PointFit) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new(u.force.heading("model − data")).from_zero());
         for n in 0..levels.fixed.len() {
-            let mine = identified.points.iter().filter(|f| levels.nearest(f) == n);
-            let points = mine.map(|f| (scale * x(f), u.force.value(f.residual_n)));
+            let points = identified
+                .points
+                .iter()
+                .filter(|f| levels.nearest(f) == n)
+                .map(|f| (scale * x(f), u.force.value(f.residual_n)));
             let points = Series::scatter(levels.label(n, u), points).colour(n);
             if !points.points.is_empty() {
                 panel = panel.series(points);
@@ -267,7 +269,7 @@ pub fn measured(
     );
     let mut figure = Figure::new(format!("Measured muscles and {name}"))
         .caption(caption(&about))
-        .palette(Palette::Sequential);
+        .sequential();
     for (number, case) in cases.iter().enumerate() {
         let Some(first) = results.iter().find(|r| r.case == number) else {
             continue;

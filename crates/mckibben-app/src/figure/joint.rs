@@ -3,7 +3,7 @@
 use super::{caption, curves::MOST_BANDS, said};
 use crate::{JointAnswer, JointRow, Units};
 use mckibben_core::joint::{JointMap, MapPoint};
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Torque over angle of each family, and the map of angle and stiffness, as far as they are there.
 pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figure> {
@@ -11,7 +11,7 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
         .muscles
         .first()
         .map_or_else(String::new, |m| m.line(u));
-    let mut figure = Figure::new("Joint").palette(Palette::Sequential);
+    let mut figure = Figure::new("Joint").sequential();
     let mut bands = vec![];
     if over_angles && answer.points.len() > 1 {
         let panel;

@@ -3,7 +3,7 @@
 use super::{caption, pressure, said};
 use crate::{MotionAnswer, MotionRun, Units};
 use mckibben_motion::Coordinate;
-use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Position, pressures with their command, and pulls; the runs of a sweep one over the other.
 pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
@@ -50,7 +50,7 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
     let of = sweep.map_or_else(String::new, |key| format!(" over {key}"));
     Figure::new(format!("Motion{of}"))
         .caption(caption(format!("Model {}{said}. {about}", answer.model)))
-        .palette(Palette::Sequential)
+        .sequential()
         .panel(places)
         .panel(pressures)
 }

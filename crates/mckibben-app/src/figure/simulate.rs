@@ -8,7 +8,7 @@ use super::{
 use crate::{MuscleSummary, Simulated, Units, percent};
 use mckibben_core::curve::Test;
 use mckibben_fem::results::{ProfilePoint, Solution, StrandState};
-use mckibben_report::{Axis, Figure, Palette, Panel, Series};
+use mckibben_report::{Axis, Figure, Panel, Series};
 
 /// Shapes are drawn of so many points at most.
 const SHAPES: usize = 6;
@@ -16,7 +16,7 @@ const SHAPES: usize = 6;
 /// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
 pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) -> Figure {
     let title = format!("{} test, finite elements", capital(test.name()));
-    let mut figure = Figure::new(title).palette(Palette::Sequential);
+    let mut figure = Figure::new(title).sequential();
     let (x, y) = axes(test, u);
     let mut curve = Panel::new(x, y);
     let mut fixed: Vec<f64> = points.iter().map(|q| key(test, q)).collect();
@@ -78,8 +78,10 @@ fn along_the_muscle(shown: &[(&Simulated, &Solution)], u: &Units) -> [Panel; 3] 
             percent(s.response.contraction)
         );
         let surface = |of: fn(&ProfilePoint) -> (f64, f64)| {
-            let points = s.profile.iter().map(of);
-            points.map(|(z, r)| (u.length.value(z), u.length.value(r)))
+            s.profile
+                .iter()
+                .map(of)
+                .map(|(z, r)| (u.length.value(z), u.length.value(r)))
         };
         let along = |of: &dyn Fn(&StrandState) -> f64| -> Vec<(f64, f64)> {
             s.strands

@@ -1,7 +1,7 @@
 //! Tension tests with the laws fitted to them.
 
 use super::{caption, some_of};
-use mckibben_core::extremes::peak;
+use mckibben_core::extremes::ends;
 use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
@@ -53,21 +53,20 @@ fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
         .iter()
         .filter(|p| p.mode == Mode::General)
         .collect();
-    let measured = || points.iter().map(|p| p.nominal_stress_mpa);
-    let low = measured().reduce(f64::min)?;
-    let high = measured().reduce(f64::max)?;
+    points.first()?;
+    let (low, high) = ends(points.iter().map(|p| p.nominal_stress_mpa));
     let room = 0.05 * (high - low).max(1e-9);
-    let ends = (low - room, high + room);
-    let x = Axis::new("measured P [MPa]").range(ends.0, ends.1);
-    let y = Axis::new("law P [MPa]").range(ends.0, ends.1);
-    let line = [(ends.0, ends.0), (ends.1, ends.1)];
+    let range = (low - room, high + room);
+    let x = Axis::new("measured P [MPa]").range(range.0, range.1);
+    let y = Axis::new("law P [MPa]").range(range.0, range.1);
+    let line = [(range.0, range.0), (range.1, range.1)];
     let mut panel = Panel::new(x, y).title(Mode::General.name());
     panel = panel.series(Series::new("", line).colour(LAWS));
     for (n, law) in laws.iter().enumerate() {
-        let pairs = points
+        let inside = points
             .iter()
-            .map(|p| (p.nominal_stress_mpa, p.stress_mpa(&law.law)));
-        let inside = pairs.filter(|p| p.1 >= ends.0 && p.1 <= ends.1);
+            .map(|p| (p.nominal_stress_mpa, p.stress_mpa(&law.law)))
+            .filter(|p| p.1 >= range.0 && p.1 <= range.1);
         panel = panel.series(Series::scatter("", inside).colour(n));
     }
     Some(panel)
@@ -75,8 +74,7 @@ fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
 
 fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
     let points: Vec<&TensionPoint> = fit.points.iter().filter(|p| p.mode == mode).collect();
-    let low = points.iter().map(|p| p.stretch).fold(1.0, f64::min);
-    let far = points.iter().map(|p| p.stretch).fold(1.0, f64::max);
+    let (low, far) = ends(points.iter().map(|p| p.stretch).chain([1.0]));
     let end = if points.is_empty() {
         WITHOUT_POINTS.min(fit.fitted_to_stretch)
     } else {
@@ -90,9 +88,8 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
         .iter()
         .filter(|l| points.is_empty() && l.quality.stable)
         .map(|l| stress(l, end));
-    let heights: Vec<f64> = measured.chain(stable).filter(|y| y.is_finite()).collect();
-    let top = peak(heights.iter().copied());
-    let bottom = heights.iter().copied().fold(0.0, f64::min);
+    let heights = measured.chain(stable).filter(|y| y.is_finite());
+    let (bottom, top) = ends(heights.chain([0.0]));
     let x = Axis::new("stretch λ [–]").range(low, end + 0.03 * (end - low));
     let mut y = Axis::new("stress P [MPa]");
     if top > bottom {

@@ -52,10 +52,11 @@ impl IdentifyAnswer {
     fn residuals(&self, u: &Units) -> Rows {
         let identified = &self.identified;
         let force = u.force.digits(3);
-        let pulls = self.points.iter().map(|p| p.point.at.force_n);
-        let largest_n = peak(pulls);
-        let bench = identified.bench.as_ref();
-        let bench = bench.filter(|_| self.muscle_file.contains("\n[identified]"));
+        let largest_n = peak(self.points.iter().map(|p| p.point.at.force_n));
+        let bench = identified
+            .bench
+            .as_ref()
+            .filter(|_| self.muscle_file.contains("\n[identified]"));
         Rows::default()
             .quantity("rms of the residuals", &force, identified.rms_n)
             .quantity("at the start", &force, identified.rms_before_n)
@@ -147,8 +148,11 @@ fn correlation(identified: &Identification, page: &mut Page) {
 
 /// Where a bench was, and how far its pulls are known.
 fn bench_text(bench: &Bench, u: &Units) -> String {
-    let fits = bench.fit_n.iter().flatten();
-    let half = fits.map(|fit| fit.hypot(bench.scatter_n));
+    let half = bench
+        .fit_n
+        .iter()
+        .flatten()
+        .map(|fit| fit.hypot(bench.scatter_n));
     let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
     let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
     let [p, q] = [p, q].map(|v| u.pressure.show(v));

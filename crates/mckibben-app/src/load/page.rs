@@ -14,19 +14,26 @@ type Line<'a> = (f64, Option<&'a Balance>, &'static str);
 impl LoadAnswer {
     /// A table of the equilibria, and the stroke between the lowest and the highest pressure.
     pub fn onto(&self, page: &mut Page, u: &Units) {
-        let lines = self.at.iter().flat_map(|at| {
-            let nothing = at.error.as_ref().filter(|_| at.equilibria.is_empty());
-            let nothing = nothing.map(|error| match error {
-                LoadError::NotLifted { .. } => "not lifted",
-                _ => "none",
-            });
-            let balanced = at.equilibria.iter().map(|e| {
-                let balance = if e.stable { "stable" } else { "unstable" };
-                (e.answer.response.pressure_mpa, Some(e), balance)
-            });
-            balanced.chain(nothing.map(|word| (at.pressure_mpa, None, word)))
-        });
-        let lines: Vec<Line<'_>> = lines.collect();
+        let lines: Vec<Line<'_>> = self
+            .at
+            .iter()
+            .flat_map(|at| {
+                let nothing =
+                    at.error.as_ref().filter(|_| at.equilibria.is_empty()).map(
+                        |error| match error {
+                            LoadError::NotLifted { .. } => "not lifted",
+                            _ => "none",
+                        },
+                    );
+                at.equilibria
+                    .iter()
+                    .map(|e| {
+                        let balance = if e.stable { "stable" } else { "unstable" };
+                        (e.answer.response.pressure_mpa, Some(e), balance)
+                    })
+                    .chain(nothing.map(|word| (at.pressure_mpa, None, word)))
+            })
+            .collect();
         let table = Table::of(&lines)
             .text(&u.pressure.heading("P"), |l| u.pressure.bare(l.0))
             .quantity("ε", &PERCENT, |l| {

@@ -62,19 +62,23 @@ fn head(page: &mut Page, about: (&MeasuredFacts, usize), title: &str, found: Row
 
 impl MeasuredCase {
     fn onto(&self, page: &mut Page, results: &[MeasuredResult], u: &Units) {
-        let fits = self.fits.iter().filter(|f| !f.parameters.is_empty());
-        let found = fits.fold(Rows::default(), |rows, f| {
-            let label = format!("{} [{}]", f.fit, f.fitted_to);
-            rows.text(&label, in_one_line(&f.parameters))
-        });
+        let found = self.fits.iter().filter(|f| !f.parameters.is_empty()).fold(
+            Rows::default(),
+            |rows, f| {
+                let label = format!("{} [{}]", f.fit, f.fitted_to);
+                rows.text(&label, in_one_line(&f.parameters))
+            },
+        );
         head(
             page,
             (&self.facts, self.points),
             ", points that pull",
             found,
         );
-        let results = results.iter().filter(|r| r.case == self.facts.name);
-        let results: Vec<&MeasuredResult> = results.collect();
+        let results: Vec<&MeasuredResult> = results
+            .iter()
+            .filter(|r| r.case == self.facts.name)
+            .collect();
         let force = u.force.digits(3);
         let share = PERCENT.digits(3);
         page.table(
@@ -93,11 +97,15 @@ impl MeasuredCase {
                 .text("fitted to", |r| &r.fitted_to)
                 .text("fit", |r| &r.fit),
         );
-        let branches = results.iter().flat_map(|r| {
-            let branches = r.group.by_branch.iter();
-            branches.map(move |b| (b, format!("{} [{}]", r.fit, r.group.of)))
-        });
-        let branches: Vec<(&MeasuredBranch, String)> = branches.collect();
+        let branches: Vec<(&MeasuredBranch, String)> = results
+            .iter()
+            .flat_map(|r| {
+                r.group
+                    .by_branch
+                    .iter()
+                    .map(move |b| (b, format!("{} [{}]", r.fit, r.group.of)))
+            })
+            .collect();
         page.table_under(
             "Branches",
             Table::of(&branches)
@@ -118,8 +126,10 @@ impl MeasuredRubber {
         });
         let title = "; % is of the measured stress";
         head(page, (&self.facts, self.points), title, found);
-        let errors = stresses.iter().filter(|s| s.case == self.facts.name);
-        let errors: Vec<&MeasuredStress> = errors.collect();
+        let errors: Vec<&MeasuredStress> = stresses
+            .iter()
+            .filter(|s| s.case == self.facts.name)
+            .collect();
         let stress = MEGAPASCALS.digits(3);
         page.table(
             Table::of(&errors)
@@ -143,8 +153,9 @@ impl MeasuredRubber {
 /// The constants of a fitted law, its Prony series, and whether it is doubtful.
 fn constants(fit: &MeasuredRubberFit) -> String {
     let constants = fit.parameters.iter().map(|p| {
-        let constant = format!("{} {} {}", p.name, number(p.value, 3), p.unit);
-        constant.trim().to_owned()
+        format!("{} {} {}", p.name, number(p.value, 3), p.unit)
+            .trim()
+            .to_owned()
     });
     let branches = fit
         .prony

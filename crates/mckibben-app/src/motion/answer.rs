@@ -7,9 +7,10 @@ use mckibben_motion::Motion;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
+use serde_with_macros::skip_serializing_none;
 
 /// A motion.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct MotionRun {
     /// The value of the sweep's key, where there is a sweep.
@@ -23,7 +24,7 @@ pub struct MotionRun {
 }
 
 /// How far from its computed end a measured muscle or joint may come to rest.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct EndUncertainty {
     /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a
@@ -55,7 +56,7 @@ impl MotionRun {
 }
 
 /// The answer to a drive: its motion, or those of a sweep.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct MotionAnswer {
     /// The model's name.
@@ -77,7 +78,6 @@ pub struct MotionAnswer {
     #[serde(flatten)]
     pub identified: Option<IdentifiedDrive>,
     /// Warnings.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,

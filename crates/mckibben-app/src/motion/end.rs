@@ -25,10 +25,13 @@ impl Moved {
         drives: &[(Option<String>, DriveFile)],
     ) -> Vec<Warning> {
         let of_run = |(run, (value, drive)): (&MotionRun, &(Option<String>, DriveFile))| {
-            let with = value.as_ref().map(|value| format!("with {value}: "));
-            let with = with.unwrap_or_default();
-            let said = self.warnings(&run.motion, drive).into_iter();
-            said.map(move |text| Warning::from(with.clone() + &text))
+            let with = value
+                .as_ref()
+                .map(|value| format!("with {value}: "))
+                .unwrap_or_default();
+            self.warnings(&run.motion, drive)
+                .into_iter()
+                .map(move |text| Warning::from(with.clone() + &text))
         };
         let of_runs = runs.iter().zip(drives).flat_map(of_run);
         let of_muscles = self.models.iter().flat_map(|m| m.muscle().warnings());
@@ -39,11 +42,10 @@ impl Moved {
     }
 
     fn warnings(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
-        let ended = motion
+        motion
             .ended
             .as_ref()
-            .map(|error| format!("it ended early: {error}"));
-        ended
+            .map(|error| format!("it ended early: {error}"))
             .into_iter()
             .chain(suction(motion))
             .chain(self.not_at_rest(motion, file))
@@ -178,8 +180,9 @@ impl Moved {
         let mut model = Evaluation::new(&**model, workspace, options);
         let balances = model.balances(load, *pressures_mpa.first()?).ok()?;
         let far = |e: f64| (e - contraction).abs();
-        let nearest = balances.into_iter().map(|b| b.answer);
-        let nearest = nearest
+        let nearest = balances
+            .into_iter()
+            .map(|b| b.answer)
             .min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
         Some(EndUncertainty {
             end_contraction_uncertainty: Some(nearest.contraction_uncertainty?),
@@ -194,8 +197,13 @@ const SUCTION_MPA: f64 = 1e-3;
 
 /// A liquid that is sucked out.
 fn suction(motion: &Motion) -> Option<String> {
-    let pressures = motion.series.muscles.iter().flat_map(|m| &m.pressure_mpa);
-    let lowest = pressures.copied().fold(f64::INFINITY, f64::min);
+    let lowest = motion
+        .series
+        .muscles
+        .iter()
+        .flat_map(|m| &m.pressure_mpa)
+        .copied()
+        .fold(f64::INFINITY, f64::min);
     (motion.series.liquid && lowest < -SUCTION_MPA).then(|| {
         format!(
             "the pressure falls to {}\u{a0}MPa: below atmospheric pressure a tube collapses, which \

@@ -193,8 +193,8 @@ impl Fit<'_> {
             let (dimension, written) = number_at(self.text, &name)?;
             let value = value
                 .map(|value| parse_quantity(value, dimension))
-                .transpose();
-            let value = value.map_err(|error| wrong(error.to_string(), ""))?;
+                .transpose()
+                .map_err(|error| wrong(error.to_string(), ""))?;
             let usual = USUAL
                 .iter()
                 .find(|usual| usual.0 == name)
@@ -278,8 +278,9 @@ impl Fit<'_> {
             let text = changed.try_fold(self.text.to_owned(), |text, (free, value)| {
                 with_value(&text, &free.name, &value.to_string())
             });
-            let lists = self.residuals(&text?, half_s)?.into_iter();
-            Ok(lists
+            Ok(self
+                .residuals(&text?, half_s)?
+                .into_iter()
                 .map(|(_, list)| list.into_iter().map(|r| r.1).collect())
                 .collect())
         };

@@ -82,14 +82,14 @@ impl MotionRequest {
             .iter()
             .map(|t| (t.name.clone(), t.text.clone()))
             .collect();
-        let drive = parse_drive(
+        parse_drive(
             text,
             &Tables {
                 texts,
                 rest_length_mm,
             },
-        );
-        drive.map_err(|error| self.in_drive(error))
+        )
+        .map_err(|error| self.in_drive(error))
     }
 
     fn in_drive(&self, error: FileError) -> Problem {
@@ -103,11 +103,12 @@ impl MotionRequest {
             return Ok(vec![(None, self.parsed(text, rest_length_mm)?)]);
         };
         if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS {
-            let message = format!(
-                "a sweep has 1 to {MOST_RUNS} values, not {}",
-                sweep.values.len()
-            );
-            return Err(Problem::new(ProblemKind::Range, message, "").in_field("sweep"));
+            return Err(ProblemKind::Range
+                .problem(format!(
+                    "a sweep has 1 to {MOST_RUNS} values, not {}",
+                    sweep.values.len()
+                ))
+                .in_field("sweep"));
         }
         let values = sweep.values.iter();
         let one = |value: &String| {
@@ -178,8 +179,14 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
 
 /// The highest pressure that a muscle reaches, or that is commanded of it.
 fn highest_mpa(run: &MotionRun, drive: &DriveFile, muscle: usize) -> f64 {
-    let reached = run.motion.series.muscles.get(muscle);
-    let reached = reached.map_or(&[][..], |m| &m.pressure_mpa).iter().copied();
+    let reached = run
+        .motion
+        .series
+        .muscles
+        .get(muscle)
+        .map_or(&[][..], |m| &m.pressure_mpa)
+        .iter()
+        .copied();
     let commanded = match &drive.target {
         Target::Pressure(list) => list.get(muscle).map(|command| command.bounds().1),
         _ => None,
@@ -195,8 +202,10 @@ fn go(
 ) -> Result<(Motion, Option<f64>)> {
     let bandwidth_hz = |side: f64| {
         let of_pressure = matches!(&drive.target, Target::Pressure(list) if !list.is_empty());
-        let reached = of_pressure.then(|| Linear::at_state_reached(drive, side))?;
-        reached.ok()?.bandwidth_hz()
+        of_pressure
+            .then(|| Linear::at_state_reached(drive, side))?
+            .ok()?
+            .bandwidth_hz()
     };
     let (mut motion, conductance) = match rise_time_s {
         None => (run_as_far(drive, progress)?, None),

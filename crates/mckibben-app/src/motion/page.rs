@@ -138,8 +138,7 @@ impl MotionRun {
 
     fn events(&self, page: &mut Page) {
         let all = &self.motion.events;
-        let shown = &all[..all.len().min(SHOWN)];
-        let table = Table::of(shown)
+        let table = Table::of(&all[..all.len().min(SHOWN)])
             .text("time [s]", |event| number(event.time_s, 4))
             .text("kind", |event| event.kind.to_string());
         page.table_under(

@@ -130,9 +130,9 @@ impl StepFields {
             .load
             .as_deref()
             .ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
-        let _: Valve = valve.parse().map_err(|error: MotionError| {
-            Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("valve")
-        })?;
+        let _: Valve = valve
+            .parse()
+            .map_err(|error: MotionError| ProblemKind::Quantity.problem(error).in_field("valve"))?;
         let is_conductance = valve
             .trim()
             .starts_with(|c: char| c.is_ascii_digit() || c == '.');
@@ -162,10 +162,9 @@ impl StepFields {
             "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = \
              [[0, 0], [0.05, {pressure:?}]]\nuntil = {until_s:?}\n"
         );
-        let text = values
+        Ok(values
             .into_iter()
-            .try_fold(head, |text, (key, value)| with_value(&text, key, &value));
-        Ok(text?)
+            .try_fold(head, |text, (key, value)| with_value(&text, key, &value))?)
     }
 }
 
@@ -174,9 +173,8 @@ fn held_contraction(text: &str) -> Result<f64> {
     if text.is_empty() {
         return Ok(0.0);
     }
-    let contraction = parse_quantity(text, Dimension::Ratio).map_err(|error| {
-        Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load")
-    })?;
+    let contraction = parse_quantity(text, Dimension::Ratio)
+        .map_err(|error| ProblemKind::Quantity.problem(error).in_field("load"))?;
     if contraction.abs() < 1.0 {
         Ok(contraction)
     } else {

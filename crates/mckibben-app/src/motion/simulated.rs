@@ -44,8 +44,9 @@ impl Setup {
                     held.ok_or_else(|| {
                         let wanted = of_file.commands().len();
                         let given = values.len();
-                        let message = format!("the drive has {wanted} commands, not {given}");
-                        Problem::new(ProblemKind::Usage, message, "").in_field("command")
+                        ProblemKind::Usage
+                            .problem(format!("the drive has {wanted} commands, not {given}"))
+                            .in_field("command")
                     })?
                 }
             };

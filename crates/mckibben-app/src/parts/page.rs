@@ -214,8 +214,9 @@ impl RubberDetails {
     /// The laws of a rubber, without those that the data refuse.
     fn fits_onto(&self, page: &mut Page) {
         let standing = |fit: &LibraryFit| fit.fitted.as_ref().map(|f| f.standing);
-        let fits = self.fits.iter();
-        let fits: Vec<&LibraryFit> = fits
+        let fits: Vec<&LibraryFit> = self
+            .fits
+            .iter()
             .filter(|fit| standing(fit) != Some(Standing::Behind))
             .collect();
         page.table(

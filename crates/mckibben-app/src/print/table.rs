@@ -50,8 +50,10 @@ impl<'a, T> Table<'a, T> {
         amount: impl Fn(&'a T) -> A,
     ) -> Self {
         let amounts = self.amounts(&|of| amount(of).into());
-        let cells = amounts.iter().map(|amount| unaligned_cell(amount, scale));
-        let cells = cells.collect();
+        let cells = amounts
+            .iter()
+            .map(|amount| unaligned_cell(amount, scale))
+            .collect();
         self.cells(heading(label, scale), cells)
     }
 
@@ -91,17 +93,21 @@ fn heading(label: &str, scale: &Scale) -> String {
 
 /// Cells of numbers with their points aligned; what has a ± or words is as it is alone.
 fn aligned_cells(amounts: &[Amount], scale: &Scale) -> Vec<Option<String>> {
-    let numbers = amounts.iter().map(|amount| match amount {
-        Amount::Number(v) | Amount::Within(v, _) => Some(scale.rounded(*v)),
-        _ => None,
-    });
-    let numbers: Vec<Option<f64>> = numbers.collect();
-    let cells = amounts.iter().zip(aligned(&numbers, scale.digits));
-    let cells = cells.map(|(amount, aligned)| match amount {
-        Amount::Number(_) => Some(with_percent(aligned, amount, scale)),
-        _ => unaligned_cell(amount, scale),
-    });
-    cells.collect()
+    let numbers: Vec<Option<f64>> = amounts
+        .iter()
+        .map(|amount| match amount {
+            Amount::Number(v) | Amount::Within(v, _) => Some(scale.rounded(*v)),
+            _ => None,
+        })
+        .collect();
+    amounts
+        .iter()
+        .zip(aligned(&numbers, scale.digits))
+        .map(|(amount, aligned)| match amount {
+            Amount::Number(_) => Some(with_percent(aligned, amount, scale)),
+            _ => unaligned_cell(amount, scale),
+        })
+        .collect()
 }
 
 fn unaligned_cell(amount: &Amount, scale: &Scale) -> Option<String> {

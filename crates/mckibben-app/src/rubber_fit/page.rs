@@ -171,8 +171,10 @@ impl RubberFitAnswer {
 
 /// The constants of a law, as in its columns.
 fn constants(law: &Law) -> String {
-    let columns = law.columns().into_iter();
-    let constants = columns.map(|(name, v)| format!("{name} {}", number(v, 5)));
+    let constants = law
+        .columns()
+        .into_iter()
+        .map(|(name, v)| format!("{name} {}", number(v, 5)));
     in_a_row(constants)
 }
 
@@ -202,8 +204,10 @@ fn relaxation_onto(page: &mut Page, fit: &PronyFit) {
 
 fn softening_rows(fit: &SofteningFit) -> Rows {
     let stress = MEGAPASCALS.digits(3);
-    let errors = fit.standard_errors.iter();
-    let errors = errors.map(|e| e.map_or_else(String::new, |e| number(e, 5)));
+    let errors = fit
+        .standard_errors
+        .iter()
+        .map(|e| e.map_or_else(String::new, |e| number(e, 5)));
     Rows::default()
         .text("softening of", fit.form.name())
         .text("first loading", constants(&fit.first_loading))

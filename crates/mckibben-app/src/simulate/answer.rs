@@ -25,7 +25,6 @@ pub struct SimulateAnswer {
     /// Warnings about the mesh.
     pub notes: Vec<String>,
     /// Warnings; of each kind the most serious.
-    #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The pressures that the muscle bears.
     #[serde(flatten)]

@@ -1,6 +1,6 @@
 //! The deformed muscle of each point, as files that ParaView opens.
 
-use crate::{BuiltFile, MuscleSummary, Problem, ProblemKind, Result, Units};
+use crate::{BuiltFile, MuscleSummary, ProblemKind, Result, Units};
 use mckibben_core::{model::Response, size};
 use mckibben_fem::output::{Shape, VtuFile, VtuSeries};
 use mckibben_io::files::File;
@@ -23,7 +23,7 @@ impl ShapeFiles {
 
     pub fn add(&mut self, shape: Shape, response: &Response) -> Result<()> {
         let files = self.series.add(shape, response);
-        let mut files = files.map_err(|e| Problem::new(ProblemKind::Output, e.to_string(), ""))?;
+        let mut files = files.map_err(|e| ProblemKind::Output.problem(e))?;
         // The list comes once, when all points are known.
         files.pop();
         self.bytes += files.iter().map(|file| file.text.len()).sum::<usize>();

@@ -168,8 +168,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     model.admit(&muscle)?;
     let ends = muscle.ends();
     let inner = muscle.between_ends();
-    let meshed = Meshed::new(elements, &inner)
-        .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
+    let meshed = Meshed::new(elements, &inner).map_err(|e| ProblemKind::Mesh.problem(e))?;
     let simulation = meshed.simulation(&muscle);
     let workspace = &mut Workspace::new();
     let questions = request.questions(&*simulation, workspace)?;
@@ -267,10 +266,9 @@ impl SimulateRequest {
         };
         check_count(&[pressures.len(), held.len()], MOST_POINTS)?;
         if let Some(low) = pressures.iter().copied().find(|p| *p < 0.0) {
-            let message = format!("{low}\u{a0}MPa is below zero");
-            return Err(
-                Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressures_mpa")
-            );
+            return Err(ProblemKind::OutOfRange
+                .problem(format!("{low}\u{a0}MPa is below zero"))
+                .in_field("pressures_mpa"));
         }
         let at = |pressure_mpa, (contraction, force_n)| RequestedPoint {
             pressure_mpa,
@@ -356,11 +354,7 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
         return None;
     }
     let first = points.iter().find_map(|q| q.solution.as_ref().err())?;
-    Some(Problem::new(
-        ProblemKind::NotConverged,
-        first.to_string(),
-        "",
-    ))
+    Some(ProblemKind::NotConverged.problem(first))
 }
 
 /// The input deck of an isometric test with three-dimensional elements.

@@ -45,8 +45,7 @@ impl Check {
 
     fn show_formula(self, formula: CheckFormulaRequest, format: Format) -> Result<u8, Problem> {
         if self.request.pressure_mpa.is_some() {
-            let message = "--pressure is of a muscle, not of a formula";
-            return Err(Problem::new(ProblemKind::Usage, message, ""));
+            return Err(ProblemKind::Usage.problem("--pressure is of a muscle, not of a formula"));
         }
         let answer = check_formula(&CheckFormulaRequest {
             latex: self.latex,
@@ -67,8 +66,9 @@ fn formula(file: &TextFile) -> Option<CheckFormulaRequest> {
             ..CheckFormulaRequest::default()
         });
     }
-    let end = Path::new(&file.name).extension()?;
-    end.eq_ignore_ascii_case("json")
+    Path::new(&file.name)
+        .extension()?
+        .eq_ignore_ascii_case("json")
         .then(|| CheckFormulaRequest {
             file: Some(file.clone()),
             ..CheckFormulaRequest::default()

@@ -119,10 +119,11 @@ fn page(command: &Command) -> Result<Vec<u8>, Problem> {
             }
             _ => arg,
         });
-    let page = Man::new(whole)
+    Man::new(whole)
         .manual("mckibben")
-        .source(concat!("mckibben ", env!("CARGO_PKG_VERSION")));
-    page.render(&mut out).map_err(|e| unprinted(&e))?;
+        .source(concat!("mckibben ", env!("CARGO_PKG_VERSION")))
+        .render(&mut out)
+        .map_err(|e| unprinted(&e))?;
     let end = command
         .get_after_help()
         .map(ToString::to_string)

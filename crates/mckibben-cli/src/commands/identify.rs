@@ -66,8 +66,8 @@ impl Identify {
             figure: self.request.figure.clone(),
             log: Some(TextFile::table(log)?),
             ..MotionRequest::default()
-        };
-        let request = request.with_drive(Path::new(drive.unwrap_or_default()))?;
+        }
+        .with_drive(Path::new(drive.unwrap_or_default()))?;
         let mut answer = mckibben_app::motion(&request, &Bar::new("motion"))?;
         self.plot.save(&mut answer.figure)?;
         let Some(identified) = &answer.identified else {

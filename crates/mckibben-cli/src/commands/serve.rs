@@ -47,13 +47,8 @@ impl Serve {
                 "no browser can be opened ({error}): open {address} yourself"
             ));
         }
-        mckibben_server::run(listener, Config::default(), progress::stopped).map_err(|e| {
-            Problem::new(
-                ProblemKind::Output,
-                format!("the server cannot run: {e}"),
-                "",
-            )
-        })?;
+        mckibben_server::run(listener, Config::default(), progress::stopped)
+            .map_err(|e| ProblemKind::Output.problem(format!("the server cannot run: {e}")))?;
         Ok(0)
     }
 }

@@ -72,18 +72,16 @@ impl Validate {
 
 /// The measured muscle or rubber of a folder, or those of the folders in it.
 fn folders(folder: &Path) -> Result<Vec<MeasuredFolder>, Problem> {
-    let unread = |e: std::io::Error| {
-        Problem::new(ProblemKind::File, format!("{}: {e}", folder.display()), "")
-    };
+    let unread =
+        |e: std::io::Error| ProblemKind::File.problem(format!("{}: {e}", folder.display()));
     if folder.join("case.toml").is_file() {
         return Ok(vec![measured_folder(folder)?]);
     }
     let entries = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
-    let paths = entries
+    let list = entries
         .map_err(unread)?
         .into_iter()
-        .map(|entry| entry.path());
-    let list = paths
+        .map(|entry| entry.path())
         .filter(|path| path.join("case.toml").is_file())
         .map(|path| measured_folder(&path));
     let mut list = list.collect::<Result<Vec<_>, _>>()?;
@@ -102,11 +100,10 @@ fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolde
         .iter()
         .find(|name| !all.iter().any(|c| c.name == **name))
     {
-        let message = format!(
+        return Err(ProblemKind::Usage.problem(format!(
             "there is no measured muscle or rubber \"{name}\"; there are {}",
             joined(all.iter().map(|c| c.name.as_str()), ", ")
-        );
-        return Err(Problem::new(ProblemKind::Usage, message, ""));
+        )));
     }
     Ok(all
         .into_iter()

@@ -25,7 +25,7 @@ pub use write::{
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
     serde_json::to_value(answer)
-        .map_err(|e| Problem::new(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
+        .map_err(|e| ProblemKind::Output.problem(format!("cannot make JSON: {e}")))
 }
 
 /// A text with plain spaces in the place of those that join a quantity to its unit.
@@ -59,11 +59,11 @@ pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Pro
         return emit(plain(format!("{:#}\n", json(answer)?)), target);
     }
     let mut out = BufWriter::new(std::io::stdout().lock());
-    let written = serde_json::to_writer_pretty(Plain(&mut out), answer).map_err(Error::from);
-    let written = written
+    serde_json::to_writer_pretty(Plain(&mut out), answer)
+        .map_err(Error::from)
         .and_then(|()| writeln!(out))
-        .and_then(|()| out.flush());
-    written.map_err(|error| unprinted(&error))
+        .and_then(|()| out.flush())
+        .map_err(|error| unprinted(&error))
 }
 
 /// Units that are shown.
@@ -131,8 +131,11 @@ pub fn print_page<T: Show>(
     let csv = || {
         let csv = answer.csv();
         let warnings = answer.warnings();
-        let all = warnings.iter().chain(&csv.warnings);
-        all.filter(|w| is_of_burst(w)).for_each(warn);
+        warnings
+            .iter()
+            .chain(&csv.warnings)
+            .filter(|w| is_of_burst(w))
+            .for_each(warn);
         table::csv(&Table::of(csv)?)
     };
     made(&|| json(answer), &csv, format, Box::new(text), target)

@@ -60,10 +60,10 @@ fn properties<'a>(
     root: &'a Value,
     node: &'a Value,
 ) -> impl Iterator<Item = (&'a String, &'a Value)> {
-    let maps = variants(root, node)
+    variants(root, node)
         .into_iter()
-        .filter_map(|node| node.get("properties")?.as_object());
-    maps.flat_map(Map::iter)
+        .filter_map(|node| node.get("properties")?.as_object())
+        .flat_map(Map::iter)
 }
 
 /// The keys of an object whose values are numbers, flags or texts, or lists of such.
@@ -120,10 +120,11 @@ impl Table {
         let rows: Vec<Value> = match answer.form {
             Form::Rows => rows,
             Form::Flat => rows.into_iter().map(flat).collect(),
-            Form::Columns => {
-                let lists = rows.iter().filter_map(Value::as_object);
-                lists.flat_map(of_columns).collect()
-            }
+            Form::Columns => rows
+                .iter()
+                .filter_map(Value::as_object)
+                .flat_map(of_columns)
+                .collect(),
         };
         Ok(Self {
             columns: with_others(schema_columns(&schema, answer.form), &rows),
@@ -173,7 +174,7 @@ fn text(value: Option<&Value>) -> Option<String> {
 }
 
 fn broken(error: &dyn std::fmt::Display) -> Problem {
-    Problem::new(ProblemKind::Output, format!("cannot make CSV: {error}"), "")
+    ProblemKind::Output.problem(format!("cannot make CSV: {error}"))
 }
 
 pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
@@ -182,11 +183,10 @@ pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
         .write_record(table.columns.iter().map(|c| cell(c).into_owned()))
         .map_err(|e| broken(&e))?;
     for object in table.rows.iter().filter_map(Value::as_object) {
-        let texts = table
+        let cells: Vec<String> = table
             .columns
             .iter()
-            .map(|c| text(object.get(c)).unwrap_or_default());
-        let cells: Vec<String> = texts
+            .map(|c| text(object.get(c)).unwrap_or_default())
             .map(|text| super::plain(cell(&text).into_owned()))
             .collect();
         writer.write_record(cells).map_err(|e| broken(&e))?;

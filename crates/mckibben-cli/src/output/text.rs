@@ -21,8 +21,7 @@ const GAP: usize = 2;
 fn table_within(room: usize, list: &[Column]) -> String {
     let columns: Vec<Drawn<'_>> = list.iter().map(Drawn::new).collect();
     let parts = parts(room, &columns.iter().collect::<Vec<_>>());
-    let drawn = parts.iter().map(|columns| table(room, columns));
-    joined(drawn, "\n")
+    joined(parts.iter().map(|columns| table(room, columns)), "\n")
 }
 
 /// A column of one line a cell.
@@ -36,8 +35,11 @@ struct Drawn<'a> {
 impl<'a> Drawn<'a> {
     fn new(column: &'a Column) -> Self {
         let heading = &*column.heading;
-        let cells = column.cells.iter().map(|cell| line(cell).into_owned());
-        let cells: Vec<String> = cells.collect();
+        let cells: Vec<String> = column
+            .cells
+            .iter()
+            .map(|cell| line(cell).into_owned())
+            .collect();
         let number = |c: &str| {
             c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch))
                 && !c.starts_with("--")

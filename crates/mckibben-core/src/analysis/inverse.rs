@@ -106,8 +106,9 @@ impl Evaluation<'_> {
         };
         cancel::check().map_err(ModelError::from)?;
         let bits = LAST_BITS * place.map_or(1.0, |x| x.abs().max(1.0));
-        let inside = place.filter(|x| *x >= low - bits && *x <= high + bits);
-        Ok(inside.map(|x| x.clamp(low, high.max(low))))
+        Ok(place
+            .filter(|x| *x >= low - bits && *x <= high + bits)
+            .map(|x| x.clamp(low, high.max(low))))
     }
 
     /// The smallest pressure in MPa at which the pull is `force_n` at a contraction, within the

@@ -141,8 +141,8 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
                 return Ok(Some(zero.at));
             }
         }
-        let further = places((shortest, highest.max(shortest)), beyond);
-        let further = further.filter(|_| least.is_infinite());
+        let further =
+            places((shortest, highest.max(shortest)), beyond).filter(|_| least.is_infinite());
         let beyond_start = places((start, shortest), branch).chain(further);
         if let Some(place) = self.first(beyond_start, true, least)? {
             return Ok(Some(place));
@@ -158,9 +158,11 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
                 (zero.at - start).abs(),
             )
         };
-        let zeros = self.all_zeros()?.into_iter();
-        let best = zeros.min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal));
-        Ok(best.map(|zero| zero.at))
+        Ok(self
+            .all_zeros()?
+            .into_iter()
+            .min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Equal))
+            .map(|zero| zero.at))
     }
 
     /// Every zero of the whole, by rising place, once samples are taken at the edges, the extrema
@@ -285,14 +287,16 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
 
     /// The sample that is the least by a measure of its value, with the value.
     pub fn least(&self, measure: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
-        let values = self.samples.iter().filter_map(|s| s.1.map(|v| (s.0, v)));
-        values.reduce(|best, s| {
-            if measure(s.1) < measure(best.1) {
-                s
-            } else {
-                best
-            }
-        })
+        self.samples
+            .iter()
+            .filter_map(|s| s.1.map(|v| (s.0, v)))
+            .reduce(|best, s| {
+                if measure(s.1) < measure(best.1) {
+                    s
+                } else {
+                    best
+                }
+            })
     }
 }
 

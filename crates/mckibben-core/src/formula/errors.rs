@@ -2,10 +2,11 @@
 //! highest pressure of the table.
 
 use super::file::check::share;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Errors over points where the muscle pulls.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct ErrorSummary {
     /// How many points.
@@ -28,7 +29,7 @@ pub struct ErrorSummary {
 }
 
 /// Errors where one quantity has one value.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct RegionErrors {
     /// `outer_diameter_mm`, `wall_mm`, `pressure_mpa` or `contraction`.
@@ -41,7 +42,7 @@ pub struct RegionErrors {
 }
 
 /// Errors on muscles that the fit did not see.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct HeldOut {
     /// Their diameters in mm.
@@ -52,7 +53,7 @@ pub struct HeldOut {
 }
 
 /// Everything a formula's file says of its errors.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct FormulaErrors {
     /// Against what, in words.

@@ -10,10 +10,11 @@ use crate::{
     rubber::{Law, library},
 };
 use indexmap::IndexMap;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Stiffness k of one strand family of the muscles of a formula.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub enum MadeBraid {
     /// A braid with a name.
     #[serde(rename = "stiffness")]
@@ -27,7 +28,7 @@ pub enum MadeBraid {
 }
 
 /// A braid with a name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum NamedBraid {
     /// k = 452 N/mm · (D0/40 mm)^1.2
@@ -37,7 +38,7 @@ pub enum NamedBraid {
 }
 
 /// What a formula's muscles have in common.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct Made {
     /// L0 in mm.
@@ -53,7 +54,7 @@ pub struct Made {
 }
 
 /// The rubber of a formula's muscles.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct MadeRubber {
     /// Its name, where it has one.
@@ -70,8 +71,10 @@ pub struct MadeRubber {
 
 /// Constants of a law with their unit in the name.
 fn constants(muscle: &Muscle) -> IndexMap<String, f64> {
-    let constants = muscle.rubber().law.constants();
-    constants
+    muscle
+        .rubber()
+        .law
+        .constants()
         .into_iter()
         .map(|c| (c.column(), c.value))
         .collect()

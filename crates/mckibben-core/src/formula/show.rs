@@ -44,8 +44,10 @@ impl Formula {
                 for (letter, block) in [("a", &c.a), ("b", &c.b), ("c", &c.c)] {
                     for (symbol, rows) in [("m", &block[..3]), ("q", &block[3..])] {
                         let part = |(row, s): (&[f64; 3], &str)| {
-                            let powers = row.iter().zip([" D_0^2", " D_0", ""]);
-                            let inner = powers.filter(|(v, _)| **v != 0.0);
+                            let inner = row
+                                .iter()
+                                .zip([" D_0^2", " D_0", ""])
+                                .filter(|(v, _)| **v != 0.0);
                             format!("({}){s}", sum(inner.map(|(v, d)| (*v, d.to_owned()))))
                         };
                         out.push_str(&format!(

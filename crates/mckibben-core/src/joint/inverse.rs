@@ -132,11 +132,11 @@ impl JointModel<'_> {
                     }
                 }
                 let sought = [passive_slope, stiffness];
-                let found = line.first_pull(workspaces, (low, high), sought)?;
-                found.map_err(|reached| {
-                    let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
-                    out_of_reach(sought, reached, &unit)
-                })?
+                line.first_pull(workspaces, (low, high), sought)?
+                    .map_err(|reached| {
+                        let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
+                        out_of_reach(sought, reached, &unit)
+                    })?
             }
         };
         point(workspaces, pull)
@@ -174,8 +174,9 @@ impl Line<'_, '_> {
             return Err(error);
         }
         let end = |sign: f64| {
-            let least = sweep.least(|k| sign * k);
-            least.map_or(f64::NAN, |(_, k)| k + stiffness)
+            sweep
+                .least(|k| sign * k)
+                .map_or(f64::NAN, |(_, k)| k + stiffness)
         };
         Ok(zero
             .map(|zero| zero.at)

@@ -7,6 +7,7 @@ use crate::{
     progress::Progress,
     threads::Threads,
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Steps of Newton's method from the neighbour's angle before all rests are sought.
@@ -21,7 +22,7 @@ const SMALL_FIRST: f64 = 1e-9;
 const ANGLES: u32 = 37;
 
 /// A rest at a pair of pressures.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MapPoint {
     /// Pressures in MPa, one a muscle.
     pub pressures_mpa: Vec<f64>,
@@ -37,7 +38,7 @@ pub struct MapPoint {
 }
 
 /// Pressures at which a muscle has no state where the joint would come to rest.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct MapGap {
     /// Pressures in MPa, one a muscle.
     pub pressures_mpa: Vec<f64>,
@@ -46,7 +47,7 @@ pub struct MapGap {
 }
 
 /// The rests at all pairs of pressures.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct JointMap {
     /// Pressures of each muscle in MPa, from none to the supply's.
     pub grid_mpa: Vec<f64>,
@@ -83,8 +84,9 @@ impl JointModel<'_> {
         self.outside(max_pressure_mpa)?;
         let count = count.max(2);
         let steps = (count - 1) as f64;
-        let grid = (0..count).map(|i| max_pressure_mpa * i as f64 / steps);
-        let grid: Vec<f64> = grid.collect();
+        let grid: Vec<f64> = (0..count)
+            .map(|i| max_pressure_mpa * i as f64 / steps)
+            .collect();
         let two = self.joint().muscles().len() == 2;
         // What a muscle's free contraction depends on is its pressure alone.
         let workspaces = &mut self.workspaces();
@@ -98,8 +100,10 @@ impl JointModel<'_> {
             progress.check()?;
             self.row(*i, &grid, &free)
         };
-        let rows = Threads::shared().map(&places, row).into_iter();
-        let rows = rows.collect::<Result<Vec<_>, _>>()?;
+        let rows = Threads::shared()
+            .map(&places, row)
+            .into_iter()
+            .collect::<Result<Vec<_>, _>>()?;
         let all = || rows.iter().flatten();
         let missing = all().filter_map(|rest| rest.as_ref().err());
         if let Some((_, error)) = missing.clone().next().filter(|_| all().all(Result::is_err)) {

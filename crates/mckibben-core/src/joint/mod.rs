@@ -372,10 +372,12 @@ impl Joint {
 
 /// Whether the values of a part of the joint are finite and none is below zero.
 fn not_negative(part: &str, values: &[(&str, f64)]) -> Result<(), JointError> {
-    let wrong = values.iter().find(|(_, v)| !(v.is_finite() && *v >= 0.0));
-    wrong.map_or(Ok(()), |(what, value)| {
-        Err(JointError::Refused(format!(
-            "{what} of the {part} is {value}; it must be zero or above"
-        )))
-    })
+    values
+        .iter()
+        .find(|(_, v)| !(v.is_finite() && *v >= 0.0))
+        .map_or(Ok(()), |(what, value)| {
+            Err(JointError::Refused(format!(
+                "{what} of the {part} is {value}; it must be zero or above"
+            )))
+        })
 }

@@ -297,8 +297,10 @@ impl<'m> JointModel<'m> {
         pressures_mpa: &[f64],
     ) -> Result<Fixed<'w>> {
         self.check_pressures(workspaces, pressures_mpa)?;
-        let each = workspaces.iter_mut().zip(pressures_mpa).enumerate();
-        let free = each
+        let free = workspaces
+            .iter_mut()
+            .zip(pressures_mpa)
+            .enumerate()
             .map(|(i, (workspace, &p))| self.free(i, workspace, p))
             .collect::<Result<_, _>>()?;
         Ok(Fixed {

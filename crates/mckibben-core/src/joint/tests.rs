@@ -445,8 +445,11 @@ fn a_map_holds_the_rests_that_are_found_one_by_one() {
                 Rest::Loose { from_deg, to_deg } => vec![from_deg, to_deg],
                 _ => vec![r.angle_deg()],
             };
-            let near = rests.iter().filter(|r| r.is_stable()).flat_map(ends);
-            let near = near.map(|deg| (deg - point.angle_deg).abs());
+            let near = rests
+                .iter()
+                .filter(|r| r.is_stable())
+                .flat_map(ends)
+                .map(|deg| (deg - point.angle_deg).abs());
             assert!(
                 near.fold(f64::INFINITY, f64::min) < 1e-7,
                 "{point:?} {rests:?}"

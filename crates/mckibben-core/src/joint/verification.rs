@@ -63,8 +63,11 @@ pub fn cases() -> Vec<VerificationRow> {
 /// (W(φ + h) − W(φ − h))/2h against τ, and −dτ/dφ by differences.
 /// The muscles of a joint as ideal ones.
 fn ideals(joint: &Joint) -> Vec<Ideal> {
-    let muscles = joint.muscles().iter();
-    muscles.map(|m| Ideal::new(&m.muscle)).collect()
+    joint
+        .muscles()
+        .iter()
+        .map(|m| Ideal::new(&m.muscle))
+        .collect()
 }
 
 fn model<'m>(joint: &'m Joint, ideals: &'m [Ideal]) -> Option<JointModel<'m>> {

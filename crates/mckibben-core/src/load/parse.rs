@@ -47,8 +47,8 @@ fn parts(text: &str) -> impl Iterator<Item = &str> {
         .map(|(at, _)| at)
         .filter(|at| next(*at))
         .collect();
-    let starts = std::iter::once(0).chain(cuts.clone().into_iter().map(|at| at + 1));
-    starts
+    std::iter::once(0)
+        .chain(cuts.clone().into_iter().map(|at| at + 1))
         .zip(cuts.into_iter().chain([text.len()]))
         .map(|(a, b)| &text[a..b])
 }

@@ -118,8 +118,10 @@ impl FromStr for ModelKind {
     type Err = Refused;
 
     fn from_str(s: &str) -> Result<Self, Refused> {
-        let kind = Self::ALL.into_iter().find(|k| k.name() == s);
-        kind.ok_or_else(|| unknown_model(s, &Self::ALL.map(Self::name)))
+        Self::ALL
+            .into_iter()
+            .find(|k| k.name() == s)
+            .ok_or_else(|| unknown_model(s, &Self::ALL.map(Self::name)))
     }
 }
 

@@ -43,8 +43,7 @@ fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
 
 /// Of a model whose plugs have the diameter of the bore.
 pub fn plugs(model: &str, muscle: &Muscle) -> Option<String> {
-    let stated = muscle.terminals().plug_diameter_mm;
-    stated.map(|_| {
+    muscle.terminals().plug_diameter_mm.map(|_| {
         format!(
             "{model} assumes plugs with the diameter of the bore: terminals.plug_diameter not used"
         )

@@ -22,7 +22,6 @@ pub struct Pantograph {
 }
 
 /// One state of it.
-#[derive(Clone, Copy)]
 pub struct Shape {
     pub l: f64,
     /// cosθ now

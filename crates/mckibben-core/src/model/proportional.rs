@@ -3,7 +3,6 @@
 use super::{ForceModel, ModelInfo, Response, Result, Workspace};
 
 /// What such a formula says at a contraction, per unit of pressure.
-#[derive(Default)]
 pub struct PerPressure {
     /// F/P
     pub f: f64,
@@ -57,8 +56,8 @@ impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportiona
             bulged_diameter_mm: Some(at.diameter_mm),
             ..Response::default()
         };
-        let tension = at.tension.map(|tension| pressure_mpa * tension);
-        tension
+        at.tension
+            .map(|tension| pressure_mpa * tension)
             .map_or(response, |n| response.with_braid_tension(n, muscle))
             .finite(&self.info.name)
     }

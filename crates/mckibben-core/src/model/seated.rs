@@ -264,8 +264,10 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
             .filter_map(|n| Ends::inner_name(n))
             .map(str::to_owned)
             .collect();
-        let known = self.inner.force_by(w, p, state.between, &inside);
-        let known = known.map_err(|error| self.for_whole_muscle(error, e, state.between))?;
+        let known = self
+            .inner
+            .force_by(w, p, state.between, &inside)
+            .map_err(|error| self.for_whole_muscle(error, e, state.between))?;
         let Some((known, _)) = known.zip(response.stiffness_n_per_mm) else {
             return Ok(None);
         };
@@ -304,8 +306,11 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         };
         let inner = pivoting_n_per_mm(&*self.inner, workspace, p, state.between);
         // Of the whole muscle's change of length the strands get a share.
-        let whole = inner.map(|g| g / self.ends.series_factor(state.stiffness_n_per_mm));
-        Some(whole.map_err(|error| self.for_whole_muscle(error, e, state.between)))
+        Some(
+            inner
+                .map(|g| g / self.ends.series_factor(state.stiffness_n_per_mm))
+                .map_err(|error| self.for_whole_muscle(error, e, state.between)),
+        )
     }
 }
 

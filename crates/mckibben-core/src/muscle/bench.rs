@@ -83,8 +83,11 @@ impl Bench {
             ((low - x).max(x - high).max(0.0) / margin).min(1.0)
         };
         let least = LEAST_MARGIN * self.pressure_mpa.1.abs().max(1e-3);
-        let by_pressure = beyond(pressure_mpa, self.pressure_mpa, least);
-        by_pressure.max(beyond(contraction, self.contraction, LEAST_MARGIN))
+        beyond(pressure_mpa, self.pressure_mpa, least).max(beyond(
+            contraction,
+            self.contraction,
+            LEAST_MARGIN,
+        ))
     }
 
     /// 95 % half-width in N of a point of this bench about the fit; outside of the range that at

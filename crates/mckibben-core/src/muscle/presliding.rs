@@ -133,8 +133,11 @@ impl Presliding {
 
 /// ∫ s dw.
 fn sum(elements: &[(f64, f64)]) -> f64 {
-    let parts = elements.iter().zip(elements.iter().skip(1));
-    parts.map(|((v, r), (w, s))| 0.5 * (w - v) * (r + s)).sum()
+    elements
+        .iter()
+        .zip(elements.iter().skip(1))
+        .map(|((v, r), (w, s))| 0.5 * (w - v) * (r + s))
+        .sum()
 }
 
 #[cfg(test)]

@@ -243,8 +243,10 @@ fn constants_without_stiffness_are_refused() {
         }),
         "jm of the gent law is 0",
     );
-    let law = Law::NeoHookean(NeoHookean { mu_mpa: f64::NAN });
-    refused(law, "a finite number");
+    refused(
+        Law::NeoHookean(NeoHookean { mu_mpa: f64::NAN }),
+        "a finite number",
+    );
     refused(Law::Ogden(Ogden { terms: vec![] }), "alpha other than zero");
     let many = Law::Ogden(Ogden {
         terms: vec![(1e-3, 2.0); 2000],

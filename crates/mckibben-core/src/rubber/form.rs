@@ -126,15 +126,16 @@ impl Form {
             .collect::<Option<Vec<_>>>()?;
         let law = self.example()?;
         let sum = |at: usize| {
-            let parts = basis
+            basis
                 .iter()
                 .zip(law.values())
-                .map(|(b, value)| value * b.principal(STRETCHES).d[at]);
-            parts.sum::<f64>()
+                .map(|(b, value)| value * b.principal(STRETCHES).d[at])
+                .sum::<f64>()
         };
         let exact = law.principal(STRETCHES).d;
-        let linear = (0..3).all(|i| (sum(i) - exact[i]).abs() <= 1e-12 * exact[i].abs());
-        linear.then_some(basis)
+        (0..3)
+            .all(|i| (sum(i) - exact[i]).abs() <= 1e-12 * exact[i].abs())
+            .then_some(basis)
     }
 
     /// The law with these constants, in the order of [`Law::constants`].

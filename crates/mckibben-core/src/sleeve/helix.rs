@@ -46,8 +46,8 @@ pub struct Helix {
 impl Helix {
     /// The helix that has an angle at a diameter: ℓ = π D/sinθ. `None` where these are no measures.
     pub fn at(diameter_mm: f64, angle_deg: f64) -> Option<Self> {
-        let helix = Self::checked(PI * diameter_mm / angle_deg.to_radians().sin());
-        helix.filter(|_| angle_deg > 0.0 && angle_deg < 90.0)
+        Self::checked(PI * diameter_mm / angle_deg.to_radians().sin())
+            .filter(|_| angle_deg > 0.0 && angle_deg < 90.0)
     }
 
     /// The helix of a sleeve that jams at two diameters: ℓ = π √(D₁² + D₂²).

@@ -107,8 +107,10 @@ impl BuiltIn {
 
     fn get() -> Result<&'static Self, Refused> {
         static TABLE: OnceLock<Result<BuiltIn, Refused>> = OnceLock::new();
-        let table = TABLE.get_or_init(|| Self::parse(include_str!("../../data/braids.toml")));
-        table.as_ref().map_err(Refused::clone)
+        TABLE
+            .get_or_init(|| Self::parse(include_str!("../../data/braids.toml")))
+            .as_ref()
+            .map_err(Refused::clone)
     }
 }
 
@@ -126,8 +128,7 @@ pub fn entries() -> Result<&'static [SleeveEntry], Refused> {
         let table = BuiltIn::get()?;
         row::entries(&table.sleeve, &table.sources, &table.material).map_err(damaged)
     };
-    let entries = ENTRIES.get_or_init(all);
-    entries.as_deref().map_err(Refused::clone)
+    ENTRIES.get_or_init(all).as_deref().map_err(Refused::clone)
 }
 
 /// All materials, in the order of the table.

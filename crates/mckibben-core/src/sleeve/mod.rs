@@ -264,8 +264,9 @@ impl Sleeve {
             .angle_deg_on(outer_diameter_mm)?
             .to_radians()
             .cos();
-        let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
-        Ok(section
+        Ok(self
+            .strand_area_mm2()
+            .zip(self.strand_modulus_mpa)
             .zip(self.strand_count())
             .map(|((area, modulus), count)| {
                 modulus * area * f64::from(count) / (2.0 * PI * outer_diameter_mm * cos)

@@ -83,8 +83,11 @@ fn jammed_strands_end_the_contraction_before() {
 #[test]
 fn a_contracted_muscle_lies_on_the_helix_of_its_sleeve() {
     let sleeve = whole();
-    let muscle = Muscle::prototype().with_tube(tube(10.0)).unwrap();
-    let muscle = muscle.with_braid(sleeve.on(10.0).unwrap()).unwrap();
+    let muscle = Muscle::prototype()
+        .with_tube(tube(10.0))
+        .unwrap()
+        .with_braid(sleeve.on(10.0).unwrap())
+        .unwrap();
     for contraction in [0.05, 0.15, 0.3] {
         let d = muscle.pantograph_diameter_mm(contraction);
         let angle = sleeve.shape.helix.angle_deg(d).unwrap().to_radians();
@@ -98,8 +101,11 @@ fn a_contracted_muscle_lies_on_the_helix_of_its_sleeve() {
 #[test]
 fn a_muscle_of_a_sleeve_has_another_angle_on_another_tube() {
     let sleeve = whole();
-    let muscle = Muscle::prototype().with_tube(tube(10.0)).unwrap();
-    let muscle = muscle.with_braid(sleeve.on(10.0).unwrap()).unwrap();
+    let muscle = Muscle::prototype()
+        .with_tube(tube(10.0))
+        .unwrap()
+        .with_braid(sleeve.on(10.0).unwrap())
+        .unwrap();
     assert!(close(muscle.braid().angle_deg, 20.0));
     let wider = muscle.with_section(15.0, 0.5).unwrap();
     assert_eq!(wider.braid(), &sleeve.on(15.0).unwrap());

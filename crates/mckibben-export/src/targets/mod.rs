@@ -48,8 +48,10 @@ impl Target {
 
     /// The target of this name.
     pub fn named(name: &str) -> Result<Self> {
-        let target = Self::ALL.into_iter().find(|t| t.name == name.trim());
-        target.ok_or_else(|| ExportError::Target(name.to_owned()))
+        Self::ALL
+            .into_iter()
+            .find(|t| t.name == name.trim())
+            .ok_or_else(|| ExportError::Target(name.to_owned()))
     }
 }
 
@@ -105,8 +107,11 @@ pub fn fit<const N: usize>(
         let k: [f64; N] = std::array::from_fn(|i| solution[i]);
         let at = |q: f64, x: f64| row(q, x).iter().zip(&k).map(|(a, b)| a * b).sum::<f64>();
         let errors: Vec<f64> = if slack {
-            let all = muscle.held_out.iter().filter(|p| p.contraction >= 0.0);
-            all.map(|p| at(p.q, 1.0 - p.contraction).max(0.0) - p.pull.unwrap_or(0.0).max(0.0))
+            muscle
+                .held_out
+                .iter()
+                .filter(|p| p.contraction >= 0.0)
+                .map(|p| at(p.q, 1.0 - p.contraction).max(0.0) - p.pull.unwrap_or(0.0).max(0.0))
                 .collect()
         } else {
             pulling.iter().map(|p| at(p.0, p.1) - p.2).collect()

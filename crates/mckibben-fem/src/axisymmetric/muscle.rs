@@ -134,10 +134,9 @@ impl crate::solver::body::Body for Body {
     fn taut_pressure(&self, contraction: f64) -> f64 {
         let d = &self.discretisation;
         let ring = d.shear * (d.radius - d.mesh.node(0, 0)[0]) / d.radius;
-        let pulling = self
-            .pulling_pressure(contraction)
-            .filter(|p| *p < PULLS_BELOW * ring);
-        pulling.map_or(RINGS * ring, |p| TAUT * p)
+        self.pulling_pressure(contraction)
+            .filter(|p| *p < PULLS_BELOW * ring)
+            .map_or(RINGS * ring, |p| TAUT * p)
     }
 
     /// Between the contraction −0.05 and above the ideal maximum, by bisection of the infinitely

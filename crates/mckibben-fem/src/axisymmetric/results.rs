@@ -93,8 +93,8 @@ impl MuscleBody for Body {
         let largest_at = |(rest, u): &([[f64; 2]; NODES], Unknowns), xi: f64| {
             d.point(rest, xi, -1.0).map(|p| largest_principal(&p, u))
         };
-        let first = elements(d, &self.state).take(d.layout.through);
-        first
+        elements(d, &self.state)
+            .take(d.layout.through)
             .flat_map(|e| [largest_at(&e, -1.0), largest_at(&e, 1.0)])
             .flatten()
             .fold(1.0, f64::max)

@@ -387,8 +387,10 @@ pub fn modes(points: &[ShapePoint], rest: &[Vector], count: usize) -> Option<Mod
         (0..4).map(|i| row[i] * m[i]).sum()
     };
     let mean = |a: &[f64; 4], b: &[f64; 4]| -> f64 {
-        let products = at.iter().map(|(w, x)| w * value(a, x) * value(b, x));
-        products.sum::<f64>() / out.volume
+        at.iter()
+            .map(|(w, x)| w * value(a, x) * value(b, x))
+            .sum::<f64>()
+            / out.volume
     };
     let mut factors = [[0.0; 4]; 4];
     for k in 0..count.min(4) {

@@ -51,8 +51,9 @@ pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<Point>>
     let shortened =
         (1..=turns as usize).map(|i| (contraction * (i as f64 / turns), pressures_mpa[filled]));
     let (before, after) = pressures_mpa.split_at(filled + 1);
-    let before = before.iter().map(|p| (0.0, *p));
     Ok(before
+        .iter()
+        .map(|p| (0.0, *p))
         .chain(shortened)
         .chain(after.iter().map(|p| (contraction, *p)))
         .collect())
@@ -181,8 +182,10 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     let mesh = &model.divided.mesh;
     let [ni, nj, nk] = mesh.grid();
     let all = |keep: &dyn Fn(usize, usize, usize) -> bool| {
-        let kept = (0..ni * nj * nk).filter(|n| keep(n % ni, n / ni % nj, n / (ni * nj)));
-        kept.map(|n| n + 1).collect()
+        (0..ni * nj * nk)
+            .filter(|n| keep(n % ni, n / ni % nj, n / (ni * nj)))
+            .map(|n| n + 1)
+            .collect()
     };
     let last = nk - 1;
     let mut write = |head: &str, list: Vec<usize>| {

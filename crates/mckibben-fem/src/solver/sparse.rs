@@ -78,10 +78,9 @@ impl SparseCholesky {
         self.negative = 0;
         self.form = None;
         let mut run = |form| {
-            let done = self
-                .numeric
-                .factorise(form, symbolic, (pattern, values), &mut self.factor);
-            done.map(|()| form)
+            self.numeric
+                .factorise(form, symbolic, (pattern, values), &mut self.factor)
+                .map(|()| form)
         };
         let form = match run(Form::Positive) {
             Err(Stopped::Singular) => run(Form::Indefinite),

@@ -73,10 +73,10 @@ impl Numeric {
         for i in 0..s.count() {
             let columns = s.columns(i);
             let height = s.height(i);
-            let all = columns
+            columns
                 .clone()
-                .chain(s.below(i).iter().map(|r| *r as usize));
-            all.enumerate()
+                .chain(s.below(i).iter().map(|r| *r as usize))
+                .enumerate()
                 .for_each(|(k, row)| self.local[row] = k as u32);
             factor.resize(s.values(i).end, 0.0);
             self.worked(columns.len() * height)?;

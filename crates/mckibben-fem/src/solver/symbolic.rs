@@ -150,8 +150,10 @@ impl Symbolic {
         // Rows of the supernode that may go on, and how many of them have become its columns.
         let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
         for j in 0..n {
-            let below = pattern.rows[pattern.column(j)].iter().copied();
-            let below = below.filter(|r| *r as usize > j);
+            let below = pattern.rows[pattern.column(j)]
+                .iter()
+                .copied()
+                .filter(|r| *r as usize > j);
             if let Some(last) = begin.len().checked_sub(1) {
                 let parent = open.get(passed).copied();
                 let only = parent == Some(j as u32) && child[j] == NONE;
@@ -258,8 +260,10 @@ impl Symbolic {
         let this = &*self;
         let targets = |i: usize| {
             let mut before = NONE;
-            let owners = this.below(i).iter().map(|r| owner[*r as usize]);
-            owners.filter(move |o| std::mem::replace(&mut before, *o) != *o)
+            this.below(i)
+                .iter()
+                .map(|r| owner[*r as usize])
+                .filter(move |o| std::mem::replace(&mut before, *o) != *o)
         };
         let mut first = vec![0; count + 1];
         (0..count)

@@ -249,8 +249,10 @@ impl<R: Real, const NN: usize, const NM: usize> Output<R, NN, NM> {
                 work.values[*place as usize] += value.lane(lane);
             }
             let first = d.twice.partition_point(|t| (t.0 as usize) < brick);
-            let twice = d.twice[first..].iter();
-            for (_, entry) in twice.take_while(|t| t.0 as usize == brick) {
+            for (_, entry) in d.twice[first..]
+                .iter()
+                .take_while(|t| t.0 as usize == brick)
+            {
                 let entry = *entry as usize;
                 work.values[map[entry] as usize] += self.tangent.as_flattened()[entry].lane(lane);
             }
@@ -313,8 +315,7 @@ fn assemble_faces<const N: usize, const TANGENT: bool>(
         }
         if TANGENT {
             for (a, b) in (0..N).flat_map(|a| (a + 1..N).map(move |b| (a, b))) {
-                let block = skew(&v.second[a][b]);
-                for (value, place) in block.as_flattened().iter().zip(&mut map) {
+                for (value, place) in skew(&v.second[a][b]).as_flattened().iter().zip(&mut map) {
                     work.values[*place as usize] -= s.pressure * value;
                 }
             }

@@ -63,9 +63,12 @@ impl BrickMesh {
         } else {
             ""
         };
-        let fitting = [(around, rows), (fewer, along)].into_iter().filter(fits);
-        let fitting = fitting.map(|(around, along)| format!("{through}x{around}x{along}{word}"));
-        let fitting: Vec<String> = fitting.chain([format!("{through}x{free}{word}")]).collect();
+        let fitting: Vec<String> = [(around, rows), (fewer, along)]
+            .into_iter()
+            .filter(fits)
+            .map(|(around, along)| format!("{through}x{around}x{along}{word}"))
+            .chain([format!("{through}x{free}{word}")])
+            .collect();
         Err(FemError::Refused(format!(
             "mesh: its strands would lie at {meshed_deg:.2}°, those of the braid lie at \
              {angle_deg:.2}°; take {fitting}, or another number of bricks around and along",

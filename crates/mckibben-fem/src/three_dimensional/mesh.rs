@@ -414,8 +414,9 @@ impl BrickMesh {
         let [ni, nj, nk] = self.grid();
         let outer = |j, k| self.node(ni - 1, j, k) as u32;
         let quads = || (0..nk - 1).flat_map(move |k| (0..nj - 1).map(move |j| (j, k)));
-        let left = quads().map(|(j, k)| [outer(j, k), outer(j + 1, k + 1)]);
-        left.chain(quads().map(|(j, k)| [outer(j + 1, k), outer(j, k + 1)]))
+        quads()
+            .map(|(j, k)| [outer(j, k), outer(j + 1, k + 1)])
+            .chain(quads().map(|(j, k)| [outer(j + 1, k), outer(j, k + 1)]))
             .collect()
     }
 

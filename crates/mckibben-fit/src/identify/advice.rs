@@ -220,8 +220,9 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
     let forces = points.iter().filter(|p| p.measured == Quantity::Force);
     let mut order: Vec<&DataPoint> = forces.collect();
     order.sort_by(|a, b| {
-        let pressures = a.at.pressure_mpa.total_cmp(&b.at.pressure_mpa);
-        pressures.then(a.at.contraction.total_cmp(&b.at.contraction))
+        a.at.pressure_mpa
+            .total_cmp(&b.at.pressure_mpa)
+            .then(a.at.contraction.total_cmp(&b.at.contraction))
     });
     let largest = peak(points.iter().map(|p| p.at.force_n.abs()));
     let clash = |(a, b): &(&DataPoint, &DataPoint)| {
@@ -234,8 +235,12 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
             && apart > 0.15 * p.force_n.abs().max(q.force_n.abs())
             && apart > 0.03 * largest
     };
-    let pairs = order.iter().copied().zip(order.iter().copied().skip(1));
-    let pairs: Vec<(&DataPoint, &DataPoint)> = pairs.filter(clash).collect();
+    let pairs: Vec<(&DataPoint, &DataPoint)> = order
+        .iter()
+        .copied()
+        .zip(order.iter().copied().skip(1))
+        .filter(clash)
+        .collect();
     let &(a, b) = pairs.first()?;
     let branch = if a.at.direction().is_mean() {
         "; if they are the two branches of the hysteresis loop, say so in a column `branch`"
@@ -529,9 +534,10 @@ fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
     let pulls = |p: &&DataPoint| {
         let e = p.at.contraction + result.candidate.contraction_offset;
         let force_n = || {
-            let model = build(&result.candidate.section_muscle(&p.section).ok()?).ok()?;
-            let force_n = model.force_n(&mut Workspace::new(), p.at.pressure_mpa, e);
-            force_n.ok()
+            build(&result.candidate.section_muscle(&p.section).ok()?)
+                .ok()?
+                .force_n(&mut Workspace::new(), p.at.pressure_mpa, e)
+                .ok()
         };
         force_n().is_some_and(|f| f > limit)
     };

@@ -77,14 +77,16 @@ pub fn bench(
         Some(t95(result.freedom) * variance.max(0.0).sqrt()).filter(|half| plausible(*half))
     };
     let mut row = |p| -> Vec<Option<f64>> {
-        let places = places(contraction, GRID.1);
-        places.map(|e| half_width_n(p, e)).collect()
+        places(contraction, GRID.1)
+            .map(|e| half_width_n(p, e))
+            .collect()
     };
     let grid: Vec<Vec<Option<f64>>> = places(pressure_mpa, GRID.0).map(&mut row).collect();
     let largest = grid.iter().flatten().flatten().copied().reduce(f64::max)?;
     let half_widths = |row: &Vec<Option<f64>>| {
-        let halves = row.iter().map(|half| digits(half.unwrap_or(largest)));
-        halves.collect()
+        row.iter()
+            .map(|half| digits(half.unwrap_or(largest)))
+            .collect()
     };
     let mut lengths_mm = vec![muscle.tube().length_mm];
     for point in &result.points {
@@ -116,8 +118,14 @@ impl Minimum<'_> {
         let problem = Problem::new(request, (&point, None), self.x);
         let g = slopes(&problem, self.unknowns, self.x)?.concat();
         let dot = |row: &Vec<f64>| row.iter().zip(&g).map(|(c, g)| c * g).sum::<f64>();
-        let rows = self.estimate.covariance.iter().zip(&g);
-        Some(rows.map(|(row, g)| g * dot(row)).sum())
+        Some(
+            self.estimate
+                .covariance
+                .iter()
+                .zip(&g)
+                .map(|(row, g)| g * dot(row))
+                .sum(),
+        )
     }
 }
 
@@ -163,8 +171,9 @@ fn written(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let kept = |i: usize| plausible(covariance[i][i]);
     let all = 0..covariance.len();
     let entry = |i: usize, k: usize| {
-        let value = Some(covariance[i][k]).filter(|v| kept(i) && kept(k) && plausible(*v));
-        value.unwrap_or(0.0)
+        Some(covariance[i][k])
+            .filter(|v| kept(i) && kept(k) && plausible(*v))
+            .unwrap_or(0.0)
     };
     let row = |i| all.clone().map(|k| entry(i, k)).collect();
     all.clone().map(row).collect()

@@ -79,8 +79,8 @@ impl Candidate {
                 Target::Measure(m) => {
                     // C alone has the exponent that a search for it starts from.
                     if *m == FRICTION_COEFFICIENT && base.measure(&FRICTION_EXPONENT).is_none() {
-                        let exponent = Target::Measure(&FRICTION_EXPONENT).value(base);
-                        exponent
+                        Target::Measure(&FRICTION_EXPONENT)
+                            .value(base)
                             .into_iter()
                             .for_each(|v| (FRICTION_EXPONENT.set)(&mut parts, v));
                     }

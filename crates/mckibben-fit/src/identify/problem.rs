@@ -178,8 +178,9 @@ impl<'a> Problem<'a> {
                     None => Evaluation::new(m, w, options).force_n(p, e)? - pull_n,
                 },
                 Quantity::Contraction => {
-                    let found = at_measured_pull(m, w, &zeroed, offset, options)?;
-                    found.contraction - offset - at.contraction
+                    at_measured_pull(m, w, &zeroed, offset, options)?.contraction
+                        - offset
+                        - at.contraction
                 }
                 Quantity::Pressure => {
                     at_measured_pull(m, w, &zeroed, offset, options)?.pressure_mpa - p
@@ -208,8 +209,13 @@ impl<'a> Problem<'a> {
             let muscle = candidate.section_muscle(&chunk.section).ok()?;
             let model = (self.request.build)(&muscle).ok()?;
             let mut w = Workspace::new();
-            let rows = chunk.rows.iter();
-            Some(rows.map(|&i| one(model.as_ref(), &mut w, i)).collect())
+            Some(
+                chunk
+                    .rows
+                    .iter()
+                    .map(|&i| one(model.as_ref(), &mut w, i))
+                    .collect(),
+            )
         };
         let lists = threads::map(&self.chunks, compute);
         let mut out: Vec<Option<Result<T>>> = self.points.iter().map(|_| None).collect();
@@ -237,11 +243,10 @@ impl<'a> Problem<'a> {
             )
         })?;
         let mean = |quantity: Quantity, slope: &dyn Fn(&Local) -> f64| {
-            let rows = list
+            let slopes: Vec<f64> = list
                 .iter()
                 .zip(self.points)
-                .filter(|r| r.1.measured == quantity);
-            let slopes: Vec<f64> = rows
+                .filter(|r| r.1.measured == quantity)
                 .filter_map(|r| Some(slope(r.0.as_ref().ok()?).abs()))
                 .collect();
             let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
@@ -282,8 +287,9 @@ impl<'a> Problem<'a> {
             let model = (self.request.build)(&candidate.section_muscle(section).ok()?).ok()?;
             let e = at.contraction + candidate.contraction_offset;
             let names = self.names(&candidate);
-            let slopes = model.force_by(&mut Workspace::new(), at.pressure_mpa, e, &names);
-            slopes.ok()?
+            model
+                .force_by(&mut Workspace::new(), at.pressure_mpa, e, &names)
+                .ok()?
         };
         probe().is_some()
     }
@@ -316,8 +322,11 @@ impl<'a> Problem<'a> {
         let not_known = || ModelError::not_finite(&m.info().name, p, e);
         let slopes = m.force_by(w, p, e, names)?.ok_or_else(not_known)?;
         let slope = |name: &str| {
-            let known = names.iter().zip(&slopes).find(|s| s.0 == name);
-            known.map_or(0.0, |s| *s.1)
+            names
+                .iter()
+                .zip(&slopes)
+                .find(|s| s.0 == name)
+                .map_or(0.0, |s| *s.1)
         };
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
@@ -363,8 +372,10 @@ fn friction_share(request: &Request<'_>) -> f64 {
         .is_some_and(|one| request.points.iter().all(|p| p.at.branch == Some(one)));
     let is_free =
         |target: &Target| matches!(target, Target::Measure(m) if m.section() == "friction");
-    let targets = request.free.iter().map(|p| &p.target);
-    let known = targets
+    let known = request
+        .free
+        .iter()
+        .map(|p| &p.target)
         .chain(request.fixed.iter().map(|f| &f.0))
         .any(is_free);
     let muscle = request.muscle;
@@ -388,13 +399,15 @@ fn chain_rule(
     let family = candidate.family;
     let by_stiffness = |factor: f64| ("braid.stiffness".to_owned(), factor);
     match target {
-        Target::Modulus => {
-            let constants = muscle.tube().rubber.law.constants().into_iter();
-            let moduli = constants.filter(|c| c.constant.is_modulus());
-            moduli
-                .map(|c| (format!("tube.material.{}", c.name), c.value / v))
-                .collect()
-        }
+        Target::Modulus => muscle
+            .tube()
+            .rubber
+            .law
+            .constants()
+            .into_iter()
+            .filter(|c| c.constant.is_modulus())
+            .map(|c| (format!("tube.material.{}", c.name), c.value / v))
+            .collect(),
         Target::Stiffness => vec![by_stiffness(
             family.map_or(1.0, |f| f.ratio(d).powf(f.exponent)),
         )],
@@ -443,8 +456,11 @@ impl Residuals for Problem<'_> {
                 let (at, e) = (&point.at, point.at.contraction + offset);
                 (local(m, w, at.pressure_mpa, e, self.options(point))?, scale)
             };
-            let slopes = self.slopes((m, w), point, &candidate, x, &names, &here)?;
-            Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
+            Ok(self
+                .slopes((m, w), point, &candidate, x, &names, &here)?
+                .into_iter()
+                .map(|s| factor * s)
+                .collect::<Vec<f64>>())
         })?;
         let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>>>().ok()?;
         Some(
@@ -471,8 +487,9 @@ fn chunks(points: &[DataPoint]) -> Vec<Chunk> {
     for mut group in groups {
         group.rows.sort_by(|&a, &b| {
             let (a, b) = (&points[a].at, &points[b].at);
-            let contractions = a.contraction.total_cmp(&b.contraction);
-            contractions.then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
+            a.contraction
+                .total_cmp(&b.contraction)
+                .then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
         });
         let size = group.rows.len().div_ceil(PARTS).max(LEAST);
         out.extend(group.rows.chunks(size).map(|rows| Chunk {

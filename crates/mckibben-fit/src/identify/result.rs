@@ -6,10 +6,11 @@ use crate::{
     measured::{DataPoint, Quantity},
 };
 use mckibben_core::muscle::{Bench, Direction, Muscle};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One identified parameter.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Identified {
     /// The constant of the muscle; `None` of a drive's.
     #[serde(skip)]
@@ -59,7 +60,7 @@ pub struct PointFit {
 }
 
 /// Root mean square and largest residual of some points.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Spread {
     /// The points.
     #[serde(rename = "of")]
@@ -75,7 +76,7 @@ pub struct Spread {
 }
 
 /// The result of an identification.
-#[derive(Debug, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Identification {
     /// The free parameters, with value and error.
     pub parameters: Vec<Identified>,

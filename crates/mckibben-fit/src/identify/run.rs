@@ -268,10 +268,11 @@ fn noise_n(points: &[DataPoint]) -> f64 {
     const DEVIATIONS: f64 = 3.0;
     /// More than this share of the largest pull is a zero that is off, or a flipped sign.
     const MOST: f64 = 0.05;
-    let forces = points
+    let forces: Vec<f64> = points
         .iter()
-        .filter(|p| p.measured == Quantity::Force && p.weight > 0.0);
-    let forces: Vec<f64> = forces.map(|p| p.at.force_n).collect();
+        .filter(|p| p.measured == Quantity::Force && p.weight > 0.0)
+        .map(|p| p.at.force_n)
+        .collect();
     let below: Vec<f64> = forces.iter().copied().filter(|f| *f < 0.0).collect();
     if below.len() < 2 {
         return 0.0;

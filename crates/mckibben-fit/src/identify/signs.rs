@@ -56,8 +56,11 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
     if !pulls.iter().any(|(p, pull)| p.at.force_n < -push * pull) {
         return Ok(vec![]);
     }
-    let negative = pulls.iter().filter(|(p, _)| p.at.force_n < 0.0);
-    let negative: Vec<u64> = negative.map(|(p, _)| p.line).collect();
+    let negative: Vec<u64> = pulls
+        .iter()
+        .filter(|(p, _)| p.at.force_n < 0.0)
+        .map(|(p, _)| p.line)
+        .collect();
     let n = negative.len();
     let all = pulls.len();
     let lines = lines(&negative);
@@ -76,10 +79,11 @@ fn pushing(muscle: &Muscle, points: &[&DataPoint], two_sided: bool) -> Result<Ve
 
 /// Refuses branches whose names are swapped: a muscle that is lengthened pulls more.
 fn swapped(points: &[&DataPoint]) -> Result<()> {
-    let pulls = points
+    let pulls: Vec<MeasuredPoint> = points
         .iter()
-        .filter(|p| p.measured == Quantity::Force && p.at.force_n > 0.0);
-    let pulls: Vec<MeasuredPoint> = pulls.map(|p| p.at).collect();
+        .filter(|p| p.measured == Quantity::Force && p.at.force_n > 0.0)
+        .map(|p| p.at)
+        .collect();
     let of_loop = |(i, mean): &(usize, MeasuredPoint)| {
         (pulls[*i].branch != mean.branch).then_some(mean.force_n - pulls[*i].force_n)
     };
@@ -152,8 +156,10 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>> {
 /// By how much a straight line through a curve rises from its smallest to its largest contraction,
 /// in N; `None` where there is but one.
 fn rise(curve: &[&DataPoint]) -> Option<f64> {
-    let points = curve.iter().map(|p| (p.at.contraction, p.at.force_n));
-    let points: Vec<(f64, f64)> = points.collect();
+    let points: Vec<(f64, f64)> = curve
+        .iter()
+        .map(|p| (p.at.contraction, p.at.force_n))
+        .collect();
     let width = curve.last()?.at.contraction - curve.first()?.at.contraction;
     (width > 1e-6).then(|| width * Line::through(&points).slope)
 }

@@ -440,11 +440,10 @@ fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
     if largest == 0.0 {
         return before.to_vec();
     }
-    let next = size.iter().zip(before).map(|(s, f)| {
-        let factor = (s / largest).powi(2).max(1e-12);
-        factor.powf(0.25) * f.powf(0.75)
-    });
-    next.collect()
+    size.iter()
+        .zip(before)
+        .map(|(s, f)| (s / largest).powi(2).max(1e-12).powf(0.25) * f.powf(0.75))
+        .collect()
 }
 
 /// The errors of the unknowns at a minimum.

@@ -4,11 +4,13 @@ use mckibben_core::muscle::{
     Direction, Measure, Muscle, MuscleError,
     measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL},
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_with_macros::skip_serializing_none;
 use std::collections::HashMap;
 
 /// The measured quantity; the others were set.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// The pull, at a set pressure and length (isometric, isobaric).
@@ -33,8 +35,8 @@ impl Quantity {
 }
 
 /// Measures of the muscle that a row states; the others are the muscle file's.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Section {
     /// D0 in mm.
@@ -73,18 +75,18 @@ impl Section {
         tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
         let mut braid = muscle.braid_on(tube.outer_diameter_mm)?;
         braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
-        let section = Muscle::new(
+        Ok(Muscle::new(
             tube,
             braid,
             muscle.terminals().clone(),
             muscle.friction().copied(),
-        )?;
-        Ok(section.with_bench_of(muscle))
+        )?
+        .with_bench_of(muscle))
     }
 }
 
 /// One row of data.
-#[serde_with_macros::skip_serializing_none]
+#[skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DataPoint {
     /// Pressure, contraction, pull, branch.
@@ -165,8 +167,8 @@ pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
 }
 
 /// One measured point of a muscle.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[skip_serializing_none]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct MeasuredPoint {
     /// Gauge pressure in MPa.
     pub pressure_mpa: f64,

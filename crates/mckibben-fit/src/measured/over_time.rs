@@ -65,11 +65,11 @@ fn offset(log: &[(f64, f64)], times: &[f64], pulls: &[f64]) -> Option<f64> {
     let half = 0.5 * (end - begin).min(high - low);
     let follows = |shift: f64| correlation(log, &rows, shift);
     let best = |middle: f64, width: f64| {
-        let shifts = (-SHIFTS..=SHIFTS).map(|i| middle + width * f64::from(i) / f64::from(SHIFTS));
-        let known = shifts
+        (-SHIFTS..=SHIFTS)
+            .map(|i| middle + width * f64::from(i) / f64::from(SHIFTS))
             .map(|shift| (shift, follows(shift)))
-            .filter(|(_, r)| r.is_finite());
-        known.max_by(|a, b| a.1.total_cmp(&b.1))
+            .filter(|(_, r)| r.is_finite())
+            .max_by(|a, b| a.1.total_cmp(&b.1))
     };
     let first = low + half - end;
     let last = high - half - begin;

@@ -282,10 +282,11 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
     if lengths().count() != contractions.len() || spread(lengths()) < 0.005 {
         return Ok(());
     }
-    let way = table
+    let ways = table
         .column(Shortening)
-        .filter(|_| table.column(Contraction).is_none());
-    let ways = way.map(|column| table.numbers(column)).transpose()?;
+        .filter(|_| table.column(Contraction).is_none())
+        .map(|column| table.numbers(column))
+        .transpose()?;
     let rests = lengths()
         .zip(contractions)
         .enumerate()
@@ -314,8 +315,10 @@ const NO_WEIGHT: &str = "is not a valid weight; it must not be below zero";
 fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let weights = table.some_numbers(Weight)?;
     let errors = [ForceError, ContractionError, PressureError, VolumeError];
-    let stated = errors.map(|meaning| table.some_numbers(meaning));
-    let stated = stated.into_iter().collect::<Result<Vec<_>>>()?;
+    let stated = errors
+        .map(|meaning| table.some_numbers(meaning))
+        .into_iter()
+        .collect::<Result<Vec<_>>>()?;
     let volumes = table.above_zero(Volume, "is not a volume of a muscle; it must be above zero")?;
     // Without pulls the volumes were measured.
     let alone = table.column(Force).is_none() && table.column(Volume).is_some();
@@ -352,8 +355,9 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
         ] {
             if wrong {
                 let column = table.column(meaning);
-                let refused = column.map(|column| table.impossible(row, column, expected));
-                return Err(refused.unwrap_or_else(TableError::empty));
+                return Err(column
+                    .map(|column| table.impossible(row, column, expected))
+                    .unwrap_or_else(TableError::empty));
             }
         }
         let at = MeasuredPoint {
@@ -384,8 +388,10 @@ fn understood(table: &Table, joined: Note, note: Note) -> Result<Understood> {
         (table.needed(CONTRACTION)?, note),
         (table.needed(FORCE)?, None),
     ];
-    let others = [RestLength, FreeLength].iter().chain(MEASURED);
-    let others = others.filter(|meaning| **meaning != Force);
+    let others = [RestLength, FreeLength]
+        .iter()
+        .chain(MEASURED)
+        .filter(|meaning| **meaning != Force);
     used.extend(others.filter_map(|meaning| Some((table.column(*meaning)?, None))));
     Ok(table.understood(&used))
 }

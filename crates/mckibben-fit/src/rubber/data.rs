@@ -83,11 +83,12 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
 
 /// A dimension of the specimen of each row.
 fn of_specimen(table: &Table, meaning: Meaning, of: &Column, needs: &str) -> Result<Vec<f64>> {
-    let rows = table.above_zero(
-        meaning,
-        "is not a dimension of a specimen; it must be above zero",
-    )?;
-    rows.into_iter()
+    table
+        .above_zero(
+            meaning,
+            "is not a dimension of a specimen; it must be above zero",
+        )?
+        .into_iter()
         .map(|row| row.ok_or_else(|| of.needs(needs)))
         .collect()
 }
@@ -131,8 +132,10 @@ fn stretches(table: &Table, column: &Column, gauges: &[f64]) -> Result<Vec<f64>>
             "is not an extension: the specimen would have no length left",
         ),
     };
-    let values = table.numbers(column)?.into_iter().zip(gauges);
-    let stretches: Vec<f64> = values
+    let stretches: Vec<f64> = table
+        .numbers(column)?
+        .into_iter()
+        .zip(gauges)
         .map(|(value, gauge)| stretch(value, *gauge))
         .collect();
     let sound = |s: &f64| s.is_finite() && (0.02..=LARGEST_STRETCH).contains(s);

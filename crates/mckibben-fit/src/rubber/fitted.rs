@@ -8,10 +8,11 @@ use crate::least_squares::{Errors, aicc, t95};
 use mckibben_core::rubber::{
     ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, is_stable_at, muscle_unstable_from,
 };
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 /// A constant.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Parameter {
     /// As in muscle files; `mu1`, `alpha1` for terms.
     pub name: String,
@@ -28,7 +29,7 @@ pub struct Parameter {
 }
 
 /// Differences of nominal stress over some points.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct StressErrors {
     /// How many points.
     pub points: usize,
@@ -78,7 +79,7 @@ impl StressErrors {
 }
 
 /// The errors of a law in one of the tests.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ModeError {
     /// The test.
     pub mode: Mode,
@@ -91,7 +92,7 @@ pub struct ModeError {
 }
 
 /// A fitted law.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "LawAnswer")]
 pub struct FittedLaw {
     /// Which law.
@@ -116,7 +117,7 @@ pub struct FittedLaw {
 }
 
 /// Quality of the fit of a law, and its range of stability.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct LawQuality {
     /// Shear modulus μ at rest, MPa.
     pub shear_modulus_mpa: f64,
@@ -141,7 +142,7 @@ pub struct LawQuality {
 }
 
 /// A form as its two names.
-#[derive(Serialize, schemars::JsonSchema)]
+#[derive(Serialize, JsonSchema)]
 struct FormNames {
     /// The law, as in muscle files.
     law: &'static str,
@@ -215,8 +216,10 @@ fn judged(
     let law = form
         .law_of(&raw.constants)
         .ok_or_else(|| no_fit(form, "its constants are not complete"))?;
-    let squares = problem.squares(&law).filter(|s| s.is_finite());
-    let squares = squares.ok_or_else(|| no_fit(form, "its stresses are not finite"))?;
+    let squares = problem
+        .squares(&law)
+        .filter(|s| s.is_finite())
+        .ok_or_else(|| no_fit(form, "its stresses are not finite"))?;
     let points = &problem.points;
     let off = |p: &TensionPoint| p.stress_mpa(&law) - p.nominal_stress_mpa;
     let average = points.iter().map(|p| p.nominal_stress_mpa).sum::<f64>() / points.len() as f64;
@@ -298,7 +301,7 @@ fn stable_to(mode: Mode, law: &Law, end: f64) -> Option<f64> {
 }
 
 /// The errors of a law in tests that it was not fitted to.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct HeldOutError {
     /// The test; null for the points of all of them in whose state a muscle's wall may be.
     pub mode: Option<Mode>,
@@ -337,6 +340,10 @@ pub fn errors(law: &Law, points: &[TensionPoint], hoop: f64) -> Vec<HeldOutError
         };
         held_out_error(mode, law, &points.iter().filter(is_of).collect::<Vec<_>>())
     };
-    let tests = Mode::ALL.map(Some).into_iter().chain([None]);
-    tests.filter_map(of).collect()
+    Mode::ALL
+        .map(Some)
+        .into_iter()
+        .chain([None])
+        .filter_map(of)
+        .collect()
 }

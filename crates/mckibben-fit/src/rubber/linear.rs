@@ -29,8 +29,12 @@ struct Linear<'a> {
 impl Residuals for Linear<'_> {
     fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         let residual = |(k, b): (usize, &f64)| {
-            let terms = self.columns.iter().zip(x).map(|(c, x)| c[k] * x);
-            terms.sum::<f64>() - b
+            self.columns
+                .iter()
+                .zip(x)
+                .map(|(c, x)| c[k] * x)
+                .sum::<f64>()
+                - b
         };
         Some(self.measured.iter().enumerate().map(residual).collect())
     }

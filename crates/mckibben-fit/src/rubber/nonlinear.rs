@@ -55,8 +55,9 @@ fn limit(law: &Law, i1_minus_3: f64) -> Option<Limit> {
     let constants = law.constants();
     let place = constants.iter().position(|c| !c.constant.is_modulus())?;
     let locks = |value: f64| {
-        let law = law.with_constants(|i, v| if i == place { value } else { v });
-        law.locks_at().is_some_and(|l| l < i1_minus_3)
+        law.with_constants(|i, v| if i == place { value } else { v })
+            .locks_at()
+            .is_some_and(|l| l < i1_minus_3)
     };
     let mut low = constants[place].constant.bounds.0;
     let mut high = low + 1.0;

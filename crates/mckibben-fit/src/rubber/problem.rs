@@ -57,9 +57,12 @@ impl Problem {
         };
         let divisors: Vec<Option<f64>> = out.points.iter().map(divisor).collect();
         let counts = |mode: Option<Mode>| {
-            let each = out.points.iter().zip(&divisors);
-            let of_mode = each.filter(|(p, _)| mode.is_none_or(|mode| p.mode == mode));
-            of_mode.filter(|(_, divisor)| divisor.is_some()).count()
+            out.points
+                .iter()
+                .zip(&divisors)
+                .filter(|(p, _)| mode.is_none_or(|mode| p.mode == mode))
+                .filter(|(_, divisor)| divisor.is_some())
+                .count()
         };
         let is_present = |mode: &&Mode| out.points.iter().any(|p| p.mode == **mode);
         let present = Mode::ALL.iter().filter(is_present).count().max(1) as f64;

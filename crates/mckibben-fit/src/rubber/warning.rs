@@ -120,11 +120,12 @@ pub fn for_law(fitted: &FittedLaw, hoop: f64) -> Vec<String> {
     }));
     // A law held stable lies on its bound whatever the data.
     let on_purpose = |p: &Parameter| fitted.constrained && p.standard_error == Some(0.0);
-    let undetermined = fitted
+    let names: Vec<&str> = fitted
         .parameters
         .iter()
-        .filter(|p| !p.identifiable && !on_purpose(p));
-    let names: Vec<&str> = undetermined.map(|p| p.name.as_str()).collect();
+        .filter(|p| !p.identifiable && !on_purpose(p))
+        .map(|p| p.name.as_str())
+        .collect();
     if !names.is_empty() {
         let names = names.join(", ");
         out.push(format!(

@@ -36,8 +36,10 @@ impl TimePoint {
 pub fn read_history(text: &str, columns: &Columns) -> Result<Vec<TimePoint>, TableError> {
     let table = Table::read(text, &HISTORIES, columns)?;
     let column = |group| table.numbers(table.needed(group)?);
-    let rows = column(0)?.into_iter().zip(column(1)?).zip(column(2)?);
-    Ok(rows
+    Ok(column(0)?
+        .into_iter()
+        .zip(column(1)?)
+        .zip(column(2)?)
         .map(|((time_s, stretch), nominal_stress_mpa)| TimePoint {
             time_s,
             stretch,
@@ -116,9 +118,11 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
 
     /// Its stresses less the measured ones, where all are numbers.
     pub(super) fn differences(self, history: &[TimePoint]) -> Option<Vec<f64>> {
-        let rows = self.over(history).ok()?.into_iter().zip(history);
-        let differences = rows.map(|(model, p)| model - p.nominal_stress_mpa);
-        differences
+        self.over(history)
+            .ok()?
+            .into_iter()
+            .zip(history)
+            .map(|(model, p)| model - p.nominal_stress_mpa)
             .map(|d| Some(d).filter(|d| d.is_finite()))
             .collect()
     }

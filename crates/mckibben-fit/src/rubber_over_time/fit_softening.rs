@@ -61,8 +61,12 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
         (low, high) = (p.stretch.min(low), p.stretch.max(high));
         virgin.push(beyond || (virgin.iter().all(|v| *v) && p.stretch == 1.0));
     }
-    let first = history.iter().zip(&virgin).filter(|(_, first)| **first);
-    let first: Vec<TensionPoint> = first.map(|(p, _)| p.tension()).collect();
+    let first: Vec<TensionPoint> = history
+        .iter()
+        .zip(&virgin)
+        .filter(|(_, first)| **first)
+        .map(|(p, _)| p.tension())
+        .collect();
     let later = history.len() - first.len();
     let needed = form.fewest_points();
     if first.len() < needed || later < 4 {

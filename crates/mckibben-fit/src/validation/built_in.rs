@@ -54,6 +54,8 @@ pub fn measurements() -> Result<&'static [Measurement], &'static CaseError> {
 
 /// The measured muscles among them.
 pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
-    let muscles = measurements()?.iter().filter_map(Measurement::muscle);
-    Ok(muscles.collect())
+    Ok(measurements()?
+        .iter()
+        .filter_map(Measurement::muscle)
+        .collect())
 }

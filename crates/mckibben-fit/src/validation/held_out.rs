@@ -19,8 +19,11 @@ pub fn fit_points(set: &MuscleCase, fit: &CaseFit) -> Vec<DataPoint> {
     if !fit.both_branches {
         return mean_of_data(&set.points);
     }
-    let single = set.points.iter().filter(|p| !p.at.direction().is_mean());
-    single.copied().collect()
+    set.points
+        .iter()
+        .filter(|p| !p.at.direction().is_mean())
+        .copied()
+        .collect()
 }
 
 impl Fitter<'_> {

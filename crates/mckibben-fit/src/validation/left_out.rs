@@ -60,21 +60,29 @@ fn rows(set: &'static MuscleCase, by: Fitter<'_>) -> Option<Vec<VerificationRow>
         Some(residuals(by.build, &muscle, left_out, 0.0))
     };
     let by_others = |parts: &[(f64, Vec<DataPoint>)], i: usize| {
-        let others = parts.iter().enumerate().filter(|(j, _)| *j != i);
-        let others: Vec<DataPoint> = others.flat_map(|(_, part)| part.1.clone()).collect();
+        let others: Vec<DataPoint> = parts
+            .iter()
+            .enumerate()
+            .filter(|(j, _)| *j != i)
+            .flat_map(|(_, part)| part.1.clone())
+            .collect();
         predicted(&others, &parts[i].1)
     };
     let by_pressure = parts(&points, PARTS, |p| p.at.pressure_mpa);
-    let left_out = (0..by_pressure.len()).filter_map(|i| by_others(&by_pressure, i));
-    let left_out: Vec<Residual> = left_out.flatten().collect();
+    let left_out: Vec<Residual> = (0..by_pressure.len())
+        .filter_map(|i| by_others(&by_pressure, i))
+        .flatten()
+        .collect();
     let mut rows = vec![row(set, "the other pressures", &left_out)];
     let by_length = parts(&points, usize::MAX, |p| {
         p.section.length_mm.unwrap_or(fit.muscle.length_mm())
     });
     for (i, (length, left_out)) in by_length.iter().enumerate().filter(|_| by_length.len() > 1) {
         let others = by_others(&by_length, i)?;
-        let each = by_length.iter().filter(|(from, _)| from != length);
-        let each = each.filter_map(|(_, fitted)| predicted(fitted, left_out));
+        let each = by_length
+            .iter()
+            .filter(|(from, _)| from != length)
+            .filter_map(|(_, fitted)| predicted(fitted, left_out));
         for (from, residuals) in [
             ("the other lengths", others),
             ("each other length", each.flatten().collect()),
@@ -107,8 +115,10 @@ fn row(set: &'static MuscleCase, from: &str, residuals: &[Residual]) -> Verifica
 /// same product (specimen, fittings, gauge and zero of the length differ) or a sibling of another
 /// angle, against the points of the other.
 fn specimens(sets: &[&'static MuscleCase], build: &Build<'_>) -> Vec<VerificationRow> {
-    let all = library().unwrap_or_default().into_iter();
-    let pairs = all.flat_map(|from| sets.iter().map(move |to| (from, *to)));
+    let pairs = library()
+        .unwrap_or_default()
+        .into_iter()
+        .flat_map(|from| sets.iter().map(move |to| (from, *to)));
     let specimen = |((from, muscle), to): ((&MuscleCase, &Muscle), &'static MuscleCase)| {
         let other = &to.fits.first()?.muscle;
         let is_product = from.facts.product.is_some();

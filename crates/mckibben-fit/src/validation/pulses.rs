@@ -86,11 +86,13 @@ pub fn counted() -> Vec<Counted> {
     for group in rows.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
         let length_mm = group[0].0;
         let contraction = group[0].1;
-        let tests = group.chunk_by(|a, b| a.2 == b.2).filter_map(|test| {
-            let pressures: Vec<f64> = test.iter().map(|r| r.3).collect();
-            Some(pulses_until(&pressures, BETWEEN.0)? - pulses_until(&pressures, BETWEEN.1)?)
-        });
-        let counts: Vec<f64> = tests.collect();
+        let counts: Vec<f64> = group
+            .chunk_by(|a, b| a.2 == b.2)
+            .filter_map(|test| {
+                let pressures: Vec<f64> = test.iter().map(|r| r.3).collect();
+                Some(pulses_until(&pressures, BETWEEN.0)? - pulses_until(&pressures, BETWEEN.1)?)
+            })
+            .collect();
         if contraction < TAUT && !counts.is_empty() {
             out.push(Counted {
                 length_mm,

@@ -99,8 +99,10 @@ impl Measurement {
         }
         let (facts, case) = parse::<FitText>(files)?;
         let points = read_data(&files.points).map_err(unread)?;
-        let fits = case.fit.into_iter().enumerate();
-        let fits: Vec<CaseFit> = fits
+        let fits: Vec<CaseFit> = case
+            .fit
+            .into_iter()
+            .enumerate()
             .map(|(i, text)| fit(files, i, text))
             .collect::<Result<_, _>>()?;
         Ok(Self::Muscle(MuscleCase {
@@ -174,10 +176,10 @@ fn fit(files: &MeasuredFolder, number: usize, text: FitText) -> Result<CaseFit, 
         .free
         .iter()
         .map(|word| Parameter::parse(word, &muscle))
-        .collect::<Result<_, _>>();
-    let free = free.map_err(|error| {
-        CaseError::Parameter(format!("{case}/case.toml, fit \"{name}\": {error}"))
-    })?;
+        .collect::<Result<_, _>>()
+        .map_err(|error| {
+            CaseError::Parameter(format!("{case}/case.toml, fit \"{name}\": {error}"))
+        })?;
     Ok(CaseFit {
         name,
         muscle,
@@ -211,8 +213,9 @@ fn muscle_file_of_fit(files: &MeasuredFolder, number: usize) -> Result<String, C
     };
     for (section, keys) in changes.as_table_like().ok_or_else(wrong)?.iter() {
         for (key, value) in keys.as_table_like().ok_or_else(wrong)?.iter() {
-            let place = muscle.entry(section).or_insert_with(toml_edit::table);
-            place
+            muscle
+                .entry(section)
+                .or_insert_with(toml_edit::table)
                 .as_table_like_mut()
                 .ok_or_else(wrong)?
                 .insert(key, value.clone());

@@ -17,6 +17,7 @@ use mckibben_core::{
     progress::CancelOnly,
     threads,
 };
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use thiserror::Error;
@@ -36,7 +37,7 @@ pub enum ReportError {
 }
 
 /// A fit to some points, with its constants and its errors.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MeasuredFit {
     /// Number of the case.
     #[serde(skip)]
@@ -55,7 +56,7 @@ pub struct MeasuredFit {
 }
 
 /// Errors at some points: measured − computed.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Group {
     /// The points that are compared.
     pub of: String,
@@ -77,7 +78,7 @@ pub struct Group {
 }
 
 /// Errors of a fit at the points of one branch of the hysteresis.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MeasuredBranch {
     /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation`
     /// back.
@@ -88,7 +89,7 @@ pub struct MeasuredBranch {
 }
 
 /// Errors of a fit at points of about one contraction.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MeasuredBin {
     /// From this contraction ratio,
     pub from: f64,
@@ -190,19 +191,20 @@ impl Group {
     fn new(of: String, blind: bool, residuals: &[Residual], unanswered: usize) -> Self {
         let means = || residuals.iter().filter(|r| r.branch.is_mean());
         let end = peak(means().map(|r| r.contraction));
-        let bins = (0..).map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN));
-        let bins = bins
+        let bins = (0..)
+            .map(|i| (f64::from(i) * BIN, f64::from(i + 1) * BIN))
             .take_while(|bin| bin.0 <= end)
             .map(|(from, to)| MeasuredBin {
                 from,
                 to,
                 errors: ForceErrors::new(means().filter(|r| (from..to).contains(&r.contraction))),
             });
-        let branches = [Direction::Contraction, Direction::Elongation].into_iter();
-        let by_branch = branches.map(|branch| MeasuredBranch {
-            branch,
-            errors: ForceErrors::new(residuals.iter().filter(|r| r.branch == branch)),
-        });
+        let by_branch = [Direction::Contraction, Direction::Elongation]
+            .into_iter()
+            .map(|branch| MeasuredBranch {
+                branch,
+                errors: ForceErrors::new(residuals.iter().filter(|r| r.branch == branch)),
+            });
         let single = ForceErrors::new(residuals.iter().filter(|r| !r.branch.is_mean()));
         Self {
             of,

@@ -156,8 +156,9 @@ impl Fitter<'_> {
 /// Means of branches and points without one, then the single branches. A point whose other branch
 /// is missing is in the second list alone.
 pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> Vec<&'a DataPoint> {
-    let means = means.iter().filter(|p| p.at.direction().is_mean());
     means
+        .iter()
+        .filter(|p| p.at.direction().is_mean())
         .chain(points.iter().filter(|p| !p.at.direction().is_mean()))
         .collect()
 }

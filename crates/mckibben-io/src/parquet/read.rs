@@ -34,8 +34,10 @@ impl Reader {
 
     /// Keys and values of its metadata.
     pub fn pairs(&self) -> Vec<(String, String)> {
-        let pairs = self.metadata().key_value_metadata().into_iter().flatten();
-        pairs
+        self.metadata()
+            .key_value_metadata()
+            .into_iter()
+            .flatten()
             .filter_map(|pair| Some((pair.key.clone(), pair.value.clone()?)))
             .collect()
     }
@@ -70,8 +72,11 @@ impl Reader {
             let schema = self.metadata().schema_descr();
             let mut out = vec![];
             for (name, kind) in columns {
-                let at = schema.columns().iter().position(|c| c.name() == name);
-                let at = at.ok_or_else(|| ParquetError::General(format!("no column {name}")))?;
+                let at = schema
+                    .columns()
+                    .iter()
+                    .position(|c| c.name() == name)
+                    .ok_or_else(|| ParquetError::General(format!("no column {name}")))?;
                 let pages = Pages(group.get_column_page_reader(at)?);
                 out.push(column(
                     &kind,

@@ -142,11 +142,12 @@ impl Vocabulary {
     pub(crate) fn choices(&'static self, columns: &Columns) -> Result<Vec<Choice>, TableError> {
         let named = |name: &str| {
             let word = plain(name);
-            let by_name = self.quantities().find(|m| m.words().name == word);
-            by_name.or_else(|| {
-                self.quantities()
-                    .find(|m| m.words().all().any(|known| known == word))
-            })
+            self.quantities()
+                .find(|m| m.words().name == word)
+                .or_else(|| {
+                    self.quantities()
+                        .find(|m| m.words().all().any(|known| known == word))
+                })
         };
         let choice = |(name, text): (&String, &String)| {
             let meaning = named(name).ok_or_else(|| {
@@ -240,8 +241,7 @@ impl Choice {
                 text: rest.trim().to_owned(),
                 ..self.clone()
             };
-            let column = plus.find(headings, place)?;
-            return Ok(column.map(|c| Column {
+            return Ok(plus.find(headings, place)?.map(|c| Column {
                 negated: !c.negated,
                 ..c
             }));

@@ -156,8 +156,10 @@ fn is_row(line: &&str) -> bool {
 
 /// Fields of the last line with any, which is data.
 fn columns(text: &str) -> usize {
-    let last = text.lines().rev().find(is_row);
-    last.map_or(0, |l| l.split_whitespace().count())
+    text.lines()
+        .rev()
+        .find(is_row)
+        .map_or(0, |l| l.split_whitespace().count())
 }
 
 /// The fields of a line in which spaces separate. Headings of several words are separated by wider

@@ -90,13 +90,19 @@ impl Table {
         }
         table.take_units()?;
         table.check_lengths()?;
-        let numeric = table.columns.iter().filter(|c| c.meaning.is_number());
-        let numeric: Vec<usize> = numeric.map(|c| c.index).collect();
+        let numeric: Vec<usize> = table
+            .columns
+            .iter()
+            .filter(|c| c.meaning.is_number())
+            .map(|c| c.index)
+            .collect();
         let rows = table.rows.iter();
         let cells = rows.flat_map(|row| numeric.iter().map(|&i| row.field(i)));
         table.decimal = number::decimal(cells, separator);
-        let constants = search.choices.iter().map(Choice::constant);
-        let constants: Vec<String> = constants
+        let constants: Vec<String> = search
+            .choices
+            .iter()
+            .map(Choice::constant)
             .map(|constant| constant.unwrap_or_default().to_owned())
             .collect();
         for row in &mut table.rows {

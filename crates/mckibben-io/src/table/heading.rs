@@ -160,8 +160,7 @@ pub fn other_unit(heading: &str) -> Option<&str> {
 
 /// Whether a heading of pressures says that they are absolute.
 pub fn is_absolute(heading: &str) -> bool {
-    let plain = plain(heading);
-    plain.split('_').any(|w| is_spoken("absolute", w))
+    plain(heading).split('_').any(|w| is_spoken("absolute", w))
         || ["(a)", "[a]"].iter().any(|a| heading.contains(a))
 }
 
@@ -293,8 +292,9 @@ impl Vocabulary {
 
     /// The words before a unit of a quantity, in plain form.
     pub(crate) fn without_unit_of(&self, meaning: Meaning, heading: &str) -> Option<String> {
-        let cut = cuts(heading.trim()).find(|(_, behind)| self.unit_of(meaning, behind).is_some());
-        cut.map(|(words, _)| label(words))
+        cuts(heading.trim())
+            .find(|(_, behind)| self.unit_of(meaning, behind).is_some())
+            .map(|(words, _)| label(words))
     }
 
     /// Units of a quantity, for messages.

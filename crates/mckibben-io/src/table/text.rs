@@ -81,13 +81,11 @@ fn of_words(bytes: &[u8]) -> &'static Encoding {
     let is_unit = |word: &str| Dimension::all().any(|d| d.unit(word).is_some());
     let known = |encoding: &&'static Encoding| {
         let (text, _) = encoding.decode_without_bom_handling(&bytes[..bytes.len().min(HEAD)]);
-        let words = text.split(|c: char| c.is_whitespace() || "[](){}<>;,|/\"".contains(c));
-        words
+        text.split(|c: char| c.is_whitespace() || "[](){}<>;,|/\"".contains(c))
             .filter(|w| !w.is_ascii() && (is_known(&plain(w)) || is_unit(w)))
             .count()
     };
-    let others = [WINDOWS_1252, GBK, SHIFT_JIS, EUC_JP];
-    others
+    [WINDOWS_1252, GBK, SHIFT_JIS, EUC_JP]
         .into_iter()
         .chain([likely])
         .max_by_key(known)

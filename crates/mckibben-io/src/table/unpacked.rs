@@ -80,8 +80,8 @@ fn repeats(tag: &str, name: &str) -> f64 {
         let mut parts = rest.split(['\'', '"']);
         parts.nth(1).and_then(|digits| digits.parse::<u32>().ok())
     };
-    let numbers = tag.split(name).skip(1);
-    numbers
+    tag.split(name)
+        .skip(1)
         .map(|rest| number(rest).map_or(1e10, f64::from))
         .reduce(f64::max)
         .unwrap_or(1.0)

@@ -41,8 +41,9 @@ impl Table {
     /// Leaves out rows in which the field of what was measured is there and blank, and counts them.
     pub fn keep_filled(&mut self, measured: impl Fn(&Self, usize) -> Meaning) {
         let blank = |row: usize| {
-            let index = self.column(measured(self, row)).map(|c| c.index);
-            index.is_some_and(|i| self.rows[row].field(i).is_empty() && self.rows[row].width() > i)
+            self.column(measured(self, row))
+                .map(|c| c.index)
+                .is_some_and(|i| self.rows[row].field(i).is_empty() && self.rows[row].width() > i)
         };
         let blank: Vec<bool> = (0..self.rows.len()).map(blank).collect();
         self.not_filled += blank.iter().filter(|b| **b).count();
@@ -264,8 +265,12 @@ impl Table {
                 column = column.heading
             ));
         }
-        let column = column.heading.split(['[', '(']).next();
-        let column = column.unwrap_or_default().trim();
+        let column = column
+            .heading
+            .split(['[', '('])
+            .next()
+            .unwrap_or_default()
+            .trim();
         TableError::Refused(format!(
             "column {column} does not state its unit{stated}; write it after the heading, as \
              {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"

@@ -61,8 +61,7 @@ pub fn valve(
         kv.map(|kv| source.valid(key, Restriction::new(kv.into())))
             .transpose()
     };
-    let supply = path("valve.flow_coefficient", keys.flow_coefficient)?;
-    let supply = supply.ok_or_else(|| {
+    let supply = path("valve.flow_coefficient", keys.flow_coefficient)?.ok_or_else(|| {
         source.missing(
             "valve.flow_coefficient",
             "valve",

@@ -262,13 +262,15 @@ pub fn number_at(text: &str, dotted: &str) -> Result<(Dimension, Option<f64>), F
     drive_names(text)?;
     let source = Source::parse(text)?;
     let is_in_table = dotted.contains('.') && !dotted.starts_with("command.");
-    let dimension = Keys::of::<DriveKeys>().dimension(dotted);
-    let dimension = dimension.filter(|_| is_in_table).ok_or_else(|| {
-        source.error(
-            dotted,
-            "is not a number of a drive file; one is valve.sonic_conductance",
-        )
-    })?;
+    let dimension = Keys::of::<DriveKeys>()
+        .dimension(dotted)
+        .filter(|_| is_in_table)
+        .ok_or_else(|| {
+            source.error(
+                dotted,
+                "is not a number of a drive file; one is valve.sonic_conductance",
+            )
+        })?;
     Ok((dimension, source.number(dotted, dimension)))
 }
 
@@ -300,8 +302,8 @@ fn line(keys: &OfLoad, source: &Source<'_>, tables: &Tables) -> Result<Option<Lo
         let Some(table) = tables.texts.get(name) else {
             continue;
         };
-        let points = read_load(table, tables.rest_length_mm);
-        let points = points.map_err(|error| wrong(format!("{name}: {error}")))?;
+        let points = read_load(table, tables.rest_length_mm)
+            .map_err(|error| wrong(format!("{name}: {error}")))?;
         let table = LoadTable::new(points).map_err(|error| wrong(format!("{name}: {error}")))?;
         read.insert(name, table);
     }

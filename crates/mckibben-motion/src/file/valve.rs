@@ -107,20 +107,24 @@ fn of_air(valve: &OfValve, source: &Source<'_>) -> Result<Valve, FileError> {
             format!("is not a known valve: {}", valves_known(name)),
         )
     };
-    let named = valve.name.as_deref();
-    let named = named.map(|name| valve_named(name).ok_or_else(|| unknown(name)));
-    let named = named.transpose()?;
+    let named = valve
+        .name
+        .as_deref()
+        .map(|name| valve_named(name).ok_or_else(|| unknown(name)))
+        .transpose()?;
     let path = |(c, conductance): (&str, Option<Positive<Conductance>>),
                 (b, ratio): (&str, Option<f64>),
                 default: Option<Orifice>|
      -> Result<Option<Orifice>, FileError> {
-        let conductance = conductance.map(f64::from);
-        let conductance = conductance.or(default.map(|o| o.conductance_l_per_s_bar));
+        let conductance = conductance
+            .map(f64::from)
+            .or(default.map(|o| o.conductance_l_per_s_bar));
         let key = if ratio.is_some() { b } else { c };
         let ratio = ratio.or(default.map(|o| o.critical_ratio));
         let orifice = |c| Orifice::new(c, ratio.unwrap_or(CRITICAL_RATIO));
-        let orifice = conductance.map(|c| source.valid(key, orifice(c)));
-        orifice.transpose()
+        conductance
+            .map(|c| source.valid(key, orifice(c)))
+            .transpose()
     };
     let supply = path(
         ("valve.sonic_conductance", valve.sonic_conductance),
@@ -205,9 +209,10 @@ fn heat(text: &str) -> Option<Heat> {
     match text {
         "isothermal" => Some(Heat::Isothermal),
         "adiabatic" => Some(Heat::Adiabatic),
-        _ => {
-            let of_area = of_area.into_iter().find_map(number).map(Heat::Transfer);
-            of_area.or_else(|| number("W/K").map(Heat::Conductance))
-        }
+        _ => of_area
+            .into_iter()
+            .find_map(number)
+            .map(Heat::Transfer)
+            .or_else(|| number("W/K").map(Heat::Conductance)),
     }
 }

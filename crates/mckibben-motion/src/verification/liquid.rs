@@ -52,11 +52,16 @@ fn vessel(actuator: Actuator, until_s: f64) -> Option<f64> {
         ..Actuated::new(&model, actuator)
     };
     let drive = driven(&held, muscle, opening(1.0), (until_s, 1e-10));
-    let motion = ran(&Drive {
+    ran(&Drive {
         output_step_s: until_s,
         ..drive
-    })?;
-    motion.series.muscles.first()?.pressure_mpa.last().copied()
+    })?
+    .series
+    .muscles
+    .first()?
+    .pressure_mpa
+    .last()
+    .copied()
 }
 
 /// A valve as wide in both directions.

@@ -137,8 +137,9 @@ fn shut() -> Vec<VerificationRow> {
     let rows = [
         ("isothermal", Heat::Isothermal, 1.0),
         ("adiabatic", Heat::Adiabatic, 1.4),
-    ];
-    let rows = rows.into_iter().flat_map(|(name, heat, index)| {
+    ]
+    .into_iter()
+    .flat_map(|(name, heat, index)| {
         let values = values(heat, index);
         let (exact, linear, moving) =
             values.map_or((f64::NAN, None, None), |v| (v.0, Some(v.1), v.2));

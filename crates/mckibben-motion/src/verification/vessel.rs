@@ -94,8 +94,13 @@ pub fn pressure(motion: Option<&Motion>) -> Option<f64> {
 
 /// Temperature in K at the end of a motion.
 fn temperature(motion: Option<Motion>) -> Option<f64> {
-    let motion = motion?;
-    motion.series.muscles.first()?.temperature_k.last().copied()
+    motion?
+        .series
+        .muscles
+        .first()?
+        .temperature_k
+        .last()
+        .copied()
 }
 
 /// Charges, discharges and balances.
@@ -185,12 +190,12 @@ fn balances() -> [VerificationRow; 2] {
         Heat::Adiabatic,
         Heat::Transfer(30.0),
     ];
-    let motions = heats.into_iter().map(|heat| after(heat, 1.0, 0.0, 0.3));
-    let motions: Option<Vec<Motion>> = motions.collect();
-    let largest = |value: fn(&Motion) -> f64| {
-        let values = motions.as_ref()?.iter().map(value);
-        Some(peak(values.map(f64::abs)))
-    };
+    let motions: Option<Vec<Motion>> = heats
+        .into_iter()
+        .map(|heat| after(heat, 1.0, 0.0, 0.3))
+        .collect();
+    let largest =
+        |value: fn(&Motion) -> f64| Some(peak(motions.as_ref()?.iter().map(value).map(f64::abs)));
     let energy = largest(|m| {
         let e = m.energies;
         (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j)

@@ -1,6 +1,6 @@
 //! Figures to look at and to test with.
 
-use mckibben_report::{Axis, Figure, Mark, Palette, Panel, Series, Style};
+use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
 
 /// Pull of an ideal braid, N: pressure in Pa, braid angle at rest in degrees, radius in m.
 fn pull(pressure: f64, angle: f64, radius: f64, contraction: f64) -> f64 {
@@ -38,7 +38,7 @@ pub fn isobars(elastic: f64) -> Figure {
         .mark(Mark::new(0.2, at(0.4, 0.2), "holds 5 kg at ε = 0.20"));
     Figure::new("Force–contraction curves at constant pressure")
         .caption(CAPTION)
-        .palette(Palette::Sequential)
+        .sequential()
         .panel(panel)
 }
 

@@ -59,12 +59,15 @@ const NO_MEASURES: [(&str, Dimension, &str); 4] = [
 /// every table, the constants of all laws (sums of terms have none that vary alone), and every
 /// other measure of the muscle.
 pub fn variables() -> Vec<Variable> {
-    let laws = Law::KINDS.iter().filter(|kind| !kind.is_sum);
-    let constants = laws.flat_map(|kind| kind.constants).map(|c| Variable {
-        key: format!("{CONSTANT}{}", c.name),
-        dimension: c.dimension,
-        about: c.doc,
-    });
+    let constants = Law::KINDS
+        .iter()
+        .filter(|kind| !kind.is_sum)
+        .flat_map(|kind| kind.constants)
+        .map(|c| Variable {
+            key: format!("{CONSTANT}{}", c.name),
+            dimension: c.dimension,
+            about: c.doc,
+        });
     let measures = MEASURES.iter().map(|m| Variable {
         key: m.key.to_owned(),
         dimension: m.dimension,

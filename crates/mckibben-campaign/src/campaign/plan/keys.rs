@@ -73,7 +73,7 @@ impl PlanKeys {
 }
 
 /// How muscles are taken from the ranges.
-#[derive(Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[derive(PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
     #[default]

@@ -137,8 +137,9 @@ fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileErro
         return Ok(Sampling::Factorial);
     }
     let needs = "it is the number of random muscles";
-    let samples = keys.samples;
-    let samples = samples.ok_or_else(|| source.missing(SAMPLES, "sampling.method", needs))?;
+    let samples = keys
+        .samples
+        .ok_or_else(|| source.missing(SAMPLES, "sampling.method", needs))?;
     if samples == 0 {
         return Err(source.error(SAMPLES, "must be above zero"));
     }
@@ -228,6 +229,7 @@ fn elements(
     let Some(mesh) = mesh else {
         return Ok(elements);
     };
-    let with_mesh = elements.with_mesh(&mesh);
-    with_mesh.map_err(|error| source.error("test.mesh", error.to_string()))
+    elements
+        .with_mesh(&mesh)
+        .map_err(|error| source.error("test.mesh", error.to_string()))
 }

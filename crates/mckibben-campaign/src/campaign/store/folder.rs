@@ -60,8 +60,9 @@ fn lock_name(shard: Shard) -> String {
 fn names(folder: &Path) -> Result<Vec<String>> {
     let name =
         |entry: std::io::Result<DirEntry>| Ok(entry?.file_name().to_string_lossy().into_owned());
-    let names = std::fs::read_dir(folder).and_then(|entries| entries.map(name).collect());
-    names.map_err(CampaignError::read(folder))
+    std::fs::read_dir(folder)
+        .and_then(|entries| entries.map(name).collect())
+        .map_err(CampaignError::read(folder))
 }
 
 /// A folder of parts.

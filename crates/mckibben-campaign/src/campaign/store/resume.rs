@@ -20,11 +20,12 @@ pub struct Recomputed {
 
 /// An existing file, if it is this share of this plan; a file of something else is not replaced.
 fn of_this_plan(provenance: &Provenance, path: &Path, part: Option<u64>) -> Result<Opened> {
-    let opened = Opened::file(path).map_err(|error| match error {
-        CampaignError::NoCampaign(path, why) => CampaignError::Foreign(path, why),
-        error => error,
-    });
-    opened?.expect(part, provenance)
+    Opened::file(path)
+        .map_err(|error| match error {
+            CampaignError::NoCampaign(path, why) => CampaignError::Foreign(path, why),
+            error => error,
+        })?
+        .expect(part, provenance)
 }
 
 /// Checks that an existing file is the whole table of this plan, and removes the parts that a run

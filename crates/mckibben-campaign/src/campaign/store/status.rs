@@ -4,6 +4,7 @@
 use super::{file::Opened, folder::Folder, manifest::noted, shard::Shard};
 use crate::campaign::error::{CampaignError, Result};
 use mckibben_io::files::ReadError;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::{
     collections::BTreeSet,
@@ -12,7 +13,7 @@ use std::{
 };
 
 /// How a shard is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ShardState {
     /// All its parts are there.
@@ -24,7 +25,7 @@ pub enum ShardState {
 }
 
 /// One shard.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ShardStatus {
     /// The share, i/n.
     pub shard: String,
@@ -37,7 +38,7 @@ pub struct ShardStatus {
 }
 
 /// A campaign in a folder.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct CampaignStatus {
     /// The folder.
     pub output: PathBuf,

@@ -6,11 +6,12 @@ use crate::{
     columns::{PointRow, Role},
 };
 use mckibben_core::status::Status;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::{collections::BTreeMap, path::Path};
 
 /// Rows that failed in the same way.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
 pub struct Failed {
     /// How many.
     pub points: u64,
@@ -21,7 +22,7 @@ pub struct Failed {
 }
 
 /// Smallest and largest value of a column.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Extent {
     /// The column.
     pub name: String,
@@ -32,7 +33,7 @@ pub struct Extent {
 }
 
 /// Contents of a campaign.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
 pub struct Summary {
     /// Muscles that are there.
     pub muscles: u64,
@@ -118,8 +119,9 @@ impl Summary {
 
 /// The fields whose ranges are stated.
 fn questions_and_answers(provenance: &Provenance) -> Vec<Field> {
-    let fields = provenance.layout.fields();
-    fields
+    provenance
+        .layout
+        .fields()
         .iter()
         .filter(|f| f.column.role != Role::Note)
         .cloned()

@@ -52,7 +52,6 @@ fn fill(
 }
 
 /// Some rows of a campaign.
-#[derive(Debug)]
 pub struct Table {
     pub(super) fields: Arc<[Field]>,
     pub(crate) columns: Vec<Column>,

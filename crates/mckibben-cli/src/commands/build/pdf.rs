@@ -30,12 +30,12 @@ pub fn browser() -> Result<&'static str, Problem> {
         "msedge",
     ];
     let runs = |name: &&&str| {
-        let quiet = Command::new(name)
+        Command::new(name)
             .arg("--version")
             .stdout(Stdio::null())
             .stderr(Stdio::null())
-            .status();
-        quiet.is_ok_and(|status| status.success())
+            .status()
+            .is_ok_and(|status| status.success())
     };
     names.iter().find(runs).copied().ok_or_else(|| {
         let message = "a PDF needs Chromium or Chrome, which is not installed";

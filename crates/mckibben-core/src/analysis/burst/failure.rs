@@ -234,25 +234,24 @@ impl Burst {
 
     /// The failure that comes first, with its pressure in MPa.
     pub fn first(&self) -> Option<(FailureMode, f64)> {
-        let known = self
-            .modes()
+        self.earliest(FailurePressure::mpa)
+    }
+
+    /// The least that P_b may be, with the least of what is estimated, and the failure.
+    pub fn least(&self) -> Option<(FailureMode, f64)> {
+        self.earliest(FailurePressure::least_mpa)
+    }
+
+    fn earliest(&self, of: fn(FailurePressure) -> Option<f64>) -> Option<(FailureMode, f64)> {
+        self.modes()
             .into_iter()
-            .filter_map(|(mode, p)| Some((mode, p.mpa()?)));
-        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
+            .filter_map(|(mode, p)| Some((mode, of(p)?)))
+            .reduce(|a, b| if b.1 < a.1 { b } else { a })
     }
 
     /// P_b in MPa, where it is known.
     pub fn pressure_mpa(&self) -> Option<f64> {
         Some(self.first()?.1)
-    }
-
-    /// The least that P_b may be, with the least of what is estimated, and the failure.
-    pub fn least(&self) -> Option<(FailureMode, f64)> {
-        let known = self
-            .modes()
-            .into_iter()
-            .filter_map(|(mode, p)| Some((mode, p.least_mpa()?)));
-        known.reduce(|a, b| if b.1 < a.1 { b } else { a })
     }
 
     /// The allowed pressure: the least failure pressure over its factor of safety, and the least
@@ -278,8 +277,11 @@ impl Burst {
             by: None,
             factor: 1.0,
         });
-        let all = self.modes().into_iter().filter_map(of).chain(rated);
-        all.reduce(|a, b| if b.mpa < a.mpa { b } else { a })
+        self.modes()
+            .into_iter()
+            .filter_map(of)
+            .chain(rated)
+            .reduce(|a, b| if b.mpa < a.mpa { b } else { a })
     }
 
     /// Why the strength of the strands was not checked.

@@ -37,8 +37,7 @@ const ANGLES: usize = 32;
 /// The pressure at which the tube of a muscle bulges through its braid.
 pub fn herniation(muscle: &Muscle) -> FailurePressure {
     let factor = muscle.braid().strands.map_or(1.0, |s| s.count_factor);
-    let nominal = bulging(muscle, 1.0);
-    nominal.down_to(bulging(muscle, factor), f64::INFINITY)
+    bulging(muscle, 1.0).down_to(bulging(muscle, factor), f64::INFINITY)
 }
 
 /// The same of fewer strands by a factor.
@@ -52,10 +51,10 @@ fn bulging(muscle: &Muscle, fewer: f64) -> FailurePressure {
     let first = muscle.braid().angle_rad();
     let last = NEUTRAL_ANGLE_DEG.to_radians();
     let at = |i: usize| first + (last - first) * i as f64 / ANGLES as f64;
-    let least = (0..=ANGLES)
+    (0..=ANGLES)
         .filter_map(|i| openings.pressure_mpa(at(i)))
-        .reduce(f64::min);
-    least.map_or(FailurePressure::None, FailurePressure::at)
+        .reduce(f64::min)
+        .map_or(FailurePressure::None, FailurePressure::at)
 }
 
 struct Openings {

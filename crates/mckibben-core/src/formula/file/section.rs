@@ -8,11 +8,12 @@ use crate::formula::{
     Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance,
     Scales, Term, error::FormulaError, paper_terms,
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The file of a formula for muscles of one make.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct SectionFile<T> {
     format: Format,
@@ -29,7 +30,7 @@ pub struct SectionFile<T> {
     provenance: Provenance,
 }
 
-#[derive(Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct PaperTerm {
     name: String,
@@ -38,7 +39,7 @@ pub struct PaperTerm {
     value: f64,
 }
 
-#[derive(Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct GlobalTerm {
     #[serde(skip_deserializing)]
@@ -51,7 +52,7 @@ pub struct GlobalTerm {
 
 /// Powers of x, p, e, d; those of zero are omitted.
 #[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")])]
-#[derive(Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct Powers {
     wall_ratio: u8,

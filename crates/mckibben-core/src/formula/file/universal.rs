@@ -8,10 +8,11 @@ use crate::formula::{
     Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
     error::FormulaError,
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The file of a universal formula.
-#[derive(Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct UniversalFile {
     format: Format,
@@ -27,7 +28,7 @@ pub struct UniversalFile {
     provenance: Provenance,
 }
 
-#[derive(Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 struct EndTerm {
     #[serde(skip_deserializing)]
@@ -40,7 +41,7 @@ struct EndTerm {
 
 /// Powers of the variables of both forms; those of zero are omitted.
 #[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")])]
-#[derive(Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct EndPowers {
     wall: u8,

@@ -382,8 +382,9 @@ fn every_model_with_a_volume_takes_what_is_pushed_in() {
                 held_at,
                 ..filling(&foam, 90_000.0)
             };
-            let fill = Evaluation::new(&*model, w, Options::default()).fill(&given);
-            let fill = fill.unwrap_or_else(|e| panic!("{}: {e}", model.info().name));
+            let fill = Evaluation::new(&*model, w, Options::default())
+                .fill(&given)
+                .unwrap_or_else(|e| panic!("{}: {e}", model.info().name));
             let r = &fill.answer.response;
             let inside = (rest + 3000.0 + 90_000.0) * foam.relative_volume(r.pressure_mpa);
             let error = inside / (r.volume_mm3.unwrap() + 3000.0) - 1.0;

@@ -14,30 +14,30 @@ const ITERATIONS: usize = 60;
 
 /// One equilibrium of the infinitely long muscle; derivatives in λ and P are along the equilibrium,
 /// (∂λ, ∂P).
-#[derive(Debug, Clone, Copy)]
-pub(in crate::model) struct State {
-    pub(in crate::model) r: f64,
-    pub(in crate::model) r_by: [f64; 2],
-    pub(in crate::model) force: f64,
+#[derive(Clone, Copy)]
+pub struct State {
+    pub r: f64,
+    pub r_by: [f64; 2],
+    pub force: f64,
     /// ∂F/∂λ at fixed P
-    pub(in crate::model) force_l: f64,
+    pub force_l: f64,
     /// ∂F/∂P at fixed λ
-    pub(in crate::model) force_p: f64,
+    pub force_p: f64,
     /// Tension of all strands
-    pub(in crate::model) tension: f64,
+    pub tension: f64,
     /// λf − 1 of the strands; negative where they are slack
-    pub(in crate::model) strain: f64,
-    pub(in crate::model) strain_by: [f64; 2],
+    pub strain: f64,
+    pub strain_by: [f64; 2],
     /// Energy of wall and braid
-    pub(in crate::model) energy: f64,
-    pub(in crate::model) energy_by: [f64; 2],
+    pub energy: f64,
+    pub energy_by: [f64; 2],
     /// T = F + P π r², the meridional tension of wall and braid
-    pub(in crate::model) axial: f64,
-    pub(in crate::model) axial_by: [f64; 2],
+    pub axial: f64,
+    pub axial_by: [f64; 2],
     /// How the stretch answers a small change of the radius at constant pull, dλ/dr
-    pub(in crate::model) stretch_by_r: f64,
+    pub stretch_by_r: f64,
     /// What a small change of the radius at constant pull takes, d²(Π − Fλ)/dr²
-    pub(in crate::model) radial: f64,
+    pub radial: f64,
 }
 
 /// A radius that is tried at a pressure and a stretch.
@@ -202,8 +202,9 @@ impl ThickWall {
         let lowest = (self.wall.section() / l).sqrt();
         let at_rest = self.pantograph(l).max(lowest);
         let highest = self.largest_radius(l).max(1.0001 * at_rest);
-        let guess = near.filter(|r| *r > lowest && *r < highest);
-        let guess = guess.unwrap_or_else(|| (at_rest * 1.005).max(lowest * 1.01).min(highest));
+        let guess = near
+            .filter(|r| *r > lowest && *r < highest)
+            .unwrap_or_else(|| (at_rest * 1.005).max(lowest * 1.01).min(highest));
         self.solve(k, p, l, highest, guess)
     }
 

@@ -24,7 +24,7 @@ mod square;
 #[cfg(test)]
 mod tests;
 
-pub(super) use equilibrium::State;
+pub use equilibrium::State;
 
 use super::{Accuracy, ModelEntry, ModelInfo, ModelRange, Reference, Result, Wall, notes};
 use crate::{

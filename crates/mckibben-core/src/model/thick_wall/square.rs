@@ -7,16 +7,15 @@ use super::ThickWall;
 use std::f64::consts::PI;
 
 /// Energy of wall and braid and its derivatives in (λ, x); strands that do not stretch carry none.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::model) struct Sheet {
-    pub(in crate::model) w: f64,
-    pub(in crate::model) l: f64,
-    pub(in crate::model) x: f64,
-    pub(in crate::model) ll: f64,
-    pub(in crate::model) lx: f64,
-    pub(in crate::model) xx: f64,
+pub struct Sheet {
+    pub w: f64,
+    pub l: f64,
+    pub x: f64,
+    pub ll: f64,
+    pub lx: f64,
+    pub xx: f64,
     /// λf of the strands
-    pub(in crate::model) strand: f64,
+    pub strand: f64,
 }
 
 impl ThickWall {

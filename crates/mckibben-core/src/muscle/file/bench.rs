@@ -76,10 +76,12 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
             "must hold up to 64 lengths above zero",
         ),
     ];
-    let wrong = checks.iter().find(|check| !check.1);
-    wrong.map_or(Ok(()), |(key, _, must)| {
-        Err(source.error(&format!("identified.{key}"), *must))
-    })
+    checks
+        .iter()
+        .find(|check| !check.1)
+        .map_or(Ok(()), |(key, _, must)| {
+            Err(source.error(&format!("identified.{key}"), *must))
+        })
 }
 
 /// Whether rows are a covariance of so many: symmetric, and with no pivot below zero in LDLᵀ, to

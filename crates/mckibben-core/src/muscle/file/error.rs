@@ -33,12 +33,12 @@ pub struct FileError {
 pub fn without_key(error: &MuscleError, key: &str) -> String {
     let message = error.to_string();
     let table = key.rsplit_once('.').map(|(table, _)| format!("{table}: "));
-    let key = [format!("{key} "), format!("{key}: ")];
-    let rest = key
+    [format!("{key} "), format!("{key}: ")]
         .iter()
         .chain(&table)
-        .find_map(|k| message.strip_prefix(k.as_str()));
-    rest.unwrap_or(&message).to_string()
+        .find_map(|k| message.strip_prefix(k.as_str()))
+        .unwrap_or(&message)
+        .to_string()
 }
 
 impl FileError {

@@ -28,8 +28,10 @@ pub fn schema_of<T: JsonSchema>() -> Value {
 }
 
 fn generated<T: JsonSchema>() -> Schema {
-    let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
-    settings.into_generator().into_root_schema_for::<T>()
+    SchemaSettings::draft07()
+        .with(|settings| settings.inline_subschemas = true)
+        .into_generator()
+        .into_root_schema_for::<T>()
 }
 
 /// What may be written in place of a number, and what TOML has not.
@@ -155,9 +157,12 @@ impl Keys {
         let last = |dotted: &str| dotted.rsplit('.').next().is_some_and(|last| last == key);
         // `thickness` in the tube is its `wall_thickness`, not that of the braid.
         let of_last_word = |k: &&str| k.strip_suffix(key).is_some_and(|k| k.ends_with('_'));
-        let suggestion = known.iter().copied().find(of_last_word);
-        let suggestion = suggestion.or_else(|| all().find(|dotted| last(dotted)));
-        let suggestion = suggestion.or_else(|| nearest(key, known.iter().copied()));
+        let suggestion = known
+            .iter()
+            .copied()
+            .find(of_last_word)
+            .or_else(|| all().find(|dotted| last(dotted)))
+            .or_else(|| nearest(key, known.iter().copied()));
         let suggestion =
             suggestion.or_else(|| all().find(|k| nearest(key, k.rsplit('.').next()).is_some()));
         let problem = format!(
@@ -170,9 +175,10 @@ impl Keys {
 }
 
 fn properties(schema: &Value) -> Option<&Map<String, Value>> {
-    let own = schema["properties"].as_object();
-    let own = own.or_else(|| properties(schema.get("items")?));
-    own.or_else(|| schema["anyOf"].as_array()?.iter().find_map(properties))
+    schema["properties"]
+        .as_object()
+        .or_else(|| properties(schema.get("items")?))
+        .or_else(|| schema["anyOf"].as_array()?.iter().find_map(properties))
 }
 
 /// Every key of a table and of the tables in it, dotted; tells a key in the wrong table from one

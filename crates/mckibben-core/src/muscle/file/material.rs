@@ -192,8 +192,12 @@ fn of_constant(law: &LawKind, constant: &Constant, generator: &mut SchemaGenerat
 
 pub fn rubbers(_: &mut SchemaGenerator) -> Schema {
     // A damaged table of names leaves the key without them.
-    let all = library::entries().unwrap_or_default();
-    named(all.iter().map(|entry| entry.name.as_str()))
+    named(
+        library::entries()
+            .unwrap_or_default()
+            .iter()
+            .map(|entry| entry.name.as_str()),
+    )
 }
 
 /// The schema of a text for which there are names.
@@ -233,8 +237,12 @@ fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, Fil
         let key = format!("{TABLE}.{}", constant.name);
         values.ok_or_else(|| source.missing(&key, "tube.material.law", NEEDS_ALL))
     };
-    let lists = law.constants.iter().zip(constants).map(values);
-    let lists = lists.collect::<Result<Vec<_>, _>>()?;
+    let lists = law
+        .constants
+        .iter()
+        .zip(constants)
+        .map(values)
+        .collect::<Result<Vec<_>, _>>()?;
     let law = law.law_of_terms(&lists);
     let wrong = |key: &str, said: String| source.error(&format!("{TABLE}.{key}"), said);
     let mut rubber = Rubber {
@@ -258,8 +266,9 @@ fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, Fil
             return Err(source.missing("tube.material.prony", "tube.material.held", needs));
         }
         // Before its stresses are taken as less, the series must be one.
-        let checked = rubber.check();
-        checked.map_err(|e| wrong("prony", without_key(&e, "tube.material.prony")))?;
+        rubber
+            .check()
+            .map_err(|e| wrong("prony", without_key(&e, "tube.material.prony")))?;
         rubber = rubber.relaxed(held);
     }
     // Constants that are written are those of this muscle, also where they are the library's for

@@ -62,8 +62,8 @@ pub fn read_muscle(path: impl AsRef<Path>) -> Result<Muscle, FileError> {
 /// # Errors
 /// [`FileError`], as [`read_muscle`], without the file's name.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
-    let bytes = mckibben_units::read(path, MAX_BYTES as u64);
-    let bytes = bytes.map_err(|e| FileError::new(e.to_string()))?;
+    let bytes =
+        mckibben_units::read(path, MAX_BYTES as u64).map_err(|e| FileError::new(e.to_string()))?;
     String::from_utf8(bytes).map_err(|e| {
         let offset = e.utf8_error().valid_up_to();
         let bytes = e.as_bytes();

@@ -101,8 +101,10 @@ impl<'t> Source<'t> {
 
     /// The texts of a table.
     pub fn texts(&self, dotted: &str) -> impl Iterator<Item = &str> {
-        let entries = self.table(dotted).into_iter().flat_map(TableLike::iter);
-        entries.filter_map(|(_, item)| item.as_str())
+        self.table(dotted)
+            .into_iter()
+            .flat_map(TableLike::iter)
+            .filter_map(|(_, item)| item.as_str())
     }
 
     /// The number at a dotted key, in the unit inside.

@@ -104,8 +104,12 @@ impl Text {
                     number(*v)
                 }
             };
-            let terms = values.iter().skip(i).step_by(kind.constants.len());
-            let terms: Vec<f64> = terms.copied().collect();
+            let terms: Vec<f64> = values
+                .iter()
+                .skip(i)
+                .step_by(kind.constants.len())
+                .copied()
+                .collect();
             let value = if kind.is_sum {
                 list(&terms, one)
             } else {
@@ -313,14 +317,14 @@ impl Text {
 
 /// The measures of a table that are stated and have no rules of their own.
 fn written(muscle: &Muscle, section: &str) -> impl Iterator<Item = (&'static Measure, f64)> {
-    let plain = of_section(section).filter(|m| !m.has_rules);
-    plain.filter_map(|m| Some((m, muscle.measure(m)?)))
+    of_section(section)
+        .filter(|m| !m.has_rules)
+        .filter_map(|m| Some((m, muscle.measure(m)?)))
 }
 
 /// The sleeve of the library that has this shape.
 fn library_sleeve(shape: &SleeveShape) -> Option<Sleeve> {
-    let sleeve = sleeve::library::find(&shape.name).ok()?;
-    Some(sleeve).filter(|s| s.shape == *shape)
+    Some(sleeve::library::find(&shape.name).ok()?).filter(|s| s.shape == *shape)
 }
 
 /// The sleeve that the braid was cut from, where its name and angle may be written together in a

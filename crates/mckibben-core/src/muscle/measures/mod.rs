@@ -50,8 +50,7 @@ impl Parts {
     /// rp² − Ri² in mm² of plugs of the radius rp in a bore of the radius Ri; the wall on them
     /// keeps its section, r² = R² + rp² − Ri². Zero where no diameter is stated.
     pub fn plug_mm2(&self) -> f64 {
-        let stated = self.terminals.plug_diameter_mm;
-        stated.map_or(0.0, |_| {
+        self.terminals.plug_diameter_mm.map_or(0.0, |_| {
             self.plug_radius_mm().powi(2) - self.tube.inner_radius_mm().powi(2)
         })
     }
@@ -292,10 +291,11 @@ impl Measure {
     pub fn flag(&self) -> Option<String> {
         let field = self.field.filter(|_| self.has_flag)?;
         let unit = self.dimension.end_of_name().filter(|_| !self.is_plain());
-        let name = unit
-            .and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_'))
-            .unwrap_or(field);
-        Some(name.replace('_', "-"))
+        Some(
+            unit.and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_'))
+                .unwrap_or(field)
+                .replace('_', "-"),
+        )
     }
 
     /// The placeholder of its value in help texts: `LENGTH`, or the symbol of a plain number that a

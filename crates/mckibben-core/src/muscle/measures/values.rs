@@ -58,10 +58,9 @@ impl TryFrom<Map<String, Value>> for MeasureValues {
         let mut out = Self::default();
         for (field, measure) in fields() {
             let value = match given.get(field) {
-                Some(Value::String(text)) if !measure.is_plain() => {
-                    let read = parse_quantity(text, measure.dimension);
-                    Some(read.map_err(serde::de::Error::custom)?)
-                }
+                Some(Value::String(text)) if !measure.is_plain() => Some(
+                    parse_quantity(text, measure.dimension).map_err(serde::de::Error::custom)?,
+                ),
                 Some(value) => Option::<f64>::deserialize(value)?,
                 None => None,
             };

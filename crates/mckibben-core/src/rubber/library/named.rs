@@ -66,9 +66,9 @@ pub fn following(rubber: Rubber, reach: f64) -> Rubber {
     if rubber.name.is_none() || rubber == Rubber::paper() {
         return rubber;
     }
-    let followed = library_entry(&rubber)
-        .and_then(|(entry, law)| Some(entry.rubber(law, entry.up_to(law, COVERING * reach)?)));
-    followed.unwrap_or(rubber)
+    library_entry(&rubber)
+        .and_then(|(entry, law)| Some(entry.rubber(law, entry.up_to(law, COVERING * reach)?)))
+        .unwrap_or(rubber)
 }
 
 /// Entry and law of a rubber of the library, with its constants.
@@ -129,18 +129,18 @@ pub fn of_equal_standing(rubber: &Rubber, reach: f64) -> Vec<Rubber> {
     let Some(window) = entry.up_to(law, stretch).and_then(|fit| fit.window) else {
         return vec![];
     };
-    let good = window
+    window
         .laws
         .iter()
-        .filter(|l| l.standing != Standing::Behind && l.law.name() != rubber.law.name());
-    good.filter_map(|l| {
-        let name = Some(l.name.as_str());
-        Some(Rubber {
-            bulk: rubber.bulk,
-            ..entry.rubber(name, entry.up_to(name, stretch)?)
+        .filter(|l| l.standing != Standing::Behind && l.law.name() != rubber.law.name())
+        .filter_map(|l| {
+            let name = Some(l.name.as_str());
+            Some(Rubber {
+                bulk: rubber.bulk,
+                ..entry.rubber(name, entry.up_to(name, stretch)?)
+            })
         })
-    })
-    .collect()
+        .collect()
 }
 
 /// A fit of a rubber.
@@ -211,13 +211,16 @@ impl RubberEntry {
         // Without a curve: the first law of the table, which for the silicones is the neo-Hookean
         // one.
         let published = law.or_else(|| self.published_default()).map(str::to_owned);
-        let fits = self.fits.iter().filter(|_| self.windows.is_empty());
-        let fits = fits.filter(move |f| Some(f.law.name()) == published.as_deref());
-        let published = fits.map(|f| LibraryFit {
-            law: f.law.clone(),
-            fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
-            window: None,
-        });
+        let published = self
+            .fits
+            .iter()
+            .filter(|_| self.windows.is_empty())
+            .filter(move |f| Some(f.law.name()) == published.as_deref())
+            .map(|f| LibraryFit {
+                law: f.law.clone(),
+                fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
+                window: None,
+            });
         let name = match law {
             Some(law) => self.name_in_windows(|l| l.name == law || l.law.name() == law),
             None => self.usual_law.as_ref(),
@@ -239,14 +242,16 @@ impl RubberEntry {
         let count = |name: &String, counts: fn(&WindowLaw) -> bool| {
             laws().filter(|l| l.name == *name && counts(l)).count()
         };
-        let names = laws().filter(|l| is_meant(l)).map(|l| &l.name);
-        names.max_by_key(|name| {
-            (
-                count(name, |l| l.standing != Standing::Behind),
-                count(name, |l| l.standing == Standing::Recommended),
-                count(name, |_| true),
-            )
-        })
+        laws()
+            .filter(|l| is_meant(l))
+            .map(|l| &l.name)
+            .max_by_key(|name| {
+                (
+                    count(name, |l| l.standing != Standing::Behind),
+                    count(name, |l| l.standing == Standing::Recommended),
+                    count(name, |_| true),
+                )
+            })
     }
 
     /// The law that the name of a rubber without a curve means: of all fits to one axis the one

@@ -65,12 +65,12 @@ impl OgdenRoxburgh {
             ("beta", beta, beta >= 0.0, "zero or above"),
             ("m + beta", m_mpa + beta, m_mpa + beta != 0.0, spreads),
         ];
-        let wrong = checks
+        checks
             .into_iter()
-            .find(|(_, value, holds, _)| !(*holds && value.is_finite()));
-        wrong.map_or(Ok(self), |(name, value, _, expected)| {
-            Err(constant(name, value, expected))
-        })
+            .find(|(_, value, holds, _)| !(*holds && value.is_finite()))
+            .map_or(Ok(self), |(name, value, _, expected)| {
+                Err(constant(name, value, expected))
+            })
     }
 
     fn spread(&self, w_max: f64) -> f64 {

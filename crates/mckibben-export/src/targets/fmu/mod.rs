@@ -37,7 +37,6 @@ enum Version {
 }
 
 /// The input of a unit.
-#[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Pressure,
     /// The command of a valve.

@@ -165,9 +165,9 @@ fn reference(name: &str) -> usize {
 /// Start, range and nominal value of each variable that can be set or is a state, as muscle.bin has
 /// them.
 pub fn settings(variables: &[Variable]) -> Vec<f64> {
-    let names = references();
-    let known = names.iter().take_while(|name| *name != "force");
-    known
+    references()
+        .iter()
+        .take_while(|name| *name != "force")
         .flat_map(|name| match variables.iter().find(|v| v.name == name) {
             Some(v) => [v.start, v.range.0, v.range.1, v.nominal],
             None => [0.0, f64::NAN, f64::NAN, 1.0],

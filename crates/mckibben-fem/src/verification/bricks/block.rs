@@ -72,8 +72,9 @@ impl Block {
         let order = sheet
             .order()
             .into_iter()
-            .flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
-        let order = order.map(|(i, j, k)| self.node(i, j, k) as u32).collect();
+            .flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)))
+            .map(|(i, j, k)| self.node(i, j, k) as u32)
+            .collect();
         Problem::free(nodes, (self.brick, bricks), order, (law, bulk))
     }
 }

@@ -50,15 +50,17 @@ impl Tests<'_> {
             return Err(two_axes());
         }
         let measured = self.table.numbers(stress)?.into_iter();
-        let rows = measured.zip(stretches).enumerate();
-        rows.map(|(row, (measured, &stretch))| {
-            let stress_mpa = self.nominal_mpa(row, stress, measured, stretch)?;
-            match self.mode(row)?.unwrap_or_default() {
-                Mode::General => Err(two_axes()),
-                mode => Ok(TensionPoint::new(mode, stretch, stress_mpa)),
-            }
-        })
-        .collect()
+        measured
+            .zip(stretches)
+            .enumerate()
+            .map(|(row, (measured, &stretch))| {
+                let stress_mpa = self.nominal_mpa(row, stress, measured, stretch)?;
+                match self.mode(row)?.unwrap_or_default() {
+                    Mode::General => Err(two_axes()),
+                    mode => Ok(TensionPoint::new(mode, stretch, stress_mpa)),
+                }
+            })
+            .collect()
     }
 
     /// The mode that a row states.

@@ -34,8 +34,9 @@ impl Tests<'_> {
     pub fn sheet_points(&self, lengths: &[f64]) -> Result<Vec<TensionPoint>> {
         let table = self.table;
         let cells = |meaning: &Meaning| -> Result<Vec<Option<(&Column, f64)>>> {
-            let values = table.some_numbers(*meaning)?.into_iter();
-            Ok(values
+            Ok(table
+                .some_numbers(*meaning)?
+                .into_iter()
                 .map(|value| table.column(*meaning).zip(value))
                 .collect())
         };
@@ -53,8 +54,9 @@ impl Tests<'_> {
             let mode = stated.unwrap_or_default();
             let lambda_2 = self.second_stretch(row, mode, stretch, across)?;
             let first = |columns: &[Vec<Option<(&Column, f64)>>], along| {
-                let stress = columns.iter().find_map(|cells| cells[row]);
-                stress
+                columns
+                    .iter()
+                    .find_map(|cells| cells[row])
                     .map(|(column, value)| self.nominal_mpa(row, column, value, along))
                     .transpose()
             };
@@ -86,8 +88,8 @@ impl Tests<'_> {
                 let column = along
                     .into_iter()
                     .chain([difference])
-                    .find_map(|meaning| table.column(meaning));
-                let column = column.map_or_else(|| table.needed(STRESS), Ok)?;
+                    .find_map(|meaning| table.column(meaning))
+                    .map_or_else(|| table.needed(STRESS), Ok)?;
                 let expected = "is not a valid stress, nor is there another in its line";
                 return Err(table.impossible(row, column, expected));
             }
