@@ -1,6 +1,9 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
+mod coefficients;
 mod page;
+
+pub use coefficients::{CoefficientRow, is_of_the_paper};
 
 use crate::{
     Model, MuscleFields, NameOrFile, Problem, ProblemKind, Result, Stiffness, TextFile, figure,
@@ -329,7 +332,8 @@ impl FitRequest {
 pub struct CheckFormulaRequest {
     /// The formula's file.
     pub file: Option<TextFile>,
-    /// A built-in formula in its place: `universal` or `universal-small`.
+    /// A built-in formula in its place: `universal`, `universal-small`, or `paper`, the published
+    /// one.
     pub name: Option<String>,
     /// Add the equation as LaTeX to the answer.
     pub latex: bool,
@@ -342,23 +346,44 @@ pub struct CheckFormulaAnswer {
     /// The formula, as its file holds it.
     #[serde(flatten)]
     pub formula: Document,
-    /// The equation with its numbers as LaTeX (amsmath), if requested.
+    /// The coefficients of a formula of the paper's method, row by row as in its Table 2; of
+    /// `paper` the published ones beside those of its method on the finite elements here.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub coefficients: Vec<CoefficientRow>,
+    /// The equation with its numbers as LaTeX (amsmath), and the table of the coefficients, if
+    /// requested.
     pub latex: Option<String>,
 }
 
 pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer> {
+    let mut refitted = None;
     let formula = match (&request.file, request.name.as_deref()) {
         (Some(file), _) => {
             Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?
         }
+        (None, Some("paper")) => {
+            let fitted = coefficients::refitted().map_err(|e| no_fit("paper", e))?;
+            let published = fitted.published();
+            refitted = Some(fitted.formula);
+            Document::Section(published)
+        }
         (None, Some(name)) => built_in(name)?,
         (None, None) => return Err(Problem::missing("file", "the file of a formula")),
     };
+    let coefficients = match &formula {
+        Document::Section(f) => coefficients::coefficients(refitted.as_ref().unwrap_or(f)),
+        Document::Universal(_) => vec![],
+    };
     let latex = request.latex.then(|| match &formula {
-        Document::Section(f) => f.to_latex(),
+        Document::Section(f) if coefficients.is_empty() => f.to_latex(),
+        Document::Section(f) => f.to_latex() + &coefficients::to_latex(&coefficients),
         Document::Universal(f) => f.to_latex(),
     });
-    Ok(CheckFormulaAnswer { formula, latex })
+    Ok(CheckFormulaAnswer {
+        formula,
+        coefficients,
+        latex,
+    })
 }
 
 fn built_in(name: &str) -> Result<Document> {
@@ -371,7 +396,8 @@ fn built_in(name: &str) -> Result<Document> {
         .map(|formula| Document::Universal((*formula).clone()))
         .ok_or_else(|| {
             let message = format!(
-                "there is no built-in formula \"{name}\"; there are universal and universal-small"
+                "there is no built-in formula \"{name}\"; there are paper, universal and \
+                 universal-small"
             );
             Problem::new(ProblemKind::Model, message, "").in_field("name")
         })

@@ -11,8 +11,8 @@ use crate::{columns::PointRow, hash};
 use mckibben_core::{
     extremes::ends,
     formula::{
-        Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid,
-        MadeRubber, NamedBraid, Provenance,
+        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made,
+        MadeBraid, MadeRubber, NamedBraid, Provenance,
     },
     muscle::Muscle,
 };
@@ -80,6 +80,47 @@ pub struct FittedFormula {
     pub unused: usize,
 }
 
+impl FittedFormula {
+    /// The published formula, with its errors on the same points.
+    pub fn published(&self) -> Formula {
+        let difference = |c: &Compared| Compared {
+            difference_n: c.point.published_n() - c.point.force_n,
+            ..*c
+        };
+        let compared: Vec<Compared> = self.compared.iter().map(difference).collect();
+        let held_out = self.formula.errors.held_out.as_ref();
+        let hold_out = held_out.map_or(&[][..], |h| &h.outer_diameters_mm);
+        Formula {
+            name: "paper".into(),
+            body: Body::Paper(Box::new(*Coefficients::published())),
+            errors: formula_errors(&compared, hold_out),
+            provenance: Provenance {
+                method: "published: Table 2 of the paper".into(),
+                ..self.formula.provenance.clone()
+            },
+            ..self.formula.clone()
+        }
+    }
+}
+
+/// The errors of points and of their regions, and those of diameters in mm that are held out.
+fn formula_errors(list: &[Compared], hold_out: &[f64]) -> FormulaErrors {
+    let held = |p: &FitPoint| hold_out.iter().any(|&d| same(d, p.outer_diameter_mm));
+    let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
+    let points = list.iter().map(|c| c.point);
+    FormulaErrors {
+        against: "the forces of its table, where they pull, as shares of the muscle's blocked \
+            force at the table's highest pressure"
+            .into(),
+        fit: errors(&seen, |_| true).map_or_else(ErrorSummary::default, |e| e.summary),
+        regions: regions(&seen),
+        held_out: errors(list, held).map(|e| HeldOut {
+            outer_diameters_mm: distinct(points.filter(held).map(|p| p.outer_diameter_mm)),
+            errors: e.summary,
+        }),
+    }
+}
+
 pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
     if request.points.is_empty() {
         return Err(FitError::empty(""));
@@ -113,14 +154,7 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
             ..request.made_for.clone()
         },
         range: range(&fitted),
-        errors: FormulaErrors {
-            against: "the forces of its table, where they pull, as shares of the muscle's blocked \
-                force at the table's highest pressure"
-                .into(),
-            fit: ErrorSummary::default(),
-            regions: vec![],
-            held_out: None,
-        },
+        errors: formula_errors(&[], &[]),
         provenance: Provenance {
             method: request.method.text(),
             points: fitted.len(),
@@ -129,20 +163,8 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
         },
     };
     let list = compared(&points, |p| p.difference_n(&formula))?;
-    formula.errors.fit =
-        errors(&list, |p| !held(p)).map_or_else(ErrorSummary::default, |e| e.summary);
+    formula.errors = formula_errors(&list, request.hold_out);
     FitError::refuse_absurd(formula.errors.fit.rms)?;
-    let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
-    formula.errors.regions = regions(&seen);
-    formula.errors.held_out = errors(&list, held).map(|e| HeldOut {
-        outer_diameters_mm: distinct(
-            list.iter()
-                .map(|c| c.point)
-                .filter(held)
-                .map(|p| p.outer_diameter_mm),
-        ),
-        errors: e.summary,
-    });
     Ok(FittedFormula {
         formula,
         paper,
@@ -213,6 +235,15 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 
 /// A formula of the paper's muscles from points.
 pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula> {
+    Ok(fitted_with_steps(points, method, hold_out)?.formula)
+}
+
+/// The same with its intermediate results.
+pub fn fitted_with_steps(
+    points: &[FitPoint],
+    method: Method,
+    hold_out: &[f64],
+) -> Result<FittedFormula> {
     let made_for = Made::from_muscle(&Muscle::prototype());
     let name = if method == Method::Paper(Rules::default()) {
         "paper-method"
@@ -227,7 +258,7 @@ pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<F
         name: name.into(),
         from: Provenance::default(),
     };
-    Ok(make(&request)?.formula)
+    make(&request)
 }
 
 /// Constants and stiffnesses within this, relative, are the same.

@@ -12,13 +12,14 @@ use std::path::Path;
 #[command(after_long_help = examples(&[
     "check examples/prototype.toml -p 2bar",
     "check -D 40 -s 2 --rubber dragon-skin-30",
-    "check universal --latex"
+    "check universal --latex",
+    "check paper"
 ]))]
 pub struct Check {
     #[command(flatten)]
     request: CheckRequest,
-    /// Of a formula (FILE.json, universal, universal-small): print its equation with its numbers as
-    /// LaTeX
+    /// Of a formula (FILE.json, paper, universal, universal-small): print its equation with its
+    /// numbers as LaTeX, and a table of its coefficients
     #[arg(long)]
     latex: bool,
     #[command(flatten)]
@@ -46,7 +47,9 @@ impl Check {
     fn show_formula(self, formula: CheckFormulaRequest, format: Format) -> Result<u8, Problem> {
         if self.request.pressure_mpa.is_some() {
             let message = "--pressure is of a muscle, not of a formula";
-            return Err(Problem::new(ProblemKind::Usage, message, ""));
+            let hint =
+                "the prototype of the paper is the muscle of `mckibben check` without a name";
+            return Err(Problem::new(ProblemKind::Usage, message, hint));
         }
         let answer = check_formula(&CheckFormulaRequest {
             latex: self.latex,
@@ -61,7 +64,8 @@ impl Check {
 
 /// The formula that is named in the place of a muscle.
 fn formula(file: &TextFile) -> Option<CheckFormulaRequest> {
-    if ["universal", "universal-small"].contains(&&*file.name) {
+    let built_in = ["paper", "universal", "universal-small"];
+    if file.text.is_empty() && built_in.contains(&&*file.name) {
         return Some(CheckFormulaRequest {
             name: Some(file.name.clone()),
             ..CheckFormulaRequest::default()
