@@ -36,9 +36,10 @@ impl Show for FitAnswer {
 impl Show for CheckFormulaAnswer {
     fn page(&self, _: &Units) -> Page {
         let mut page = formula_page(&self.formula, self.coefficients.is_empty());
-        if !self.coefficients.is_empty() {
-            coefficients::onto(&self.coefficients, &mut page);
-        }
+        page.table_under(
+            "Coefficients of (11)",
+            coefficients::table(&self.coefficients),
+        );
         page
     }
 

@@ -1,7 +1,7 @@
 //! From points to a formula with its range, errors and provenance.
 
 use super::{
-    data::{FitPoint, PRESSURES, distinct, same},
+    data::{FitPoint, Grid, HELD_OUT, PRESSURES, distinct, same},
     error::{FitError, Result},
     errors::{Compared, compared, errors, regions},
     global::{GlobalFit, MOST_TERMS, global},
@@ -26,6 +26,14 @@ pub enum Method {
 }
 
 impl Method {
+    /// The usual name of a formula by it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Paper(_) => "paper-method",
+            Method::Global => "global",
+        }
+    }
+
     /// The method with its rules, in words.
     pub fn text(self) -> String {
         match self {
@@ -234,31 +242,24 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 }
 
 /// A formula of the paper's muscles from points.
-pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula> {
-    Ok(fitted_with_steps(points, method, hold_out)?.formula)
-}
-
-/// The same with its intermediate results.
-pub fn fitted_with_steps(
-    points: &[FitPoint],
-    method: Method,
-    hold_out: &[f64],
-) -> Result<FittedFormula> {
+pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<FittedFormula> {
     let made_for = Made::from_muscle(&Muscle::prototype());
-    let name = if method == Method::Paper(Rules::default()) {
-        "paper-method"
-    } else {
-        "global"
-    };
     let request = Request {
         points,
         made_for,
         method,
         hold_out,
-        name: name.into(),
+        name: method.name().into(),
         from: Provenance::default(),
     };
     make(&request)
+}
+
+/// The formula of the paper's campaign by finite elements; D0 35 mm is held out.
+pub fn refitted(method: Method) -> Result<FittedFormula> {
+    let base = Muscle::prototype();
+    let points = [Grid::PAPER, Grid::HELD_OUT].map(|grid| grid.points(&base));
+    fitted(&points.concat(), method, &[HELD_OUT])
 }
 
 /// Constants and stiffnesses within this, relative, are the same.

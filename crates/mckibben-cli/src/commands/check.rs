@@ -64,17 +64,13 @@ impl Check {
 
 /// The formula that is named in the place of a muscle.
 fn formula(file: &TextFile) -> Option<CheckFormulaRequest> {
+    let mut request = CheckFormulaRequest::default();
     let built_in = ["paper", "universal", "universal-small"];
     if file.text.is_empty() && built_in.contains(&&*file.name) {
-        return Some(CheckFormulaRequest {
-            name: Some(file.name.clone()),
-            ..CheckFormulaRequest::default()
-        });
+        request.name = Some(file.name.clone());
+        return Some(request);
     }
     let end = Path::new(&file.name).extension()?;
-    end.eq_ignore_ascii_case("json")
-        .then(|| CheckFormulaRequest {
-            file: Some(file.clone()),
-            ..CheckFormulaRequest::default()
-        })
+    request.file = Some(file.clone());
+    end.eq_ignore_ascii_case("json").then_some(request)
 }

@@ -116,8 +116,7 @@ pub fn compare(
     let points = differences.len();
     let errors =
         |differences: Vec<f64>| Some(Errors::new(differences)).filter(|errors| errors.points > 0);
-    let mean = answered.iter().sum::<f64>() / points as f64;
-    let spread: f64 = answered.iter().map(|force| (force - mean).powi(2)).sum();
+    let spread = errors(answered).map_or(0.0, |e| e.rms.powi(2) - e.mean.powi(2));
     let pulls = errors(differences);
     let volumes = errors(volume_differences);
     let contractions = errors(contraction_differences);
@@ -128,8 +127,8 @@ pub fn compare(
         mean_n: pulls.as_ref().map(|e| e.mean),
         r2: pulls
             .as_ref()
-            .filter(|_| spread > 0.0)
-            .map(|e| 1.0 - e.rms.powi(2) * points as f64 / spread),
+            .filter(|_| spread > 1e-9)
+            .map(|e| 1.0 - e.rms.powi(2) / spread),
         contraction_points: contractions.as_ref().map_or(0, |e| e.points),
         rms_contraction: contractions.as_ref().map(|e| e.rms),
         mean_contraction: contractions.as_ref().map(|e| e.mean),
