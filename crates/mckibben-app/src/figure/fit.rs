@@ -162,8 +162,7 @@ impl Section<'_> {
         );
         self.figure(
             format!("Isobaric surfaces at {} MPa", number(top, 3)),
-            "Each surface as its family of curves, and in space (axes of the first curve): \
-             points and quadratics (5)",
+            "Each surface as its family of curves: points and quadratics (5)",
         )
         .columns(2)
         .panel(over_wall.clone())
@@ -269,7 +268,9 @@ impl Section<'_> {
 /// points to a surface.
 fn in_space(mut panel: Panel) -> Panel {
     let top = peak(panel.series.iter().flat_map(|s| &s.points).map(|p| p.1));
+    panel.title += ", in space";
     for series in &mut panel.series {
+        series.end_label.clear();
         let back = series.colour.unwrap_or_default() as f64;
         for (x, y) in &mut series.points {
             *x += 0.02 * back;
@@ -279,7 +280,7 @@ fn in_space(mut panel: Panel) -> Panel {
     let dots: Vec<Series> = panel.series.iter().step_by(2).cloned().collect();
     for i in 0..dots.first().map_or(0, |s| s.points.len()) {
         let line = dots.iter().filter_map(|s| s.points.get(i).copied());
-        panel.series.push(Series::line("", line).neutral());
+        panel.series.push(Series::line("", line).colour(0));
     }
     panel
 }

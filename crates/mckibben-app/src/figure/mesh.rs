@@ -4,8 +4,8 @@ use mckibben_core::extremes::peak;
 use mckibben_fem::output::{Shape, vtu::Grid};
 use mckibben_report::{Axis, Panel, Series};
 
-/// All edges of a brick in one line, by VTK's order of its corners.
-const EDGES: [usize; 16] = [0, 1, 2, 3, 0, 4, 5, 1, 5, 6, 2, 6, 7, 3, 7, 4];
+/// Two faces of a brick in one line, by VTK's order of its corners; its neighbours have the others.
+const FACES: [usize; 8] = [0, 1, 5, 4, 0, 3, 7, 4];
 
 /// Cells in space: z to the right, x upwards, y to the back; between them the line has gaps.
 fn cells(grid: &Grid, corners: usize, path: &[usize]) -> Vec<(f64, f64)> {
@@ -29,13 +29,13 @@ pub fn mesh(
 ) -> Panel {
     let end = peak(tube.points.iter().map(|p| p[2]));
     let inner = tube.points[0][0];
-    let plug = plug.iter().flat_map(|plug| cells(plug, 8, &EDGES));
+    let plug = plug.iter().flat_map(|plug| cells(plug, 8, &FACES));
     let lines = [
-        ("", cells(tube, 8, &EDGES)),
-        ("", plug.collect()),
         ("", cells(braid, 2, &[0, 1])),
         ("P", vec![(0.3 * end, 0.0), (0.3 * end, inner)]),
         ("F/4", vec![(end, 0.0), (1.2 * end, 0.0)]),
+        ("", plug.collect()),
+        ("", cells(tube, 8, &FACES)),
     ];
     let panel = Panel::new(Axis::new("z [mm]"), Axis::new("x [mm]")).title(title);
     lines.into_iter().fold(panel, |panel, (label, line)| {

@@ -53,9 +53,9 @@ pub fn rows_of(formula: &Formula) -> Vec<CoefficientRow> {
 
 fn misprint(row: &str) -> Option<&'static str> {
     match row {
-        "B2" => Some("units: B21 stands twice, 1/mm is right"),
-        "B4" => Some("(11) prints A42 for B42"),
-        "C1" | "C2" | "C3" => Some("(11) prints a D0² term"),
+        "B2" => Some("unit of B21: 1/mm"),
+        "B4" => Some("(11): A42 for B42"),
+        "C1" | "C2" | "C3" => Some("(11): term of D0²"),
         _ => None,
     }
 }
@@ -66,10 +66,8 @@ pub fn table(rows: &[CoefficientRow]) -> Table<'_, CoefficientRow> {
     let mut table = Table::of(rows).text("", |r| &r.row);
     for (j, power) in ["D0²", "D0", "1"].into_iter().enumerate() {
         table = table
-            .unaligned(&format!("{power}, published"), &value, move |r| {
-                r.published.map(|x| x[j])
-            })
-            .unaligned(&format!("{power}, fitted"), &value, move |r| r.fitted[j]);
+            .unaligned(power, &value, move |r| r.published.map(|x| x[j]))
+            .unaligned("fitted", &value, move |r| r.fitted[j]);
     }
     table.text("misprint", |r| r.misprint.unwrap_or_default())
 }

@@ -203,6 +203,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     if let (Some(figure), Meshed::ThreeDimensional(_), Some(last)) =
         (&mut figure, &meshed, solved.last())
     {
+        figure.columns = 2;
         for (title, r) in [
             ("mesh and loads", &Response::default()),
             ("deformed", &last.response),

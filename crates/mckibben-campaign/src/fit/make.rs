@@ -103,7 +103,7 @@ impl FittedFormula {
             body: Body::Paper(Box::new(*Coefficients::published())),
             errors: formula_errors(&compared, hold_out),
             provenance: Provenance {
-                method: "published: Table 2 of the paper".into(),
+                method: "published (Table 2)".into(),
                 ..self.formula.provenance.clone()
             },
             ..self.formula.clone()
