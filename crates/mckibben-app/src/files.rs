@@ -43,13 +43,13 @@ impl TextFile {
     }
 
     /// A muscle file. `paper` is the paper's muscle, and `lib:NAME` one of the library, where no
-    /// file has that name; `check` also takes the formulas that are built in.
+    /// file has that name (a folder may); `check` also takes the formulas that are built in.
     pub fn muscle(path: &Path) -> Result<Self> {
         let named = [PAPER, "universal", "universal-small"]
             .map(Path::new)
             .contains(&path)
             || path.to_str().and_then(library::named).is_some();
-        if named && !path.exists() {
+        if named && !path.is_file() {
             return Ok(Self {
                 name: path.display().to_string(),
                 text: String::new(),

@@ -1,6 +1,10 @@
 //! `fit`, and `check` of a formula: from a table of points to a formula, and a formula shown.
 
+mod coefficients;
 mod page;
+
+pub use coefficients::{CoefficientRow, is_of_the_paper};
+use coefficients::{rows_of, to_latex};
 
 use crate::{
     Model, MuscleFields, NameOrFile, Problem, ProblemKind, Result, Stiffness, TextFile, figure,
@@ -12,7 +16,7 @@ use mckibben_campaign::{
     fit::{
         FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
         data::{FitPoint, points},
-        made_for, make,
+        made_for, make, refitted,
         results::{Results, results},
         tables::{Table, tables},
         universal::{self, UniversalRequest},
@@ -66,6 +70,10 @@ pub struct FitRequest {
     /// Treatment of points where the muscle would have to push, in the paper's method
     #[arg(long, value_parser = flags::word::<SlackRule>(), default_value = "two-sided", help_heading = "Advanced")]
     pub slack_rule: SlackRule,
+    /// Diameter and wall that figures 5 to 8 show, such as 40x2; 12 too has the diameter, unless one
+    /// is left out [30x3]
+    #[arg(long, value_name = "D0xWALL", value_parser = flags::section, help_heading = "Output")]
+    pub at_mm: Option<(f64, f64)>,
     /// Add the intermediate tables of the paper's method to the answer.
     #[arg(skip)]
     pub tables: bool,
@@ -73,6 +81,9 @@ pub struct FitRequest {
     #[arg(skip)]
     pub figures: bool,
 }
+
+/// The diameter and wall in mm that figures of one muscle show: the prototype's.
+const SHOWN: (f64, f64) = (30.0, 3.0);
 
 /// How a formula is made.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema)]
@@ -162,17 +173,12 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         origin,
     } = request.points()?;
     let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
-    let usual = if method == Method::Global {
-        "global"
-    } else {
-        "paper-method"
-    };
     let fitted = make(&Request {
         points: &points,
         made_for,
         method,
         hold_out: request.hold_out(),
-        name: request.name.clone().unwrap_or_else(|| usual.into()),
+        name: request.name.clone().unwrap_or_else(|| method.name().into()),
         from: origin.from,
     })
     .map_err(|e| no_fit(&origin.name, e))?;
@@ -181,7 +187,7 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         return Err(Problem::new(ProblemKind::Usage, message, "").in_field("hold_out_mm"));
     }
     let figures = if request.figures {
-        figure::fitted(&fitted)
+        figure::fitted(&fitted, request.at_mm.unwrap_or(SHOWN))
     } else {
         vec![]
     };
@@ -329,7 +335,8 @@ impl FitRequest {
 pub struct CheckFormulaRequest {
     /// The formula's file.
     pub file: Option<TextFile>,
-    /// A built-in formula in its place: `universal` or `universal-small`.
+    /// A built-in formula in its place: `universal`, `universal-small`, or `paper`, the published
+    /// one.
     pub name: Option<String>,
     /// Add the equation as LaTeX to the answer.
     pub latex: bool,
@@ -342,23 +349,42 @@ pub struct CheckFormulaAnswer {
     /// The formula, as its file holds it.
     #[serde(flatten)]
     pub formula: Document,
-    /// The equation with its numbers as LaTeX (amsmath), if requested.
+    /// The coefficients of a formula of the paper's method, row by row as in its Table 2; of
+    /// `paper` the published ones beside those of its method on the finite elements here.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub coefficients: Vec<CoefficientRow>,
+    /// The equation with its numbers as LaTeX (amsmath), and the table of the coefficients, if
+    /// requested.
     pub latex: Option<String>,
 }
 
 pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer> {
+    let mut coefficients = vec![];
     let formula = match (&request.file, request.name.as_deref()) {
         (Some(file), _) => {
             Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?
         }
+        (None, Some("paper")) => {
+            let method = Method::Paper(Rules::default());
+            let fitted = refitted(method).map_err(|e| no_fit("paper", e))?;
+            coefficients = rows_of(&fitted.formula);
+            Document::Section(fitted.published())
+        }
         (None, Some(name)) => built_in(name)?,
         (None, None) => return Err(Problem::missing("file", "the file of a formula")),
     };
+    if let (Document::Section(f), []) = (&formula, &coefficients[..]) {
+        coefficients = rows_of(f);
+    }
     let latex = request.latex.then(|| match &formula {
-        Document::Section(f) => f.to_latex(),
+        Document::Section(f) => f.to_latex() + &to_latex(&coefficients),
         Document::Universal(f) => f.to_latex(),
     });
-    Ok(CheckFormulaAnswer { formula, latex })
+    Ok(CheckFormulaAnswer {
+        formula,
+        coefficients,
+        latex,
+    })
 }
 
 fn built_in(name: &str) -> Result<Document> {
@@ -371,7 +397,8 @@ fn built_in(name: &str) -> Result<Document> {
         .map(|formula| Document::Universal((*formula).clone()))
         .ok_or_else(|| {
             let message = format!(
-                "there is no built-in formula \"{name}\"; there are universal and universal-small"
+                "there is no built-in formula \"{name}\"; there are paper, universal and \
+                 universal-small"
             );
             Problem::new(ProblemKind::Model, message, "").in_field("name")
         })

@@ -258,9 +258,7 @@ impl Evaluation<'_> {
             answer.pressure_uncertainty_mpa =
                 half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
             if answer.pressure_uncertainty_mpa.is_none() {
-                answer
-                    .warnings
-                    .push(Warning::from(flat("pressure", half_n)));
+                answer.warnings.push(Warning::flat("pressure", half_n));
             }
         }
         let half = answer.pressure_uncertainty_mpa;
@@ -426,14 +424,6 @@ impl Evaluation<'_> {
 /// A ± of a pressure above this, in MPa, and above the pressure itself is none.
 pub(crate) const FLAT_MPA: f64 = 0.1;
 
-/// What is said where the pull hardly changes with what is sought.
-fn flat(sought: &str, half_n: f64) -> String {
-    format!(
-        "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, \
-         {half_n:.1}\u{a0}N, does not bound it"
-    )
-}
-
 impl Answer {
     /// The same, where the contraction was sought; the stiffness is that of the muscle and of the
     /// load, where there is one.
@@ -446,8 +436,7 @@ impl Answer {
             let half = stiffness_n_per_mm.map(|k| half_n / (k.abs() * length_mm));
             self.contraction_uncertainty = half.filter(|h| *h <= FLAT_CONTRACTION);
             if self.contraction_uncertainty.is_none() {
-                self.warnings
-                    .push(Warning::from(flat("contraction", half_n)));
+                self.warnings.push(Warning::flat("contraction", half_n));
             }
         }
         self

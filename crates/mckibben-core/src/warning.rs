@@ -46,6 +46,8 @@ pub enum WarningKind {
     Buckles,
     /// The rubber is stretched further than its law has data.
     RubberStretch,
+    /// What is sought has no ±.
+    Flat,
 }
 
 /// What the user should know of an answer; as data it is its sentence.
@@ -114,6 +116,15 @@ impl Warning {
             100.0 * largest
         );
         Self::new(WarningKind::BeyondBraid, contraction, sentence)
+    }
+
+    /// Of a pull that hardly changes with what is sought.
+    pub(crate) fn flat(sought: &str, half_n: f64) -> Self {
+        let sentence = format!(
+            "the {sought} has no ±: here the pull changes so little with it that the ± of the \
+             pull, {half_n:.1}\u{a0}N, does not bound it"
+        );
+        Self::new(WarningKind::Flat, half_n, sentence)
     }
 
     /// Of a stretch beyond the data that a rubber's constants were fitted to.

@@ -4,7 +4,7 @@ use super::{CompareAnswer, ComparedModel, Direction};
 use crate::{
     UnderstoodTable, Units,
     print::{Csv, Page, Show, Table, sentences},
-    units::PERCENT,
+    units::{NUMBER, PERCENT},
     words::in_a_row,
 };
 use mckibben_fit::compare::Comparison;
@@ -35,6 +35,7 @@ impl Show for CompareAnswer {
                 .quantity("of the largest pull", &PERCENT.digits(3), |m| {
                     m.errors.rms_n.map(|rms| rms / self.largest_force_n)
                 })
+                .quantity("R²", &NUMBER.digits(4), |m| m.errors.r2)
                 .quantity("largest", &force, |m| m.errors.max_n)
                 .quantity("mean", &force, |m| m.errors.mean_n)
                 .text("points", |m| m.errors.points)

@@ -1,19 +1,18 @@
 //! The paper's Figures 5 to 12, from the tables of its method.
 
 use super::{caption, contraction};
-use crate::{NamedFigure, words::number};
+use crate::{NamedFigure, fit::is_of_the_paper, words::number};
 use mckibben_campaign::fit::{
     FittedFormula,
     data::{distinct, same},
     errors::Compared,
     paper_method::{CurveFit, LineFit, PaperMethod},
 };
-use mckibben_core::{extremes::ends, formula::Formula};
+use mckibben_core::{
+    extremes::{ends, peak},
+    formula::Formula,
+};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
-
-/// The diameter and wall that figures of one muscle show, where the table has them: the
-/// prototype's.
-const SHOWN: (f64, f64) = (30.0, 3.0);
 
 fn nearest(list: &[f64], wanted: f64) -> f64 {
     let by = |a: &&f64, b: &&f64| (*a - wanted).abs().total_cmp(&(*b - wanted).abs());
@@ -50,51 +49,46 @@ fn pair(
     )
 }
 
-/// Figures 5 to 11 where the paper's method was used, and 12, with names for their files.
-pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
-    let last = (
-        "figure_12_formula_and_points",
-        against_points(&f.formula, &f.compared),
-    );
-    f.paper
+/// Figures 5 to 11 where the paper's method was used, and 12, with names for their files; of the
+/// diameter and wall in mm that are nearest to those that are asked for.
+pub fn fitted(f: &FittedFormula, at: (f64, f64)) -> Vec<NamedFigure> {
+    let last = ("figure_12_formula_and_points", against_points(f, at.0));
+    let all = f
+        .paper
         .iter()
-        .flat_map(|m| paper_figures(m, &f.formula))
-        .chain([last])
-        .map(|(name, figure)| NamedFigure {
-            name: name.into(),
-            figure,
-        })
-        .collect()
+        .flat_map(|m| paper_figures(m, &f.formula, at))
+        .chain([last]);
+    all.map(|(name, figure)| NamedFigure {
+        name: name.into(),
+        figure,
+    })
+    .collect()
 }
 
 /// Figures 5 to 11.
-fn paper_figures(method: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figure)> {
+fn paper_figures(
+    method: &PaperMethod,
+    formula: &Formula,
+    at: (f64, f64),
+) -> Vec<(&'static str, Figure)> {
     let diameters = distinct(method.walls.iter().map(|w| w.outer_diameter_mm));
     let walls = distinct(method.lines.iter().map(|l| l.wall_mm));
     let section = Section {
         method,
         formula,
-        d: nearest(&diameters, SHOWN.0),
-        s: nearest(&walls, SHOWN.1),
+        d: nearest(&diameters, at.0),
+        s: nearest(&walls, at.1),
     };
-    let over_diameter = [
-        "figure_9_a_over_diameter",
-        "figure_10_b_over_diameter",
-        "figure_11_c_over_diameter",
-    ];
-    [
+    let over_diameter = |k| section.coefficients_over_diameter(k);
+    vec![
         ("figure_5_isobaric_curves", section.isobaric_curves()),
         ("figure_6_isobaric_surfaces", section.isobaric_surfaces()),
         ("figure_7_abc_over_pressure", section.abc_over_pressure()),
         ("figure_8_slopes_over_wall", section.slopes_over_wall()),
+        ("figure_9_a_over_diameter", over_diameter(0)),
+        ("figure_10_b_over_diameter", over_diameter(1)),
+        ("figure_11_c_over_diameter", over_diameter(2)),
     ]
-    .into_iter()
-    .chain(
-        (0..)
-            .zip(over_diameter)
-            .map(|(k, name)| (name, section.coefficients_over_diameter(k))),
-    )
-    .collect()
 }
 
 /// The coefficients of the paper's quadratics.
@@ -156,21 +150,25 @@ impl Section<'_> {
         let (d, s) = (self.d, self.s);
         let pressures = distinct(self.method.curves.iter().map(|c| c.pressure_mpa));
         let top = pressures.last().copied().unwrap_or(0.0);
+        let over_wall = self.curve_panel(
+            format!("over ε and s, D0 {} mm", number(d, 4)),
+            |c| same(c.outer_diameter_mm, d) && same(c.pressure_mpa, top),
+            |c| format!("s {} mm", number(c.wall_mm, 3)),
+        );
+        let over_diameter = self.curve_panel(
+            format!("over ε and D0, s {} mm", number(s, 3)),
+            |c| same(c.wall_mm, s) && same(c.pressure_mpa, top),
+            |c| format!("D0 {} mm", number(c.outer_diameter_mm, 4)),
+        );
         self.figure(
             format!("Isobaric surfaces at {} MPa", number(top, 3)),
             "Each surface as its family of curves: points and quadratics (5)",
         )
         .columns(2)
-        .panel(self.curve_panel(
-            format!("over ε and s, D0 {} mm", number(d, 4)),
-            |c| same(c.outer_diameter_mm, d) && same(c.pressure_mpa, top),
-            |c| format!("s {} mm", number(c.wall_mm, 3)),
-        ))
-        .panel(self.curve_panel(
-            format!("over ε and D0, s {} mm", number(s, 3)),
-            |c| same(c.wall_mm, s) && same(c.pressure_mpa, top),
-            |c| format!("D0 {} mm", number(c.outer_diameter_mm, 4)),
-        ))
+        .panel(over_wall.clone())
+        .panel(over_diameter.clone())
+        .panel(in_space(over_wall))
+        .panel(in_space(over_diameter))
     }
 
     /// The lines over pressure, for each wall of the diameter.
@@ -269,15 +267,53 @@ impl Section<'_> {
     }
 }
 
-/// Figure 12: the formula against the points, of the diameter held out where there is one.
-fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
+/// A family of curves in space: each stands further back than the one before, and lines join their
+/// points to a surface.
+fn in_space(mut panel: Panel) -> Panel {
+    let top = peak(panel.series.iter().flat_map(|s| &s.points).map(|p| p.1));
+    panel.title += ", in space";
+    for series in &mut panel.series {
+        series.end_label.clear();
+        let back = series.colour.unwrap_or_default() as f64;
+        for (x, y) in &mut series.points {
+            *x += 0.02 * back;
+            *y += 0.1 * top * back;
+        }
+    }
+    let dots: Vec<Series> = panel.series.iter().step_by(2).cloned().collect();
+    for i in 0..dots.first().map_or(0, |s| s.points.len()) {
+        let line = dots.iter().filter_map(|s| s.points.get(i).copied());
+        panel.series.push(Series::line("", line).colour(0));
+    }
+    panel
+}
+
+/// The largest errors of a formula, by (12) and in N; of points held out where there are some.
+fn largest(f: &Formula) -> String {
+    let errors = f
+        .errors
+        .held_out
+        .as_ref()
+        .map_or(f.errors.fit, |h| h.errors);
+    let share = number(100.0 * errors.max_12, 3);
+    let force = number(errors.max_n, 3);
+    format!("(12) of {}: {share} %, {force} N. ", f.name)
+}
+
+/// Figure 12: the formula against the points, of the diameter held out where there is one; of the
+/// paper's muscles with the published formula.
+fn against_points(f: &FittedFormula, d: f64) -> Figure {
+    let FittedFormula {
+        formula, compared, ..
+    } = f;
+    let published = is_of_the_paper(formula).then(|| f.published());
     let diameters = distinct(compared.iter().map(|c| c.point.outer_diameter_mm));
     let held = formula
         .errors
         .held_out
         .as_ref()
         .and_then(|h| h.outer_diameters_mm.first().copied());
-    let d = held.unwrap_or_else(|| nearest(&diameters, SHOWN.0));
+    let d = held.unwrap_or_else(|| nearest(&diameters, d));
     let of_d: Vec<&Compared> = compared
         .iter()
         .filter(|c| same(c.point.outer_diameter_mm, d))
@@ -288,13 +324,18 @@ fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
         "fitted"
     };
     let method = &formula.provenance.method;
+    let errors: String = [formula]
+        .into_iter()
+        .chain(&published)
+        .map(largest)
+        .collect();
     let mut figure = Figure::new(format!(
         "Formula {} and points, D0 {} mm",
         formula.name,
         number(d, 4)
     ))
     .caption(caption(format!(
-        "Lines: the formula; dots: the table, {text}. {method}"
+        "Lines: the formula; dashed: the published one; dots: the table, {text}. {errors}{method}"
     )))
     .sequential()
     .columns(2);
@@ -320,6 +361,11 @@ fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
             if !points.is_empty() {
                 let label = format!("{} MPa", number(p, 3));
                 panel = pair(panel, &label, n, points, |e| formula.force_n(d, s, p, e));
+                if let Some(published) = &published {
+                    let line = line(0.0, 0.2, |e| published.force_n(d, s, p, e));
+                    let series = Series::new("", line).colour(n);
+                    panel = panel.series(series.style(Style::Dashed));
+                }
             }
         }
         figure = figure.panel(panel);

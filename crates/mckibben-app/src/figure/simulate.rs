@@ -53,7 +53,7 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
         figure = figure.panel(curve.title("curve"));
     }
     let some = some_of(shown.len(), solved.len(), "shapes");
-    let caption = caption(format!("Axisymmetric finite elements{some}. {}", m.line(u)));
+    let caption = caption(format!("Finite elements{some}. {}", m.line(u)));
     figure.panels.extend(along_the_muscle(&shown, u));
     figure.caption(caption)
 }

@@ -1,6 +1,6 @@
 //! Fitted formulas as people read them, in the units of the formula.
 
-use super::{CheckFormulaAnswer, FitAnswer};
+use super::{CheckFormulaAnswer, FitAnswer, coefficients};
 use crate::{
     Units, number,
     print::{Csv, Page, Rows, Show, Table},
@@ -35,7 +35,12 @@ impl Show for FitAnswer {
 
 impl Show for CheckFormulaAnswer {
     fn page(&self, _: &Units) -> Page {
-        formula_page(&self.formula, true)
+        let mut page = formula_page(&self.formula, self.coefficients.is_empty());
+        page.table_under(
+            "Coefficients of (11), published (Table 2) and fitted",
+            coefficients::table(&self.coefficients),
+        );
+        page
     }
 
     fn csv(&self) -> Csv {

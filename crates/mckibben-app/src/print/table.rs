@@ -14,7 +14,7 @@ pub struct Column {
 #[derive(Debug)]
 pub struct Table<'a, T> {
     list: &'a [T],
-    pub(super) columns: Vec<Column>,
+    pub columns: Vec<Column>,
 }
 
 impl<'a, T> Table<'a, T> {

@@ -197,7 +197,20 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let name = &*simulation.info().name;
     let problem = all_failed(&simulated);
     let figure = request.figure.as_ref().filter(|_| problem.is_none());
-    let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
+    let mut figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
+    let solved = simulated.iter().filter_map(|s| s.solution.as_ref().ok());
+    if let (Some(figure), Meshed::ThreeDimensional(_), Some(last)) =
+        (&mut figure, &meshed, solved.last())
+    {
+        figure.columns = 2;
+        for (title, r) in [
+            ("mesh and loads", &Response::default()),
+            ("deformed", &last.response),
+        ] {
+            let shape = meshed.shape(workspace, &ends, r, Extent::Eighth)?;
+            figure.panels.push(figure::mesh(title, &shape));
+        }
+    }
     let pulling = simulated
         .iter()
         .filter(|s| !s.slack)

@@ -1,7 +1,7 @@
 //! From points to a formula with its range, errors and provenance.
 
 use super::{
-    data::{FitPoint, PRESSURES, distinct, same},
+    data::{FitPoint, Grid, HELD_OUT, PRESSURES, distinct, same},
     error::{FitError, Result},
     errors::{Compared, compared, errors, regions},
     global::{GlobalFit, MOST_TERMS, global},
@@ -11,8 +11,8 @@ use crate::{columns::PointRow, hash};
 use mckibben_core::{
     extremes::ends,
     formula::{
-        Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid,
-        MadeRubber, NamedBraid, Provenance,
+        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made,
+        MadeBraid, MadeRubber, NamedBraid, Provenance,
     },
     muscle::Muscle,
 };
@@ -26,6 +26,14 @@ pub enum Method {
 }
 
 impl Method {
+    /// The usual name of a formula by it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Paper(_) => "paper-method",
+            Method::Global => "global",
+        }
+    }
+
     /// The method with its rules, in words.
     pub fn text(self) -> String {
         match self {
@@ -80,6 +88,47 @@ pub struct FittedFormula {
     pub unused: usize,
 }
 
+impl FittedFormula {
+    /// The published formula, with its errors on the same points.
+    pub fn published(&self) -> Formula {
+        let difference = |c: &Compared| Compared {
+            difference_n: c.point.published_n() - c.point.force_n,
+            ..*c
+        };
+        let compared: Vec<Compared> = self.compared.iter().map(difference).collect();
+        let held_out = self.formula.errors.held_out.as_ref();
+        let hold_out = held_out.map_or(&[][..], |h| &h.outer_diameters_mm);
+        Formula {
+            name: "paper".into(),
+            body: Body::Paper(Box::new(*Coefficients::published())),
+            errors: formula_errors(&compared, hold_out),
+            provenance: Provenance {
+                method: "published (Table 2)".into(),
+                ..self.formula.provenance.clone()
+            },
+            ..self.formula.clone()
+        }
+    }
+}
+
+/// The errors of points and of their regions, and those of diameters in mm that are held out.
+fn formula_errors(list: &[Compared], hold_out: &[f64]) -> FormulaErrors {
+    let held = |p: &FitPoint| hold_out.iter().any(|&d| same(d, p.outer_diameter_mm));
+    let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
+    let points = list.iter().map(|c| c.point);
+    FormulaErrors {
+        against: "the forces of its table, where they pull, as shares of the muscle's blocked \
+            force at the table's highest pressure"
+            .into(),
+        fit: errors(&seen, |_| true).map_or_else(ErrorSummary::default, |e| e.summary),
+        regions: regions(&seen),
+        held_out: errors(list, held).map(|e| HeldOut {
+            outer_diameters_mm: distinct(points.filter(held).map(|p| p.outer_diameter_mm)),
+            errors: e.summary,
+        }),
+    }
+}
+
 pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
     if request.points.is_empty() {
         return Err(FitError::empty(""));
@@ -113,14 +162,7 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
             ..request.made_for.clone()
         },
         range: range(&fitted),
-        errors: FormulaErrors {
-            against: "the forces of its table, where they pull, as shares of the muscle's blocked \
-                force at the table's highest pressure"
-                .into(),
-            fit: ErrorSummary::default(),
-            regions: vec![],
-            held_out: None,
-        },
+        errors: formula_errors(&[], &[]),
         provenance: Provenance {
             method: request.method.text(),
             points: fitted.len(),
@@ -129,20 +171,8 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
         },
     };
     let list = compared(&points, |p| p.difference_n(&formula))?;
-    formula.errors.fit =
-        errors(&list, |p| !held(p)).map_or_else(ErrorSummary::default, |e| e.summary);
+    formula.errors = formula_errors(&list, request.hold_out);
     FitError::refuse_absurd(formula.errors.fit.rms)?;
-    let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
-    formula.errors.regions = regions(&seen);
-    formula.errors.held_out = errors(&list, held).map(|e| HeldOut {
-        outer_diameters_mm: distinct(
-            list.iter()
-                .map(|c| c.point)
-                .filter(held)
-                .map(|p| p.outer_diameter_mm),
-        ),
-        errors: e.summary,
-    });
     Ok(FittedFormula {
         formula,
         paper,
@@ -212,22 +242,24 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 }
 
 /// A formula of the paper's muscles from points.
-pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula> {
+pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<FittedFormula> {
     let made_for = Made::from_muscle(&Muscle::prototype());
-    let name = if method == Method::Paper(Rules::default()) {
-        "paper-method"
-    } else {
-        "global"
-    };
     let request = Request {
         points,
         made_for,
         method,
         hold_out,
-        name: name.into(),
+        name: method.name().into(),
         from: Provenance::default(),
     };
-    Ok(make(&request)?.formula)
+    make(&request)
+}
+
+/// The formula of the paper's campaign by finite elements; D0 35 mm is held out.
+pub fn refitted(method: Method) -> Result<FittedFormula> {
+    let base = Muscle::prototype();
+    let points = [Grid::PAPER, Grid::HELD_OUT].map(|grid| grid.points(&base));
+    fitted(&points.concat(), method, &[HELD_OUT])
 }
 
 /// Constants and stiffnesses within this, relative, are the same.

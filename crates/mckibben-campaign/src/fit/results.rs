@@ -94,7 +94,7 @@ pub fn results(progress: &dyn Progress) -> Result<Results> {
     let name = "published formula vs FE, between the points too";
     findings.add(name, None, in_range, published)?;
     findings.add("published formula vs FE, D0 35", None, &held, published)?;
-    let ours = fitted(&campaign, Method::Paper(Rules::default()), &[])?;
+    let ours = fitted(&campaign, Method::Paper(Rules::default()), &[])?.formula;
     let by_ours = |p: &FitPoint| p.difference_n(&ours);
     let name = "paper's method on our FE vs FE, the campaign";
     findings.add(name, None, &campaign, by_ours)?;
@@ -176,7 +176,7 @@ impl Findings {
         campaign: &[FitPoint],
         all: &[FitPoint],
     ) -> Result<()> {
-        let formula = fitted(campaign, Method::Paper(rules), &[])?;
+        let formula = fitted(campaign, Method::Paper(rules), &[])?.formula;
         let difference = |p: &FitPoint| p.formula_n(&formula) - p.published_n();
         let goal = |share| reading.is_empty().then_some(share);
         let name =
@@ -191,7 +191,7 @@ impl Findings {
     /// The global method against the finite elements it is fitted to, and on the diameter held out.
     fn global(&mut self, full: Grid<'_>, base: &Muscle) -> Result<Formula> {
         let points = full.points(base);
-        let global = fitted(&points, Method::Global, &[])?;
+        let global = fitted(&points, Method::Global, &[])?.formula;
         let by_global = |p: &FitPoint| p.difference_n(&global);
         let name = "global vs FE, all of the range (P by .01 MPa)";
         self.add(name, Some(0.004), &points, by_global)?;
@@ -226,7 +226,7 @@ impl Findings {
         let between = between.points(base);
         let name = "global vs FE between the points too (half steps)";
         self.add(name, None, &between, |p| p.difference_n(global))?;
-        let of_finer = fitted(&finer.points(base), Method::Global, &[])?;
+        let of_finer = fitted(&finer.points(base), Method::Global, &[])?.formula;
         let name = "global of a campaign with ε by 2.5 % vs FE, between the points too";
         self.add(name, Some(0.004), &between, |p| p.difference_n(&of_finer))?;
         Ok(between)

@@ -12,13 +12,14 @@ use std::path::Path;
 #[command(after_long_help = examples(&[
     "check examples/prototype.toml -p 2bar",
     "check -D 40 -s 2 --rubber dragon-skin-30",
-    "check universal --latex"
+    "check universal --latex",
+    "check paper"
 ]))]
 pub struct Check {
     #[command(flatten)]
     request: CheckRequest,
-    /// Of a formula (FILE.json, universal, universal-small): print its equation with its numbers as
-    /// LaTeX
+    /// Of a formula (FILE.json, paper, universal, universal-small): print its equation with its
+    /// numbers as LaTeX, and a table of its coefficients
     #[arg(long)]
     latex: bool,
     #[command(flatten)]
@@ -45,7 +46,11 @@ impl Check {
 
     fn show_formula(self, formula: CheckFormulaRequest, format: Format) -> Result<u8, Problem> {
         if self.request.pressure_mpa.is_some() {
-            return Err(ProblemKind::Usage.problem("--pressure is of a muscle, not of a formula"));
+            return Err(Problem::new(
+                ProblemKind::Usage,
+                "--pressure is of a muscle, not of a formula",
+                "the prototype of the paper is the muscle of `mckibben check` without a name",
+            ));
         }
         let answer = check_formula(&CheckFormulaRequest {
             latex: self.latex,
@@ -60,17 +65,13 @@ impl Check {
 
 /// The formula that is named in the place of a muscle.
 fn formula(file: &TextFile) -> Option<CheckFormulaRequest> {
-    if ["universal", "universal-small"].contains(&&*file.name) {
-        return Some(CheckFormulaRequest {
-            name: Some(file.name.clone()),
-            ..CheckFormulaRequest::default()
-        });
+    let mut request = CheckFormulaRequest::default();
+    let built_in = ["paper", "universal", "universal-small"];
+    if file.text.is_empty() && built_in.contains(&&*file.name) {
+        request.name = Some(file.name.clone());
+        return Some(request);
     }
-    Path::new(&file.name)
-        .extension()?
-        .eq_ignore_ascii_case("json")
-        .then(|| CheckFormulaRequest {
-            file: Some(file.clone()),
-            ..CheckFormulaRequest::default()
-        })
+    let end = Path::new(&file.name).extension()?;
+    request.file = Some(file.clone());
+    end.eq_ignore_ascii_case("json").then_some(request)
 }

@@ -7,7 +7,6 @@ use crate::{
 use mckibben_app::{
     FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report, print::Page,
 };
-use mckibben_report::FigureError;
 use serde_json::{Map, json};
 use std::{
     ffi::OsStr,
@@ -49,6 +48,15 @@ pub struct Fit {
     /// Write figures into a folder: figures 5 to 12 of the paper, or with `global` figure 12
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     plots: Option<PathBuf>,
+    /// Formats of the figures
+    #[arg(
+        long,
+        value_delimiter = ',',
+        value_parser = ["svg", "png", "pdf"],
+        default_value = "svg",
+        help_heading = "Output"
+    )]
+    plots_format: Vec<String>,
     /// Write the formula
     #[arg(short, long, value_name = "FILE.json", help_heading = "Output")]
     output: Option<PathBuf>,
@@ -74,13 +82,14 @@ impl Fit {
             write_tables(folder, &mut answer)?;
         }
         if let Some(folder) = &self.plots {
-            let drawn =
-                |named: &NamedFigure| Ok((format!("{}.svg", named.name), named.figure.to_svg()?));
-            let figures = answer
-                .figures
-                .iter()
-                .map(drawn)
-                .collect::<Result<Vec<_>, FigureError>>()?;
+            let mut figures = vec![];
+            for NamedFigure { name, figure } in &answer.figures {
+                for ending in &self.plots_format {
+                    let file = PathBuf::from(format!("{name}.{ending}"));
+                    let bytes = figure.bytes(&file)?;
+                    figures.push((file, bytes));
+                }
+            }
             save_inside(folder, figures, overwrite())?;
         }
         save(target, answer.formula_file().as_bytes())?;

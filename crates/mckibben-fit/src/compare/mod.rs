@@ -23,6 +23,8 @@ pub struct Comparison {
     pub max_n: Option<f64>,
     /// The mean, N: above zero if the model predicts too much pull.
     pub mean_n: Option<f64>,
+    /// R² = 1 − Σ(F − F_ref)²/Σ(F_ref − mean F_ref)²; none where all reference pulls are the same.
+    pub r2: Option<f64>,
     /// Measured contractions that it answered; 0 without.
     #[serde(skip_serializing_if = "is_zero")]
     pub contraction_points: usize,
@@ -63,6 +65,7 @@ pub fn compare(
 ) -> Result<Comparison, ModelError> {
     let info = evaluation.model.info();
     let mut differences = vec![];
+    let mut answered = vec![];
     let mut unanswered = 0;
     let mut first = None;
     for point in pulls {
@@ -78,7 +81,10 @@ pub fn compare(
             info.range.check(&info.name, pressure_mpa, contraction)
         };
         match checked.and_then(|()| evaluation.borne_force_n(pressure_mpa, contraction)) {
-            Ok(force) => differences.push(force.max(0.0) - point.force_n),
+            Ok(force) => {
+                differences.push(force.max(0.0) - point.force_n);
+                answered.push(point.force_n);
+            }
             Err(error) => {
                 unanswered += 1;
                 first.get_or_insert(error);
@@ -110,6 +116,7 @@ pub fn compare(
     let points = differences.len();
     let errors =
         |differences: Vec<f64>| Some(Errors::new(differences)).filter(|errors| errors.points > 0);
+    let spread = errors(answered).map_or(0.0, |e| e.rms.powi(2) - e.mean.powi(2));
     let pulls = errors(differences);
     let volumes = errors(volume_differences);
     let contractions = errors(contraction_differences);
@@ -118,6 +125,10 @@ pub fn compare(
         rms_n: pulls.as_ref().map(|e| e.rms),
         max_n: pulls.as_ref().map(|e| e.largest),
         mean_n: pulls.as_ref().map(|e| e.mean),
+        r2: pulls
+            .as_ref()
+            .filter(|_| spread > 1e-9)
+            .map(|e| 1.0 - e.rms.powi(2) / spread),
         contraction_points: contractions.as_ref().map_or(0, |e| e.points),
         rms_contraction: contractions.as_ref().map(|e| e.rms),
         mean_contraction: contractions.as_ref().map(|e| e.mean),
