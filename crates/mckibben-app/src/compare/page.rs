@@ -35,7 +35,7 @@ impl Show for CompareAnswer {
                 .quantity("of the largest pull", &PERCENT.digits(3), |m| {
                     m.errors.rms_n.map(|rms| rms / self.largest_force_n)
                 })
-                .quantity("R²", &NUMBER.digits(4), |m| m.errors.r2)
+                .quantity("R²", &NUMBER.digits(4), |m| m.errors.r_squared)
                 .quantity("largest", &force, |m| m.errors.max_n)
                 .quantity("mean", &force, |m| m.errors.mean_n)
                 .text("points", |m| m.errors.points)

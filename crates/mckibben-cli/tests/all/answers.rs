@@ -722,7 +722,7 @@ fn figures_of_a_fit_have_their_formats_and_no_name_of_a_muscle_is_lost() {
 fn by_hand_r2_is_what_the_rms_leaves_of_the_spread() {
     let answer = json("compare --models ideal,thick-wall -p 1,2bar -e 0,10%");
     let of = |i: usize, key| number(&answer["models"][i], key);
-    assert_eq!(of(0, "r2"), 1.0);
+    assert_eq!(of(0, "r_squared"), 1.0);
     let (sin2, cos2) = (
         28f64.to_radians().sin().powi(2),
         28f64.to_radians().cos().powi(2),
@@ -739,7 +739,7 @@ fn by_hand_r2_is_what_the_rms_leaves_of_the_spread() {
     let mean = pulls.iter().sum::<f64>() / 4.0;
     let spread: f64 = pulls.iter().map(|f| (f - mean).powi(2)).sum();
     let expected = 1.0 - 4.0 * of(1, "rms_n").powi(2) / spread;
-    assert!((of(1, "r2") - expected).abs() < 1e-9, "{expected}");
+    assert!((of(1, "r_squared") - expected).abs() < 1e-9, "{expected}");
 }
 
 /// A sentence that every point has is said once.

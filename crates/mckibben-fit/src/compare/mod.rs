@@ -24,7 +24,7 @@ pub struct Comparison {
     /// The mean, N: above zero if the model predicts too much pull.
     pub mean_n: Option<f64>,
     /// R² = 1 − Σ(F − F_ref)²/Σ(F_ref − mean F_ref)²; none where all reference pulls are the same.
-    pub r2: Option<f64>,
+    pub r_squared: Option<f64>,
     /// Measured contractions that it answered; 0 without.
     #[serde(skip_serializing_if = "is_zero")]
     pub contraction_points: usize,
@@ -125,7 +125,7 @@ pub fn compare(
         rms_n: pulls.as_ref().map(|e| e.rms),
         max_n: pulls.as_ref().map(|e| e.largest),
         mean_n: pulls.as_ref().map(|e| e.mean),
-        r2: pulls
+        r_squared: pulls
             .as_ref()
             .filter(|_| spread > 1e-9)
             .map(|e| 1.0 - e.rms.powi(2) / spread),
