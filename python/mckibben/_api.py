@@ -57,6 +57,7 @@ __all__ = [
     "Characteristics",
     "CheckAnswer",
     "ClosestAnswer",
+    "CoefficientRow",
     "CompareAnswer",
     "ComparedModel",
     "Curve",
@@ -1233,6 +1234,27 @@ class ClosestAnswer(Record):
     ) = None
 
 
+class CoefficientRow(Record):
+    """A row of Table 2 of the paper: the coefficients of D0², of D0 and of 1.
+
+    Attributes
+    ----------
+    row
+        A1 … A6, B1 … B6, C1 … C6.
+    published
+        The published ones, where the formula is of the paper's muscles.
+    fitted
+        Those of the fit.
+    misprint
+        A misprint of the paper in this row.
+    """
+
+    row: str
+    fitted: list[float]
+    published: list[float] | None = None
+    misprint: str | None = None
+
+
 class CompareAnswer(Record):
     """Models and their errors.
 
@@ -1280,6 +1302,8 @@ class ComparedModel(Record):
         The largest, N.
     mean_n : N
         The mean, N: above zero if the model predicts too much pull.
+    r2
+        R² = 1 − Σ(F − F_ref)²/Σ(F_ref − mean F_ref)²; none where all reference pulls are the same.
     contraction_points
         Measured contractions that it answered; 0 without.
     rms_contraction
@@ -1313,6 +1337,7 @@ class ComparedModel(Record):
     unanswered: int
     cause: str | None
     mean_n: float | None = None
+    r2: float | None = None
     contraction_points: int | None = None
     rms_contraction: float | None = None
     mean_contraction: float | None = None
@@ -2373,8 +2398,11 @@ class FormulaCheck(Record):
 
     Attributes
     ----------
+    coefficients
+        The coefficients of a formula of the paper's method, row by row as in its Table 2; of `paper` the published ones beside those of its method on the
+        finite elements here.
     latex
-        The equation with its numbers as LaTeX (amsmath), if requested.
+        The equation with its numbers as LaTeX (amsmath), and the table of the coefficients, if requested.
     format
         See the documentation.
     name
@@ -2407,6 +2435,7 @@ class FormulaCheck(Record):
     range: FormulaRange
     errors: FormulaErrors
     provenance: Provenance
+    coefficients: list[CoefficientRow] | None = None
     latex: str | None = None
     scales: Scales | None = None
     made_for: Made | None = None
@@ -8475,6 +8504,7 @@ def fit(
     muscle: MuscleLike | None = None,
     thin_rule: Literal["leave-out", "line", "whole"] | None = None,
     slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None,
+    at_mm: tuple[Number, Number] | None = None,
     tables: bool = False,
     figures: bool = False,
     progress: Progress = None,
@@ -8503,6 +8533,8 @@ def fit(
         Treatment of thick walls of thin muscles at low pressure, in the paper's method.
     slack_rule
         Treatment of points where the muscle would have to push, in the paper's method.
+    at_mm : mm
+        Diameter and wall that figures 5 to 8 show, such as 40x2; 12 too has the diameter, unless one is left out [30x3].
     tables
         Add the intermediate tables of the paper's method to the answer.
     figures
@@ -8710,7 +8742,7 @@ def check_formula(
     file
         The formula's file.
     name
-        A built-in formula in its place: `universal` or `universal-small`.
+        A built-in formula in its place: `universal`, `universal-small`, or `paper`, the published one.
     latex
         Add the equation as LaTeX to the answer.
 
