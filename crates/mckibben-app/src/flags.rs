@@ -227,7 +227,7 @@ mod parsers {
         text.split_once('x')
             .and_then(|(d, s)| Some((length(d)?.0, length(s)?.0)))
             .ok_or_else(|| {
-                let message = format!("{text}: expected a diameter and a wall, such as 40x2");
+                let message = format!("{text}: expected D0 and wall, such as 40x2");
                 Problem::new(ProblemKind::Quantity, message, "")
             })
     }

@@ -55,7 +55,7 @@ fn misprint(row: &str) -> Option<&'static str> {
     match row {
         "B2" => Some("unit of B21: 1/mm"),
         "B4" => Some("(11): A42 for B42"),
-        "C1" | "C2" | "C3" => Some("(11): term of D0²"),
+        "C1" | "C2" | "C3" => Some("(11): D0² term"),
         _ => None,
     }
 }
@@ -67,7 +67,7 @@ pub fn table(rows: &[CoefficientRow]) -> Table<'_, CoefficientRow> {
     for (j, power) in ["D0²", "D0", "1"].into_iter().enumerate() {
         table = table
             .unaligned(power, &value, move |r| r.published.map(|x| x[j]))
-            .unaligned("fitted", &value, move |r| r.fitted[j]);
+            .unaligned(&format!("{power} fitted"), &value, move |r| r.fitted[j]);
     }
     table.text("misprint", |r| r.misprint.unwrap_or_default())
 }

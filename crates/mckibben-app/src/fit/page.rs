@@ -37,7 +37,7 @@ impl Show for CheckFormulaAnswer {
     fn page(&self, _: &Units) -> Page {
         let mut page = formula_page(&self.formula, self.coefficients.is_empty());
         page.table_under(
-            "Coefficients of (11), published (Table 2) and fitted",
+            "Coefficients of (11), published and fitted",
             coefficients::table(&self.coefficients),
         );
         page
