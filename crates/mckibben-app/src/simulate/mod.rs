@@ -194,19 +194,16 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         }
         simulated.push(point);
     }
-    let name = &*simulation.info().name;
     let problem = all_failed(&simulated);
     let figure = request.figure.as_ref().filter(|_| problem.is_none());
     let mut figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
-    let solved = simulated.iter().filter_map(|s| s.solution.as_ref().ok());
+    let mut solved = simulated.iter().filter_map(|s| s.solution.as_ref().ok());
     if let (Some(figure), Meshed::ThreeDimensional(_), Some(last)) =
-        (&mut figure, &meshed, solved.last())
+        (&mut figure, &meshed, solved.next_back())
     {
         figure.columns = 2;
-        for (title, r) in [
-            ("mesh and loads", &Response::default()),
-            ("deformed", &last.response),
-        ] {
+        let rest = &Response::default();
+        for (title, r) in [("mesh and loads", rest), ("deformed", &last.response)] {
             let shape = meshed.shape(workspace, &ends, r, Extent::Eighth)?;
             figure.panels.push(figure::mesh(title, &shape));
         }
@@ -220,7 +217,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let highest_mpa = peak(questions.iter().map(|q| q.pressure_mpa));
     put_first(&mut warnings, said_of(&burst, highest_mpa, QUIET_MPA));
     Ok(SimulateAnswer {
-        model: name.into(),
+        model: simulation.info().name.to_string(),
         test: request.test,
         muscle: summary,
         notes: simulation.notes(workspace),
