@@ -93,7 +93,7 @@ static int actuator_of(const mjModel *m, int instance)
 static void read_state(const state *s, const mckibben_muscle *own, mckibben_memory *memory, double x[])
 {
     mckibben_rest(memory, (mckibben_real)x[LENGTH]);
-    if (s->ends < 1) {
+    if (!(s->ends >= 2 && s->ends <= MCKIBBEN_ENDS)) {
         if (x[SONIC_CONDUCTANCE] > 0.0)
             fill(own, x, x[INITIAL_PRESSURE]);
         return;

@@ -110,7 +110,7 @@ fn identity_friction_of_c_is_that_of_the_program_on_paths_of_length_and_pressure
          p, l, 0)); mckibben_moved(&muscle_prototype, &memory, p, l, 0); }}\nint main(void) \
          {{\n{main}return 0; }}\n"
     );
-    for (flag, tolerance) in [("-DMCKIBBEN_DOUBLE", 1e-9), ("-DMCKIBBEN_FLOAT", 2e-4)] {
+    for (flag, tolerance) in [("-DMCKIBBEN_DOUBLE", 1e-11), ("-DMCKIBBEN_FLOAT", 2e-4)] {
         let rows = numbers(&compiled_and_run(
             folder.path(),
             &main,
