@@ -461,11 +461,13 @@ FMI2_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2V
     return known ? fmi2OK : fmi2Error;
 }
 
-/* The friction of each muscle follows its length. */
+/* The friction of each muscle follows its pressure and its length. */
 static void moved(instance *c)
 {
-    for (int i = 0; i < muscles_of(c); i++)
-        mckibben_moved(&c->muscle[i], &c->now.memory[i], length_of(c, i));
+    for (int i = 0; i < muscles_of(c); i++) {
+        const double pressure = c->joint.muscles ? c->now.value[PRESSURE_1 + i] : pressure_of(c);
+        mckibben_moved(&c->muscle[i], &c->now.memory[i], pressure, length_of(c, i), 0);
+    }
 }
 
 /* Model Exchange. A kink of the equations is an event: the integrator begins anew, and nothing jumps. */

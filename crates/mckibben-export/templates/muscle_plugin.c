@@ -28,9 +28,9 @@ static const char *settings[] = {"supply_pressure", "sonic_conductance", "critic
                                  "dead_volume", "polytropic_exponent", "heat_conductance", "initial_pressure"};
 #define SETTINGS (int)(sizeof(settings) / sizeof(settings[0]))
 
-/* The state of an actuator: the air and the memory of friction; turns are 0 until the first step. */
+/* The state of an actuator: the air and the memory of friction, whose ends are 0 until the first step. */
 typedef struct {
-    mjtNum air[2], turns, at[MCKIBBEN_TURNS], share[MCKIBBEN_TURNS];
+    mjtNum air[2], at, largest, ends, w[MCKIBBEN_ENDS], s[MCKIBBEN_ENDS];
 } state;
 
 static mckibben_muscle simulated(void)
@@ -93,15 +93,17 @@ static int actuator_of(const mjModel *m, int instance)
 static void read_state(const state *s, const mckibben_muscle *own, mckibben_memory *memory, double x[])
 {
     mckibben_rest(memory, (mckibben_real)x[LENGTH]);
-    if (s->turns < 1) {
+    if (!(s->ends >= 2 && s->ends <= MCKIBBEN_ENDS)) {
         if (x[SONIC_CONDUCTANCE] > 0.0)
             fill(own, x, x[INITIAL_PRESSURE]);
         return;
     }
-    memory->turns = (int)s->turns;
-    for (int i = 0; i < MCKIBBEN_TURNS; i++) {
-        memory->at[i] = (mckibben_real)s->at[i];
-        memory->share[i] = (mckibben_real)s->share[i];
+    memory->at = (mckibben_real)s->at;
+    memory->largest = (mckibben_real)s->largest;
+    memory->ends = (int)s->ends;
+    for (int i = 0; i < MCKIBBEN_ENDS; i++) {
+        memory->w[i] = (mckibben_real)s->w[i];
+        memory->s[i] = (mckibben_real)s->s[i];
     }
     x[AIR] = s->air[0];
     x[AIR_MASS] = s->air[1];
@@ -111,6 +113,12 @@ static mjtNum control(const mjModel *m, const mjData *d, int i)
 {
     const mjtNum *range = m->actuator_ctrlrange + 2 * i;
     return m->actuator_ctrllimited[i] ? mju_clip(d->ctrl[i], range[0], range[1]) : d->ctrl[i];
+}
+
+/* The pressure in the muscle. */
+static mckibben_real pressure_of(const mjModel *m, const mjData *d, int i, const mckibben_muscle *own, const double x[])
+{
+    return (mckibben_real)(x[SONIC_CONDUCTANCE] > 0.0 ? air_pressure(own, x) : control(m, d, i));
 }
 
 /* MuJoCo counts a force that makes the tendon longer as positive. */
@@ -126,7 +134,7 @@ static void compute(const mjModel *m, mjData *d, int instance, int capability)
         return;
     length = (mckibben_real)(now.value[LENGTH] = d->actuator_length[i]);
     read_state((const state *)(d->plugin_state + m->plugin_stateadr[instance]), &own, &memory, now.value);
-    pressure = (mckibben_real)(now.value[SONIC_CONDUCTANCE] > 0.0 ? air_pressure(&own, now.value) : control(m, d, i));
+    pressure = pressure_of(m, d, i, &own, now.value);
     d->actuator_force[i] = -(mjtNum)(mckibben_force(&own, pressure, length, 0) + mckibben_friction_after(&own, &memory, pressure, length, 0));
 }
 
@@ -142,7 +150,7 @@ static void advance(const mjModel *m, mjData *d, int instance)
         return;
     now.value[LENGTH] = d->actuator_length[i];
     read_state(s, &own, &memory, now.value);
-    mckibben_moved(&own, &memory, (mckibben_real)now.value[LENGTH]);
+    mckibben_moved(&own, &memory, pressure_of(m, d, i, &own, now.value), (mckibben_real)now.value[LENGTH], 0);
     if (now.value[SONIC_CONDUCTANCE] > 0.0) {
         now.value[COMMAND] = control(m, d, i);
         if (!air_step(&own, now.value, m->opt.timestep))
@@ -150,10 +158,12 @@ static void advance(const mjModel *m, mjData *d, int instance)
     }
     s->air[0] = now.value[AIR];
     s->air[1] = now.value[AIR_MASS];
-    s->turns = memory.turns;
-    for (int k = 0; k < MCKIBBEN_TURNS; k++) {
-        s->at[k] = memory.at[k];
-        s->share[k] = memory.share[k];
+    s->at = memory.at;
+    s->largest = memory.largest;
+    s->ends = memory.ends;
+    for (int k = 0; k < MCKIBBEN_ENDS; k++) {
+        s->w[k] = memory.w[k];
+        s->s[k] = memory.s[k];
     }
 }
 

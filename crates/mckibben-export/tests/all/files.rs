@@ -1,7 +1,7 @@
 //! The files: what each names, and what a C compiler and Python make of them.
 
 use super::exported;
-use mckibben_core::muscle::{Braid, BraidStiffness, Friction, Muscle, Presliding, Terminals, Tube};
+use mckibben_core::muscle::{Braid, BraidStiffness, Friction, Muscle, Terminals, Tube};
 use mckibben_export::{Content, ExportError, ExportedMuscle, Form, OK, Point, Target};
 use sha2::{Digest, Sha256};
 use std::{fmt::Write as _, io::Read as _, path::Path, process::Command, sync::LazyLock};
@@ -15,7 +15,7 @@ static ROPED: LazyLock<ExportedMuscle> = LazyLock::new(|| {
     muscle
 });
 
-fn write(muscle: &ExportedMuscle, target: &str, folder: &Path) {
+pub fn write(muscle: &ExportedMuscle, target: &str, folder: &Path) {
     for file in muscle.to(Target::named(target).unwrap()).unwrap().files {
         std::fs::write(folder.join(file.name), file.content.bytes()).unwrap();
     }
@@ -327,6 +327,20 @@ fn c_in_single_precision_errs_by_less_than_1e_4() {
     compare_with_c(&["-DMCKIBBEN_FLOAT"], 1e-4);
 }
 
+/// Writes the files of a unit of a muscle, of those of target `fmu` by its place, into one folder.
+pub fn unpack_unit(muscle: &ExportedMuscle, place: usize, folder: &Path) {
+    let files = muscle.to(Target::named("fmu").unwrap()).unwrap().files;
+    let bytes = files[place].content.bytes();
+    let mut unit = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
+    for i in 0..unit.len() {
+        let mut file = unit.by_index(i).unwrap();
+        let mut bytes = vec![];
+        file.read_to_end(&mut bytes).unwrap();
+        let name = Path::new(file.name()).file_name().unwrap().to_owned();
+        std::fs::write(folder.join(name), bytes).unwrap();
+    }
+}
+
 /// The unit on a valve, with laws by hand: the choked flow C p ρ0 √(T0/T), p Vⁿ constant while the
 /// valve is closed, T = p V/(m R), and the pressure of the supply at the end of filling.
 #[test]
@@ -335,15 +349,7 @@ fn the_fmu_on_a_valve_obeys_the_laws_of_the_gas() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    let files = PROTOTYPE.to(Target::named("fmu").unwrap()).unwrap().files;
-    let mut unit = zip::ZipArchive::new(std::io::Cursor::new(files[2].content.bytes())).unwrap();
-    for i in 0..unit.len() {
-        let mut file = unit.by_index(i).unwrap();
-        let mut bytes = vec![];
-        file.read_to_end(&mut bytes).unwrap();
-        let name = Path::new(file.name()).file_name().unwrap().to_owned();
-        std::fs::write(folder.path().join(name), bytes).unwrap();
-    }
+    unpack_unit(&PROTOTYPE, 2, folder.path());
     let main = r#"#include "fmu3.c"
 int main(void) {
     const unsigned set[] = {COMMAND, LENGTH, DEAD_VOLUME, POLYTROPIC_EXPONENT, TEMPERATURE};
@@ -498,53 +504,11 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
     }
 }
 
-fn with_friction() -> ExportedMuscle {
+pub fn with_friction() -> ExportedMuscle {
     let muscle = Muscle::prototype()
         .with_friction(Some(Friction::power_law(71.5, 0.56)))
         .unwrap();
     exported(&muscle, 0.25).unwrap()
-}
-
-/// An identity: what friction adds in C is −F_c z of the core's elements that stick and slip in
-/// parallel, over a random way with loops in loops.
-#[test]
-fn friction_with_memory_in_c_is_that_of_a_motion() {
-    if !runs("cc") {
-        return;
-    }
-    let (muscle, folder) = (with_friction(), tempfile::tempdir().unwrap());
-    write(&muscle, "c", folder.path());
-    let (form, pressure_pa) = (&muscle.form, 0.16 * muscle.form.supply_pa);
-    let mut memory = Presliding::new(1e3 * form.presliding_m, 0.0, 0.0);
-    let (mut main, mut given) = (String::new(), vec![]);
-    for i in 0..200 {
-        let way_mm = ((0.618 * f64::from(i * i)).fract() - 0.5) * f64::from(1 + i / 20 % 3);
-        let length_m = 0.95 * form.length_m - 1e-3 * way_mm;
-        let _ = writeln!(main, "at({length_m:e});");
-        let half_n = form.friction_n[0] * 0.4 + form.friction_n[1] * 0.16;
-        given.push(-half_n * memory.travel(way_mm));
-    }
-    let main = format!(
-        "#include \"muscle_prototype.h\"\n#include \"mckibben_memory.h\"\n#include \
-         <stdio.h>\nstatic mckibben_memory memory;\nstatic void at(double l) {{ \
-         printf(\"%.17g\\n\", mckibben_friction_after(&muscle_prototype, &memory, {pressure_pa:e}, \
-         l, 0)); mckibben_moved(&muscle_prototype, &memory, l); }}\nint main(void) {{ \
-         mckibben_rest(&memory, {:e});\n{main}return 0; }}\n",
-        0.95 * form.length_m
-    );
-    let rows = numbers(&compiled_and_run(
-        folder.path(),
-        &main,
-        &["-O1", "mckibben.c"],
-    ));
-    for (row, wanted) in rows.iter().zip(&given) {
-        assert!((row[0] - wanted).abs() < 1e-7, "{row:?} {wanted}");
-    }
-    assert!(
-        rows.len() == given.len()
-            && given.iter().any(|n| *n > 5.0)
-            && given.iter().any(|n| *n < -5.0)
-    );
 }
 
 /// Outside of the box, of numbers that are none and of pulls that cannot be: never above the

@@ -10,6 +10,7 @@
 mod files;
 mod form;
 mod joint;
+mod memory;
 mod refused;
 
 use mckibben_core::{model::ForceModel, muscle::Muscle};
