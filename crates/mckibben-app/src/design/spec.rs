@@ -86,11 +86,7 @@ impl DesignRequest {
             wanted,
             count: 1,
             pitch_mm: self.pitch_mm.map(f64::from),
-            // A model by name answers for itself; a muscle that is built lifts against friction.
-            direction: self.direction.unwrap_or(match self.model.name {
-                Some(_) => Direction::Mean,
-                None => Direction::Contraction,
-            }),
+            direction: self.branch(),
             max_pressure_mpa: finite("max_pressure_mpa", supply_mpa)?,
             // A closed form or a formula is a method that takes the pressure as it is given.
             supply_share: match policy.model {
@@ -114,18 +110,7 @@ impl DesignRequest {
             top: self.top.unwrap_or(5).clamp(1, 1000),
             extrapolate: self.extrapolate,
         };
-        if self
-            .direction
-            .is_some_and(|d| d != spec.options().direction)
-        {
-            check_branch(
-                Options {
-                    direction: spec.direction,
-                    ..spec.options()
-                },
-                &spec.base,
-            )?;
-        }
+        self.check_branch(&spec)?;
         let longer = self.longer(&spec)?;
         let task = Task {
             spec: spec.shared_by(count),
@@ -142,6 +127,30 @@ impl DesignRequest {
             policy,
             stated: Stated::new(self),
         })
+    }
+
+    /// The branch on which it must pull: a model by name answers for itself, a muscle that is built
+    /// lifts against friction.
+    fn branch(&self) -> Direction {
+        self.direction.unwrap_or(match self.model.name {
+            Some(_) => Direction::Mean,
+            None => Direction::Contraction,
+        })
+    }
+
+    /// Refuses a branch that is asked for, of muscles whose friction is not known.
+    fn check_branch(&self, spec: &Spec) -> Result<()> {
+        let options = spec.options();
+        match self.direction {
+            Some(direction) if direction != options.direction => check_branch(
+                Options {
+                    direction,
+                    ..options
+                },
+                &spec.base,
+            ),
+            _ => Ok(()),
+        }
     }
 
     /// Where the length is assumed, the muscle on which the stroke is a usual contraction, if that
