@@ -1302,7 +1302,7 @@ class ComparedModel(Record):
         The largest, N.
     mean_n : N
         The mean, N: above zero if the model predicts too much pull.
-    r2
+    r_squared
         R² = 1 − Σ(F − F_ref)²/Σ(F_ref − mean F_ref)²; none where all reference pulls are the same.
     contraction_points
         Measured contractions that it answered; 0 without.
@@ -1337,7 +1337,7 @@ class ComparedModel(Record):
     unanswered: int
     cause: str | None
     mean_n: float | None = None
-    r2: float | None = None
+    r_squared: float | None = None
     contraction_points: int | None = None
     rms_contraction: float | None = None
     mean_contraction: float | None = None
