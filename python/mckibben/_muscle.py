@@ -89,8 +89,9 @@ class Bound:
 
 def _plain(value: Any) -> Any:
     """A number of NumPy as one of Python."""
-    numpy = sys.modules.get("numpy")
-    return value.item() if numpy and isinstance(value, numpy.generic) else value
+    # While another thread imports NumPy, its module is not complete.
+    generic = getattr(sys.modules.get("numpy"), "generic", ())
+    return value.item() if isinstance(value, generic) else value
 
 
 class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
