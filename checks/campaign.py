@@ -23,6 +23,7 @@ COLUMNS = [
     "wall_mm",
     "length_mm",
     "angle_deg",
+    "rubber",
     "law",
     "c10_mpa",
     "c01_mpa",
