@@ -151,9 +151,7 @@ function sentence(shape, point) {
       el("br"),
       `The muscle is slack: contracted by ${show("ratio", shape.shape_contraction, 3)}, no pull.`,
     ];
-  const at =
-    `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}, ` +
-    "mean of shortening and lengthening";
+  const at = `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`;
   return [
     el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)),
     el("br"),
