@@ -167,8 +167,8 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
 /// A muscle as files.
 pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let target = target_of(request.target.as_deref())?;
-    let muscle = request.muscle.resolve_for(&request.model)?;
     let choice = Model::choose(&request.model)?;
+    let muscle = request.muscle.resolve_for(&choice)?;
     let model = choice.bound(&muscle)?;
     let model = &*model;
     let burst = burst_of(&choice, model)?;

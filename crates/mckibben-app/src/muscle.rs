@@ -1,8 +1,7 @@
 //! From fields to a muscle, and a muscle in a few words.
 
 use crate::{
-    Model, ModelFields, MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units,
-    words,
+    Model, MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units, words,
 };
 use mckibben_core::{
     muscle::{
@@ -21,15 +20,15 @@ use std::{borrow::Cow, f64::consts::PI, path::Path};
 impl MuscleFields {
     /// The muscle that file and fields describe.
     pub fn resolve(&self) -> Result<Muscle, Problem> {
-        self.resolve_for(&ModelFields::default())
+        self.resolve_for(&Model::FE)
     }
 
     /// The same; without a file a muscle of the make that a formula is for.
-    pub fn resolve_for(&self, model: &ModelFields) -> Result<Muscle, Problem> {
+    pub fn resolve_for(&self, model: &Model) -> Result<Muscle, Problem> {
         let file = self.file();
-        let made = match (file, &model.name) {
-            (None, Some(NameOrFile::File(formula))) => Model::from_formula(formula)?.made_for()?,
-            _ => None,
+        let made = match file {
+            Some(_) => None,
+            None => model.made_for()?,
         };
         let base = match (file, &made) {
             (Some(file), _) => muscle_of(file)?,

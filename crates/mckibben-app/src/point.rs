@@ -329,12 +329,13 @@ impl Question {
 
 impl QuestionFields {
     pub(crate) fn ask(&self) -> Result<Question> {
-        let muscle = self.muscle.resolve_for(&self.model)?;
+        let choice = Model::choose(&self.model)?;
+        let muscle = self.muscle.resolve_for(&choice)?;
         let BoundModel {
             model,
             options,
             choice,
-        } = BoundModel::new(&muscle, &self.model, self.asking)?;
+        } = BoundModel::new(&muscle, choice, self.asking)?;
         Ok(Question {
             muscle,
             choice,

@@ -282,6 +282,9 @@ impl Evaluation<'_> {
         const KNOWN: f64 = 1e-3;
         const STEPS: usize = 40;
         const STRAIGHT: usize = 5;
+        let Some(half) = half.filter(|half| *half > 0.0) else {
+            return [None; 2];
+        };
         let two_sided = Options {
             two_sided: true,
             ..self.options
@@ -294,10 +297,7 @@ impl Evaluation<'_> {
             Some(_) => model.force_n(p, e).unwrap_or(force_n),
             None => force_n,
         };
-        let half = half.filter(|half| *half > 0.0);
-        [-1.0, 1.0].map(|sign| {
-            let half = half?;
-            let mut step = sign * half;
+        [-half, half].map(|mut step| {
             for pass in 0..STEPS {
                 let (p, e) = at(value + step);
                 let pull_n = model.force_n(p, e).ok()?;

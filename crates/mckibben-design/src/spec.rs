@@ -157,6 +157,12 @@ impl Spec {
         self.options_on(self.direction)
     }
 
+    /// Whether the branch that is wanted is that of a muscle that is built, which lifts against its
+    /// friction where that is known.
+    pub fn is_as_built(&self) -> bool {
+        self.options_on(Direction::Contraction).direction == self.options().direction
+    }
+
     /// The same on another branch; the mean of both where the friction is not known.
     pub(super) fn options_on(&self, direction: Direction) -> Options {
         let friction_share = if self.wanted.extends() {

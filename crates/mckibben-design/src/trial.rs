@@ -109,10 +109,10 @@ impl<'a> Trial<'a> {
 
     /// What a muscle that is built pulls, of a pull on the branch that is wanted and its ±.
     pub fn built(&mut self, wanted: &Response, uncertainty_n: Option<f64>) -> Option<Built> {
-        let options = self.spec.options_on(Direction::Contraction);
-        if options.direction == self.spec.options().direction {
+        if self.spec.is_as_built() {
             return Some(Built::new(wanted.force_n, uncertainty_n?));
         }
+        let options = self.spec.options_on(Direction::Contraction);
         let mut model = Evaluation::new(&*self.model, &mut self.workspace, options);
         let (p, contraction) = (wanted.pressure_mpa, wanted.contraction);
         let force_n = model.force_n(p, contraction).ok()?;

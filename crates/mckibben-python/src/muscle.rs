@@ -156,8 +156,9 @@ impl Muscle {
         let request = request::given(py, "force", request)?;
         run::quick(py, |_| {
             let question: QuestionFields = understood(&request)?;
+            let choice = mckibben_app::Model::choose(&question.model)?;
             Ok(Model {
-                bound: BoundModel::new(&self.held, &question.model, question.asking)?,
+                bound: BoundModel::new(&self.held, choice, question.asking)?,
             })
         })
     }

@@ -11,8 +11,8 @@ mod point;
 pub use point::with_parameters;
 
 use crate::{
-    AskFields, Model, ModelFields, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
-    burst_of, check_branch, finite, put_first, ratio, said_of,
+    AskFields, Model, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of,
+    check_branch, finite, put_first, ratio, said_of,
 };
 use mckibben_core::{
     analysis::Evaluation,
@@ -98,10 +98,9 @@ impl std::fmt::Debug for BoundModel {
 }
 
 impl BoundModel {
-    /// The model that a request names, of this muscle.
-    pub fn new(muscle: &Muscle, model: &ModelFields, asking: AskFields) -> Result<Self> {
+    /// The model of this muscle, and how it is asked.
+    pub fn new(muscle: &Muscle, choice: Model, asking: AskFields) -> Result<Self> {
         let mut options = asking.options(muscle)?;
-        let choice = Model::choose(model)?;
         let model = choice.bound(muscle)?;
         if matches!(model.info().accuracy.reference, Reference::ForceMap(_)) {
             options.friction_share = 0.0;

@@ -2,7 +2,7 @@
 //! keep muscles from fitting.
 
 use super::request::DesignRequest;
-use crate::{NameOrFile, Units, words::number};
+use crate::{Model, Units, words::number};
 use mckibben_core::{
     muscle::{Braid, Muscle},
     units::{Dimension, tidy, typed::Choice},
@@ -29,11 +29,10 @@ pub struct Stated {
 }
 
 impl Stated {
-    pub fn new(request: &DesignRequest) -> Self {
+    pub fn new(request: &DesignRequest, model: &Model) -> Self {
         let stroke = request.stroke_mm.is_some();
         let contraction = request.contraction.is_some();
-        let of_formula = matches!(request.model.name, Some(NameOrFile::File(_)));
-        let has_file = request.file().is_some() || of_formula;
+        let has_file = request.file().is_some() || matches!(model, Model::Formula(_));
         let length_by = match (stroke, contraction) {
             _ if request.length_mm.is_some() || has_file => None,
             (true, true) => None,

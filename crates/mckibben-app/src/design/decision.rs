@@ -64,16 +64,18 @@ impl Decision<'_> {
     }
 
     fn pulls(&self, first: &Candidate) -> String {
-        let is_mean = self.spec.options().direction.is_mean();
         let point = |q: &CandidatePoint| {
             let wanted = format!(
                 "{} at {}",
                 show(Dimension::Force, q.response.force_n),
                 percent(q.wanted.contraction)
             );
-            let built = q.built.map(|built| match is_mean {
-                true => format!(" by {}; built, {}", first.model, built_pull(built)),
-                false => format!(" ({})", interval(built)),
+            let built = q.built.map(|built| {
+                if self.spec.is_as_built() {
+                    format!(" ({})", interval(built))
+                } else {
+                    format!(" by {}; built, {}", first.model, built_pull(built))
+                }
             });
             wanted + &built.unwrap_or_default()
         };

@@ -124,8 +124,8 @@ impl DesignRequest {
         };
         Ok(Search {
             task,
+            stated: Stated::new(self, &policy.model),
             policy,
-            stated: Stated::new(self),
         })
     }
 
@@ -470,7 +470,7 @@ impl DesignRequest {
         length_mm
             .into_iter()
             .for_each(|length| fields.measures.set(&LENGTH, length));
-        let base = fields.resolve_for(&self.model)?;
+        let base = fields.resolve_for(&Model::choose(&self.model)?)?;
         let length = base.length_mm();
         let stroke = self.stroke_mm.map(f64::from);
         stroke

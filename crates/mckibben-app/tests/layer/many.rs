@@ -1,12 +1,15 @@
 //! Arrays of points.
 
 use mckibben_app::{
-    ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields,
+    ArrayError, AskFields, BoundModel, ForceRequest, Many, Model, ModelFields, MuscleFields,
     PointQuantity, ProblemKind, QuestionFields, force, with_parameters,
 };
 use mckibben_core::{
     cancel::Cancel,
-    muscle::measures::{OUTER_DIAMETER, WALL},
+    muscle::{
+        Muscle,
+        measures::{OUTER_DIAMETER, WALL},
+    },
     progress::Silent,
 };
 use mckibben_fit::identify::Target;
@@ -19,13 +22,13 @@ fn named(model: &str) -> ModelFields {
     ModelFields::named(model)
 }
 
+fn bound_to(muscle: &Muscle, model: &str) -> BoundModel {
+    let model = Model::choose(&named(model)).unwrap();
+    BoundModel::new(muscle, model, AskFields::default()).unwrap()
+}
+
 fn bound(model: &str) -> BoundModel {
-    BoundModel::new(
-        &fields().resolve().unwrap(),
-        &named(model),
-        AskFields::default(),
-    )
-    .unwrap()
+    bound_to(&fields().resolve().unwrap(), model)
 }
 
 fn many(slopes: bool, parameters: Vec<Target>) -> Many {
@@ -104,7 +107,7 @@ fn derivatives_are_those_of_differences() {
         let value = of.parameter(name).unwrap().value(&muscle).unwrap();
         let at = |value: f64| {
             let other = with_parameters(&muscle, &[(name.into(), value)]).unwrap();
-            let of = BoundModel::new(&other, &named("fe"), AskFields::default()).unwrap();
+            let of = bound_to(&other, "fe");
             filled(&of, &many(false, vec![]), &[0.2], &[0.1]).unwrap()[0]
         };
         let by = (at(value * (1.0 + h)) - at(value * (1.0 - h))) / (2.0 * h * value);

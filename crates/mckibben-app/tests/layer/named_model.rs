@@ -136,3 +136,20 @@ fn material(made: &Value) -> String {
         lines.collect::<String>()
     )
 }
+
+/// A muscle whose friction is not known pulls as the model says, built or not: nothing stands beside
+/// it, and one that extends does not shorten.
+#[test]
+fn where_no_friction_is_known_a_built_muscle_is_that_of_the_model() {
+    let request = json!({ "force_n": -60, "contraction": -0.1, "max_pressure_mpa": 0.3,
+        "length_mm": 150 });
+    let answer = reply("design", request);
+    let pulls = answer["decision"][2].as_str().unwrap();
+    assert!(pulls.starts_with("Pulls "), "{pulls}");
+    assert!(
+        !pulls.contains("built") && !pulls.contains("shortens"),
+        "{pulls}"
+    );
+    let point = &answer["candidates"][0]["points"][0];
+    assert_eq!(point["predicted_n"], point["force_n"]);
+}

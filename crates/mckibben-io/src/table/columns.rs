@@ -5,7 +5,7 @@ use super::{
     error::{TableError, listed, short},
     heading::{self, Column, MINUS, plain},
     kinds::Vocabulary,
-    vocabulary::Meaning,
+    vocabulary::{Meaning, is_spoken},
 };
 use mckibben_units::{
     Unit, joined,
@@ -171,22 +171,26 @@ impl Vocabulary {
                 text: text.clone(),
             })
         };
-        let not_words = |(name, text): &(&String, &String)| {
-            named(name).is_some() || !BRANCH_WORDS.contains(&text.as_str())
-        };
+        let not_words =
+            |(name, text): &(&String, &String)| named(name).is_some() || branch(text).is_none();
         columns.0.iter().filter(not_words).map(choice).collect()
     }
 }
 
-/// What the words of a table for the branches may be said to mean.
-const BRANCH_WORDS: [&str; 3] = ["=contraction", "=elongation", "=mean"];
+/// The word for a branch of a constant, `=contraction`.
+fn branch(text: &str) -> Option<String> {
+    let word = plain(text.strip_prefix('=')?);
+    ["branch_contraction", "branch_elongation", "branch_mean"]
+        .iter()
+        .any(|branch| is_spoken(branch, &word))
+        .then_some(word)
+}
 
 impl Columns {
-    /// What a word of a table was said to mean: `--set Extension=contraction`.
-    pub(super) fn meaning_of(&self, word: &str) -> Option<&str> {
-        let said = self.0.iter().find(|(name, _)| plain(name) == word);
-        said.filter(|(_, text)| BRANCH_WORDS.contains(&text.as_str()))
-            .map(|(_, text)| &text[1..])
+    /// The branch that a word of a table was said to mean: `--set Extension=contraction`.
+    pub(super) fn meaning_of(&self, word: &str) -> Option<String> {
+        let (_, text) = self.0.iter().find(|(name, _)| plain(name) == word)?;
+        branch(text)
     }
 }
 

@@ -214,7 +214,7 @@ impl Table {
             return Ok(None);
         };
         let said = plain(text);
-        let said = self.chosen.meaning_of(&said).unwrap_or(&said);
+        let said = self.chosen.meaning_of(&said).unwrap_or(said);
         let word = words.iter().find(|w| w.0 == said).map(|w| w.1);
         let name = &meaning.words().name;
         word.map(Some)

@@ -117,11 +117,7 @@ impl Plan {
 
     /// Refuses meshes that do not fit into memory, of some of the muscles.
     pub fn admit(&self) -> Result<(), TooLarge> {
-        let step = (self.muscles() / LOOKED_AT).max(1);
-        for number in (0..LOOKED_AT.min(self.muscles())).map(|i| i * step) {
-            let Ok(muscle) = self.inputs(number).muscle() else {
-                continue;
-            };
+        for muscle in self.spread(LOOKED_AT) {
             // What is no mesh is a row without an answer.
             if let Err(FemError::Large(large)) = self.testing.elements.admit(&muscle) {
                 return Err(large);
@@ -129,6 +125,14 @@ impl Plan {
         }
         Ok(())
     }
+
+    /// So many of its muscles, spread over the plan, as far as they are some.
+    fn spread(&self, most: u64) -> impl Iterator<Item = Muscle> {
+        let step = self.muscles().div_ceil(most).max(1) as usize;
+        let numbers = (0..self.muscles()).step_by(step);
+        numbers.filter_map(|number| self.inputs(number).muscle().ok())
+    }
+
     /// The measures of a muscle of the plan.
     pub fn inputs(&self, number: u64) -> Inputs {
         let values: Vec<f64> = (0..self.axes.len())

@@ -9,7 +9,7 @@ use super::{
 use mckibben_core::{
     extremes::peak,
     muscle::{
-        Muscle, MuscleError, Rubber, Tube,
+        Rubber, Tube,
         file::{FileError, Source, read_text},
     },
     rubber::library,
@@ -20,8 +20,8 @@ use std::path::Path;
 
 /// A higher pressure has its unit, lest bars were meant.
 const HIGHEST_BARE_MPA: f64 = 2.0;
-/// So many muscles of a plan are looked at before it begins.
-const FIRST: u64 = 1000;
+/// Muscles of a plan whose reach is looked at.
+const REACHES: u64 = 10_000;
 /// The most points of one muscle.
 const MOST_POINTS: usize = 100_000;
 
@@ -76,13 +76,13 @@ impl Plan {
 
 impl Plan {
     /// One law for all muscles of a named rubber whose law follows the muscle: that for the largest
-    /// reach among them.
+    /// reach among them, of larger plans among [`REACHES`] of them.
     fn take_one_law(&mut self) -> Result<(), String> {
         let rubber = &self.base.tube().rubber;
         let Some(name) = rubber.name.clone().filter(|_| library::follows(rubber)) else {
             return Ok(());
         };
-        let reach = peak(self.first_muscles().flatten().map(|muscle| muscle.reach()));
+        let reach = peak(self.spread(REACHES).map(|muscle| muscle.reach()));
         let found = library::find_for(&name, reach).map_err(|error| error.to_string())?;
         let tube = Tube {
             // Stated constants, which a muscle of the plan leaves as they are.
@@ -96,15 +96,11 @@ impl Plan {
         self.base = base.map_err(|error| error.to_string())?;
         Ok(())
     }
-
-    fn first_muscles(&self) -> impl Iterator<Item = Result<Muscle, MuscleError>> {
-        (0..self.muscles().min(FIRST)).map(|number| self.inputs(number).muscle())
-    }
 }
 
-/// A plan none of whose first muscles is one is a slip, not a campaign.
+/// A plan none of whose first thousand muscles is one is a slip, not a campaign.
 fn some_muscle(plan: &Plan) -> Result<(), String> {
-    let mut muscles = plan.first_muscles();
+    let mut muscles = (0..plan.muscles().min(1000)).map(|number| plan.inputs(number).muscle());
     match muscles.next() {
         Some(Err(first)) if !muscles.any(|muscle| muscle.is_ok()) => {
             Err(format!("makes no muscle; the first: {first}"))

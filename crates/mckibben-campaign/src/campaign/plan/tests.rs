@@ -270,6 +270,19 @@ fn a_named_rubber_has_the_law_of_the_muscle_that_stretches_it_most() {
     }
 }
 
+/// The muscle that stretches the rubber most is the last of 2,000, where the first axis changes
+/// slowest.
+#[test]
+fn the_law_of_a_large_plan_is_that_of_all_its_muscles() {
+    let vary = "[vary]\nbraid.angle = \"28,16 deg\"\ntube.length = \"100..1099:1 mm\"\n[test]\n\
+        contractions = \"0\"\npressures = \"0.1\"\n";
+    let plan = Plan::parse(&format!("[tube]\nrubber = \"dragon-skin-30\"\n{vary}")).unwrap();
+    assert_eq!(plan.muscles(), 2000);
+    let widest = "[tube]\nrubber = \"dragon-skin-30\"\n[braid]\nangle = 16\n";
+    let widest = mckibben_core::muscle::file::parse_muscle(widest).unwrap();
+    assert_eq!(plan.base.tube().rubber.law, widest.tube().rubber.law);
+}
+
 /// Every measure of the muscle varies, and each muscle is the base with that value: an identity
 /// with [`Muscle::with`].
 #[test]

@@ -145,6 +145,13 @@ fn words_of_a_bench_mean_what_is_said_of_them() {
         said.contains("`set`") && said.contains("branch=velocity"),
         "{said}"
     );
+    // Any word for a branch will do.
+    let set = [
+        "contraction=0",
+        "Extension=shortening",
+        "Retraction=lengthening",
+    ];
+    assert_eq!(read(&set).unwrap().0.len(), 2);
     let set = [
         "contraction=0",
         "Extension=contraction",
