@@ -8,14 +8,15 @@ use coefficients::{rows_of, to_latex};
 
 use crate::{
     Model, MuscleFields, NameOrFile, Problem, ProblemKind, Result, Stiffness, TextFile, figure,
-    finite,
     flags::{self, Args},
+    words::in_a_row,
 };
 use mckibben_campaign::{
     PointRow,
     fit::{
         FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
-        data::{FitPoint, points},
+        data::{FitPoint, distinct, points, same},
+        errors::Compared,
         made_for, make, refitted,
         results::{Results, results},
         tables::{Table, tables},
@@ -33,7 +34,10 @@ use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+};
 
 /// A table of points, and how the formula is made.
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
@@ -70,8 +74,8 @@ pub struct FitRequest {
     /// Treatment of points where the muscle would have to push, in the paper's method
     #[arg(long, value_parser = flags::word::<SlackRule>(), default_value = "two-sided", help_heading = "Advanced")]
     pub slack_rule: SlackRule,
-    /// Diameter and wall that figures 5 to 8 show, such as 40x2; 12 too has the diameter, unless one
-    /// is left out [30x3]
+    /// Diameter and wall of the table that figures 5 to 8 show, such as 40x2; 12 too has the
+    /// diameter, unless one is left out [30x3, or the first]
     #[arg(long, value_name = "D0xWALL", value_parser = flags::section, help_heading = "Output")]
     pub at_mm: Option<(f64, f64)>,
     /// Add the intermediate tables of the paper's method to the answer.
@@ -162,16 +166,19 @@ pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
 /// A formula for muscles of one make.
 fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
     request.check_name()?;
-    request
-        .hold_out()
-        .iter()
-        .try_for_each(|&d| finite("hold_out_mm", d).map(drop))?;
     let Points {
         points,
         failed,
         made_for,
         origin,
     } = request.points()?;
+    let there = distinct(points.iter().map(|p| p.outer_diameter_mm));
+    let is_there = |d: f64| there.iter().any(|&known| same(known, d));
+    if let Some(d) = request.hold_out().iter().find(|d| !is_there(**d)) {
+        let there = in_a_row(there.iter().map(f64::to_string));
+        let message = format!("D0 {d} mm is not in {}, but {there}", origin.name);
+        return Err(ProblemKind::Usage.problem(message).in_field("hold_out_mm"));
+    }
     let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
     let fitted = make(&Request {
         points: &points,
@@ -182,12 +189,9 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         from: origin.from,
     })
     .map_err(|e| no_fit(&origin.name, e))?;
-    if !request.hold_out().is_empty() && fitted.formula.errors.held_out.is_none() {
-        let message = format!("{} has no such diameter", origin.name);
-        return Err(Problem::new(ProblemKind::Usage, message, "").in_field("hold_out_mm"));
-    }
+    let shown = request.shown(&fitted.compared)?;
     let figures = if request.figures {
-        figure::fitted(&fitted, request.at_mm.unwrap_or(SHOWN))
+        figure::fitted(&fitted, shown)
     } else {
         vec![]
     };
@@ -304,6 +308,27 @@ impl FitRequest {
     /// Diameters that are left out of the fit.
     fn hold_out(&self) -> &[f64] {
         self.hold_out_mm.as_deref().unwrap_or_default()
+    }
+
+    /// The muscle that figures show: the one that is asked for, or the prototype, or the first.
+    fn shown(&self, compared: &[Compared]) -> Result<(f64, f64)> {
+        let sections = compared
+            .iter()
+            .map(|c| (c.point.outer_diameter_mm, c.point.wall_mm));
+        let fitted: Vec<_> = sections
+            .filter(|at| !self.hold_out().contains(&at.0))
+            .collect();
+        let wanted = self.at_mm.unwrap_or(SHOWN);
+        match fitted.first() {
+            _ if fitted.contains(&wanted) => Ok(wanted),
+            Some(first) if self.at_mm.is_none() => Ok(*first),
+            _ => {
+                let text = |(d, s)| format!("{d}x{s}");
+                let there: BTreeSet<_> = fitted.into_iter().map(text).collect();
+                let message = format!("{} is not fitted, but {}", text(wanted), in_a_row(there));
+                Err(ProblemKind::Usage.problem(message).in_field("at_mm"))
+            }
+        }
     }
 
     /// Rubber and braid of the table's muscles.

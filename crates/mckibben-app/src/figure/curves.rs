@@ -41,7 +41,8 @@ pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
         figure = figure.panel(drawn);
     }
     figure.caption(caption(format!(
-        "Model {}. {about}. The paper: {}",
+        "Model {}. {about}. Unlike in the paper, (4) is not shifted to zero pressure at ΔL = 0. \
+         The paper: {}",
         study.model,
         mckibben_core::PAPER
     )))

@@ -14,11 +14,6 @@ use mckibben_core::{
 };
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
-fn nearest(list: &[f64], wanted: f64) -> f64 {
-    let by = |a: &&f64, b: &&f64| (*a - wanted).abs().total_cmp(&(*b - wanted).abs());
-    list.iter().min_by(by).copied().unwrap_or(wanted)
-}
-
 fn pull() -> Axis {
     Axis::new("pull F [N]")
 }
@@ -49,14 +44,14 @@ fn pair(
     )
 }
 
-/// Figures 5 to 11 where the paper's method was used, and 12, with names for their files; of the
-/// diameter and wall in mm that are nearest to those that are asked for.
+/// Figures 5 to 11 where the paper's method was used, and 12, with names for their files; of a
+/// diameter and a wall in mm.
 pub fn fitted(f: &FittedFormula, at: (f64, f64)) -> Vec<NamedFigure> {
     let last = ("figure_12_formula_and_points", against_points(f, at.0));
     let all = f
         .paper
         .iter()
-        .flat_map(|m| paper_figures(m, &f.formula, at))
+        .flat_map(|m| paper_figures(m, at))
         .chain([last]);
     all.map(|(name, figure)| NamedFigure {
         name: name.into(),
@@ -66,19 +61,8 @@ pub fn fitted(f: &FittedFormula, at: (f64, f64)) -> Vec<NamedFigure> {
 }
 
 /// Figures 5 to 11.
-fn paper_figures(
-    method: &PaperMethod,
-    formula: &Formula,
-    at: (f64, f64),
-) -> Vec<(&'static str, Figure)> {
-    let diameters = distinct(method.walls.iter().map(|w| w.outer_diameter_mm));
-    let walls = distinct(method.lines.iter().map(|l| l.wall_mm));
-    let section = Section {
-        method,
-        formula,
-        d: nearest(&diameters, at.0),
-        s: nearest(&walls, at.1),
-    };
+fn paper_figures(method: &PaperMethod, (d, s): (f64, f64)) -> Vec<(&'static str, Figure)> {
+    let section = Section { method, d, s };
     let over_diameter = |k| section.coefficients_over_diameter(k);
     vec![
         ("figure_5_isobaric_curves", section.isobaric_curves()),
@@ -97,7 +81,6 @@ const LETTERS: [&str; 3] = ["a", "b", "c"];
 /// The diameter and wall in mm that the figures of a fit by the paper's method show.
 struct Section<'a> {
     method: &'a PaperMethod,
-    formula: &'a Formula,
     d: f64,
     s: f64,
 }
@@ -106,8 +89,7 @@ impl Section<'_> {
     fn figure(&self, title: String, text: &str) -> Figure {
         Figure::new(title)
             .caption(caption(format!(
-                "{text}. Method: {}. The paper: {}",
-                self.formula.provenance.method,
+                "{text}. The paper: {}",
                 mckibben_core::PAPER
             )))
             .sequential()
@@ -162,7 +144,8 @@ impl Section<'_> {
         );
         self.figure(
             format!("Isobaric surfaces at {} MPa", number(top, 3)),
-            "Each surface as its family of curves: points and quadratics (5)",
+            "Each surface as its family of curves: points and quadratics (5). Below, each curve \
+             stands further right and up than the one before it",
         )
         .columns(2)
         .panel(over_wall.clone())
@@ -268,12 +251,17 @@ impl Section<'_> {
 }
 
 /// A family of curves in space: each stands further back than the one before, and lines join their
-/// points to a surface.
+/// points to a surface. The axes are those of the front curve.
 fn in_space(mut panel: Panel) -> Panel {
     let top = peak(panel.series.iter().flat_map(|s| &s.points).map(|p| p.1));
     panel.title += ", in space";
+    panel.x.label = "ε of the front curve [–]".into();
+    panel.y.label = "F of the front curve [N]".into();
+    let last = panel.series.last().and_then(|s| s.colour);
     for series in &mut panel.series {
-        series.end_label.clear();
+        if ![Some(0), last].contains(&series.colour) {
+            series.end_label.clear();
+        }
         let back = series.colour.unwrap_or_default() as f64;
         for (x, y) in &mut series.points {
             *x += 0.02 * back;
@@ -297,7 +285,7 @@ fn largest(f: &Formula) -> String {
         .map_or(f.errors.fit, |h| h.errors);
     let share = number(100.0 * errors.max_12, 3);
     let force = number(errors.max_n, 3);
-    format!("(12) of {}: {share} %, {force} N. ", f.name)
+    format!("; {}: {share} %, {force} N", f.name)
 }
 
 /// Figure 12: the formula against the points, of the diameter held out where there is one; of the
@@ -307,35 +295,31 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
         formula, compared, ..
     } = f;
     let published = is_of_the_paper(formula).then(|| f.published());
-    let diameters = distinct(compared.iter().map(|c| c.point.outer_diameter_mm));
     let held = formula
         .errors
         .held_out
         .as_ref()
         .and_then(|h| h.outer_diameters_mm.first().copied());
-    let d = held.unwrap_or_else(|| nearest(&diameters, d));
+    let d = held.unwrap_or(d);
     let of_d: Vec<&Compared> = compared
         .iter()
         .filter(|c| same(c.point.outer_diameter_mm, d))
         .collect();
-    let text = if held.is_some() {
-        "held out of the fit"
+    let dots = if held.is_some() {
+        "table, held out of the fit"
     } else {
-        "fitted"
+        "table"
     };
     let method = &formula.provenance.method;
-    let errors: String = [formula]
-        .into_iter()
-        .chain(&published)
-        .map(largest)
-        .collect();
+    let formulas: Vec<&Formula> = [formula].into_iter().chain(&published).collect();
+    let errors: String = formulas.iter().map(|f| largest(f)).collect();
     let mut figure = Figure::new(format!(
         "Formula {} and points, D0 {} mm",
         formula.name,
         number(d, 4)
     ))
     .caption(caption(format!(
-        "Lines: the formula; dashed: the published one; dots: the table, {text}. {errors}{method}"
+        "Largest error by (12) and in N, where the table pulls{errors}. Method: {method}"
     )))
     .sequential()
     .columns(2);
@@ -367,6 +351,11 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
                     panel = panel.series(series.style(Style::Dashed));
                 }
             }
+        }
+        // The first curve stands for all in the legend.
+        let names = [dots].into_iter().chain(formulas.iter().map(|f| &*f.name));
+        for (series, name) in panel.series.iter_mut().zip(names) {
+            series.label = name.into();
         }
         figure = figure.panel(panel);
     }

@@ -84,5 +84,8 @@ pub fn to_latex(rows: &[CoefficientRow]) -> String {
     let cells: String = (0..rows.len())
         .map(|i| line(&|c| c.cells[i].clone()))
         .collect();
-    format!("\\begin{{tabular}}{{lrrrrrrl}}\n{heading}{cells}\\end{{tabular}}\n")
+    let rows = (heading + &cells)
+        .replace("D0²", "$D_0^2$")
+        .replace("D0", "$D_0$");
+    format!("\\begin{{tabular}}{{lrrrrrrl}}\n{rows}\\end{{tabular}}\n")
 }

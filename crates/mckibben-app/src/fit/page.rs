@@ -1,6 +1,6 @@
 //! Fitted formulas as people read them, in the units of the formula.
 
-use super::{CheckFormulaAnswer, FitAnswer, coefficients};
+use super::{CheckFormulaAnswer, FitAnswer, coefficients, is_of_the_paper};
 use crate::{
     Units, number,
     print::{Csv, Page, Rows, Show, Table},
@@ -244,12 +244,12 @@ fn intermediate(f: &FittedFormula, failed: usize, page: &mut Page) {
         page.line(format!("{chosen} of {candidates} candidate terms{why}"));
     }
     if let Some(paper) = &f.paper {
-        steps(paper, page);
+        steps(paper, is_of_the_paper(&f.formula), page);
     }
 }
 
-/// R² of the steps, curves that a rule changed, and the signs of section 3.3.1.
-fn steps(m: &PaperMethod, page: &mut Page) {
+/// R² of the steps, curves that a rule changed, and of the paper's muscles the signs of section 3.3.1.
+fn steps(m: &PaperMethod, of_the_paper: bool, page: &mut Page) {
     let smallest = |list: &mut dyn Iterator<Item = f64>| list.fold(1.0, f64::min);
     let parabolas = m.walls.iter().flat_map(|w| w.parabolas.iter().flatten());
     let curves = smallest(&mut m.curves.iter().filter_map(|c| Some(c.abc?.r2)));
@@ -265,6 +265,9 @@ fn steps(m: &PaperMethod, page: &mut Page) {
         let s = c.wall_mm;
         let p = c.pressure_mpa;
         page.line(format!("Curve D0 {d}, s {s} mm at {p} MPa: {}", c.rule));
+    }
+    if !of_the_paper {
+        return;
     }
     page.paragraph("Signs that section 3.3.1 of the paper states (pairs of neighbouring curves)");
     page.gap();

@@ -1,6 +1,6 @@
 //! What holds for every figure that a command draws.
 
-use crate::reply;
+use crate::{refusal, reply};
 use mckibben_report::{Figure, Panel, Series, Style};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -239,5 +239,98 @@ fn what_is_left_out_of_a_figure_is_said() {
             said.iter().any(|caption| caption.contains(part)),
             "{part}: {said:?}"
         );
+    }
+}
+
+/// The rows of the paper's campaign that are wanted, with another angle of the braid.
+fn campaign(angle: &str, wanted: impl Fn(f64) -> bool) -> Value {
+    let mut file = text_file("data/campaign/paper.csv");
+    let text = file["text"].as_str().unwrap();
+    let diameter = |line: &str| line.split(',').next().unwrap().parse::<f64>();
+    let lines = text.lines().filter(|l| diameter(l).map_or(true, &wanted));
+    let lines: Vec<String> = lines
+        .map(|l| l.replacen(",28,", &format!(",{angle},"), 1))
+        .collect();
+    file["text"] = lines.join("\n").into();
+    file
+}
+
+/// Figures 5 to 12 of a table, by number.
+fn of_a_fit(request: Value) -> impl Fn(usize) -> Figure {
+    let answer = reply("fit", request);
+    move |number| {
+        let figures = answer["figures"].as_array().unwrap();
+        serde_json::from_value(figures[number - 5]["figure"].clone()).unwrap()
+    }
+}
+
+/// The legend names every kind of line, the published formula where it is drawn; the rule of the
+/// paper for D0 below 35 mm stands where such curves are left out.
+#[test]
+fn figures_of_a_fit_say_what_they_show() {
+    let paper = of_a_fit(json!({ "table": campaign("28", |_| true), "figures": true,
+        "hold_out_mm": [35] }));
+    let own = of_a_fit(json!({ "table": campaign("24", |d| d > 35.0), "figures": true }));
+    let legend = |figure: &Figure| -> Vec<Vec<(Style, String)>> {
+        let named = |p: &Panel| {
+            let named = p.series.iter().filter(|s| !s.label.is_empty());
+            named.map(|s| (s.style, s.label.clone())).collect()
+        };
+        figure.panels.iter().map(named).collect()
+    };
+    let entry = |style, label: &str| (style, label.to_owned());
+    let fitted = entry(Style::Line, "paper-method");
+    let three = vec![
+        entry(Style::Points, "table, held out of the fit"),
+        fitted.clone(),
+        entry(Style::Dashed, "paper"),
+    ];
+    assert_eq!(legend(&paper(12)), vec![three; 5]);
+    let two = vec![entry(Style::Points, "table"), fitted];
+    assert_eq!(legend(&own(12)), vec![two; 5]);
+    let dashed = |p: &Panel| p.series.iter().any(|s| s.style == Style::Dashed);
+    assert!(!own(12).panels.iter().any(dashed));
+    assert!(paper(12).caption.contains("where the table pulls"));
+    let rule = |figure: Figure| figure.caption.contains("D0 < 35");
+    assert!(rule(paper(12)) && !(5..9).any(|n| rule(paper(n))));
+    assert!(!(5..13).any(|n| rule(own(n))));
+    // Without the prototype the first muscle is shown.
+    assert!(own(5).title.ends_with("D0 40 mm, s 1 mm"));
+    assert!(paper(5).title.ends_with("D0 30 mm, s 3 mm"));
+    // Of shifted curves the axes are those of the one that is not shifted.
+    for (upper, lower) in [(0, 2), (1, 3)] {
+        let [upper, lower] = [upper, lower].map(|i| paper(6).panels[i].clone());
+        assert!(lower.y.label.contains("front curve") && lower.x.label.contains("front curve"));
+        assert_eq!(upper.series[0].points, lower.series[0].points);
+    }
+    assert!(paper(6).caption.contains("further right and up"));
+}
+
+#[test]
+fn muscles_that_are_not_in_the_table_are_refused_with_those_that_are() {
+    for (field, more, parts) in [
+        ("at_mm", json!({ "at_mm": [33, 3] }), ["33x3", "30x1, 30x2"]),
+        ("at_mm", json!({ "at_mm": [30, 7] }), ["30x7", "50x4, 50x5"]),
+        (
+            "at_mm",
+            json!({ "at_mm": [35, 3], "hold_out_mm": [35] }),
+            ["35x3", "30x5, 40x1"],
+        ),
+        (
+            "hold_out_mm",
+            json!({ "hold_out_mm": [35, 33] }),
+            ["D0 33 mm", "30, 35, 40, 45, 50"],
+        ),
+    ] {
+        let mut request = json!({ "table": text_file("data/campaign/paper.csv") });
+        request
+            .as_object_mut()
+            .unwrap()
+            .extend(more.as_object().unwrap().clone());
+        let problem = refusal("fit", request);
+        assert_eq!(problem.field.as_deref(), Some(field));
+        for part in parts {
+            assert!(problem.message.contains(part), "{}", problem.message);
+        }
     }
 }

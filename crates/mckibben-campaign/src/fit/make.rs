@@ -5,7 +5,7 @@ use super::{
     error::{FitError, Result},
     errors::{Compared, compared, errors, regions},
     global::{GlobalFit, MOST_TERMS, global},
-    paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method},
+    paper_method::{CurveFit, PaperMethod, Rules, SlackRule, paper_method},
 };
 use crate::{columns::PointRow, hash};
 use mckibben_core::{
@@ -16,6 +16,7 @@ use mckibben_core::{
     },
     muscle::Muscle,
 };
+use std::collections::BTreeSet;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
@@ -34,24 +35,19 @@ impl Method {
         }
     }
 
-    /// The method with its rules, in words.
-    pub fn text(self) -> String {
+    /// The method in words, with the rules that were applied to some curves.
+    fn text(self, curves: &[CurveFit]) -> String {
         match self {
             Method::Paper(rules) => {
-                let thin = match rules.thin {
-                    ThinRule::LeaveOut => "left out",
-                    ThinRule::Line => "a straight line over ε ≤ 0.05",
-                    ThinRule::Whole => "used whole",
-                };
+                let applied: BTreeSet<&str> = curves.iter().map(|c| c.rule).collect();
+                let applied = applied.into_iter().filter(|rule| !rule.is_empty());
+                let applied: String = applied.map(|rule| format!("{rule}; ")).collect();
                 let slack = match rules.slack {
                     SlackRule::TwoSided => "two-sided (negative forces count)",
                     SlackRule::PullOnly => "only where the muscle pulls",
                     SlackRule::Zero => "zero where the muscle would push",
                 };
-                format!(
-                    "paper (seven steps; curves at 0.05 MPa of D0 < 35, s > 3: {thin}; force \
-                     {slack})"
-                )
+                format!("paper (seven steps; {applied}force {slack})")
             }
             Method::Global => format!(
                 "global (forward selection, at most {MOST_TERMS} terms, number by diameters left \
@@ -164,7 +160,9 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
         range: range(&fitted),
         errors: formula_errors(&[], &[]),
         provenance: Provenance {
-            method: request.method.text(),
+            method: request
+                .method
+                .text(paper.as_ref().map_or(&[], |m| &m.curves)),
             points: fitted.len(),
             data_hash: hash::numbers(numbers(&fitted)),
             ..request.from.clone()

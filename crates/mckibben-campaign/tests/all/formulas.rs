@@ -88,6 +88,19 @@ fn the_seven_steps_on_formula_11_give_back_table_2() {
     }
 }
 
+/// A formula of thick muscles alone does not cite the rule for thin ones.
+#[test]
+fn the_method_says_the_rules_that_were_applied() {
+    let method = |points: &[FitPoint]| {
+        let made = make(&request(points, Method::Paper(Rules::default())));
+        made.unwrap().formula.provenance.method
+    };
+    let mut points = published();
+    assert!(method(&points).contains("left out: D0 < 35, s > 3"));
+    points.retain(|p| p.outer_diameter_mm > 35.0);
+    assert!(!method(&points).contains("D0 < 35"));
+}
+
 #[test]
 fn global_is_exact_on_a_polynomial_of_its_terms() {
     let f = |d: f64, s: f64, p: f64, e: f64| {

@@ -667,6 +667,21 @@ fn the_published_coefficients_are_those_of_table_2() {
         "{}",
         latex.text()
     );
+    assert!(latex.text().contains(" & $D_0^2$ & ") && !latex.text().contains('²'));
+}
+
+/// What the paper says of the signs of its coefficients is of its own muscles.
+#[test]
+fn signs_are_those_of_the_papers_muscles() {
+    let dir = copy();
+    let table = dir.path().join("data/campaign/paper.csv");
+    let text = std::fs::read_to_string(&table).unwrap();
+    std::fs::write(dir.path().join("own.csv"), text.replace(",28,", ",24,")).unwrap();
+    for (name, is_there) in [("data/campaign/paper.csv", true), ("own.csv", false)] {
+        let shown = run_in(dir.path(), &format!("fit {name}")).ok();
+        assert_eq!(shown.text().contains("section 3.3.1"), is_there, "{name}");
+        assert_eq!(shown.text().contains("a falls with P"), is_there, "{name}");
+    }
 }
 
 /// Figures in a folder whose name is that of a muscle: the muscle answers by its name as before.

@@ -1,7 +1,6 @@
 //! A formula for readers: its equation in words and in LaTeX.
 
 use super::{Body, Formula, terms::name};
-use crate::joined;
 
 /// Digits of a coefficient for readers; the file has all of them.
 fn digits(v: f64) -> String {
@@ -33,41 +32,36 @@ impl Formula {
         }
     }
 
-    /// The equation with its numbers as LaTeX (amsmath).
+    /// The equation with its numbers as LaTeX: a display of its own, with amsmath.
     pub fn to_latex(&self) -> String {
+        let mut lines = vec![];
         match &self.body {
             Body::Paper(c) => {
-                let mut out = String::from(
-                    "\\begin{aligned}\nF &= (m_a P + q_a)\\,\\varepsilon^2 + (m_b P + \
-                     q_b)\\,\\varepsilon + (m_c P + q_c)\\\\\n",
+                lines.push(
+                    "F &= (m_a P + q_a)\\,\\varepsilon^2 + (m_b P + q_b)\\,\\varepsilon + (m_c P + q_c)"
+                        .to_owned(),
                 );
                 for (letter, block) in [("a", &c.a), ("b", &c.b), ("c", &c.c)] {
                     for (symbol, rows) in [("m", &block[..3]), ("q", &block[3..])] {
-                        let part = |(row, s): (&[f64; 3], &str)| {
+                        let starts = [&format!("{symbol}_{letter} &= "), NEXT, NEXT];
+                        for ((row, s), start) in rows.iter().zip([" s^2", " s", ""]).zip(starts) {
                             let inner = row
                                 .iter()
                                 .zip([" D_0^2", " D_0", ""])
                                 .filter(|(v, _)| **v != 0.0);
-                            format!("({}){s}", sum(inner.map(|(v, d)| (*v, d.to_owned()))))
-                        };
-                        out.push_str(&format!(
-                            "{symbol}_{letter} &= {}\\\\\n",
-                            joined(rows.iter().zip([" s^2", " s", ""]).map(part), " + ")
-                        ));
+                            let inner = sum(inner.map(|(v, d)| (*v, d.to_owned())));
+                            lines.push(format!("{start}({inner}){s}"));
+                        }
                     }
                 }
-                out.push_str("\\end{aligned}\n");
-                out
             }
             Body::Global(t) => {
                 let s = &t.scales;
-                let mut out = format!(
-                    "\\begin{{aligned}}\nx &= \\frac{{s/D_0}}{{{}}},\\quad p \
-                     = \\frac{{P}}{{{}\\,\\mathrm{{MPa}}}},\\quad e \
-                     = \\frac{{\\varepsilon}}{{{}}},\\quad d \
-                     = \\frac{{D_0}}{{{}\\,\\mathrm{{mm}}}}\\\\\n",
+                lines.push(format!(
+                    "x &= \\frac{{s/D_0}}{{{}}},\\quad p = \\frac{{P}}{{{}\\,\\mathrm{{MPa}}}},\\quad e \
+                     = \\frac{{\\varepsilon}}{{{}}},\\quad d = \\frac{{D_0}}{{{}\\,\\mathrm{{mm}}}}",
                     s.wall_ratio, s.pressure_mpa, s.contraction, s.outer_diameter_mm
-                );
+                ));
                 let power = |n: u8| format!("^{{{n}}}");
                 let product = |powers| match name(powers, &["x", "p", "e", "d"], power).as_str() {
                     "1" => String::new(),
@@ -78,15 +72,23 @@ impl Formula {
                     let start = match i {
                         0 => "\\frac{F}{D_0^2} &= ",
                         _ if line.starts_with('-') => "&\\quad ",
-                        _ => "&\\quad + ",
+                        _ => NEXT,
                     };
-                    out.push_str(&format!("{start}{line}\\\\\n"));
+                    lines.push(format!("{start}{line}"));
                 }
-                out.push_str("\\end{aligned}\n");
-                out
             }
         }
+        display(lines)
     }
+}
+
+/// The start of a line that goes on with a sum.
+const NEXT: &str = "&\\quad + ";
+
+/// The lines of an equation as a display of LaTeX.
+pub(super) fn display(lines: Vec<String>) -> String {
+    let lines = lines.join("\\\\\n");
+    format!("\\begin{{align*}}\n{lines}\n\\end{{align*}}\n")
 }
 
 fn sum(parts: impl Iterator<Item = (f64, String)>) -> String {

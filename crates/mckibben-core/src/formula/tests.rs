@@ -385,5 +385,21 @@ fn latex_is_balanced_and_has_every_term() {
         }
         let numbers = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
         assert_eq!(numbers.filter(|n| n.len() == 7).count(), count, "{text}");
+        is_a_display(&text);
     }
+    for f in [UniversalFormula::large(), UniversalFormula::small()] {
+        is_a_display(&f.unwrap().to_latex());
+    }
+}
+
+/// A display of amsmath has an environment of its own, its last line no line break, and a line of
+/// text holds no more than a few terms.
+fn is_a_display(text: &str) {
+    let inner = text.strip_prefix("\\begin{align*}\n");
+    let inner = inner.and_then(|t| t.strip_suffix("\n\\end{align*}\n"));
+    let inner = inner.unwrap_or_else(|| panic!("{text}"));
+    let breaks = inner.lines().filter(|l| l.ends_with("\\\\")).count();
+    assert_eq!(breaks + 1, inner.lines().count(), "{text}");
+    assert!(inner.lines().all(|l| l.matches('&').count() == 1), "{text}");
+    assert!(inner.lines().all(|l| l.len() <= 200), "{text}");
 }

@@ -10,6 +10,7 @@ pub use range::UniversalRange;
 use super::{
     Provenance,
     file::{File, check::share},
+    show::display,
     terms::name,
 };
 use serde::{Deserialize, Serialize};
@@ -121,7 +122,7 @@ impl UniversalFormula {
         )
     }
 
-    /// The equation with its numbers as LaTeX (amsmath).
+    /// The equation with its numbers as LaTeX: a display of its own, with amsmath.
     pub fn to_latex(&self) -> String {
         let sum: Vec<String> = self
             .deficit
@@ -135,7 +136,8 @@ impl UniversalFormula {
                 )
             })
             .collect();
-        let sum = sum.join(" ");
+        let sum: Vec<String> = sum.chunks(4).map(|terms| terms.join(" ")).collect();
+        let sum = sum.join("\\\\\n&\\quad ");
         let (first, rest) = match self.deficit.form {
             Form::Membrane => (
                 "\\delta &= \\int_{R_o}^{r} \\frac{\\lambda_s\\cos\\varphi \
@@ -150,10 +152,12 @@ impl UniversalFormula {
                  + \\mu s},\\quad L = 1 - \\lambda",
             ),
         };
-        format!(
-            "\\begin{{aligned}}\nF &= F_\\infty(\\lambda, P),\\quad \\varepsilon = 1 - \\lambda - \
-             2\\delta/L_0\\\\\n{first}\\bigl({sum}\\bigr)\\\\\n{rest}\n\\end{{aligned}}\n"
-        )
+        let start = "F &= F_\\infty(\\lambda, P),\\quad \\varepsilon = 1 - \\lambda - 2\\delta/L_0";
+        display(vec![
+            start.into(),
+            format!("{first}\\bigl({sum}\\bigr)"),
+            rest.into(),
+        ])
     }
 }
 
