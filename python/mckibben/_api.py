@@ -8511,7 +8511,7 @@ def fit(
     slack_rule
         Treatment of points where the muscle would have to push, in the paper's method.
     at_mm : mm
-        Diameter and wall that figures 5 to 8 show, such as 40x2; 12 too has the diameter, unless one is left out [30x3].
+        Diameter and wall of the table that figures 5 to 8 show, such as 40x2; 12 too has the diameter, unless one is left out [30x3, or the first].
     tables
         Add the intermediate tables of the paper's method to the answer.
     figures
