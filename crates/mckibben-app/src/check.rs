@@ -13,10 +13,10 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Burst, FailurePressure},
+    built::Left,
     extremes::peak,
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
-    uncertainty::UncertaintyParts,
     units::typed::Pressure,
     warning::{Warning, is_of_burst},
 };
@@ -235,18 +235,14 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         pressure_mpa,
         blocked_force_n: point.response.force_n,
         blocked_force_uncertainty_n: point.uncertainty_n,
-        uncertainty_words: UncertaintyWords::at(
-            point.uncertainty_parts_n,
-            &mut model,
-            pressure_mpa,
-        ),
+        uncertainty_words: UncertaintyWords::of(&point, &mut model),
         free_contraction: free,
         work_j: free.and_then(|e| model.work_per_stroke_j(pressure_mpa, 0.0, e).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
         air_normal_litres: air.map(|a| a.normal_litres),
         limits: (&burst).into(),
     };
-    let findings = findings_of(&question.muscle, &burst, &values, point.uncertainty_parts_n)?;
+    let findings = findings_of(&question.muscle, &burst, &values)?;
     let said = said_of(&burst, pressure_mpa, 0.0);
     Ok((
         Some(values),
@@ -263,8 +259,7 @@ pub struct MuscleFinding {
     pub kind: FindingKind,
     /// In a sentence.
     pub text: String,
-    /// 95 % half-width of the blocked force that a measurement leaves at least, N: the ± without
-    /// the part that it replaces.
+    /// Half of the 95 % interval of the blocked force that a measurement leaves, N.
     pub left_n: Option<f64>,
 }
 
@@ -296,7 +291,6 @@ fn findings_of(
     muscle: &Muscle,
     burst: &Burst,
     values: &Characteristics,
-    parts: Option<UncertaintyParts>,
 ) -> Result<Vec<MuscleFinding>> {
     let of = |kind, texts: Vec<String>| {
         texts.into_iter().map(move |text| MuscleFinding {
@@ -311,9 +305,8 @@ fn findings_of(
             FindingKind::Outside,
             outside(muscle, values.pressure_mpa)?,
         ));
-    Ok(findings
-        .chain(parts.iter().flat_map(|parts| measure(parts, values)))
-        .collect())
+    let measurements = values.uncertainty_words.measurements.iter();
+    Ok(findings.chain(measurements.map(measure)).collect())
 }
 
 fn implausible(muscle: &Muscle, burst: &Burst, values: &Characteristics) -> Vec<String> {
@@ -466,60 +459,20 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     Ok(outside)
 }
 
-/// Parts of a ± that a measurement replaces: the name of the part, and what to do.
-const MEASURABLE: [(&str, &str); 6] = [
-    (
-        "friction unknown",
-        "pulls while the muscle shortens and while it lengthens (`identify` finds the friction, \
-         and the rubber beside it)",
-    ),
-    (
-        "rubber",
-        "a tension test of the rubber (`rubber`), or pulls at several pressures (`identify`)",
-    ),
-    (
-        "stiffness of the braid",
-        "number, diameter and modulus of the strands, or the blocked force at a high pressure \
-         (`identify`)",
-    ),
-    (
-        "data sheets",
-        "the pull of your own muscle at some pressures (`identify`)",
-    ),
-    (
-        "another specimen",
-        "the pull of your own muscle at some pressures (`identify`)",
-    ),
-    ("formula", "nothing: the model `fe` does without this part"),
-];
-
-fn measure(parts: &UncertaintyParts, values: &Characteristics) -> Vec<MuscleFinding> {
-    let finding = |text, left| MuscleFinding {
+/// A measurement, and the ± that it leaves.
+fn measure(left: &Left) -> MuscleFinding {
+    let (what, minutes) = left.measurement.words();
+    MuscleFinding {
         kind: FindingKind::Measure,
-        text,
-        left_n: Some(left),
-    };
-    let total = parts.total();
-    let mut named: Vec<(&str, f64)> = parts.named().collect();
-    named.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let each = named.into_iter().filter_map(|(name, part)| {
-        let (_, how) = MEASURABLE.iter().find(|known| known.0 == name)?;
-        let left = (total * total - part * part).max(0.0).sqrt();
-        // A part that changes nothing that is shown.
-        (left < 0.98 * total).then(|| finding(format!("{name}: {how}"), left))
-    });
-    let words = &values.uncertainty_words;
-    let whole = words
-        .bench_uncertainty_n
-        .map(|left| finding(words.bench.clone().unwrap_or_default(), left));
-    whole.into_iter().chain(each).collect()
+        text: format!("{what} (about {minutes}\u{a0}min)"),
+        left_n: Some(left.uncertainty_n),
+    }
 }
 
 impl CheckAnswer {
     /// The findings of a kind, in sentences with units; warnings are of the implausible, but for
     /// those of the burst pressure.
     pub fn sentences(&self, kind: FindingKind, u: &Units) -> Vec<String> {
-        let words = self.characteristics.as_ref().map(|c| &c.uncertainty_words);
         let warnings = self
             .warnings
             .iter()
@@ -529,14 +482,10 @@ impl CheckAnswer {
             .iter()
             .filter(|finding| finding.kind == kind)
             .map(|finding| match finding.left_n {
-                Some(left) if Some(left) == words.and_then(|w| w.bench_uncertainty_n) => {
-                    words.and_then(|w| w.bench_in(u)).unwrap_or_default()
-                }
                 Some(left) => {
                     let text = &finding.text;
-                    let least = u.force.half_width(left);
-                    let unit = &u.force.name;
-                    format!("{text}; the ± would still be at least {least} {unit}")
+                    let half = u.force.half_width(left);
+                    format!("{text}: ± {half}\u{a0}{}", u.force.name)
                 }
                 None => finding.text.clone(),
             });

@@ -61,7 +61,7 @@ impl LibraryMuscle {
             .map_or((0.0, 0), |b| (b.pressure_mpa.1, b.points));
         let mut model = Evaluation::new(&*model, w, Direction::Mean);
         let blocked = model.force_n(pressure_mpa, 0.0).ok();
-        let half = blocked.and_then(|n| model.uncertainty(pressure_mpa, 0.0, n));
+        let built = blocked.and_then(|n| model.predicted(pressure_mpa, 0.0, n));
         Ok(Self {
             facts: Facts {
                 name: format!("{PREFIX}{}", facts.name),
@@ -70,7 +70,7 @@ impl LibraryMuscle {
             muscle: muscle.into(),
             pressure_mpa,
             blocked_force_n: blocked,
-            uncertainty_n: half.map(|parts| parts.total()),
+            uncertainty_n: built.map(|(built, _)| built.half_n()),
             free_contraction: model.free_contraction(pressure_mpa).ok(),
             points,
         })
@@ -109,7 +109,13 @@ pub fn library_details(name: &str) -> Result<Option<LibraryDetails>, Problem> {
             .unwrap_or_default(),
         identified: muscle
             .bench()
-            .map(|bench| bench.parameters.clone())
+            .map(|bench| {
+                bench
+                    .constants
+                    .iter()
+                    .map(|c| c.word().to_owned())
+                    .collect()
+            })
             .unwrap_or_default(),
         agreement: agreement(case, muscle, &|m: &Muscle| Model::FE.build(m)),
         muscle_file: file,

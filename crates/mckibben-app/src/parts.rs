@@ -10,11 +10,11 @@ use crate::{
     library_details, library_muscles, rubber_details, rubbers, sleeve_details, sleeves,
 };
 use mckibben_core::{
+    built::basis_of,
     model::{ModelEntry, ModelError},
     muscle::Muscle,
     nearest::{meant, nearest},
     sleeve::{self, SleeveEntry},
-    uncertainty::basis_of,
 };
 use mckibben_design::tubes::{self, TubePart};
 use mckibben_fit::validation::library;

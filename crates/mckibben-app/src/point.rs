@@ -11,10 +11,10 @@ use crate::{
 use mckibben_core::{
     analysis::{Burst, Evaluation, source_of},
     answer::{Answer, Options},
+    built::basis_of,
     extremes::peak,
     model::{ForceModel, Workspace},
     muscle::{Direction, Muscle},
-    uncertainty::basis_of,
     units::{
         NamedUnit,
         typed::{Force, Pressure},
@@ -361,12 +361,8 @@ impl Question {
     pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
         put_first(&mut of.warnings, said_of(&burst, highest_mpa, QUIET_MPA));
-        let parts = of.uncertainty_parts_n;
-        let pressure_mpa = of.response.pressure_mpa;
-        let model = &mut self.evaluation();
         Ok(Background {
-            uncertainty_words: UncertaintyWords::at(parts, model, pressure_mpa)
-                .with_branch(of, model),
+            uncertainty_words: UncertaintyWords::of(of, &mut self.evaluation()),
             limits: (&burst).into(),
             muscle: (&self.muscle).into(),
             about: ModelAbout {

@@ -1,89 +1,98 @@
-//! The ± in words: one text for the terminal, the report and the page.
+//! What a muscle that is built will pull, in words: one text for the terminal, the report and the
+//! page.
 
-use crate::{Scale, Units, words::part};
-use mckibben_core::{analysis::Evaluation, answer::Answer, uncertainty::UncertaintyParts};
+use crate::{
+    Scale, Units,
+    words::{part, within},
+};
+use mckibben_core::{
+    analysis::Evaluation,
+    answer::Answer,
+    built::{Built, Left, UncertaintyParts},
+    joined,
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Points of the suggested test.
-const BENCH_POINTS: usize = 10;
-/// Its lower pressure over the higher one, about.
-const LOWER_PRESSURE: f64 = 0.4;
-/// A bench is worth its work where it leaves less than this share of the ±.
-const WORTH: f64 = 0.8;
+/// A measurement is worth its work where it leaves less than this share of the ±.
+const WORTH: f64 = 0.85;
+/// Measurements that a text names.
+const NAMED: usize = 3;
 
-/// The ± of a pull in words, and the suggested test that would make it smaller.
+/// What a muscle that is built will pull in words, its ± with the parts, and what to measure.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct UncertaintyWords {
+    /// What it will pull:
+    /// `520 N (170 N to 900 N, 95 %) while it shortens: friction −145, take-up −100, ends −55`.
+    pub built: Option<String>,
     /// The ± with its parts:
-    /// `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
+    /// `± 170 N (95 %): rubber 100, friction 90, ends 50, mesh 1`.
     pub text: Option<String>,
-    /// 95 % half-width of the pull after `identify` from the suggested test, N; none where the
-    /// muscle was measured, or where this helps little.
-    #[serde(skip)]
-    pub bench_uncertainty_n: Option<f64>,
-    /// That bench:
-    /// `10 points on both branches at 0.1 MPa and 0.3 MPa would reduce the ± to about 30 N`.
+    /// What to measure, and the ± that is left:
+    /// `hang the load and set the pressure: ± 62 N (10 min)`.
     pub bench: Option<String>,
-    /// What a selected branch would make of it, where the friction is not known:
-    /// `a branch, shortening or lengthening, would reduce the ± to about 70 N`.
-    pub branch: Option<String>,
-    /// That ± while the muscle shortens, N.
-    #[serde(skip)]
-    pub branch_uncertainty_n: Option<f64>,
+    /// What each measurement leaves of the ±, the best first; none of a muscle that was identified.
+    pub measurements: Vec<Left>,
     #[serde(skip)]
     parts: Option<UncertaintyParts>,
     #[serde(skip)]
-    pressure_mpa: f64,
+    pull: Option<Built>,
 }
 
 impl UncertaintyWords {
-    /// Of the ± of a pull at a pressure by a model.
+    /// Of an answer of a model.
+    pub(crate) fn of(answer: &Answer, model: &mut Evaluation<'_>) -> Self {
+        Self::at(
+            answer.built.zip(answer.uncertainty_parts_n),
+            (answer.response.pressure_mpa, answer.response.contraction),
+            model,
+        )
+    }
+
+    /// Of what a muscle that is built pulls at a pressure and a contraction.
     pub(crate) fn at(
-        parts: Option<UncertaintyParts>,
+        predicted: Option<(Built, UncertaintyParts)>,
+        (pressure_mpa, contraction): (f64, f64),
         model: &mut Evaluation<'_>,
-        pressure_mpa: f64,
     ) -> Self {
-        // The ± after the suggested test, where the muscle was not measured and it helps. Of one
-        // whose constants come from another specimen or length it is not known.
-        let left = parts
-            .filter(|p| p.fit.is_none() && p.transfer.is_none() && p.length_transfer.is_none())
-            .and_then(|parts| {
-                model
-                    .identified_n(pressure_mpa)
-                    .filter(|left| *left > 0.0 && *left < WORTH * parts.total())
-            });
+        let (pull, parts) = predicted.unzip();
+        let measurements = if pull.is_some_and(|pull| pull.predicted_n > 0.0) {
+            model.measurements(pressure_mpa, contraction)
+        } else {
+            vec![]
+        };
         let mut out = Self {
-            bench_uncertainty_n: left,
+            measurements,
             parts,
-            pressure_mpa,
+            pull,
             ..Self::default()
         };
-        (out.text, out.bench) = (
-            out.text_in(&Units::default()),
-            out.bench_in(&Units::default()),
-        );
+        let u = &Units::default();
+        (out.built, out.text, out.bench) = (out.built_in(u), out.text_in(u), out.bench_in(u));
         out
     }
 
-    /// With what a branch would make of the ± of an answer.
-    pub(crate) fn with_branch(mut self, answer: &Answer, model: &mut Evaluation<'_>) -> Self {
-        let whole = answer.uncertainty_n.unwrap_or(0.0);
-        self.branch_uncertainty_n = model
-            .on_branch_n(answer)
-            .filter(|half| *half < WORTH * whole);
-        self.branch = self.branch_in(&Units::default());
-        self
-    }
-
-    /// What a selected branch would make of it, in units.
-    pub fn branch_in(&self, u: &Units) -> Option<String> {
-        let half = u.force.half_width(self.branch_uncertainty_n?);
-        let force = &u.force.name;
-        Some(format!(
-            "a branch, shortening or lengthening, would reduce the ± to about {half}\u{a0}{force}"
-        ))
+    /// What a muscle that is built pulls, in units.
+    pub fn built_in(&self, u: &Units) -> Option<String> {
+        let pull = self.pull?;
+        let force = &u.force;
+        let shift = pull.predicted_shift_n;
+        let shifts = [
+            ("friction", shift.friction),
+            ("take-up", shift.take_up),
+            ("ends", shift.ends),
+            ("factor", shift.factor),
+        ];
+        let least_n = 0.005 * pull.predicted_high_n.abs();
+        let shifts = shifts.into_iter().filter(|(_, n)| n.abs() > least_n);
+        let shifts = shifts.map(|(name, n)| {
+            let sign = if n < 0.0 { "−" } else { "+" };
+            format!("{name} {sign}{}", force.half_width(n.abs()))
+        });
+        let shifts = joined(shifts, ", ");
+        let colon = if shifts.is_empty() { "" } else { ": " };
+        Some(format!("{}{colon}{shifts}", interval(&pull, force)))
     }
 
     /// The ± with its parts, in units.
@@ -91,14 +100,48 @@ impl UncertaintyWords {
         self.parts.map(|parts| breakdown(&parts, &u.force))
     }
 
-    /// The suggested test, in units.
+    /// What to measure, in units; none where nothing helps much.
     pub fn bench_in(&self, u: &Units) -> Option<String> {
-        bench(self.bench_uncertainty_n?, self.pressure_mpa, u)
+        let now_n = self.parts?.total();
+        let worth = self.worth(now_n);
+        let each = worth.take(NAMED).map(|left| {
+            let half = u.force.half_width(left.uncertainty_n);
+            let (what, minutes) = left.measurement.words();
+            format!(
+                "{what}: ± {half}\u{a0}{} ({minutes}\u{a0}min)",
+                u.force.name
+            )
+        });
+        Some(joined(each, "; ")).filter(|text| !text.is_empty())
+    }
+
+    /// Measurements that leave less than most of a ±.
+    fn worth(&self, now_n: f64) -> impl Iterator<Item = &Left> {
+        let helps = move |left: &&Left| left.uncertainty_n < WORTH * now_n;
+        self.measurements.iter().filter(helps)
     }
 }
 
+/// A median with its interval and branch: `520 N (170 N to 900 N, 95 %) while it shortens`.
+pub fn interval(pull: &Built, scale: &Scale) -> String {
+    let half_n = pull.half_n();
+    let shown = |n: f64| within(scale.value(n), scale.value(half_n));
+    let way = if pull.predicted_direction.is_mean() {
+        String::new()
+    } else {
+        format!(" while {}", pull.predicted_direction.motion())
+    };
+    let unit = &scale.name;
+    format!(
+        "{}\u{a0}{unit} ({}\u{a0}{unit} to {}\u{a0}{unit}, 95 %){way}",
+        shown(pull.predicted_n),
+        shown(pull.predicted_low_n),
+        shown(pull.predicted_high_n)
+    )
+}
+
 /// A ± with its parts, the largest first:
-/// `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
+/// `± 170 N (95 %): rubber 100, friction 90, mesh 1`.
 pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
     let whole = parts.total();
     let mut named: Vec<(&str, f64)> = parts.named().collect();
@@ -117,23 +160,4 @@ pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
     } else {
         format!("{head}: {}", each.join(", "))
     }
-}
-
-/// The suggested test for a ± of `left_n` about a pressure; `None` without pressure.
-pub fn bench(left_n: f64, pressure_mpa: f64, u: &Units) -> Option<String> {
-    let high = u.pressure.value(pressure_mpa);
-    if !(high > 0.0 && high.is_finite()) {
-        return None;
-    }
-    let unit = 10f64.powi((LOWER_PRESSURE * high).log10().floor() as i32);
-    let low = (LOWER_PRESSURE * high / unit).round() * unit;
-    let low = crate::words::number(low, 1);
-    let high = u.pressure.to(pressure_mpa, 3);
-    let left = u.force.half_width(left_n);
-    let pressure = &u.pressure.name;
-    let force = &u.force.name;
-    Some(format!(
-        "{BENCH_POINTS} points on both branches at {low}\u{a0}{pressure} and \
-         {high}\u{a0}{pressure} would reduce the ± to about {left}\u{a0}{force}"
-    ))
 }

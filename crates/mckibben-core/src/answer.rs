@@ -5,10 +5,10 @@ pub use crate::analysis::Options;
 
 use crate::{
     analysis::{AnalysisError, Evaluation},
+    built::{Built, UncertaintyParts},
     model::{ModelError, Response, Result},
     muscle::Direction,
     rubber::RubberLaw,
-    uncertainty::UncertaintyParts,
     warning::{Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n},
 };
 use serde::{Deserialize, Serialize};
@@ -39,26 +39,30 @@ pub struct Answer {
     pub free_contraction: Option<f64>,
     /// P′ at this contraction in MPa, where there is one.
     pub start_pressure_mpa: Option<f64>,
-    /// 95 % half-width of the pull in N against a measured muscle, where the model's error is
-    /// known.
+    /// What a muscle that is built will pull there, where the model's error is known.
+    #[serde(flatten)]
+    pub built: Option<Built>,
+    /// Half of the 95 % interval of what a muscle that is built will pull, N.
     pub uncertainty_n: Option<f64>,
-    /// Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the
-    /// slope ∂F/∂P.
-    pub pressure_uncertainty_mpa: Option<f64>,
-    /// Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the
-    /// slope ∂F/∂ε.
-    pub contraction_uncertainty: Option<f64>,
-    /// Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the
-    /// pull's ± there is the wanted pull.
-    pub pressure_low_mpa: Option<f64>,
-    /// Its upper end.
-    pub pressure_high_mpa: Option<f64>,
-    /// Of a contraction that was sought: the lower end of its 95 % interval, likewise.
-    pub contraction_low: Option<f64>,
-    /// Its upper end; none where the pull never leaves its ±.
-    pub contraction_high: Option<f64>,
     /// Its parts, each a 95 % half-width in N; they add as squares.
     pub uncertainty_parts_n: Option<UncertaintyParts>,
+    /// Of a pressure that was sought: the one at which a muscle that is built will pull this, by
+    /// the median, MPa.
+    pub predicted_mpa: Option<f64>,
+    /// Lower end of its 95 % interval, MPa.
+    pub predicted_low_mpa: Option<f64>,
+    /// Upper end, MPa.
+    pub predicted_high_mpa: Option<f64>,
+    /// Half of what lies between, MPa.
+    pub pressure_uncertainty_mpa: Option<f64>,
+    /// Of a contraction that was sought: that of a muscle that is built, by the median.
+    pub predicted: Option<f64>,
+    /// Lower end of its 95 % interval.
+    pub predicted_low: Option<f64>,
+    /// Upper end.
+    pub predicted_high: Option<f64>,
+    /// Half of what lies between.
+    pub contraction_uncertainty: Option<f64>,
     /// Of a muscle that extends: the push in N at which it buckles between two joints, by the
     /// bending stiffness of its wall alone.
     pub buckling_load_n: Option<f64>,
@@ -220,14 +224,23 @@ impl Evaluation<'_> {
         let response = if broken { response.hanging() } else { response };
         // Where strands stretch further than in any muscle that was measured, no ± is known.
         let valid = !broken && !warnings.iter().any(|w| w.kind == WarningKind::StrandStrain);
-        let parts = valid
-            .then(|| self.uncertainty(pressure_mpa, contraction, response.force_n))
+        // Where the muscle is slack, what it would push tells how near it is to a pull.
+        let predicted = valid
+            .then(|| {
+                let force_n = if two_sided_force_n.is_finite() {
+                    two_sided_force_n
+                } else {
+                    0.0
+                };
+                self.predicted(pressure_mpa, contraction, force_n)
+            })
             .flatten();
         Ok(Answer {
             model: model.info().name.to_string(),
             direction: options.direction,
-            uncertainty_n: parts.map(|p| p.total()),
-            uncertainty_parts_n: parts,
+            built: predicted.map(|p| p.0),
+            uncertainty_n: predicted.map(|p| p.0.half_n()),
+            uncertainty_parts_n: predicted.map(|p| p.1),
             response,
             slack,
             two_sided_force_n,
@@ -245,75 +258,63 @@ impl Evaluation<'_> {
     pub fn pressure(&mut self, force_n: f64, contraction: f64) -> Result<Answer, AnalysisError> {
         let pressure_mpa = self.sought_pressure(force_n, contraction)?;
         let mut answer = exactly(self.answer(pressure_mpa, contraction)?, force_n);
-        if let Some(half_n) = answer.uncertainty_n {
-            let slope = self.force_per_pressure_mm2(&answer.response).ok();
-            // Where the ± is wider than the pressure itself, a straight line through the point says
-            // nothing.
-            let slope = if self.model.muscle().is_extensile() {
-                slope.map(f64::abs)
-            } else {
-                slope
-            };
-            let half = slope.map(|slope| half_n / slope);
-            answer.pressure_uncertainty_mpa =
-                half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
-            if answer.pressure_uncertainty_mpa.is_none() {
-                answer.warnings.push(Warning::flat("pressure", half_n));
-            }
+        let slope = self.force_per_pressure_mm2(&answer.response).ok();
+        let at = |p: f64| (p, contraction);
+        let reach = REACH * pressure_mpa.max(FLAT_MPA);
+        let places =
+            slope.map(|slope| self.built_at(&answer, (pressure_mpa, slope, reach), at, |_| 0.0));
+        let [low, median, high] = places.unwrap_or_default();
+        // Where the pull rises with the pressure, its upper end is met first.
+        let ends = low.zip(high).map(|(a, b)| (a.min(b), a.max(b)));
+        (answer.predicted_low_mpa, answer.predicted_high_mpa) = ends.unzip();
+        answer.predicted_mpa = median;
+        answer.pressure_uncertainty_mpa = ends.map(|(low, high)| 0.5 * (high - low));
+        if let Some(half_n) = answer.uncertainty_n.filter(|_| ends.is_none()) {
+            answer.warnings.push(Warning::flat("pressure", half_n));
         }
-        let half = answer.pressure_uncertainty_mpa;
-        let at = |p: f64| (p.max(0.0), contraction);
-        [answer.pressure_low_mpa, answer.pressure_high_mpa] =
-            self.interval(force_n, (pressure_mpa, half), at);
         Ok(answer)
     }
 
-    /// The ends of the interval of a pressure or contraction that was sought, from its value and the
-    /// half-width that the slope there makes: where an end of the ± of the pull is the wanted one.
-    /// `at` gives pressure and contraction of a place. `None` where there is no such end near.
-    fn interval(
+    /// Where the lower end, the median and the upper end of the pull of a muscle that is built are
+    /// the pull of an answer and `more_n` of the place, from the place of the answer and the slope of
+    /// the pull there, up to `reach` away. `at` gives pressure and contraction of a place. `None`
+    /// where there is none.
+    fn built_at(
         &mut self,
-        force_n: f64,
-        (value, half): (f64, Option<f64>),
+        answer: &Answer,
+        (place, slope, reach): (f64, f64, f64),
         at: impl Fn(f64) -> (f64, f64),
-    ) -> [Option<f64>; 2] {
-        // How far an end is sought, in half-widths, and how well it is known.
-        const REACH: f64 = 4.0;
-        const KNOWN: f64 = 1e-3;
-        const STEPS: usize = 40;
-        const STRAIGHT: usize = 5;
-        let Some(half) = half.filter(|half| *half > 0.0) else {
-            return [None; 2];
-        };
+        more_n: impl Fn(f64) -> f64,
+    ) -> [Option<f64>; 3] {
+        if answer.built.is_none() {
+            return [None; 3];
+        }
         let two_sided = Options {
             two_sided: true,
             ..self.options
         };
-        // The ends of a model of bricks are as far from its value as those of its section.
+        // A model of bricks is as far from its section at every place.
         let companion = self.model.companion();
         let mut model = Evaluation::new(companion.unwrap_or(self.model), self.workspace, two_sided);
-        let (p, e) = at(value);
-        let force_n = match companion {
-            Some(_) => model.force_n(p, e).unwrap_or(force_n),
-            None => force_n,
+        let (p, e) = at(place);
+        let off_n = companion.map_or(0.0, |_| {
+            let section_n = model.force_n(p, e).unwrap_or(answer.response.force_n);
+            answer.response.force_n - section_n
+        });
+        let mut built = |place: f64| -> Option<Built> {
+            let (p, e) = at(place);
+            let force_n = off_n + model.force_n(p, e).ok()?;
+            Some(model.predicted(p, e, force_n)?.0)
         };
-        [-half, half].map(|mut step| {
-            for pass in 0..STEPS {
-                let (p, e) = at(value + step);
-                let pull_n = model.force_n(p, e).ok()?;
-                // The step is right where the pull is off by its own half-width.
-                let ratio = model.uncertainty(p, e, pull_n)?.total() / (pull_n - force_n).abs();
-                if (ratio - 1.0).abs() < KNOWN {
-                    return Some(value + step);
-                }
-                // Exact of a straight line; where the pull bends much, halved steps converge.
-                let power = if pass < STRAIGHT { 1.0 } else { 0.5 };
-                step *= ratio.clamp(0.25, 4.0).powf(power);
-                if step.abs() > REACH * half {
-                    return None;
-                }
-            }
-            None
+        let force_n = answer.response.force_n;
+        let ends: [fn(&Built) -> f64; 3] = [
+            |b| b.predicted_low_n,
+            |b| b.predicted_n,
+            |b| b.predicted_high_n,
+        ];
+        ends.map(|end| {
+            let missed = |x: f64| Some(end(&built(x)?) - force_n - more_n(x));
+            secant(missed, (place, slope, reach), force_n)
         })
     }
 
@@ -343,12 +344,38 @@ impl Evaluation<'_> {
         if contraction < 0.0 && force_n > 0.0 && !self.model.muscle().is_extensile() {
             answer.warnings.push(Warning::from(STRETCHED.to_owned()));
         }
+        Ok(self.with_built_contraction(answer, 0.0))
+    }
+
+    /// An answer whose contraction was sought, with that of a muscle that is built, where the pull
+    /// that holds it grows by `load_n_per_mm` with the shortening.
+    pub(crate) fn with_built_contraction(
+        &mut self,
+        mut answer: Answer,
+        load_n_per_mm: f64,
+    ) -> Answer {
+        let Response {
+            pressure_mpa,
+            contraction,
+            ..
+        } = answer.response;
+        let length_mm = self.model.muscle().length_mm();
         let stiffness = self.stiffness_n_per_mm(&answer.response).ok();
-        let mut answer = answer.with_contraction_sought(stiffness, self.model.muscle().length_mm());
-        let sought = (contraction, answer.contraction_uncertainty);
-        [answer.contraction_low, answer.contraction_high] =
-            self.interval(force_n, sought, |e| (pressure_mpa, e));
-        Ok(answer)
+        let slope = stiffness.map(|k| -(k + load_n_per_mm) * length_mm);
+        let at = |e: f64| (pressure_mpa, e);
+        let more_n = |e: f64| load_n_per_mm * length_mm * (e - contraction);
+        let places = slope.map(|slope| {
+            self.built_at(&answer, (contraction, slope, FLAT_CONTRACTION), at, more_n)
+        });
+        let [low, median, high] = places.unwrap_or_default();
+        let ends = low.zip(high).map(|(a, b)| (a.min(b), a.max(b)));
+        (answer.predicted_low, answer.predicted_high) = ends.unzip();
+        answer.predicted = median;
+        answer.contraction_uncertainty = ends.map(|(low, high)| 0.5 * (high - low));
+        if let Some(half_n) = answer.uncertainty_n.filter(|_| ends.is_none()) {
+            answer.warnings.push(Warning::flat("contraction", half_n));
+        }
+        answer
     }
 
     /// The number alone that [`Evaluation::pressure`] seeks, in MPa.
@@ -421,30 +448,42 @@ impl Evaluation<'_> {
     }
 }
 
-/// A ± of a pressure above this, in MPa, and above the pressure itself is none.
+/// Pressures below this, in MPa, are as uncertain as this one.
 pub(crate) const FLAT_MPA: f64 = 0.1;
-
-impl Answer {
-    /// The same, where the contraction was sought; the stiffness is that of the muscle and of the
-    /// load, where there is one.
-    pub(crate) fn with_contraction_sought(
-        mut self,
-        stiffness_n_per_mm: Option<f64>,
-        length_mm: f64,
-    ) -> Self {
-        if let Some(half_n) = self.uncertainty_n {
-            let half = stiffness_n_per_mm.map(|k| half_n / (k.abs() * length_mm));
-            self.contraction_uncertainty = half.filter(|h| *h <= FLAT_CONTRACTION);
-            if self.contraction_uncertainty.is_none() {
-                self.warnings.push(Warning::flat("contraction", half_n));
-            }
-        }
-        self
-    }
-}
-
-/// A ± of a contraction above this is none: no muscle contracts by more.
+/// How far the pressure of a muscle that is built may lie from that of the model, in such.
+const REACH: f64 = 4.0;
+/// The same of a contraction.
 const FLAT_CONTRACTION: f64 = 0.4;
+
+/// The root of a falling or rising function of a place, from a place near it and its slope there, by
+/// secants; `None` where it is not found within `reach`.
+fn secant(
+    mut missed: impl FnMut(f64) -> Option<f64>,
+    (place, mut slope, reach): (f64, f64, f64),
+    scale: f64,
+) -> Option<f64> {
+    const STEPS: usize = 30;
+    const KNOWN: f64 = 1e-7;
+    let (mut x, mut miss) = (place, missed(place)?);
+    for _ in 0..STEPS {
+        if miss.abs() <= KNOWN * (1.0 + scale.abs()) {
+            return Some(x);
+        }
+        let step = (-miss / slope).clamp(-0.5 * reach, 0.5 * reach);
+        let next = x + step;
+        if !step.is_finite() || (next - place).abs() > reach {
+            return None;
+        }
+        let there = missed(next)?;
+        let secant = (there - miss) / step;
+        // A slope of the other sign leads away.
+        if secant * slope > 0.0 {
+            slope = secant;
+        }
+        (x, miss) = (next, there);
+    }
+    None
+}
 
 /// Said of a contraction below zero that a pull made.
 const STRETCHED: &str =

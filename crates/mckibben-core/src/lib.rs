@@ -45,6 +45,7 @@
 
 pub mod analysis;
 pub mod answer;
+pub mod built;
 pub mod catalogue;
 pub mod curve;
 pub mod differences;
@@ -66,7 +67,6 @@ pub mod sleeve;
 pub mod status;
 pub mod study;
 pub mod threads;
-pub mod uncertainty;
 pub mod verification;
 pub mod warning;
 

@@ -95,9 +95,9 @@ fn meets(spec: &Spec, is_cut: bool, build: &Build<'_>, product: Product<'_>) -> 
     let w = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, w, held.options());
     let mut at = |q: &OperatingPoint| {
-        let force_n = model.force_n(max_pressure_mpa, q.contraction).ok()?;
-        let parts = model.uncertainty(max_pressure_mpa, q.contraction, force_n)?;
-        Some((*q, force_n, parts.total()))
+        let model_n = model.force_n(max_pressure_mpa, q.contraction).ok()?;
+        let (built, _) = model.predicted(max_pressure_mpa, q.contraction, model_n)?;
+        Some((*q, built.predicted_n, built.half_n()))
     };
     let all: Vec<(OperatingPoint, f64, f64)> = points.iter().map(&mut at).collect::<Option<_>>()?;
     let spare = |(q, force_n, half): &(OperatingPoint, f64, f64)| (force_n - half) / q.force_n;

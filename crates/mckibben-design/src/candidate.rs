@@ -7,6 +7,7 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation, burst},
+    built::Built,
     extremes::peak,
     model::{ModelError, Response},
     muscle::Muscle,
@@ -34,35 +35,16 @@ pub struct CandidatePoint {
     /// Liquid pushed in from rest to this point, measured at atmospheric pressure, mm³.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_volume_mm3: Option<f64>,
-    /// 95 % half-width of the pull, N.
+    /// The model's own pull there on the branch that is wanted, N.
+    pub model_force_n: f64,
+    /// Half of the 95 % interval of what a muscle that is built pulls, N.
     pub uncertainty_n: Option<f64>,
     /// What friction adds to the model's pull on the branch that is wanted, N: below zero while the
     /// muscle shortens, 0 of the mean of both branches.
     pub friction_n: f64,
+    /// What a muscle that is built pulls there.
     #[serde(flatten)]
     pub built: Option<Built>,
-}
-
-/// What a muscle that is built pulls at an operating point: while it shortens, with the friction
-/// that is stated or estimated.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct Built {
-    /// What it will pull, N.
-    pub predicted_n: f64,
-    /// Lower end of the 95 % interval, N.
-    pub predicted_low_n: f64,
-    /// Upper end of the 95 % interval, N.
-    pub predicted_high_n: f64,
-}
-
-impl Built {
-    pub(super) fn new(predicted_n: f64, half_n: f64) -> Self {
-        Self {
-            predicted_n,
-            predicted_low_n: predicted_n - half_n,
-            predicted_high_n: predicted_n + half_n,
-        }
-    }
 }
 
 /// A muscle that fits.
@@ -135,7 +117,7 @@ fn point_of(
     response.pressure_mpa = pressure_mpa;
     response.force_n = match spec.guaranteed {
         None => wanted.force_n,
-        Some(_) => trial.evaluation().force_n(pressure_mpa, contraction)?,
+        Some(_) => trial.pull_n(pressure_mpa, contraction)?,
     };
     from_thick_wall.extend(filled);
     let (stroke, helped) = trial.stroke(pressure_mpa, contraction);
@@ -147,17 +129,18 @@ fn point_of(
         });
     }
     let friction_n = trial.evaluation().friction_n(pressure_mpa, contraction)?;
-    let uncertainty_n = trial.uncertainty_n((pressure_mpa, contraction), response.force_n);
+    let built = trial.predicted(pressure_mpa, contraction);
     Ok(CandidatePoint {
+        model_force_n: trial.evaluation().force_n(pressure_mpa, contraction)?,
         friction_n,
-        built: trial.built(&response, uncertainty_n),
+        uncertainty_n: built.map(|built| built.half_n()),
+        built,
         force_at_max_pressure_n: available_n,
         margin: available_n / wanted.force_n - 1.0,
         response,
         wanted,
         air_normal_litres: stroke.filter(|_| spec.liquid.is_none()),
         liquid_volume_mm3: stroke.filter(|_| spec.liquid.is_some()),
-        uncertainty_n,
     })
 }
 

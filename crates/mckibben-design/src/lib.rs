@@ -40,7 +40,7 @@ pub mod tubes;
 
 pub use bought::Bought;
 pub use bundle::{Bundle, BundlePoint};
-pub use candidate::{Built, Candidate, CandidatePoint};
+pub use candidate::{Candidate, CandidatePoint};
 pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
 pub use joint::design_joint;
 pub use limits::{

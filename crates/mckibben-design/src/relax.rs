@@ -298,8 +298,7 @@ impl Miss<'_> {
                     }
                     let mut least = f64::INFINITY;
                     for q in nearer.points(length_mm).iter() {
-                        let pull_n = trial.evaluation().force_n(max, q.contraction)?;
-                        least = least.min(trial.sure_n(max, q.contraction, pull_n) / q.force_n);
+                        least = least.min(trial.sure_n(max, q.contraction)? / q.force_n);
                     }
                     Ok::<f64, ModelError>(1.0 - least)
                 };
@@ -378,10 +377,13 @@ impl Miss<'_> {
         };
         let mut model = Evaluation::new(model, &mut trial.workspace, beyond);
         let points = self.spec.points(self.muscle);
-        let needs = points
+        let alone: Option<Vec<f64>> = points
             .iter()
-            .map(|q| model.pressure_at(q.force_n, q.contraction).ok());
+            .map(|q| model.pressure_at(q.force_n, q.contraction).ok())
+            .collect();
+        let needs = alone?.into_iter().zip(points.iter());
         needs
+            .map(|(alone_mpa, q)| trial.need_from(q, alone_mpa).ok()?)
             .collect::<Option<Vec<f64>>>()?
             .into_iter()
             .reduce(f64::max)

@@ -55,6 +55,9 @@ pub struct Spec {
     /// Distance in mm between the axes of neighbours; that of the largest envelope, or the bulged
     /// diameter, where there is none.
     pub pitch_mm: Option<f64>,
+    /// Whether it is met by what a muscle that is built pulls, by the median; else by the model's own
+    /// pull on the branch.
+    pub built: bool,
     /// The branch on which it must pull, where its friction is stated or estimated.
     pub direction: Direction,
     /// What the supply gives, in MPa.
@@ -112,6 +115,7 @@ impl Spec {
             wanted: points.into(),
             count: 1,
             pitch_mm: None,
+            built: true,
             direction: Direction::Contraction,
             max_pressure_mpa,
             supply_share: SUPPLY_SHARE,
@@ -154,27 +158,19 @@ impl Spec {
     /// How its models are evaluated: with the friction that is stated or estimated, on the branch
     /// that is wanted.
     pub fn options(&self) -> Options {
-        self.options_on(self.direction)
-    }
-
-    /// Whether the branch that is wanted is that of a muscle that is built, which lifts against its
-    /// friction where that is known.
-    pub fn is_as_built(&self) -> bool {
-        self.options_on(Direction::Contraction).direction == self.options().direction
-    }
-
-    /// The same on another branch; the mean of both where the friction is not known.
-    pub(super) fn options_on(&self, direction: Direction) -> Options {
         let friction_share = if self.wanted.extends() {
             0.0
         } else {
             self.base.friction_share()
         };
         let known = friction_share > 0.0 || self.base.friction().is_some();
-        let direction = if known { direction } else { Direction::Mean };
         Options {
             extrapolate: self.extrapolate,
-            direction,
+            direction: if known {
+                self.direction
+            } else {
+                Direction::Mean
+            },
             friction_share,
             ..Options::default()
         }

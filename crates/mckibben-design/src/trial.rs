@@ -3,14 +3,16 @@
 
 use crate::{
     Build, OperatingPoint, Spec,
-    candidate::Built,
     limits::pressure::{self, Below},
 };
 use mckibben_core::{
-    analysis::{AnalysisError, Burst, Evaluation, NoBurst, RELIEF, burst_below, find_root},
+    analysis::{
+        AnalysisError, Burst, Evaluation, NoBurst, Options, RELIEF, burst_below, find_root,
+    },
+    built::Built,
     cancel,
     model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace},
-    muscle::{Direction, Muscle},
+    muscle::Muscle,
 };
 
 pub struct Trial<'a> {
@@ -75,65 +77,85 @@ impl<'a> Trial<'a> {
         Evaluation::new(&*self.model, &mut self.workspace, self.spec.options())
     }
 
+    /// The pull that is held against what is wanted, without a ±: that of a muscle that is built, or
+    /// the model's own.
+    pub fn pull_n(&mut self, p: f64, contraction: f64) -> Result<f64> {
+        let built = self.spec.built;
+        let mut model = self.evaluation();
+        if built {
+            model.built_n(p, contraction)
+        } else {
+            model.force_n(p, contraction)
+        }
+    }
+
+    /// The same, or the end of the ± that must meet the requirement where that is guaranteed.
+    pub fn sure_n(&mut self, p: f64, contraction: f64) -> Result<f64> {
+        let pull_n = self.pull_n(p, contraction)?;
+        let Some(widths) = self.half_widths else {
+            return Ok(pull_n);
+        };
+        let half_n = self.predicted(p, contraction).map_or(0.0, |b| b.half_n());
+        let sign = if self.spec.wanted.extends() {
+            -1.0
+        } else {
+            1.0
+        };
+        Ok(pull_n - sign * widths * half_n)
+    }
+
     /// The pull at the highest pressure.
     pub fn strongest_n(&mut self, contraction: f64) -> Result<f64> {
-        let max = self.highest_mpa;
-        self.evaluation().force_n(max, contraction)
+        self.pull_n(self.highest_mpa, contraction)
     }
 
-    /// The end of the ± of a pull that must meet the requirement, where that is guaranteed; else
-    /// the pull.
-    pub fn sure_n(&mut self, p: f64, contraction: f64, force_n: f64) -> f64 {
-        let Some(widths) = self.half_widths else {
-            return force_n;
+    /// What a muscle that is built pulls, with its interval, where the model's error is known.
+    pub fn predicted(&mut self, p: f64, contraction: f64) -> Option<Built> {
+        let two_sided = Options {
+            two_sided: true,
+            ..self.spec.options()
         };
-        let half = self.uncertainty_n((p, contraction), force_n).unwrap_or(0.0);
-        force_n
-            - widths
-                * half
-                * if self.spec.wanted.extends() {
-                    -1.0
-                } else {
-                    1.0
-                }
-    }
-
-    /// Half the width of the 95 % interval of a pull, where it is known.
-    pub fn uncertainty_n(&mut self, (p, contraction): (f64, f64), force_n: f64) -> Option<f64> {
-        Some(
-            self.evaluation()
-                .uncertainty(p, contraction, force_n)?
-                .total(),
-        )
-    }
-
-    /// What a muscle that is built pulls, of a pull on the branch that is wanted and its ±.
-    pub fn built(&mut self, wanted: &Response, uncertainty_n: Option<f64>) -> Option<Built> {
-        if self.spec.is_as_built() {
-            return Some(Built::new(wanted.force_n, uncertainty_n?));
-        }
-        let options = self.spec.options_on(Direction::Contraction);
-        let mut model = Evaluation::new(&*self.model, &mut self.workspace, options);
-        let (p, contraction) = (wanted.pressure_mpa, wanted.contraction);
+        let mut model = Evaluation::new(&*self.model, &mut self.workspace, two_sided);
         let force_n = model.force_n(p, contraction).ok()?;
-        let half_n = model.uncertainty(p, contraction, force_n)?.total();
-        Some(Built::new(force_n, half_n))
+        Some(model.predicted(p, contraction, force_n)?.0)
     }
 
     /// The pressure a point takes, where the pull at the highest pressure is known to be enough; of
     /// a pull that is guaranteed that at which the end of its ± is what is wanted.
     pub fn need(&mut self, point: &OperatingPoint) -> Result<f64> {
         let pull_mpa = self.pull_mpa(point)?;
-        if self.half_widths.is_none() || pull_mpa >= self.highest_mpa {
+        let is_models_own = self.half_widths.is_none() && !self.spec.built;
+        if is_models_own || pull_mpa >= self.highest_mpa {
             return Ok(pull_mpa);
         }
         let max = self.highest_mpa;
-        let missed = |p: f64| -> Result<f64> {
-            let pull_n = self.evaluation().force_n(p, point.contraction)?;
-            Ok(1.0 - self.sure_n(p, point.contraction, pull_n) / point.force_n)
+        let mut missed = |p: f64| -> Result<f64> {
+            Ok(1.0 - self.sure_n(p, point.contraction)? / point.force_n)
         };
+        if missed(pull_mpa)? <= 0.0 {
+            return Ok(pull_mpa);
+        }
         let root = find_root(missed, pull_mpa, max, SURE * max)?;
         Ok(root.map_or(max, |p| (p + SURE * max).min(max)))
+    }
+
+    /// The same where nothing bounds the pressure, from one at which the model alone pulls as much.
+    pub fn need_from(&mut self, point: &OperatingPoint, from_mpa: f64) -> Result<Option<f64>> {
+        const STEPS: i32 = 8;
+        const STEP: f64 = 1.25;
+        let mut missed = |p: f64| -> Result<f64> {
+            Ok(1.0 - self.sure_n(p, point.contraction)? / point.force_n)
+        };
+        if missed(from_mpa)? <= 0.0 {
+            return Ok(Some(from_mpa));
+        }
+        for step in 1..=STEPS {
+            let high = from_mpa * STEP.powi(step);
+            if missed(high)? <= 0.0 {
+                return find_root(missed, high / STEP, high, SURE * high);
+            }
+        }
+        Ok(None)
     }
 
     /// The pressure at which the end of the 95 % interval of the pull is what is wanted at every
@@ -142,9 +164,12 @@ impl<'a> Trial<'a> {
         let widths = self.half_widths.replace(self.half_widths.unwrap_or(1.0));
         let points = self.spec.points(self.muscle);
         let mut need = |q: &OperatingPoint| {
-            let pull_n = self.strongest_n(q.contraction).ok()?;
-            let is_sure = self.sure_n(self.highest_mpa, q.contraction, pull_n) / q.force_n >= 1.0;
-            if is_sure { self.need(q).ok() } else { None }
+            let sure_n = self.sure_n(self.highest_mpa, q.contraction).ok()?;
+            if sure_n / q.force_n >= 1.0 {
+                self.need(q).ok()
+            } else {
+                None
+            }
         };
         let needs: Option<Vec<f64>> = points.iter().map(&mut need).collect();
         self.half_widths = widths;

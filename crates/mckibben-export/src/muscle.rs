@@ -113,11 +113,8 @@ impl ExportedMuscle {
             fitted => fitted?,
         };
         let w = &mut Workspace::new();
-        let half = Evaluation::new(model, w, Direction::Mean).uncertainty(
-            wanted.supply_mpa,
-            0.0,
-            blocked_n,
-        );
+        let half =
+            Evaluation::new(model, w, Direction::Mean).predicted(wanted.supply_mpa, 0.0, blocked_n);
         let muscle_file = to_toml(model.muscle());
         let version = env!("CARGO_PKG_VERSION");
         let model = model.info().name.to_string();
@@ -135,7 +132,7 @@ impl ExportedMuscle {
             muscle_file,
             errors,
             blocked_force_n: blocked_n,
-            uncertainty_n: half.map(|parts| parts.total()),
+            uncertainty_n: half.map(|(built, _)| built.half_n()),
             cord_m: 0.0,
             held_out,
         })

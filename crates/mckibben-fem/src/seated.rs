@@ -115,7 +115,7 @@ fn between_at_pull(muscle: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> R
 }
 
 /// What is given of the muscle between its ends, their displacement in mm, and the contraction of
-/// the whole where it is given.
+/// the whole where it is given. Pressures are active ones.
 fn given_between(
     muscle: &Whole,
     w: &mut Workspace,
@@ -127,9 +127,10 @@ fn given_between(
             pressure_mpa,
             contraction: e,
         } => {
-            let x = between(muscle, w, pressure_mpa, e)?;
+            let active_mpa = ends.active_mpa(pressure_mpa);
+            let x = between(muscle, w, active_mpa, e)?;
             (
-                Given::at(pressure_mpa, x),
+                Given::at(active_mpa, x),
                 ends.displacement_between_mm(e, x),
                 Some(e),
             )
@@ -137,7 +138,14 @@ fn given_between(
         Given::PressureAndPull {
             pressure_mpa,
             force_n,
-        } => (given, ends.end_displacement_mm(pressure_mpa, force_n), None),
+        } => {
+            let pressure_mpa = ends.active_mpa(pressure_mpa);
+            let given = Given::PressureAndPull {
+                pressure_mpa,
+                force_n,
+            };
+            (given, ends.end_displacement_mm(pressure_mpa, force_n), None)
+        }
         Given::ContractionAndPull {
             contraction: e,
             force_n,
@@ -168,7 +176,10 @@ fn whole(muscle: &Whole, given: Option<f64>, r: Response, list: &mut [Sensitivit
     for slope in list {
         slope.force_n_per_unit = ends.slope(&state, &slope.name, slope.force_n_per_unit);
     }
-    muscle.whole(&state, r)
+    Response {
+        pressure_mpa: ends.whole_mpa(r.pressure_mpa),
+        ..muscle.whole(&state, r)
+    }
 }
 
 /// A point of the muscle between its ends as one of the whole.
@@ -181,33 +192,50 @@ fn whole_point(muscle: &Whole, given: Option<f64>, mut point: CurvePoint) -> Cur
         .response
         .map(|r| whole(muscle, given, r, &mut point.sensitivities));
     CurvePoint {
+        pressure_mpa: ends.whole_mpa(point.pressure_mpa),
         contraction,
         volume_mm3: point.volume_mm3 + ends.bore_mm2() * slip_mm,
         ..point
     }
 }
 
+/// A point with the pressure that was given: below the take-up pressure the active one is zero.
+fn at_pressure(mut point: CurvePoint, given_mpa: Option<f64>) -> CurvePoint {
+    point.pressure_mpa = given_mpa.unwrap_or(point.pressure_mpa);
+    if let Some(response) = &mut point.response {
+        response.pressure_mpa = point.pressure_mpa;
+    }
+    point
+}
+
 impl Simulation for Whole {
     fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution> {
+        let stated_mpa = given.pressure_mpa();
         let (given, displacement, e) = given_between(self, workspace, given)?;
         let solved = self.inner.solve(workspace, given);
         let mut solution = solved.map_err(|error| for_whole_muscle(self, displacement, error))?;
-        solution.response = whole(self, e, solution.response, &mut solution.sensitivities);
         let ends = &self.ends;
-        let r = &solution.response;
-        let load_n = ends.load_n(r.pressure_mpa, r.force_n);
+        let active_mpa = solution.response.pressure_mpa;
+        let load_n = ends.load_n(active_mpa, solution.response.force_n);
         let slip_mm = ends.slip_mm_per_n * load_n;
         solution.energies.ends_n_mm = 0.5 * slip_mm * load_n;
-        solution.energies.pressure_n_mm += r.pressure_mpa * ends.bore_mm2() * slip_mm;
+        solution.energies.pressure_n_mm += active_mpa * ends.bore_mm2() * slip_mm;
+        let r = whole(self, e, solution.response, &mut solution.sensitivities);
+        solution.response = Response {
+            pressure_mpa: stated_mpa.unwrap_or(r.pressure_mpa),
+            ..r
+        };
         Ok(solution)
     }
 
     fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint> {
+        let stated_mpa = given.pressure_mpa();
         let (given, displacement, e) = given_between(self, workspace, given)?;
         let reached = self.inner.reach(workspace, given);
         let point = reached.map_err(|error| for_whole_muscle(self, displacement, error))?;
         let e = e.unwrap_or_else(|| self.ends.whole(point.contraction, displacement));
-        Ok(whole_point(self, Some(e), point))
+        let point = whole_point(self, Some(e), point);
+        Ok(at_pressure(point, stated_mpa))
     }
 
     fn isometric(
@@ -219,18 +247,16 @@ impl Simulation for Whole {
     ) -> Curve {
         let ends = &self.ends;
         if ends.slip_mm_per_n == 0.0 {
-            let points = self.inner.isometric(
-                workspace,
-                ends.between(e, ends.seating_mm),
-                pressures_mpa,
-                detail,
-            );
+            let active: Vec<f64> = pressures_mpa.iter().map(|p| ends.active_mpa(*p)).collect();
+            let x = ends.between(e, ends.seating_mm);
+            let points = self.inner.isometric(workspace, x, &active, detail);
             return points
                 .into_iter()
-                .map(|point: Result<CurvePoint>| {
+                .zip(pressures_mpa)
+                .map(|(point, p): (Result<CurvePoint>, &f64)| {
                     let point =
                         point.map_err(|error| for_whole_muscle(self, ends.seating_mm, error))?;
-                    Ok(whole_point(self, Some(e), point))
+                    Ok(at_pressure(whole_point(self, Some(e), point), Some(*p)))
                 })
                 .collect();
         }
@@ -241,10 +267,12 @@ impl Simulation for Whole {
             if cancel::check().is_err() {
                 break;
             }
-            let p = pressures_mpa[i];
+            let p = ends.active_mpa(pressures_mpa[i]);
             let point =
                 between(self, workspace, p, e).and_then(|x| inner(self, workspace, p, x, detail));
-            out[i] = point.map(|point| whole_point(self, Some(e), point));
+            out[i] = point.map(|point| {
+                at_pressure(whole_point(self, Some(e), point), Some(pressures_mpa[i]))
+            });
         }
         out
     }

@@ -58,6 +58,15 @@ impl Given {
             contraction,
         }
     }
+
+    /// The pressure in MPa, where it is given.
+    pub fn pressure_mpa(self) -> Option<f64> {
+        match self {
+            Self::PressureAndContraction { pressure_mpa, .. }
+            | Self::PressureAndPull { pressure_mpa, .. } => Some(pressure_mpa),
+            Self::ContractionAndPull { .. } => None,
+        }
+    }
 }
 
 /// What the points of a test have.

@@ -63,7 +63,7 @@ impl CurveAnswer {
         let low = half_width(low);
         let high = half_width(high);
         page.paragraph(format!(
-            "± {low} to {high} {unit}: 95 %, against a measured muscle"
+            "± {low} to {high} {unit}: 95 %, of a muscle that is built"
         ));
         let of_pull = answers().filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
         if let Some(largest) = of_pull.max_by(|a, b| a.total().total_cmp(&b.total())) {

@@ -2,7 +2,7 @@
 //! it.
 
 use super::CandidateAnswer;
-use crate::{PressureLimits, Units, number, percent, words::within};
+use crate::{PressureLimits, Units, number, percent, uncertainty::interval, words::within};
 use mckibben_build::{proof_mpa, relief_mpa};
 use mckibben_core::{
     analysis::RELIEF,
@@ -10,7 +10,7 @@ use mckibben_core::{
     muscle::Direction,
     units::{Dimension, rounded, tidy},
 };
-use mckibben_design::{Built, Candidate, CandidatePoint, Demand, Spec};
+use mckibben_design::{Candidate, CandidatePoint, Demand, Spec};
 
 /// What muscles are chosen among, for the lines of the decision.
 pub struct Decision<'a> {
@@ -70,11 +70,19 @@ impl Decision<'_> {
                 show(Dimension::Force, q.response.force_n),
                 percent(q.wanted.contraction)
             );
+            let force = &Units::default().force;
             let built = q.built.map(|built| {
-                if self.spec.is_as_built() {
-                    format!(" ({})", interval(built))
+                let model = &first.model;
+                if self.spec.built {
+                    let alone = within(q.model_force_n, built.half_n());
+                    let [low, high] = [built.predicted_low_n, built.predicted_high_n]
+                        .map(|n| within(n, built.half_n()));
+                    format!(
+                        " ({low}\u{a0}N to {high}\u{a0}N, 95 %, as built; {model} alone \
+                         {alone}\u{a0}N)"
+                    )
                 } else {
-                    format!(" by {}; built, {}", first.model, built_pull(built))
+                    format!(" by {model}; as built {}", interval(&built, force))
                 }
             });
             wanted + &built.unwrap_or_default()
@@ -93,6 +101,7 @@ impl Decision<'_> {
         ];
         let each = if self.spec.count > 1 { "each " } else { "" };
         let way = match self.spec.options().direction {
+            _ if self.spec.built => " while it shortens",
             Direction::Mean => "",
             Direction::Contraction => " while it shortens",
             Direction::Elongation => " while it lengthens",
@@ -129,30 +138,6 @@ impl Decision<'_> {
             (None, None) => format!("Sure to {share}: no muscle of this search"),
         }
     }
-}
-
-/// What a muscle that is built pulls, with its interval.
-fn built_pull(built: Built) -> String {
-    let half_n = built.predicted_high_n - built.predicted_n;
-    let pull = within(built.predicted_n, half_n);
-    format!("{pull}\u{a0}N while it shortens ({})", interval(built))
-}
-
-/// The interval of what a muscle that is built pulls; it does not reach from a pull to a push.
-fn interval(built: Built) -> String {
-    let Built {
-        predicted_n,
-        predicted_low_n,
-        predicted_high_n,
-    } = built;
-    let [low, high] = [predicted_low_n, predicted_high_n].map(|n| {
-        if n * predicted_n > 0.0 {
-            within(n, predicted_high_n - predicted_n)
-        } else {
-            "0".into()
-        }
-    });
-    format!("{low}\u{a0}N to {high}\u{a0}N, 95 %")
 }
 
 fn show(kind: Dimension, value: f64) -> String {

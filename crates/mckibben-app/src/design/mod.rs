@@ -138,24 +138,20 @@ fn as_sold(spec: &Spec, is_cut: bool) -> Vec<Bought> {
 fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<UncertaintyWords> {
     let winner = winner?;
     let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
-    let response = winner
+    let CandidatePoint {
+        response,
+        model_force_n,
+        ..
+    } = winner
         .points
         .iter()
-        .max_by(|a, b| half(a).total_cmp(&half(b)))?
-        .response;
+        .max_by(|a, b| half(a).total_cmp(&half(b)))?;
     let model = build(&winner.muscle).ok()?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, spec.options());
-    let parts = model.uncertainty(
-        response.pressure_mpa,
-        response.contraction,
-        response.force_n,
-    );
-    Some(UncertaintyWords::at(
-        parts,
-        &mut model,
-        response.pressure_mpa,
-    ))
+    let place = (response.pressure_mpa, response.contraction);
+    let predicted = model.predicted(place.0, place.1, *model_force_n);
+    Some(UncertaintyWords::at(predicted, place, &mut model))
 }
 
 fn draw(spec: &Spec, build: &Build<'_>, outcome: &Outcome, unit: &Units) -> Result<Figure> {

@@ -86,6 +86,7 @@ impl DesignRequest {
             wanted,
             count: 1,
             pitch_mm: self.pitch_mm.map(f64::from),
+            built: self.model.name.is_none() && !extends,
             direction: self.branch(),
             max_pressure_mpa: finite("max_pressure_mpa", supply_mpa)?,
             // A closed form or a formula is a method that takes the pressure as it is given.

@@ -71,17 +71,13 @@ pub fn line(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
 pub fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
     let edge = |q: &CurvePoint| {
         let a = q.answer.as_ref().ok().filter(|a| !a.slack)?;
-        let edges = |v: f64, half: f64| ((v - half).max(v.min(0.0)), v + half);
         let pull = |v| u.force.value(v);
         let pressure = u.pressure.value(q.pressure_mpa);
-        let of_pull = || Some(edges(a.response.force_n, a.uncertainty_n?));
+        let of_pull = || a.built.map(|b| (b.predicted_low_n, b.predicted_high_n));
         let (x, (low, high)) = match test {
             Test::Isobaric => (q.contraction?, of_pull()?),
             Test::Isometric => (pressure, of_pull()?),
-            Test::Isotonic => {
-                let (low, high) = edges(a.response.contraction, a.contraction_uncertainty?);
-                return Some((pressure, low, high));
-            }
+            Test::Isotonic => return Some((pressure, a.predicted_low?, a.predicted_high?)),
         };
         Some((x, pull(low), pull(high)))
     };

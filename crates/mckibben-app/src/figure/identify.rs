@@ -225,12 +225,13 @@ fn fit(
                     .ok()
                     .filter(|f| *f >= 0.0)?;
                 let x = shown(x);
-                let half = bench.map(|bench| bench.half_width_n(pressure, contraction + offset));
-                edges.extend(half.map(|half| {
+                let built =
+                    bench.and_then(|_| evaluation.predicted(pressure, contraction + offset, force));
+                edges.extend(built.map(|(built, _)| {
                     (
                         x,
-                        u.force.value((force - half).max(0.0)),
-                        u.force.value(force + half),
+                        u.force.value(built.predicted_low_n),
+                        u.force.value(built.predicted_high_n),
                     )
                 }));
                 Some((x, u.force.value(force)))

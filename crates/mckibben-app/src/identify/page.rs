@@ -146,26 +146,12 @@ fn correlation(identified: &Identification, page: &mut Page) {
     page.table(table);
 }
 
-/// Where a bench was, and how far its pulls are known.
+/// Where a bench was.
 fn bench_text(bench: &Bench, u: &Units) -> String {
-    let half = bench
-        .fit_n
-        .iter()
-        .flatten()
-        .map(|fit| fit.hypot(bench.scatter_n));
-    let (least, most) = half.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
     let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
     let [p, q] = [p, q].map(|v| u.pressure.show(v));
-    let [least, most] = [least, most].map(|n| u.force.half_width(n));
-    let beside = if bench.saw_the_loop() {
-        ""
-    } else {
-        ", and the part for friction beside it"
-    };
     let e = percent(e);
     let f = percent(f);
-    let unit = &u.force.name;
-    format!(
-        "{p} to {q}, contractions {e} to {f}: ± of the pull {least} to {most} {unit} (95 %){beside}"
-    )
+    let points = bench.points;
+    format!("{points} points, {p} to {q}, contractions {e} to {f}")
 }

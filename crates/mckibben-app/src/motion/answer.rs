@@ -2,7 +2,7 @@
 
 use super::IdentifiedDrive;
 use crate::{MuscleSummary, PressureLimits, Problem, breakdown, units::Units};
-use mckibben_core::{uncertainty::UncertaintyParts, warning::Warning};
+use mckibben_core::{built::UncertaintyParts, warning::Warning};
 use mckibben_motion::Motion;
 use mckibben_report::Figure;
 use schemars::JsonSchema;

@@ -5,6 +5,7 @@ use crate::{
     PointQuantity, Scale, Units,
     print::{Page, Rows, Show, sentences},
     units::{NUMBER, PERCENT},
+    words::within,
 };
 use mckibben_core::answer::Answer;
 
@@ -46,12 +47,36 @@ impl PointQuantity {
         }
     }
 
-    fn half_width(self, of: &Answer) -> Option<f64> {
-        match self {
-            Self::Force => of.uncertainty_n,
-            Self::Pressure => of.pressure_uncertainty_mpa,
-            Self::Contraction => of.contraction_uncertainty,
-        }
+    /// What it is of a muscle that is built, and the ends of its 95 % interval.
+    fn built(self, of: &Answer) -> Option<[f64; 3]> {
+        Some(match self {
+            Self::Force => {
+                let built = of.built?;
+                [
+                    built.predicted_n,
+                    built.predicted_low_n,
+                    built.predicted_high_n,
+                ]
+            }
+            Self::Pressure => [
+                of.predicted_mpa?,
+                of.predicted_low_mpa?,
+                of.predicted_high_mpa?,
+            ],
+            Self::Contraction => [of.predicted?, of.predicted_low?, of.predicted_high?],
+        })
+    }
+
+    /// The same in words.
+    fn built_in(self, of: &Answer, u: &Units) -> Option<String> {
+        let scale = self.scale(u);
+        let values = self.built(of)?;
+        let half = scale.value(0.5 * (values[2] - values[1]));
+        let [median, low, high] = values.map(|v| within(scale.value(v), half));
+        let unit = &scale.name;
+        Some(format!(
+            "{median}\u{a0}{unit} ({low}\u{a0}{unit} to {high}\u{a0}{unit}, 95 %)"
+        ))
     }
 }
 
@@ -61,27 +86,24 @@ impl PointAnswer {
         let background = &self.background;
         let r = &a.response;
         let length = u.length.digits(4);
-        // The ± belongs to what was sought.
-        let quantity = |quantity: PointQuantity| {
-            let scale = quantity.scale(u);
-            let value = quantity.value(a);
-            match quantity.half_width(a) {
-                _ if quantity != self.sought => scale.of(value),
-                None => Some(format!("{} ± unknown {}", scale.bare(value), scale.name)),
-                half => scale.of((value, half)),
-            }
-        };
+        let quantity = |quantity: PointQuantity| quantity.scale(u).of(quantity.value(a));
         let pull = if a.slack {
             let zero = u.force.show(0.0);
             Some(format!("{zero} (slack: the muscle would have to push)"))
         } else {
             quantity(PointQuantity::Force)
         };
-        let of = match self.sought {
-            PointQuantity::Force => "",
-            _ => "of the pull ",
-        };
         let words = &background.uncertainty_words;
+        let is_pull = self.sought == PointQuantity::Force;
+        let of = if is_pull { "" } else { "of the pull " };
+        let built = match self.sought {
+            PointQuantity::Force => words.built_in(u),
+            sought => sought.built_in(a, u),
+        };
+        let unknown = a
+            .built
+            .is_none()
+            .then(|| "unknown: see the warnings, or take the model fe".to_owned());
         Rows::default()
             .text("muscle", background.muscle.line(u))
             .text(
@@ -89,17 +111,14 @@ impl PointAnswer {
                 format!("{} ({})", a.model, background.about.source),
             )
             .text("pressure", quantity(PointQuantity::Pressure))
-            .quantity("pressure from (95 %)", &u.pressure, a.pressure_low_mpa)
-            .quantity("pressure to (95 %)", &u.pressure, a.pressure_high_mpa)
             .text("contraction", quantity(PointQuantity::Contraction))
-            .quantity("contraction from (95 %)", &PERCENT, a.contraction_low)
-            .quantity("contraction to (95 %)", &PERCENT, a.contraction_high)
             .quantity(
                 "shortening",
                 &length,
                 r.contraction * background.muscle.length_mm,
             )
             .text("pull", pull)
+            .text("as built", built.or(unknown))
             .and(self.branch_rows(u))
             .quantity("stiffness", &u.stiffness(), r.stiffness_n_per_mm)
             .quantity("pull per pressure", &u.slope(), r.force_per_pressure_mm2)
@@ -133,8 +152,7 @@ impl PointAnswer {
                 "uncertainty",
                 words.text_in(u).map(|text| format!("{of}{text}")),
             )
-            .text("selected branch", words.branch_in(u))
-            .text("suggested test", words.bench_in(u))
+            .text("to measure", words.bench_in(u))
     }
 
     /// What was sought on both branches of the friction, and their distance.

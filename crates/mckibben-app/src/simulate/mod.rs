@@ -132,7 +132,7 @@ impl Meshed {
         r: &Response,
         extent: Extent,
     ) -> Result<Shape> {
-        let p = r.pressure_mpa;
+        let p = ends.active_mpa(r.pressure_mpa);
         let between = ends.between(r.contraction, ends.end_displacement_mm(p, r.force_n));
         let shape = match self {
             Self::Axisymmetric(model) => model

@@ -4,9 +4,9 @@ use super::{Joint, JointError, Result, ShutStiffness};
 use crate::{
     analysis::{AnalysisError, Evaluation, Options},
     answer::{Answer, SlackState},
+    built::UncertaintyParts,
     model::{ForceModel, Workspace},
     muscle::Direction,
-    uncertainty::UncertaintyParts,
 };
 use serde::{Deserialize, Serialize};
 
@@ -63,8 +63,13 @@ pub struct JointPoint {
     /// −dτ/dφ with the valves shut.
     #[serde(flatten)]
     pub shut: ShutStiffness,
-    /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make
-    /// it, N m.
+    /// Torque that a joint which is built will give, by the median, N m.
+    pub predicted_nm: Option<f64>,
+    /// Lower end of its 95 % interval, as far as the muscles' pulls make it, N m.
+    pub predicted_low_nm: Option<f64>,
+    /// Upper end, N m.
+    pub predicted_high_nm: Option<f64>,
+    /// Half of what lies between, N m.
     pub uncertainty_nm: Option<f64>,
     /// Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds
     /// fully; a rubber or braid that both share shifts both pulls at once.
@@ -254,8 +259,8 @@ impl<'m> JointModel<'m> {
                 arm_by_angle_mm: s.arm_by_angle_mm,
             });
         }
-        let parts = self.torque_uncertainty(workspaces, &muscles);
-        Ok(JointPoint {
+        let parts = self.torque_uncertainty(&muscles);
+        let point = JointPoint {
             angle_deg,
             pressures_mpa: pressures_mpa.to_vec(),
             torque_nm: torque,
@@ -265,7 +270,9 @@ impl<'m> JointModel<'m> {
             uncertainty_parts_nm: parts,
             stiffness_uncertainty_nm_per_rad: self.stiffness_uncertainty(&muscles),
             muscles,
-        })
+            ..JointPoint::default()
+        };
+        Ok(point.with_built_torque())
     }
 
     pub(super) fn check_workspaces(&self, workspaces: &[Workspace]) -> Result<()> {

@@ -1,13 +1,13 @@
-//! The ± of a joint's torque and stiffness, from those of its muscles' pulls.
+//! What a joint that is built turns, and the ± of its torque and stiffness, from those of its
+//! muscles' pulls.
 //!
 //! A part of the ± of a pull makes Δ′ times as much of the torque. How the parts of two muscles add
 //! follows from their cause:
 //!
 //! - `friction` adds fully: while the joint turns, one of two opposed muscles shortens and the
 //!   other lengthens, and the friction of both opposes the turn;
-//! - `rubber` and `braid` of muscles of the same construction have the same cause: another
-//!   stiffness shifts both pulls at once, so that the shifts add with their signs ([`Shifts`]), and
-//!   those of opposed muscles cancel in part;
+//! - `rubber`, `angle` and `braid` of muscles of the same construction have the same cause: another
+//!   stiffness shifts both pulls at once, so that those of opposed muscles cancel in part;
 //! - the others add as squares. As far as an error of the model is the same in both muscles, it
 //!   would cancel too; that is not counted.
 //!
@@ -15,78 +15,25 @@
 //! the model, of a rubber or of a braid makes both muscles stiffer, so that it adds fully; and as a
 //! square beside it Σ Δ″ ±F.
 
-use super::{JointModel, model::MuscleState};
-use crate::{
-    model::Workspace,
-    uncertainty::{Shifts, UncertaintyParts, stiffness_uncertainty_n_per_mm},
-};
-
-/// The place of the friction among the parts.
-const FRICTION: usize = 6;
+use super::{JointModel, JointPoint, model::MuscleState};
+use crate::built::{UncertaintyParts, stiffness_uncertainty_n_per_mm};
 
 impl JointModel<'_> {
     /// The parts of the ± of the torque in N m; `None` where that of a muscle's pull is not known.
-    pub(super) fn torque_uncertainty(
-        &self,
-        workspaces: &mut [Workspace],
-        muscles: &[MuscleState],
-    ) -> Option<UncertaintyParts> {
-        let each: Vec<(UncertaintyParts, f64)> = muscles
-            .iter()
-            .map(|m| Some((m.answer.uncertainty_parts_n?, 1e-3 * m.arm_mm)))
-            .collect::<Option<_>>()?;
-        let joined = |i: usize| {
-            let add = if i == FRICTION {
-                |a, b| a + b
-            } else {
-                f64::hypot
-            };
-            each.iter()
-                .filter_map(|(parts, arm)| Some((parts.parts()[i]? * arm).abs()))
-                .reduce(add)
-        };
-        let known = each
-            .iter()
-            .map(|(parts, _)| parts.friction_known)
-            .min()
-            .unwrap_or_default();
-        let parts = UncertaintyParts::from_parts(std::array::from_fn(joined), known);
-        Some(match self.shared_shifts(workspaces, muscles, &each) {
-            Some(shifts) => UncertaintyParts {
-                rubber: shifts.rubber(),
-                braid: shifts.braid(),
-                ..parts
-            },
-            None => parts,
-        })
-    }
-
-    /// By what the torque of two muscles of the same construction changes with their rubber and
-    /// braid, in N m. A slack muscle does not pull with another rubber either, and on its own bench
-    /// a muscle has neither part.
-    fn shared_shifts(
-        &self,
-        workspaces: &mut [Workspace],
-        muscles: &[MuscleState],
-        each: &[(UncertaintyParts, f64)],
-    ) -> Option<Shifts> {
-        let ([first, second], [one, other]) = (muscles, each) else {
-            return None;
-        };
-        let known = |p: &UncertaintyParts| p.fit.is_none() && p.rubber.or(p.braid).is_some();
-        let apart = first.answer.slack || second.answer.slack || !known(&one.0) || !known(&other.0);
-        if apart || !self.alike {
-            return None;
-        }
-        let mut shifts = |i: usize, m: &MuscleState| {
-            let r = &m.answer.response;
-            Some(Shifts::of(
-                workspaces.get_mut(i)?,
-                self.model(i).muscle(),
-                (r.pressure_mpa, r.contraction),
-            ))
-        };
-        Some(shifts(0, first)?.combined(one.1, &shifts(1, second)?, other.1))
+    pub(super) fn torque_uncertainty(&self, muscles: &[MuscleState]) -> Option<UncertaintyParts> {
+        let mut each = muscles.iter().map(|m| {
+            let parts = m.answer.uncertainty_parts_n?;
+            Some(parts.times(1e-3 * m.arm_mm))
+        });
+        let first = each.next().flatten()?;
+        let joined = each.try_fold(first, |first, second| {
+            Some(first.joined(second?, |name, a, b| match name {
+                "friction" => a.abs() + b.abs(),
+                "rubber" | "angle" | "stiffness of the braid" if self.alike => a + b,
+                _ => a.hypot(b),
+            }))
+        })?;
+        Some(joined.sizes())
     }
 
     /// 95 % half-width of the stiffness in N m/rad; `None` where that of a muscle's pull is not
@@ -101,5 +48,30 @@ impl JointModel<'_> {
             pull += 1e-3 * parts.total() * m.arm_by_angle_mm.abs();
         }
         Some(f64::hypot(stiffness, pull))
+    }
+}
+
+impl JointPoint {
+    /// With the torque that a joint which is built will give: each muscle pulls as the median of one
+    /// that is built; between both branches without its friction.
+    pub(super) fn with_built_torque(self) -> Self {
+        let more_nm = |m: &MuscleState| {
+            let built = m.answer.built?;
+            let friction_n = if m.answer.direction.is_mean() {
+                built.predicted_shift_n.friction
+            } else {
+                0.0
+            };
+            let pull_n = (built.predicted_n - friction_n).max(0.0);
+            Some(1e-3 * m.arm_mm * (pull_n - m.answer.response.force_n))
+        };
+        let more_nm: Option<f64> = self.muscles.iter().map(more_nm).sum();
+        let predicted_nm = more_nm.map(|more| self.torque_nm + more);
+        Self {
+            predicted_nm,
+            predicted_low_nm: predicted_nm.zip(self.uncertainty_nm).map(|(t, u)| t - u),
+            predicted_high_nm: predicted_nm.zip(self.uncertainty_nm).map(|(t, u)| t + u),
+            ..self
+        }
     }
 }

@@ -175,7 +175,7 @@ impl Evaluation<'_> {
         let stable = stiffness > 0.0;
         let frequency = (1e3 * stiffness / mass).sqrt() / std::f64::consts::TAU;
         Ok(Balance {
-            answer: answer.with_contraction_sought(Some(stiffness), length),
+            answer: self.with_built_contraction(answer, load.slope_n_per_mm(e * length)),
             shortening_mm: e * length,
             stiffness_n_per_mm: stiffness,
             stable,

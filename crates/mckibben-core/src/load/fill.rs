@@ -160,11 +160,12 @@ impl Evaluation<'_> {
             + slopes.force_by_pressure * slopes.volume_by_contraction / (length_mm * gives_way);
         let mut answer = self.answer(pressure_mpa, contraction)?;
         if state == FillState::Balanced {
-            let held = shut_stiffness_n_per_mm
+            // The liquid gives less pressure to a muscle that is shorter.
+            let held = shut_stiffness_n_per_mm - slopes.stiffness
                 + filling
                     .load
                     .map_or(0.0, |load| load.slope_n_per_mm(stroke_mm));
-            answer = exactly(answer, load_n).with_contraction_sought(Some(held), length_mm);
+            answer = self.with_built_contraction(exactly(answer, load_n), held);
         }
         Ok(Fill {
             answer,

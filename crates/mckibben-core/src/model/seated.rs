@@ -1,6 +1,7 @@
-//! Ends: any model of a muscle whose terminals state a seating, a slip or a grip.
+//! Ends: any model of a muscle whose terminals state a seating, a slip or a grip, or whose braid a
+//! take-up pressure.
 //!
-//!   F(P, ε) = F₀(P, x),   x of ε by [`Ends`],
+//!   F(P, ε) = F₀(Pa, x),   Pa of P and x of ε by [`Ends`],
 //!
 //! F₀ of the model of the muscle between its ends. One muscle cannot tell a seating from an error
 //! in the zero of its length; muscles of several lengths can.
@@ -68,7 +69,14 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         // The contractions do not contain the displacement of a slip.
         let whole = |x: f64| ends.whole(x, ends.seating_mm);
         let (low, high) = of_inner.range.contraction;
+        let (lowest, highest) = of_inner.range.pressure_mpa;
+        let least = if lowest > 0.0 {
+            ends.whole_mpa(lowest)
+        } else {
+            lowest
+        };
         let range = ModelRange {
+            pressure_mpa: (least, ends.whole_mpa(highest)),
             contraction: (whole(low).max(-1.0), whole(high)),
             ..of_inner.range.clone()
         };
@@ -117,7 +125,7 @@ impl<M: ForceModel + ?Sized> Seated<M> {
         }
     }
 
-    /// The ends at a point, and what the muscle between them answers there.
+    /// The ends at an active pressure and a contraction, and what the muscle between them answers.
     fn end_state(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(EndState, Response)> {
         let mut last = None;
         let slips = self.ends.slip_mm_per_n > 0.0;
@@ -214,11 +222,16 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
     }
 
     fn response(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<Response> {
-        let (state, inner) = self.end_state(workspace, p, e)?;
-        Ok(self.whole(&state, inner))
+        let (state, inner) = self.end_state(workspace, self.ends.active_mpa(p), e)?;
+        let whole = self.whole(&state, inner);
+        Ok(Response {
+            pressure_mpa: p,
+            ..whole
+        })
     }
 
     fn force_n(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64> {
+        let p = self.ends.active_mpa(p);
         if self.ends.slip_mm_per_n > 0.0 {
             return Ok(self.end_state(workspace, p, e)?.1.force_n);
         }
@@ -233,10 +246,12 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
             return None;
         }
         let x = self.between(0.0, e, force_n);
-        self.inner.pressure_at_pull(workspace, force_n, x)
+        let active_mpa = self.inner.pressure_at_pull(workspace, force_n, x)?;
+        Some(self.ends.whole_mpa(active_mpa))
     }
 
     fn contraction_at_pull(&self, workspace: &mut Workspace, force_n: f64, p: f64) -> Option<f64> {
+        let p = self.ends.active_mpa(p);
         let x = self.inner.contraction_at_pull(workspace, force_n, p)?;
         Some(
             self.ends
@@ -258,6 +273,7 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         if !self.has_slopes() {
             return Ok(None);
         }
+        let p = self.ends.active_mpa(p);
         let (state, response) = self.end_state(w, p, e)?;
         let inside: Vec<String> = names
             .iter()
@@ -280,7 +296,8 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
     }
 
     fn blocked_scale_n(&self, workspace: &mut Workspace, p: f64) -> Result<f64> {
-        self.inner.blocked_scale_n(workspace, p)
+        self.inner
+            .blocked_scale_n(workspace, self.ends.active_mpa(p))
     }
 
     fn mesh_error_n(
@@ -291,6 +308,7 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         force_n: f64,
         scale_n: f64,
     ) -> Option<f64> {
+        let p = self.ends.active_mpa(p);
         self.inner
             .mesh_error_n(w, p, self.between(p, e, force_n), force_n, scale_n)
     }
@@ -300,6 +318,7 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
     }
 
     fn contact_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Option<Result<f64>> {
+        let p = self.ends.active_mpa(p);
         let state = match self.end_state(workspace, p, e) {
             Ok((state, _)) => state,
             Err(error) => return Some(Err(error)),

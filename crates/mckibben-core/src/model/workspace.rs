@@ -1,6 +1,6 @@
 //! Memory that a model uses and changes while it computes an answer.
 
-use crate::muscle::EndState;
+use crate::muscle::{EndState, Muscle};
 use std::{any::Any, fmt, sync::Arc};
 
 /// Which model a workspace's content belongs to. Copies of a model share it.
@@ -45,6 +45,8 @@ pub struct Workspace {
     content: Option<(ModelId, Box<dyn Any + Send>)>,
     /// The last state of the ends of a muscle that slip.
     last: Option<(ModelId, EndState)>,
+    /// What was made once for the muscle of a model.
+    of_muscle: Option<(Arc<Muscle>, Arc<dyn Any + Send + Sync>)>,
 }
 
 impl Workspace {
@@ -70,6 +72,22 @@ impl Workspace {
             .as_mut()
             .and_then(|(_, content)| content.downcast_mut());
         Ok(content.unwrap_or_else(|| unreachable!("the content was made or found just before")))
+    }
+
+    /// What is made once for a muscle.
+    pub(crate) fn of_muscle<T: Any + Send + Sync>(
+        &mut self,
+        muscle: &Arc<Muscle>,
+        make: impl FnOnce() -> T,
+    ) -> Arc<T> {
+        let known = self.of_muscle.as_ref();
+        let known = known.filter(|(of, _)| Arc::ptr_eq(of, muscle));
+        if let Some(known) = known.and_then(|(_, it)| Arc::clone(it).downcast().ok()) {
+            return known;
+        }
+        let made = Arc::new(make());
+        self.of_muscle = Some((Arc::clone(muscle), Arc::clone(&made) as _));
+        made
     }
 
     /// The last state of a model's ends, where this workspace has one.

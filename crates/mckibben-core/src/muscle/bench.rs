@@ -1,22 +1,23 @@
-//! The bench: the range and the scatter of the measured points that a muscle's constants were
-//! identified from.
+//! The bench: what the measured points tell that a muscle's constants were identified from.
 
 use super::{
-    BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle, Tube,
+    BraidStiffness, Bulk, Conditioned, Constant, Direction, EndFactor, Muscle, Tube,
     measures::{SECTIONS, of_section},
 };
 use crate::{
     hash,
-    units::{
-        NotNegative,
-        typed::{Force, Length, Pressure, Ratio, pair, read_quantity, several},
-    },
+    units::typed::{Length, Pressure, Ratio, pair, several},
 };
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
-/// The fit of a muscle to its own bench: where it holds, and how far a point of that bench lies
-/// from it.
+/// A point of the bench beside its prediction by the constants that were found: pressure in MPa,
+/// contraction, sign of the branch (−1 shortening, 1 lengthening, 0 the mean of both), and measured
+/// less predicted pull in N.
+pub type OwnPoint = (f64, f64, f64, f64);
+
+/// What the points of its own bench tell of a muscle beside its constants
+/// ([`built`](crate::built)).
 ///
 /// It belongs to one muscle, and holds as it was written: [`Bench::is_of`].
 /// As data (serde) it is the table `[identified]` of a muscle file.
@@ -50,75 +51,24 @@ pub struct Bench {
     #[serde(deserialize_with = "pair::<Ratio, _>")]
     #[schemars(with = "(Ratio, Ratio)")]
     pub contraction: (f64, f64),
-    /// 95 % half-width of one point about the fit, in N.
-    #[serde(
-        rename = "scatter",
-        deserialize_with = "read_quantity::<NotNegative<Force>, _>"
-    )]
-    #[schemars(with = "NotNegative<Force>")]
-    pub scatter_n: f64,
-    /// 95 % half-width of the fitted pull in N, from the covariance of the constants: rows at equal
-    /// steps of the pressure, columns at equal steps of the contraction, from end to end.
-    #[serde(rename = "fit")]
-    pub fit_n: Vec<Vec<f64>>,
-    /// What was fitted, as in the muscle file.
-    pub parameters: Vec<String>,
-    /// Its covariance, in the units of the parameters.
+    /// a: factor on the pull that no constant of the muscle explains.
+    pub pull_factor: f64,
+    /// η: half the width of the hysteresis loop over the strands' axial pull.
+    pub friction_share: f64,
+    /// The constants of the covariance, in its order.
+    pub constants: Vec<Constant>,
+    /// Covariance of the constants, in their units.
     pub covariance: Vec<Vec<f64>>,
+    /// Up to 20 of its points.
+    pub own_points: Vec<OwnPoint>,
     /// Checksum of the muscle with the constants that were found, and of all of the above but for
     /// the laboratory, which its reader adds.
     pub of: String,
 }
 
-/// Share of the range over which the fit's ± turns into the general one outside of it.
-const MARGIN: f64 = 0.25;
-/// The margin of contraction, and that of pressure over the highest one, at least.
-const LEAST_MARGIN: f64 = 0.02;
 impl Bench {
-    /// How far a point lies outside of the range: 0 inside and at its edge, 1 at the end of the
-    /// margin and beyond.
-    pub fn outside(&self, pressure_mpa: f64, contraction: f64) -> f64 {
-        let beyond = |x: f64, (low, high): (f64, f64), least: f64| {
-            let margin = (MARGIN * (high - low)).max(least);
-            ((low - x).max(x - high).max(0.0) / margin).min(1.0)
-        };
-        let least = LEAST_MARGIN * self.pressure_mpa.1.abs().max(1e-3);
-        beyond(pressure_mpa, self.pressure_mpa, least).max(beyond(
-            contraction,
-            self.contraction,
-            LEAST_MARGIN,
-        ))
-    }
-
-    /// 95 % half-width in N of a point of this bench about the fit; outside of the range that at
-    /// its edge.
-    pub fn half_width_n(&self, pressure_mpa: f64, contraction: f64) -> f64 {
-        let at = |x: f64, (low, high): (f64, f64), count: usize| {
-            let share = if high > low {
-                ((x - low) / (high - low)).clamp(0.0, 1.0)
-            } else {
-                0.0
-            };
-            let place = share * count.saturating_sub(1) as f64;
-            let left = (place.floor() as usize).min(count.saturating_sub(2));
-            (left, place - left as f64)
-        };
-        let rows = self.fit_n.len();
-        let columns = self.fit_n.first().map_or(0, Vec::len);
-        let ((i, s), (k, t)) = (
-            at(pressure_mpa, self.pressure_mpa, rows),
-            at(contraction, self.contraction, columns),
-        );
-        let value = |i: usize, k: usize| {
-            let row = self.fit_n.get(i.min(rows.saturating_sub(1)));
-            row.and_then(|row| row.get(k.min(columns.saturating_sub(1))))
-                .copied()
-                .unwrap_or(0.0)
-        };
-        let along = |i: usize| (1.0 - t) * value(i, k) + t * value(i, k + 1);
-        self.scatter_n
-            .hypot((1.0 - s) * along(i) + s * along(i + 1))
-    }
+    /// Own points at most.
+    pub const OWN_POINTS: usize = 20;
 
     /// The same with the checksum of a muscle.
     pub fn sealed(self, muscle: &Muscle) -> Self {
@@ -136,29 +86,23 @@ impl Bench {
     fn checksum(&self, muscle: &Muscle) -> String {
         let mut text = Digested::default();
         text.add(&muscle.digest(), &self.lengths_mm);
-        for word in [&self.model].into_iter().chain(&self.parameters) {
-            text.add(word, &[]);
+        text.add(&self.model, &[]);
+        for constant in &self.constants {
+            text.add(constant.word(), &[]);
         }
         self.branches
             .iter()
             .for_each(|branch| text.add(branch.name(), &[]));
         let ((p, q), (low, high)) = (self.pressure_mpa, self.contraction);
-        text.add(
-            "range",
-            &[self.points as f64, p, q, low, high, self.scatter_n],
-        );
-        self.fit_n.iter().for_each(|row| text.add("fit", row));
+        text.add("range", &[self.points as f64, p, q, low, high]);
+        text.add("constants", &[self.pull_factor, self.friction_share]);
+        for &(p, e, sign, off_n) in &self.own_points {
+            text.add("point", &[p, e, sign, off_n]);
+        }
         self.covariance
             .iter()
             .for_each(|row| text.add("covariance", row));
         text.digest()
-    }
-
-    /// Whether the points went round the whole loop, or are means of it: then their scatter has the
-    /// loop in it.
-    pub fn saw_the_loop(&self) -> bool {
-        let saw = |d: Direction| self.branches.contains(&d);
-        saw(Direction::Mean) || Direction::BRANCHES.into_iter().all(saw)
     }
 }
 
@@ -204,27 +148,20 @@ impl Muscle {
         same.then_some(bench)
     }
 
-    /// The lowest pressure in MPa of the bench that its constants come from, also where the muscle
-    /// was changed since; 0 without one.
-    pub(crate) fn identified_from_mpa(&self) -> f64 {
-        self.bench
-            .as_deref()
-            .map_or(0.0, |bench| bench.pressure_mpa.0)
-    }
-
     /// Whether it differs by more than its length from the muscle that its constants were
     /// identified from.
     pub(crate) fn differs_from_identified(&self) -> bool {
         self.bench.is_some() && self.bench_of_lengths().is_none()
     }
 
-    /// |D0/L0 − mean of D0/L| of a muscle that differs from the identified one by its length alone, L the lengths at which it was identified. `None` of
-    /// every other muscle, and at one of these lengths.
-    pub fn off_identified_lengths(&self) -> Option<f64> {
-        let bench = self.bench_of_lengths().filter(|_| self.bench().is_none())?;
-        let d0 = self.tube().outer_diameter_mm;
-        let inverse: f64 = bench.lengths_mm.iter().map(|l| l.recip()).sum();
-        Some(d0 * (self.length_mm().recip() - inverse / bench.lengths_mm.len() as f64).abs())
+    /// The bench that its constants come from, also where the muscle was changed since.
+    pub(crate) fn any_bench(&self) -> Option<&Bench> {
+        self.bench.as_deref()
+    }
+
+    /// Whether it differs from the identified muscle by its length alone.
+    pub(crate) fn has_another_length(&self) -> bool {
+        self.bench_of_lengths().is_some() && self.bench().is_none()
     }
 
     /// A digest of everything that the pull depends on, to nine digits.
@@ -298,56 +235,6 @@ impl Muscle {
 mod tests {
     use super::*;
     use crate::muscle::measures::{ANGLE, PRESTRETCH, SEATING};
-
-    fn bench() -> Bench {
-        Bench {
-            laboratory: None,
-            model: "ideal".into(),
-            lengths_mm: vec![],
-            points: 12,
-            branches: vec![Direction::Mean],
-            pressure_mpa: (0.1, 0.3),
-            contraction: (0.0, 0.2),
-            scatter_n: 3.0,
-            fit_n: vec![vec![4.0, 0.0], vec![0.0, 4.0]],
-            parameters: vec![],
-            covariance: vec![],
-            of: String::new(),
-        }
-        .sealed(&Muscle::prototype())
-    }
-
-    /// √(3² + 4²) at a corner, √(3² + 2²) in the middle, by hand.
-    #[test]
-    fn the_half_width_is_interpolated_and_held_outside() {
-        let b = bench();
-        assert!((b.half_width_n(0.1, 0.0) - 5.0).abs() < 1e-12);
-        assert!((b.half_width_n(0.3, 0.2) - 5.0).abs() < 1e-12);
-        assert!((b.half_width_n(0.2, 0.1) - 13f64.sqrt()).abs() < 1e-12);
-        assert_eq!(b.half_width_n(0.9, 0.9), b.half_width_n(0.3, 0.2));
-        let one = Bench {
-            fit_n: vec![vec![4.0]],
-            ..b
-        };
-        assert!((one.half_width_n(0.2, 0.1) - 5.0).abs() < 1e-12);
-    }
-
-    /// A quarter of 0.2 MPa is 0.05 MPa, a quarter of 0.2 is 0.05.
-    #[test]
-    fn it_ends_continuously_over_a_quarter_of_its_range() {
-        let b = bench();
-        assert_eq!(
-            (
-                b.outside(0.1, 0.0),
-                b.outside(0.3, 0.2),
-                b.outside(0.351, 0.1)
-            ),
-            (0.0, 0.0, 1.0)
-        );
-        assert!((b.outside(0.2, 0.225) - 0.5).abs() < 1e-12);
-        assert!((b.outside(0.325, 0.21) - 0.5).abs() < 1e-12);
-        assert_eq!(b.outside(2.0, 0.0), 1.0);
-    }
 
     #[test]
     fn the_digest_changes_with_whatever_the_pull_depends_on() {

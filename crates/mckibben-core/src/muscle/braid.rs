@@ -124,6 +124,11 @@ pub struct Braid {
     /// t: thickness of the braid, both layers of strands, in mm. 0: the strands lie on the tube's
     /// surface.
     pub thickness_mm: f64,
+    /// Whether the strands lie inside of the rubber, where they hardly rub on each other.
+    pub in_rubber: bool,
+    /// P0: pressure in MPa that takes up the slack of the braid before the muscle pulls, where it is
+    /// stated.
+    pub take_up_mpa: Option<f64>,
     /// Inner diameter in mm at which the sleeve has its angle, where it is wider than the tube.
     pub diameter_mm: Option<f64>,
     /// What straightens in the strands before they stretch.
@@ -165,6 +170,8 @@ impl Braid {
             measured: None,
             compression: false,
             thickness_mm: 0.0,
+            in_rubber: false,
+            take_up_mpa: None,
             diameter_mm: None,
             crimp: None,
             stiffness_factor: 1.0,

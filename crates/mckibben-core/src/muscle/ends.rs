@@ -1,14 +1,16 @@
-//! The ends of a muscle: gripped length, seating and slip reduce what is free between them.
+//! The ends of a muscle: gripped length, seating and slip reduce what is free between them, and
+//! the slack of the braid what the pressure does.
 //!
 //! The muscle between its ends, La = L0 − 2h long at rest, is contracted by x where the whole is
-//! contracted by ε:
+//! contracted by ε, and its pressure is Pa where that of the whole is P:
 //!
-//!   x = (ε L0 + u)/La,   u = δ + c N,   N = F + π Ri² P,
-//!   F(P, ε) = F₀(P, x),  V(P, ε) = V₀(P, x) + π Ri² c N,
+//!   x = (ε L0 + u)/La,   u = δ + c N,   N = F + π Ri² Pa,   Pa = max(P − P0, 0),
+//!   F(P, ε) = F₀(Pa, x),  V(P, ε) = V₀(Pa, x) + π Ri² c N,
 //!
 //! F₀ (N) and V₀ (mm³) of a muscle of length La whose ends hold, h the grip at each end (mm), δ the
 //! seating (mm), c the slip (mm/N), both of both ends together, N the load of a clamp (N): what
-//! tube and braid carry there, the pull and the pressure P (MPa) on the plug of the bore Ri (mm).
+//! tube and braid carry there, the pull and the pressure Pa (MPa) on the plug of the bore Ri (mm),
+//! P0 the take-up pressure (MPa), which takes up the slack of the braid (below zero, Pa = P).
 //! As F₀ falls with x, u has one solution; Newton's method for it begins where a neighbouring state
 //! points to, to first order, or comes from below, where F₀ is convex. With K₀ = −(1/La) ∂F₀/∂x
 //!
@@ -37,6 +39,8 @@ pub struct Ends {
     pub seating_mm: f64,
     /// c in mm/N.
     pub slip_mm_per_n: f64,
+    /// P0 in MPa.
+    pub take_up_mpa: f64,
     /// Ri at rest in mm, or the radius of the plugs where it is stated.
     pub bore_radius_mm: f64,
     stated: bool,
@@ -68,8 +72,12 @@ impl Muscle {
             grip_mm: t.grip_mm.unwrap_or(0.0),
             seating_mm: t.seating_mm.unwrap_or(0.0),
             slip_mm_per_n: t.slip_mm_per_n.unwrap_or(0.0),
+            take_up_mpa: self.parts.braid.take_up_mpa.unwrap_or(0.0),
             bore_radius_mm: self.parts.plug_radius_mm(),
-            stated: t.grip_mm.is_some() || t.seating_mm.is_some() || t.slip_mm_per_n.is_some(),
+            stated: self.parts.braid.take_up_mpa.is_some()
+                || t.grip_mm.is_some()
+                || t.seating_mm.is_some()
+                || t.slip_mm_per_n.is_some(),
         }
     }
 
@@ -83,6 +91,7 @@ impl Muscle {
         inner.parts.tube.length_mm = ends.active_mm();
         let ends = &mut inner.parts.terminals;
         (ends.grip_mm, ends.seating_mm, ends.slip_mm_per_n) = (None, None, None);
+        inner.parts.braid.take_up_mpa = None;
         Cow::Owned(inner)
     }
 }
@@ -94,6 +103,21 @@ impl Ends {
     /// Whether anything is said of them.
     pub fn give(&self) -> bool {
         self.stated
+    }
+
+    /// Pa in MPa of P.
+    pub fn active_mpa(&self, pressure_mpa: f64) -> f64 {
+        pressure_mpa.min(0.0) + (pressure_mpa - self.take_up_mpa).max(0.0)
+    }
+
+    /// P in MPa of Pa; P0 of a muscle that does not pull yet.
+    pub fn whole_mpa(&self, active_mpa: f64) -> f64 {
+        active_mpa
+            + if active_mpa < 0.0 {
+                0.0
+            } else {
+                self.take_up_mpa
+            }
     }
 
     /// La in mm.

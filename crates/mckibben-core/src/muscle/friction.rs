@@ -1,6 +1,6 @@
 //! Friction between the strands of the braid: hysteresis of the pull.
 
-use super::{Bench, Muscle, Presliding};
+use super::Presliding;
 
 /// Friction of the braid, half the width of the hysteresis loop.
 ///
@@ -26,21 +26,19 @@ use super::{Bench, Muscle, Presliding};
 /// The friction belongs to the muscle, not to the model of its pull: it is added to what any model
 /// says.
 ///
-/// Of a muscle that states none, the half-width on a stated branch is estimated
-/// ([`Friction::OF_TENSION`]):
+/// Of a muscle that states none, the half-width on a stated branch is estimated:
 ///
 /// ```text
-/// h = c_f T cosθ,   c_f = 0.085
+/// h = η T cosθ
 /// ```
 ///
 /// T tension of all strands in N and θ their angle, so that T cosθ is their pull along the axis, of
-/// the infinitely long muscle at P and ε; h ends where the strands go slack. c_f (–) is 0.079 and
-/// 0.084 by the points (0.083 and 0.088 at equal steps of ε) of the two braided muscles whose loops
-/// were measured (Tondu 2012 \[tondu2012\], 20° and 30°, 1 to 5 bar, from ε 0.02 on; below, h is up
-/// to twice as large). Both have rayon strands, one diameter, length, laboratory and bench: they do
-/// not tell how h grows with the diameter, nor what strands of PET or nylon, or another bench, make
-/// of it, so that its ± is h itself. Not of strands inside of the rubber, whose measured h follows
-/// no law that was tried, nor of muscles that extend.
+/// the infinitely long muscle at P and ε; h ends where the strands go slack. η (–) is that of
+/// [`Experience`](crate::built::Experience), from the two braided muscles whose loops were measured
+/// (Tondu 2012 \[tondu2012\], 20° and 30°, 1 to 5 bar; below ε 0.02, h is up to twice as large).
+/// Both have rayon strands, one diameter, length, laboratory and bench: they do not tell how h grows
+/// with the diameter, nor what strands of PET or nylon, or another bench, make of it. Of strands
+/// inside of the rubber it is a fraction of that; of muscles that extend none is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction {
     /// C in N/MPa^β: the half-width at 1 MPa.
@@ -56,10 +54,6 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// c_f: half the width of the hysteresis loop over the strands' axial pull, where nothing is
-    /// stated.
-    pub const OF_TENSION: f64 = 0.085;
-
     /// C P^β alone.
     pub fn power_law(coefficient: f64, exponent: f64) -> Self {
         Self {
@@ -92,17 +86,5 @@ impl Friction {
             self.coefficient * pressure_mpa.powf(self.exponent) + self.lever_mm * pivoting_n_per_mm
         };
         if pressure_mpa > 0.0 { half_n() } else { 0.0 }
-    }
-}
-
-impl Muscle {
-    /// c_f of the friction that is estimated of this muscle; 0 where it states its own, was
-    /// identified from pulls that have theirs, or extends. Pulls of one branch alone are identified
-    /// with the estimate, which stays.
-    pub fn friction_share(&self) -> f64 {
-        let has_theirs = |bench: &Bench| !matches!(bench.branches[..], [one] if !one.is_mean());
-        let identified = self.bench.as_deref().is_some_and(has_theirs);
-        let unknown = self.friction().is_none() && !identified && !self.is_extensile();
-        if unknown { Friction::OF_TENSION } else { 0.0 }
     }
 }

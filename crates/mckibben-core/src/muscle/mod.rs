@@ -4,6 +4,7 @@
 
 mod bench;
 mod braid;
+mod constant;
 mod crimp;
 mod derived;
 mod direction;
@@ -27,8 +28,9 @@ pub use crate::{
     rubber::{Bulk, Conditioned, Rubber},
     sleeve::NEUTRAL_ANGLE_DEG,
 };
-pub use bench::Bench;
+pub use bench::{Bench, OwnPoint};
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
+pub use constant::{Constant, Constants};
 pub use crimp::Crimp;
 pub use derived::BuildSheet;
 pub use direction::Direction;
@@ -41,7 +43,7 @@ pub use measures::{Measure, Parts};
 pub use presliding::Presliding;
 pub use reach::largest_stretch;
 pub use stated::Stated;
-pub use terminals::{EndFactor, Terminals};
+pub use terminals::{EndFactor, EndsMade, Terminals};
 pub use tube::Tube;
 
 use crate::rubber::{RubberLaw, library};
@@ -234,17 +236,16 @@ impl Muscle {
 
     /// A bench that saw another muscle.
     fn bench_warning(&self) -> Option<String> {
-        if self.off_identified_lengths().is_some() {
+        if self.has_another_length() {
             return Some(
                 "[identified] is valid for the lengths that were measured, and this muscle \
-                has another one: the ± is that of a muscle without test data, with a part for the \
-                other length; identify it again"
+                has another one: the ± includes that another length differs; identify it again"
                     .to_owned(),
             );
         }
         (self.bench.is_some() && self.bench().is_none()).then(|| {
             "[identified] is valid for the muscle and the table as `identify` wrote them, and one \
-             of them was changed: the ± has a part for another specimen; identify it again"
+             of them was changed: the ± includes that another specimen differs; identify it again"
                 .to_owned()
         })
     }

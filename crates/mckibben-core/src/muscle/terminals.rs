@@ -3,7 +3,7 @@
 use super::error::{MuscleError, positive};
 use schemars::JsonSchema;
 use serde::{
-    Deserialize, Deserializer,
+    Deserialize, Deserializer, Serialize,
     de::{MapAccess, Visitor, value::MapAccessDeserializer},
 };
 use std::fmt;
@@ -81,9 +81,34 @@ impl EndFactor {
     }
 }
 
+/// How the ends hold the braid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum EndsMade {
+    /// By ferrules that are pressed on, as of bought muscles.
+    Crimped,
+    /// By clamps that are screwed on.
+    Clamped,
+    /// By cable ties or thread.
+    Tied,
+}
+
+impl EndsMade {
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Crimped => "crimped",
+            Self::Clamped => "clamped",
+            Self::Tied => "tied",
+        }
+    }
+}
+
 /// What is known of the terminals.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Terminals {
+    /// How they hold the braid, where it is stated.
+    pub made: Option<EndsMade>,
     /// Length of tube and braid clamped on each plug, in mm, where it is stated.
     pub insertion_mm: Option<f64>,
     /// Total displacement of both ends under load, in mm, as strands seat and slip in the clamps:

@@ -156,10 +156,9 @@ fn pull(trial: &mut Trial<'_>, point: &OperatingPoint) -> Result<Check> {
         let info = trial.model.info();
         info.range.check(&info.name, pressure_mpa, contraction)?;
     }
-    let pull_n = trial.strongest_n(contraction)?;
     Ok(Check {
         limit: Limit::Force,
-        value: trial.sure_n(pressure_mpa, contraction, pull_n),
+        value: trial.sure_n(pressure_mpa, contraction)?,
         bound: point.force_n,
         contraction,
         pressure_mpa,

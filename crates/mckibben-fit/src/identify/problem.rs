@@ -381,7 +381,7 @@ fn friction_share(request: &Request<'_>) -> f64 {
     let muscle = request.muscle;
     if of_one && !known && !request.history && muscle.friction().is_none() && !muscle.is_extensile()
     {
-        Friction::OF_TENSION
+        muscle.friction_share()
     } else {
         0.0
     }

@@ -3,7 +3,7 @@
 use super::{
     Build, Candidate, DataError, Identification, Identified, IdentifyError, Parameter, PointFit,
     Result, Target, advice,
-    bench::{Minimum, bench},
+    bench::bench,
     history,
     problem::Problem,
     result::{spread, spreads},
@@ -176,6 +176,13 @@ pub fn identify(request: &Request<'_>) -> Result<Identification> {
     }
 }
 
+/// A minimum of the residuals, with the unknowns that are at their bounds set to these.
+struct Minimum<'a> {
+    unknowns: &'a [Unknown],
+    estimate: &'a Estimate,
+    x: &'a [f64],
+}
+
 fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     if request.free.is_empty() {
         let message = "nothing is free: name at least one parameter to identify";
@@ -257,7 +264,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     };
     out.notes
         .extend(advice::zero_of_load_cell(&out, &estimate.slopes));
-    out.bench = bench(request, &out, &minimum);
+    out.bench = bench(request, &out);
     out.notes.extend(advice::after(&out, request));
     Ok(out)
 }

@@ -9,7 +9,7 @@ use crate::{
     rubber::{Form, Mode, TensionPoint},
     rubber_over_time::TimePoint,
 };
-use mckibben_core::muscle::{Friction, Muscle};
+use mckibben_core::{built::Experience, muscle::Muscle};
 use mckibben_io::table::TableError;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -60,7 +60,7 @@ impl MuscleCase {
     /// inside of the rubber.
     pub fn friction_share(&self) -> f64 {
         if self.facts.product.is_none() {
-            Friction::OF_TENSION
+            Experience::built_in().friction.centre
         } else {
             0.0
         }
@@ -236,4 +236,8 @@ pub struct Facts {
     pub unknown: String,
     /// The product, where one can buy it.
     pub product: Option<String>,
+    /// The family that it belongs to: what one maker or workshop made.
+    pub family: Option<String>,
+    /// Standard deviation of an angle that nobody stated, in degrees.
+    pub angle_deviation_deg: Option<f64>,
 }

@@ -49,7 +49,6 @@ impl Fitter<'_> {
             p.at.contraction += candidate.contraction_offset;
             let of_row = candidate.section_muscle(&p.section);
             of_row.is_ok_and(|of_row| of_row == muscle)
-                && bench.outside(p.at.pressure_mpa, p.at.contraction) <= 0.0
         });
         let muscle = muscle.with_bench(bench);
         Ok(residuals(self.build, &muscle, &points, 0.0))

@@ -81,12 +81,8 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
     let (on_bench, others): (Vec<_>, Vec<_>) = points.iter().partition(|p| is_of_muscle(p));
     let [on_bench, others] = [on_bench, others].map(|points| residuals(build, muscle, points, 0.0));
     let bench = muscle.bench().filter(|_| !on_bench.is_empty());
-    let held = bench.map(|bench| {
-        let covers = |r: &&Residual| {
-            r.difference_n.abs() <= bench.half_width_n(r.pressure_mpa, r.contraction)
-        };
-        on_bench.iter().filter(covers).count() as f64 / on_bench.len() as f64
-    });
+    let covers = |r: &&Residual| r.covered() == Some(true);
+    let held = bench.map(|_| on_bench.iter().filter(covers).count() as f64 / on_bench.len() as f64);
     let ForceErrors {
         points,
         rms_n,

@@ -13,9 +13,11 @@
 pub mod built_in;
 pub mod case;
 pub mod coverage;
+pub mod families;
 pub mod held_out;
 pub mod left_out;
 pub mod library;
+mod population;
 pub mod pulses;
 mod read;
 pub mod report;
@@ -71,6 +73,7 @@ pub fn cases(
         held_out::cases,
         left_out::cases,
         pulses::cases,
+        families::cases,
     ] {
         rows.extend(cases(&sets, by));
         progress.check()?;

@@ -28,6 +28,8 @@ struct CaseText<F> {
     known: String,
     unknown: String,
     product: Option<String>,
+    family: Option<String>,
+    angle_deviation_deg: Option<f64>,
     rms_of_blocked: Option<f64>,
     library_fit: Option<String>,
     fit: Vec<F>,
@@ -76,6 +78,8 @@ fn parse<F: DeserializeOwned>(files: &MeasuredFolder) -> Result<(Facts, CaseText
         known: case.known.clone(),
         unknown: case.unknown.clone(),
         product: case.product.clone(),
+        family: case.family.clone(),
+        angle_deviation_deg: case.angle_deviation_deg,
     };
     Ok((facts, case))
 }

@@ -361,14 +361,14 @@ mod tests {
     #[test]
     fn errors_of_a_branch_are_those_of_its_points() {
         use Direction::{Contraction, Elongation, Mean};
-        let point = |branch, difference_n, half_width_n| Residual {
+        let point = |branch, difference_n, half_width_n: Option<f64>| Residual {
             contraction: 0.1,
             contraction_share: 0.3,
             difference_n,
             branch,
             pressure_mpa: 0.2,
             blocked_n: 100.0,
-            half_width_n,
+            of_built_n: half_width_n.map(|half| (difference_n, half)),
         };
         let points = [
             point(Contraction, -1.0, Some(3.0)),

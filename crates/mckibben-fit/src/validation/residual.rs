@@ -8,11 +8,11 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Evaluation, Options},
+    built::UncertaintyParts,
     extremes::peak,
     model::{ForceModel, Workspace},
     muscle::{Direction, Muscle},
     progress::Progress,
-    uncertainty::UncertaintyParts,
 };
 use serde::Serialize;
 
@@ -31,16 +31,16 @@ pub struct Residual {
     pub pressure_mpa: f64,
     /// The computed blocked force there, in N.
     pub blocked_n: f64,
-    /// The ± there in N; on the mean of the branches without its part for friction. `None` where
-    /// nobody has measured the model's error.
-    pub half_width_n: Option<f64>,
+    /// Measured less what a muscle that is built pulls by the median, in N, and half of its 95 %
+    /// interval; on the mean of the branches without friction. `None` where nobody has measured the
+    /// model's error.
+    pub of_built_n: Option<(f64, f64)>,
 }
 
 impl Residual {
     /// Whether the ± covers the point.
     pub fn covered(&self) -> Option<bool> {
-        self.half_width_n
-            .map(|half| self.difference_n.abs() <= half)
+        self.of_built_n.map(|(off, half)| off.abs() <= half)
     }
 }
 
@@ -76,14 +76,18 @@ fn residual(
         }
     };
     let mut evaluation = Evaluation::new(model, blocked, options);
-    let parts = evaluation.uncertainty(pressure_mpa, contraction, here.force_n);
-    let half_width_n = |parts: UncertaintyParts| {
-        UncertaintyParts {
-            friction: parts.friction.filter(|_| !branch.is_mean()),
-            ..parts
-        }
-        .total()
-    };
+    let predicted = evaluation.predicted(pressure_mpa, contraction, here.force_n);
+    let is_pull = point.measured != Quantity::Volume;
+    let of_built_n = predicted.filter(|_| is_pull).map(|(built, parts)| {
+        let (friction_n, friction) = if branch.is_mean() {
+            (built.predicted_shift_n.friction, None)
+        } else {
+            (0.0, parts.friction)
+        };
+        let parts = UncertaintyParts { friction, ..parts };
+        let median_n = (built.predicted_n - friction_n).max(0.0);
+        (force_n - median_n, parts.total())
+    });
     Some(Residual {
         contraction,
         contraction_share: contraction / model.muscle().max_ideal_contraction(),
@@ -91,7 +95,7 @@ fn residual(
         branch,
         pressure_mpa,
         blocked_n: model.force_n(blocked, pressure_mpa, 0.0).ok()?,
-        half_width_n: parts.map(half_width_n),
+        of_built_n,
     })
 }
 
@@ -191,7 +195,7 @@ impl ForceErrors {
         let list: Vec<&Residual> = list.collect();
         let errors = Errors::new(list.iter().map(|r| r.difference_n));
         let blocked_n = peak(list.iter().map(|r| r.blocked_n));
-        let widths: Vec<f64> = list.iter().filter_map(|r| r.half_width_n).collect();
+        let widths: Vec<f64> = list.iter().filter_map(|r| Some(r.of_built_n?.1)).collect();
         let judged = widths.len() as f64;
         let held = list.iter().filter(|r| r.covered() == Some(true)).count();
         Self {

@@ -1,20 +1,20 @@
-//! The share of a pull's ± for a rubber that is known from one axis.
+//! What the prior of a modulus covers of a rubber that is known from one axis.
 
 use mckibben_core::{
+    built::{Experience, HALF_95},
     model::{ForceModel, ThickWall, Workspace},
     muscle::{Braid, Muscle, Rubber, Tube},
     rubber::Law,
-    uncertainty::ONE_AXIS,
 };
 use mckibben_fit::rubber::{FitSettings, Mode, fit_tension, read_tension};
 
 /// Six rubbers measured in several modes: the law recommended from their uniaxial test, against the
-/// one from all tests. Where the pull with the latter lies within what d makes of the former;
+/// one from all tests. The pull with the latter lies within what the prior of the modulus makes of
+/// the former;
 /// pressures of 1 to 4 bar, contractions up to 25 %, two muscles.
 #[test]
 fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() {
     let w = &mut Workspace::new();
-    let mut held = vec![];
     for file in [
         "treloar/tension",
         "rubber_biaxial/kawabata_1981",
@@ -65,8 +65,9 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
                 }
             }
         }
-        let within =
-            shares.iter().filter(|s| s.abs() <= ONE_AXIS).count() as f64 / shares.len() as f64;
+        // What the prior says of the modulus of a measured rubber, as a share of it.
+        let half = HALF_95 * Experience::built_in().modulus.deviation;
+        let within = shares.iter().filter(|s| s.abs() <= half).count() as f64 / shares.len() as f64;
         shares.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
         let at = |q: f64| shares[(q * (shares.len() - 1) as f64) as usize].abs();
         assert!(
@@ -76,9 +77,5 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
             all.name(),
             at(1.0)
         );
-        held.push(at(1.0));
     }
-    // No wider than the widest of them asks for.
-    let widest = held.into_iter().fold(0.0, f64::max);
-    assert!(ONE_AXIS < 1.05 * widest, "{widest}");
 }

@@ -1,5 +1,8 @@
 use super::*;
-use crate::{model::ModelKind, muscle::Terminals};
+use crate::{
+    model::ModelKind,
+    muscle::{Terminals, measures::TAKE_UP},
+};
 
 fn with(terminals: Terminals) -> Muscle {
     Muscle::prototype().with_terminals(terminals).unwrap()
@@ -39,6 +42,30 @@ fn a_seated_muscle_is_the_same_one_contracted_by_the_seating() {
             (gives.info().range.contraction.1 - (held.info().range.contraction.1 - 0.01)).abs()
                 < 1e-12
         );
+    }
+}
+
+/// A take-up pressure P0 shifts the pressure, in pull, volume and inverses; below it the muscle is
+/// as without pressure.
+#[test]
+fn a_take_up_pressure_shifts_the_pressure() {
+    let workspace = &mut Workspace::new();
+    for kind in [ModelKind::Ideal, ModelKind::ThickWall, ModelKind::Universal] {
+        let held = kind.build(&Muscle::prototype()).unwrap();
+        let slack = Muscle::prototype().with(&TAKE_UP, 0.02).unwrap();
+        let slack = kind.build(&slack).unwrap();
+        for (p, e) in [(0.1, 0.0), (0.25, 0.1), (0.2, 0.2)] {
+            let here = held.response(workspace, p, e).unwrap();
+            let later = slack.response(workspace, p + 0.02, e).unwrap();
+            assert!((later.force_n - here.force_n).abs() < 1e-9 * here.force_n.abs().max(1.0));
+            assert_eq!(later.pressure_mpa, p + 0.02);
+            assert!((later.volume_mm3.unwrap() / here.volume_mm3.unwrap() - 1.0).abs() < 1e-9);
+            if let Some(exact) = slack.pressure_at_pull(workspace, here.force_n, e) {
+                assert!((exact - (p + 0.02)).abs() < 1e-9);
+            }
+        }
+        let below = slack.force_n(workspace, 0.01, 0.0).unwrap();
+        assert_eq!(below, slack.force_n(workspace, 0.0, 0.0).unwrap());
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{error::FileError, source::Source};
 use crate::muscle::{Bench, Direction};
 
-/// Rows, columns and parameters at most.
+/// Rows and columns at most.
 const MOST: usize = 64;
 const LONGEST: usize = 200;
 
@@ -22,10 +22,13 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
     let table = "must hold rows of numbers, each of as many, at most 64 of at most 64";
     let Bench {
         contraction,
-        parameters,
+        constants,
         covariance,
+        own_points,
         ..
     } = bench;
+    let lowest = contraction.0;
+    let distinct = (1..constants.len()).all(|i| !constants[..i].contains(&constants[i]));
     let checks = [
         (
             "laboratory",
@@ -48,26 +51,29 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
         ("contraction", is_range(*contraction), range),
         (
             "contraction",
-            contraction.0 > -1.0 && contraction.1 < 1.0,
+            lowest > -1.0 && contraction.1 < 1.0,
             "must lie between -1 and 1",
         ),
-        ("fit", is_table(&bench.fit_n), table),
+        ("pull_factor", bench.pull_factor > 0.0, "must be above zero"),
         (
-            "fit",
-            bench.fit_n.first().is_some_and(|row| !row.is_empty())
-                && bench.fit_n.iter().flatten().all(|v| *v >= 0.0),
-            "must hold half-widths in N, none below zero",
+            "friction_share",
+            bench.friction_share >= 0.0,
+            "must not be below zero",
         ),
+        ("constants", distinct, "names a constant twice"),
         (
-            "parameters",
-            parameters.len() <= MOST && parameters.iter().all(|p| p.len() <= LONGEST),
-            "has more or longer names than a muscle",
+            "own_points",
+            own_points.len() <= Bench::OWN_POINTS
+                && own_points
+                    .iter()
+                    .all(|p| p.0 >= 0.0 && p.1.abs() < 1.0 && p.2.abs() <= 1.0),
+            "must hold up to 20 points of pressure, contraction, branch (-1, 0 or 1) and pull",
         ),
         ("covariance", is_table(covariance), table),
         (
             "covariance",
-            is_covariance(covariance, parameters.len()),
-            "must be symmetric, with a row and a column for each of `parameters`, and no \
+            is_covariance(covariance, constants.len()),
+            "must be symmetric, with a row and a column for each of `constants`, and no \
              combination of them may have a variance below zero",
         ),
         (

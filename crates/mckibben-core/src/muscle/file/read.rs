@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     muscle::{
-        Bench, BraidStiffness, EndFactor, Muscle, MuscleError, Stated,
+        Bench, BraidStiffness, EndFactor, EndsMade, Muscle, MuscleError, Stated,
         measures::{CONE_FACTOR, MeasureValues, OUTER_DIAMETER, WALL},
     },
     sleeve::{Sleeve, library},
@@ -73,12 +73,16 @@ pub struct OfBraid {
     strand_diameter: Option<Positive<Length>>,
     /// Whether the strands carry compression
     compression: Option<bool>,
+    /// Whether they lie inside of the rubber: their friction is less
+    in_rubber: Option<bool>,
 }
 
 /// The keys of `[terminals]` beside its measures.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct OfTerminals {
+    /// How the ends hold the braid: the ± of the pull follows from it
+    made: Option<EndsMade>,
     /// Empirical end factor k of Tondu & Lopez
     end_factor: Option<EndFactor>,
 }
@@ -199,9 +203,11 @@ impl MuscleFile {
         parts.terminals.end_factor = of_model.or(terminals.other.end_factor);
         let of_model = model.conical_ends.cone_factor;
         parts.terminals.cone_factor = of_model.or(stated.measures.get(&CONE_FACTOR));
+        parts.terminals.made = terminals.other.made;
         if let Some(compression) = braid.other.compression {
             parts.braid.compression = compression;
         }
+        parts.braid.in_rubber = braid.other.in_rubber.unwrap_or(false);
         if let Some(bench) = &identified {
             bench::check(bench, source)?;
         }

@@ -137,6 +137,8 @@ fn braid() -> impl Strategy<Value = Braid> {
                     strands,
                     measured,
                     compression,
+                    in_rubber: compression,
+                    take_up_mpa: diameter_mm.map(|mm| 1e-4 * mm),
                     thickness_mm,
                     diameter_mm,
                     crimp: crimp.filter(|_| stiffness != BraidStiffness::Inextensible),
@@ -175,6 +177,7 @@ prop_compose! {
         let pull_off_n = seating_mm.map(|v| 100.0 + v);
         let rated_pressure_mpa = grip_mm.map(|_| 0.8);
         let terminals = Terminals {
+            made: grip_mm.map(|_| EndsMade::Tied),
             insertion_mm,
             seating_mm,
             slip_mm_per_n,
@@ -304,6 +307,7 @@ fn every_key_is_understood() {
     };
     assert_eq!(muscle.braid().measured, Some(measured));
     let terminals = Terminals {
+        made: None,
         insertion_mm: Some(20.0),
         seating_mm: Some(1.6),
         slip_mm_per_n: Some(0.003),

@@ -3,8 +3,8 @@
 use super::text::{Text, list, number, percent, quantity, text};
 use crate::{
     muscle::{
-        Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber,
-        Strands,
+        Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, OwnPoint,
+        Rubber, Strands,
         measures::{STRANDS_FACTOR, STRENGTH_FACTOR, of_section},
     },
     rubber::{
@@ -35,9 +35,15 @@ pub fn to_toml(muscle: &Muscle) -> String {
     out.rubber(&tube.rubber, muscle.reach());
     out.braid(muscle, tube.outer_diameter_mm);
     for section in ["terminals", "friction"] {
-        if written(muscle, section).next().is_some() {
+        let made = muscle.terminals().made.filter(|_| section == "terminals");
+        if made.is_some() || written(muscle, section).next().is_some() {
             out.table(section);
         }
+        out.stated(
+            "made",
+            made.map(|made| text(made.name())),
+            "how the ends hold the braid",
+        );
         out.measures(muscle, section);
     }
     let (factor, comment) = match muscle.terminals().end_factor {
@@ -174,7 +180,7 @@ impl Text {
         self.key(
             "model",
             &text(&bench.model),
-            "the ± inside of these ranges is that of the fit to them",
+            "by which the constants were found",
         );
         let lengths = Some(&bench.lengths_mm).filter(|lengths| !lengths.is_empty());
         self.stated(
@@ -194,20 +200,26 @@ impl Text {
         let (low, high) = bench.contraction;
         self.key("contraction", &numbers(&vec![low, high]), "");
         self.key(
-            "scatter",
-            &quantity(bench.scatter_n, "N"),
-            "95 % half-width of a point about the fit",
+            "pull_factor",
+            &number(bench.pull_factor),
+            "on the pull, that no constant explains",
         );
         self.key(
-            "fit",
-            &list(&bench.fit_n, numbers),
-            "that of the fitted pull in N: rows by pressure, columns by contraction",
+            "friction_share",
+            &number(bench.friction_share),
+            "half the width of the hysteresis loop over the strands' pull",
         );
-        self.key("parameters", &list(&bench.parameters, |p| text(p)), "");
+        self.key("constants", &list(&bench.constants, |c| text(c.word())), "");
         self.key(
             "covariance",
             &list(&bench.covariance, numbers),
-            "in the units of the parameters",
+            "in the units of the constants",
+        );
+        let point = |(p, e, sign, off_n): &OwnPoint| numbers(&vec![*p, *e, *sign, *off_n]);
+        self.key(
+            "own_points",
+            &list(&bench.own_points, point),
+            "MPa, contraction, branch, measured less predicted in N",
         );
         self.key(
             "of",
@@ -312,6 +324,8 @@ impl Text {
         self.measures(muscle, "braid");
         let compression = braid.compression.then(|| "true".into());
         self.stated("compression", compression, "strands that carry compression");
+        let in_rubber = braid.in_rubber.then(|| "true".into());
+        self.stated("in_rubber", in_rubber, "strands inside of the rubber");
     }
 }
 

@@ -36,6 +36,7 @@ pub static MEASURES: &[&Measure] = &[
     &STRANDS_PER_CARRIER,
     &STRAND_LENGTH,
     &TURNS,
+    &TAKE_UP,
     &THICKNESS,
     &SLEEVE_DIAMETER,
     &CRIMP,
@@ -544,6 +545,31 @@ pub static TURNS: Measure = Measure {
     )),
     get: |p| Some(p.braid.measured?.turns),
     set: |p, v| measured(p).turns = v,
+    ..Measure::NONE
+};
+
+/// P0
+pub static TAKE_UP: Measure = Measure {
+    key: "braid.take_up",
+    field: Some("take_up_mpa"),
+    symbol: "P0",
+    label: "take-up pressure",
+    about: "Take-up pressure P0: what takes up the slack of the braid before the muscle pulls",
+    comment: "takes up the slack of the braid before the muscle pulls",
+    dimension: Pressure,
+    bounds: NotNegative,
+    default: Some(0.0),
+    is_shown: true,
+    digested: true,
+    identify: Some(Identify {
+        also: &["take-up"],
+        start: Some(0.02),
+        bounds: Some((0.0, 0.2)),
+        limit: Some(0.02),
+        ..Identify::UNKNOWN
+    }),
+    get: |p| p.braid.take_up_mpa,
+    set: |p, v| p.braid.take_up_mpa = Some(v),
     ..Measure::NONE
 };
 

@@ -434,19 +434,22 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
                 let measured = exact.unwrap() + noise;
                 let mut model = Evaluation::new(&model, w, branch);
                 let computed = model.force_n(pressure, e).unwrap();
-                let parts = model.uncertainty(pressure, e, computed).unwrap();
-                let others = [parts.measured, parts.friction];
-                assert!(parts.fit.is_some() && others == [None, None], "{parts:?}");
-                held += usize::from((measured - computed).abs() <= parts.total());
+                let (built, parts) = model.predicted(pressure, e, computed).unwrap();
+                assert!(parts.fit.is_some() && parts.rubber.is_none(), "{parts:?}");
+                // The mean of the branches has no friction.
+                let friction_n = if branch.is_mean() {
+                    built.predicted_shift_n.friction
+                } else {
+                    0.0
+                };
+                let off = measured - (built.predicted_n - friction_n);
+                held += usize::from(off.abs() <= built.half_n());
                 all += 1;
-                widest = widest.max(parts.total());
+                widest = widest.max(built.half_n());
             }
         }
         let share = f64::from(held as u32) / f64::from(all as u32);
-        assert!(
-            (0.93..0.985).contains(&share) && widest < 25.0,
-            "{share} of {all}, {widest}"
-        );
+        assert!(share >= 0.95 && widest < 60.0, "{share} of {all}, {widest}");
     }
 }
 

@@ -1,0 +1,191 @@
+//! How a built muscle differs from the one that is described, at any pressure and contraction.
+
+use super::{
+    Experience, Prior,
+    learnt::{Learnt, Place},
+    twin::Twin,
+};
+use crate::muscle::{Bench, Constant, Constants, Muscle, OwnPoint};
+use std::sync::OnceLock;
+
+/// A constant, the muscle with it below and above its centre, and half of what lies between.
+type Side = (Constant, [Twin; 2], f64);
+
+/// What the constants make of the pull of a muscle.
+pub struct Predictor {
+    /// Centre of the constants, beside what the muscle states.
+    pub centre: Constants,
+    /// Their covariance.
+    pub covariance: Vec<Constants>,
+    /// Whether they come from points of the muscle, or of one of its kind.
+    pub is_identified: bool,
+    /// What the points of its own bench tell near them.
+    pub learnt: Option<Learnt>,
+    stated: Twin,
+    built: Twin,
+    /// The muscle itself, and it with a constant below and above its centre and half of what lies
+    /// between, where the ± needs it.
+    muscle: Muscle,
+    sides: OnceLock<Option<Vec<Side>>>,
+}
+
+/// A built muscle at a pressure and a contraction.
+pub struct At {
+    /// What ends that give way add to the pull in N.
+    pub ends_n: f64,
+    /// What the take-up pressure adds to it.
+    pub take_up_n: f64,
+    /// T cosθ of the strands in N.
+    pub strands_n: f64,
+    /// ∂F by each constant, of a branch.
+    pub slopes: Constants,
+    /// Pull of the infinitely long muscle as it is built, in N.
+    pub force_n: f64,
+    /// Its blocked force at this pressure.
+    pub blocked_n: f64,
+}
+
+impl Predictor {
+    /// Of a muscle: by what its own points told, or by the measured muscles.
+    pub fn of(muscle: &Muscle, experience: &Experience) -> Option<Self> {
+        let prior = Prior::of(muscle, experience);
+        match muscle.any_bench() {
+            Some(bench) => Self::identified(muscle, bench, &prior, experience),
+            None => Self::about(muscle, prior.centre, prior.covariance()),
+        }
+    }
+
+    /// Of a muscle that was identified, or that was made from one.
+    fn identified(
+        muscle: &Muscle,
+        bench: &Bench,
+        prior: &Prior,
+        experience: &Experience,
+    ) -> Option<Self> {
+        let mut centre = [0.0; Constant::ALL.len()];
+        centre[Constant::PullFactor as usize] = bench.pull_factor.ln();
+        centre[Constant::Friction as usize] = bench.friction_share;
+        let mut covariance = prior.covariance();
+        for (a, row) in bench.constants.iter().zip(&bench.covariance) {
+            for (b, value) in bench.constants.iter().zip(row) {
+                covariance[*a as usize][*b as usize] = *value;
+            }
+        }
+        let scatter = if bench.laboratory.is_some() || muscle.differs_from_identified() {
+            Some(experience.specimen)
+        } else {
+            muscle.has_another_length().then_some(experience.length)
+        };
+        for (i, deviation) in scatter.into_iter().flatten().enumerate() {
+            covariance[i][i] += deviation * deviation;
+        }
+        let mut out = Self::about(muscle, centre, covariance)?;
+        out.is_identified = true;
+        if scatter.is_none() {
+            let row = |&(p, e, sign, off_n): &OwnPoint| {
+                let at = out.at(p, e, sign)?;
+                Some((out.place(p, e, &at), off_n, at.slopes))
+            };
+            let rows: Vec<_> = bench.own_points.iter().filter_map(row).collect();
+            out.learnt = Learnt::new(&rows, bench.pressure_mpa.1);
+        }
+        Some(out)
+    }
+
+    /// Of a muscle whose constants are known with a covariance.
+    pub fn about(muscle: &Muscle, centre: Constants, covariance: Vec<Constants>) -> Option<Self> {
+        Some(Self {
+            stated: Twin::new(muscle),
+            built: Twin::new(&muscle.with_constants(&centre).ok()?),
+            muscle: muscle.clone(),
+            sides: OnceLock::new(),
+            centre,
+            covariance,
+            is_identified: false,
+            learnt: None,
+        })
+    }
+
+    /// The muscle with each constant that has no slope in closed form beside its centre.
+    fn make_sides(&self) -> Option<Vec<Side>> {
+        let mut sides = vec![];
+        for constant in [Constant::Modulus, Constant::Angle, Constant::Strands] {
+            let i = constant as usize;
+            let half = self.covariance[i][i].sqrt();
+            if half == 0.0 {
+                continue;
+            }
+            let side = |by: f64| {
+                let mut x = self.centre;
+                x[i] += by;
+                Some(Twin::new(&self.muscle.with_constants(&x).ok()?))
+            };
+            sides.push((constant, [side(-half)?, side(half)?], half));
+        }
+        Some(sides)
+    }
+
+    /// What lies between the pull of the muscle as it is described and as it is built, in N, of the
+    /// mean of both branches, and T cosθ of its strands.
+    pub fn weaker_n(&self, pressure_mpa: f64, contraction: f64) -> Option<(f64, f64)> {
+        let built = self.built.state(pressure_mpa, contraction)?;
+        let stated_n = self.stated.force_n(pressure_mpa, contraction)?;
+        Some((built.force_n - stated_n, built.strands_n))
+    }
+
+    /// At a pressure in MPa and a contraction, on a branch by its sign; `None` where the infinitely
+    /// long muscle has no equilibrium.
+    pub fn at(&self, pressure_mpa: f64, contraction: f64, sign: f64) -> Option<At> {
+        let state = self.built.state(pressure_mpa, contraction)?;
+        let take_up_mpa = self.centre[Constant::TakeUp as usize];
+        let taken_up_n = if take_up_mpa > 0.0 {
+            self.built
+                .force_n(pressure_mpa + take_up_mpa, contraction)?
+        } else {
+            state.force_n
+        };
+        let k = state.stiffness_n_per_mm;
+        let d0_mm = self.muscle.outer_diameter_mm();
+        let sides = self.sides.get_or_init(|| self.make_sides()).as_ref()?;
+        let mut slopes: Constants = [0.0; Constant::ALL.len()];
+        let mut set = |constant: Constant, slope: f64| slopes[constant as usize] = slope;
+        set(Constant::PullFactor, state.force_n);
+        set(Constant::Seating, -k * d0_mm);
+        set(Constant::Compliance, -k * state.load_n / d0_mm);
+        set(Constant::TakeUp, -state.per_pressure_mm2);
+        set(Constant::Friction, sign * state.strands_n);
+        for (constant, [below, above], half) in sides {
+            let at = |twin: &Twin| twin.force_n(pressure_mpa, contraction);
+            // One side may have no equilibrium: the other then stands for both.
+            let slope = match (at(below), at(above)) {
+                (Some(below), Some(above)) => 0.5 * (above - below) / half,
+                (Some(below), None) => (state.force_n - below) / half,
+                (None, Some(above)) => (above - state.force_n) / half,
+                (None, None) => 0.0,
+            };
+            set(*constant, slope);
+        }
+        Some(At {
+            ends_n: taken_up_n - self.stated.force_n(pressure_mpa, contraction)?,
+            take_up_n: state.force_n - taken_up_n,
+            strands_n: state.strands_n,
+            slopes,
+            force_n: state.force_n,
+            blocked_n: self.built.force_n(pressure_mpa, 0.0)?.abs(),
+        })
+    }
+
+    /// Beyond which no muscle of its braid contracts.
+    pub(super) fn largest_contraction(&self) -> f64 {
+        self.muscle.max_ideal_contraction()
+    }
+
+    /// The place of a point for the smooth difference.
+    pub fn place(&self, pressure_mpa: f64, contraction: f64, at: &At) -> Place {
+        Place {
+            pressure_mpa,
+            contraction,
+            blocked_n: at.blocked_n,
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! What the measured muscles tell of one that nobody measured, as `crates/mckibben-core/data/prior.json`
+//! keeps it: `cargo run --release -p mckibben-fit --example prior > FILE`; with `--table` what the ±
+//! covers where each family is left out, series by series.
+
+use mckibben_core::{model::ForceModel, muscle::Muscle, progress::Silent};
+use mckibben_fem::elements::Elements;
+use mckibben_fit::validation::{
+    built_in,
+    families::{self, Known, Way},
+    residual::Fitter,
+};
+use std::error::Error;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let build = |m: &Muscle| -> Result<Box<dyn ForceModel>, _> {
+        Ok(Elements::Axisymmetric(Default::default()).build(m)?)
+    };
+    let by = Fitter {
+        build: &build,
+        progress: &Silent,
+    };
+    let series = families::series(&built_in::muscles()?);
+    let known = families::known(&series, by);
+    if std::env::args().any(|a| a == "--table") {
+        for way in Way::ALL {
+            print!("{}", families::left_out(&known, way, by));
+        }
+        return Ok(());
+    }
+    let all: Vec<&Known<'_>> = known.iter().collect();
+    let experience = families::experience(&all);
+    println!("{}", serde_json::to_string_pretty(&experience.rounded())?);
+    Ok(())
+}

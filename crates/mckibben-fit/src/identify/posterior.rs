@@ -1,0 +1,285 @@
+//! The constants of a muscle from points and what is known before: the maximum of the posterior.
+//!
+//! All constants x of a built muscle ([`Constant`]) are free, with the prior x0, Σ0 that measured
+//! muscles tell ([`Prior`]). With f the pull ([`mckibben_core::built`]), J = ∂f/∂x, and R the
+//! covariance of the differences between model and muscle at the points
+//! ([`mckibben_core::built::learnt`]),
+//!
+//! ```text
+//! A = JᵀR⁻¹J + Σ0⁻¹,   x += A⁻¹ [JᵀR⁻¹(y − f) − Σ0⁻¹(x − x0)],   C = A⁻¹
+//! ```
+//!
+//! in steps of at most two deviations of the prior, within the bounds of the constants. A point of
+//! another length shares the constants up to what differs between lengths: R has J S Jᵀ more there,
+//! S the scatter between lengths. A point whose branch is not stated lies anywhere in the loop: its
+//! variance has h² more. A contraction or a pressure that was measured counts as the pull there.
+//! What ends below 0.7 of its deviation before was learnt from the points.
+
+use super::{Build, Result};
+use crate::measured::{DataPoint, Quantity, Section};
+use mckibben_core::{
+    built::{
+        Experience, Predictor, Prior,
+        learnt::{NOISE, Place, kernel},
+    },
+    extremes::peak,
+    model::Workspace,
+    muscle::{Constant, Constants, Muscle},
+    progress::Progress,
+    threads,
+};
+use nalgebra::{DMatrix, DVector};
+
+const CONSTANTS: usize = Constant::ALL.len();
+/// Turns of the search at most; six are the rule.
+const TURNS: usize = 20;
+/// A step below this share of a prior's deviation is none.
+const SMALL: f64 = 1e-4;
+
+/// What points and prior tell of the constants.
+#[derive(Debug, Clone)]
+pub struct Posterior {
+    /// x.
+    pub constants: Constants,
+    /// C.
+    pub covariance: Vec<Constants>,
+    /// What was known before.
+    pub prior: Prior,
+    /// Each point with the pull of the constants there, in N.
+    pub points: Vec<(DataPoint, f64)>,
+}
+
+/// Points, the muscle that states what is known, its model and what is known before.
+#[derive(Clone, Copy)]
+pub struct PosteriorRequest<'a> {
+    pub muscle: &'a Muscle,
+    pub points: &'a [DataPoint],
+    pub build: &'a Build<'a>,
+    pub experience: &'a Experience,
+    pub prior: &'a Prior,
+    pub progress: &'a dyn Progress,
+    /// Whether the constants are sought; else they stay at the centre of the prior.
+    pub search: bool,
+}
+
+/// A point beside the muscle with constants.
+struct Row {
+    section: Section,
+    place: Place,
+    predicted_n: f64,
+    slopes: Constants,
+    /// T cosθ η: h in N.
+    half_loop_n: f64,
+}
+
+impl PosteriorRequest<'_> {
+    /// Every point of one section by the muscle with constants; `None` where it has no answer.
+    fn rows_of(&self, section: Section, x: &Constants) -> Option<Vec<Option<Row>>> {
+        let muscle = section.apply(self.muscle).ok()?;
+        let model = (self.build)(&muscle.with_constants(x).ok()?).ok()?;
+        let predictor = Predictor::about(&muscle, *x, self.prior.covariance())?;
+        let w = &mut Workspace::new();
+        let stated = muscle.friction().copied();
+        let one = |point: &DataPoint| {
+            let (p, e) = (point.at.pressure_mpa, point.at.contraction);
+            let sign = point.at.direction().sign();
+            let at = predictor.at(p, e, sign)?;
+            let factor = x[Constant::PullFactor as usize].exp();
+            let mean_n = factor * model.force_n(w, p, e).ok()?;
+            let mut slopes = at.slopes;
+            slopes[Constant::PullFactor as usize] = mean_n;
+            let half_loop_n = match &stated {
+                // A law that is stated stays.
+                Some(law) => {
+                    slopes[Constant::Friction as usize] = 0.0;
+                    law.half_width_n(p, 0.0)
+                }
+                None => x[Constant::Friction as usize] * at.strands_n,
+            };
+            Some(Row {
+                section,
+                place: predictor.place(p, e, &at),
+                predicted_n: mean_n + sign * half_loop_n,
+                slopes,
+                half_loop_n,
+            })
+        };
+        let own = self.points.iter().filter(|p| p.section == section);
+        Some(own.map(one).collect())
+    }
+
+    /// Every point by the muscle with constants, in their order.
+    fn rows(&self, x: &Constants) -> Option<Vec<Option<Row>>> {
+        let mut sections: Vec<Section> = vec![];
+        for point in self.points {
+            if !sections.contains(&point.section) {
+                sections.push(point.section);
+            }
+        }
+        let lists = threads::map(&sections, |section| self.rows_of(*section, x));
+        let mut lists: Vec<_> = lists.into_iter().collect::<Option<_>>()?;
+        let mut iterators: Vec<_> = lists.iter_mut().map(|list| list.drain(..)).collect();
+        let next = |point: &DataPoint| {
+            let place = sections.iter().position(|s| *s == point.section)?;
+            iterators[place].next()?
+        };
+        Some(self.points.iter().map(next).collect())
+    }
+
+    /// R of some points.
+    fn covariance(&self, rows: &[(&DataPoint, &Row)]) -> DMatrix<f64> {
+        let highest_mpa = peak(rows.iter().map(|r| r.1.place.pressure_mpa));
+        let blocked_n = peak(rows.iter().map(|r| r.1.place.blocked_n));
+        let between = self.experience.length;
+        let is_own =
+            |section: &Section| section.apply(self.muscle).is_ok_and(|m| m == *self.muscle);
+        let mut own: Vec<Section> = vec![];
+        for (_, row) in rows {
+            if !own.contains(&row.section) && is_own(&row.section) {
+                own.push(row.section);
+            }
+        }
+        DMatrix::from_fn(rows.len(), rows.len(), |i, j| {
+            let ((point, a), (_, b)) = (rows[i], rows[j]);
+            if a.section != b.section {
+                return 0.0;
+            }
+            let mut out = kernel(&a.place, &b.place, highest_mpa);
+            if !own.contains(&a.section) {
+                let each = between.iter().zip(&a.slopes).zip(&b.slopes);
+                out += each.map(|((s, x), y)| s * s * x * y).sum::<f64>();
+            }
+            if i == j {
+                out += (NOISE * blocked_n).powi(2) / point.weight;
+                if point.at.branch.is_none() {
+                    out += a.half_loop_n * a.half_loop_n;
+                }
+            }
+            out
+        })
+    }
+
+    /// The least values of the constants: what a muscle states may become less.
+    fn least(&self) -> Constants {
+        let muscle = self.muscle;
+        let d0_mm = muscle.outer_diameter_mm();
+        Constant::ALL.map(|constant| {
+            let stated = match constant {
+                Constant::Seating => muscle.terminals().seating_mm.map(|mm| mm / d0_mm),
+                Constant::Compliance => muscle.terminals().slip_mm_per_n.map(|c| c * d0_mm),
+                Constant::TakeUp => muscle.braid().take_up_mpa,
+                _ => None,
+            };
+            constant.bounds().0 - stated.unwrap_or(0.0)
+        })
+    }
+
+    /// A step towards the largest posterior, and A.
+    fn step(
+        &self,
+        x: &Constants,
+        known: &[(&DataPoint, &Row)],
+    ) -> Option<(Constants, DMatrix<f64>)> {
+        let n = known.len();
+        let root = self.covariance(known).cholesky()?;
+        let j = DMatrix::from_fn(n, CONSTANTS, |i, c| known[i].1.slopes[c]);
+        let off = known
+            .iter()
+            .map(|(point, row)| point.at.force_n - row.predicted_n);
+        let off = DVector::from_iterator(n, off);
+        let weighted = root.solve(&j);
+        let mut a = j.transpose() * &weighted;
+        let mut right = weighted.transpose() * off;
+        let Prior { centre, deviation } = self.prior;
+        for c in 0..CONSTANTS {
+            // A constant that is known needs no search.
+            let variance = (deviation[c] * deviation[c]).max(1e-12);
+            a[(c, c)] += 1.0 / variance;
+            right[c] -= (x[c] - centre[c]) / variance;
+        }
+        let step = a.clone().cholesky()?.solve(&right);
+        Some((std::array::from_fn(|c| step[c]), a))
+    }
+
+    /// The constants with the largest posterior; `None` where the model has no answer for any point.
+    ///
+    /// # Errors
+    /// [`Cancelled`](mckibben_core::cancel::Cancelled).
+    pub fn posterior(&self) -> Result<Option<Posterior>> {
+        let least = self.least();
+        let Prior { centre, deviation } = self.prior;
+        let mut x = *centre;
+        for turn in 0..=TURNS {
+            self.progress.check()?;
+            let rows = self.rows(&x).unwrap_or_default();
+            let known: Vec<(&DataPoint, &Row)> = self
+                .points
+                .iter()
+                .zip(&rows)
+                .filter_map(|(point, row)| Some((point, row.as_ref()?)))
+                .filter(|(point, _)| point.weight > 0.0 && point.measured != Quantity::Volume)
+                .collect();
+            if known.is_empty() {
+                break;
+            }
+            let Some((step, a)) = self.step(&x, &known) else {
+                break;
+            };
+            let mut next = x;
+            for (c, constant) in Constant::ALL.into_iter().enumerate() {
+                let most = 2.0 * deviation[c];
+                next[c] = (x[c] + step[c].clamp(-most, most)).clamp(least[c], constant.bounds().1);
+            }
+            let moved = |c: usize| (next[c] - x[c]).abs() > SMALL * deviation[c];
+            if !self.search || turn == TURNS || !(0..CONSTANTS).any(moved) {
+                return Ok(self.found(x, &a, &known));
+            }
+            x = next;
+        }
+        Ok(None)
+    }
+
+    fn found(
+        &self,
+        constants: Constants,
+        a: &DMatrix<f64>,
+        known: &[(&DataPoint, &Row)],
+    ) -> Option<Posterior> {
+        let inverse = a.clone().cholesky()?.inverse();
+        Some(Posterior {
+            constants,
+            covariance: (0..CONSTANTS)
+                .map(|i| std::array::from_fn(|k| inverse[(i, k)]))
+                .collect(),
+            prior: self.prior.clone(),
+            points: known
+                .iter()
+                .map(|(point, row)| (**point, row.predicted_n))
+                .collect(),
+        })
+    }
+}
+
+impl Posterior {
+    /// Deviation of a constant after the points over that before; below 0.7 it was learnt.
+    pub fn left(&self, constant: Constant) -> f64 {
+        let i = constant as usize;
+        let before = self.prior.deviation[i];
+        if before > 0.0 {
+            self.covariance[i][i].sqrt() / before
+        } else {
+            1.0
+        }
+    }
+
+    /// rms of the points about the constants over their largest pull.
+    pub fn rms_of_largest(&self) -> f64 {
+        let largest = peak(self.points.iter().map(|p| p.0.at.force_n));
+        let squares: f64 = self
+            .points
+            .iter()
+            .map(|(point, predicted_n)| (point.at.force_n - predicted_n).powi(2))
+            .sum();
+        (squares / self.points.len().max(1) as f64).sqrt() / largest
+    }
+}
