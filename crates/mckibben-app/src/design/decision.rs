@@ -12,6 +12,9 @@ use mckibben_core::{
 };
 use mckibben_design::{Candidate, CandidatePoint, Demand, Spec};
 
+/// Share of a pull by which that of a muscle that is built is no other one.
+const SAME: f64 = 1e-3;
+
 /// What muscles are chosen among, for the lines of the decision.
 pub struct Decision<'a> {
     pub spec: &'a Spec,
@@ -81,6 +84,10 @@ impl Decision<'_> {
                         " ({low}\u{a0}N to {high}\u{a0}N, 95 %, as built; {model} alone \
                          {alone}\u{a0}N)"
                     )
+                } else if (built.predicted_n / q.response.force_n - 1.0).abs() < SAME {
+                    let [low, high] = [built.predicted_low_n, built.predicted_high_n]
+                        .map(|n| within(n, built.half_n()));
+                    format!(" by {model} ({low}\u{a0}N to {high}\u{a0}N, 95 %)")
                 } else {
                     format!(" by {model}; as built {}", interval(&built, force))
                 }

@@ -2,27 +2,23 @@
 
 use super::reply;
 use mckibben_app::{CheckAnswer, CheckRequest, FindingKind, MuscleFields, check, units::Units};
-use mckibben_core::muscle::measures::LENGTH;
+use mckibben_core::{built::Measurement, muscle::measures::LENGTH};
 use serde_json::{Value, json};
 
 fn checked(request: CheckRequest) -> CheckAnswer {
     check(&request).unwrap()
 }
 
-/// √(total² − friction²), by hand from the parts of the same muscle.
+/// Each measurement says what it leaves, the best first, and all are narrower than the ± before.
 #[test]
-fn a_measured_friction_takes_its_square_out_of_the_half_width() {
+fn what_to_measure_is_told_with_what_it_leaves() {
     let answer = checked(CheckRequest::default());
-    let friction = answer
-        .findings
-        .iter()
-        .find(|f| f.text.starts_with("friction unknown"))
-        .unwrap();
     let values = answer.characteristics.unwrap();
-    let total = values.blocked_force_uncertainty_n.unwrap();
-    // 12 % of the blocked force where a muscle does not state its friction (docs/models.md).
-    let part = 0.12 * values.blocked_force_n;
-    assert!((friction.left_n.unwrap() - (total * total - part * part).sqrt()).abs() < 1e-6 * total);
+    let before = values.blocked_force_uncertainty_n.unwrap();
+    let left: Vec<f64> = answer.findings.iter().filter_map(|f| f.left_n).collect();
+    assert_eq!(left.len(), Measurement::ALL.len());
+    assert!(left.windows(2).all(|two| two[0] <= two[1]), "{left:?}");
+    assert!(left.iter().all(|n| *n <= before), "{left:?} {before}");
 }
 
 #[test]
@@ -34,7 +30,7 @@ fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
     assert!(texts(&answer, FindingKind::Unknown).contains("`pull_off`"));
     // The prototype has 30 mm; the widest measured muscle is the DMSP-20.
     assert!(texts(&answer, FindingKind::Outside).contains("the outer diameter is 30 mm"));
-    assert!(texts(&answer, FindingKind::Measure).contains("would reduce the ± to about"));
+    assert!(texts(&answer, FindingKind::Measure).contains("free contraction by a ruler (about 5"));
     let short = checked(CheckRequest {
         question: MuscleFields::from([(&LENGTH, 100.0)]).into(),
         ..CheckRequest::default()

@@ -371,7 +371,7 @@ fn problems_name_the_field_and_never_a_flag() {
         ),
         (
             "force",
-            json!({ "pressure_mpa": 0.2, "direction": "contraction", "muscle": "lib:quadsegrity" }),
+            json!({ "pressure_mpa": 0.2, "direction": "contraction", "muscle": { "angle_deg": 60 } }),
             ProblemKind::MissingInput,
             "friction",
         ),

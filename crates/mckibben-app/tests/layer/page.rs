@@ -245,12 +245,9 @@ fn a_report_holds_the_answers_of_its_commands() {
         _ => None,
     };
     let pull = report.parts.iter().find_map(row).unwrap();
-    // To the second digit of the ±: tens of newtons.
     let shown: f64 = pull.split(' ').next().unwrap().parse().unwrap();
-    assert!(
-        (shown - force["force_n"].as_f64().unwrap()).abs() <= 5.0 && pull.contains(" ± "),
-        "{pull}"
-    );
+    let off = shown - force["force_n"].as_f64().unwrap();
+    assert!(off.abs() <= 0.05 && !pull.contains('±'), "{pull}");
     let heading = |part: &Part| match part {
         Part::Heading(text) => Some(text.clone()),
         _ => None,

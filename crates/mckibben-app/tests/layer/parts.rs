@@ -95,10 +95,9 @@ fn every_part_that_is_listed_is_shown_and_makes_a_muscle() {
             muscle["name"].as_str().unwrap().starts_with("lib:")
                 && !muscle["terms"].as_str().unwrap().is_empty()
         );
-        // 0.24 for another specimen, and beside it that of the fit, or the general one where the
-        // bench does not reach the blocked force.
+        // Another specimen: the table of families says 15 % of the largest pull.
         let share = number(muscle, "uncertainty_n") / number(muscle, "blocked_force_n");
-        assert!((0.24..0.45).contains(&share), "{muscle}");
+        assert!((0.1..0.45).contains(&share), "{muscle}");
     }
     for model in list("models").filter(|model| model["name"] != "fe3d") {
         assert!(!model["description"].as_str().unwrap().is_empty());
@@ -208,27 +207,33 @@ fn a_bundle_shares_the_requirement() {
     );
 }
 
-/// u/(∂F/∂P) and u/(K L0) by hand from the keys of the same answer; with a load its slope counts
-/// too.
+/// Half of the interval, and at its ends `force` says that an end of its own interval is the wanted
+/// pull; with a load, the pull that it takes there.
 #[test]
 fn an_inverse_has_the_uncertainty_of_what_it_computes() {
     let p = reply(
         "pressure",
         json!({ "force_n": 500, "contraction": 0.1, "model": "thick-wall" }),
     );
-    let half = number(&p, "uncertainty_n") / number(&p, "force_per_pressure_n_per_mpa");
+    let half = 0.5 * (number(&p, "predicted_high_mpa") - number(&p, "predicted_low_mpa"));
     assert!((number(&p, "pressure_uncertainty_mpa") / half - 1.0).abs() < 1e-9);
-    let e = reply(
-        "contraction",
-        json!({ "force_n": 200, "pressure_mpa": 0.25, "model": "thick-wall" }),
-    );
-    let half = number(&e, "uncertainty_n") / (number(&e, "stiffness_n_per_mm") * 285.0);
-    assert!((number(&e, "contraction_uncertainty") / half - 1.0).abs() < 1e-9);
+    for (at, key) in [
+        ("predicted_mpa", "predicted_n"),
+        ("predicted_low_mpa", "predicted_high_n"),
+        ("predicted_high_mpa", "predicted_low_n"),
+    ] {
+        let there = json!({ "pressure_mpa": p[at], "contraction": 0.1, "model": "thick-wall" });
+        assert!(
+            (number(&reply("force", there), key) / 500.0 - 1.0).abs() < 1e-5,
+            "{at}"
+        );
+    }
     let load = json!({ "load": "spring:12N/mm@50N", "pressure_mpa": 0.25, "model": "thick-wall" });
     let l = reply("contraction", load);
-    let at = &l["loaded"]["at"][0]["equilibria"][0];
-    let half = number(at, "uncertainty_n") / (number(at, "held_stiffness_n_per_mm") * 285.0);
-    assert!((number(&l, "contraction_uncertainty") / half - 1.0).abs() < 1e-9);
+    let there =
+        json!({ "pressure_mpa": 0.25, "contraction": l["predicted"], "model": "thick-wall" });
+    let load_n = 50.0 + 12.0 * 285.0 * number(&l, "predicted");
+    assert!((number(&reply("force", there), "predicted_n") / load_n - 1.0).abs() < 1e-5);
     for key in ["pressure_uncertainty_mpa", "contraction_uncertainty"] {
         let force = reply(
             "force",

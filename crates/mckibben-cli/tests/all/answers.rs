@@ -37,18 +37,15 @@ fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
             && (highest_mpa - (number(best, "allowed_pressure_mpa") / 1.1).min(0.95 * 0.25)).abs()
                 < 1e-12
     );
-    // Of a muscle that shortens.
+    // Of a muscle that is built, while it shortens.
     for line in ["force winner.toml", "curve isobaric winner.toml"] {
-        let answer = json_in(
-            dir.path(),
-            &format!("{line} -p {highest_mpa} -e 15% --branch contraction"),
-        );
+        let answer = json_in(dir.path(), &format!("{line} -p {highest_mpa} -e 15%"));
         let point = if answer["points"].is_array() {
             &answer["points"][0]
         } else {
             &answer
         };
-        assert_close(number(point, "force_n"), promised, 1e-6);
+        assert_close(number(point, "predicted_n"), promised, 1e-6);
     }
     let answer = json_in(dir.path(), "force winner.toml -p 2.5bar -e 15%");
     for key in ["burst_pressure_mpa", "allowed_pressure_mpa"] {
@@ -203,8 +200,8 @@ fn the_end_of_a_motion_has_the_uncertainty_of_its_equilibrium() {
     let line = format!("motion {muscle} --valve '0.5 L/(s bar)' --damping '3000 N s/m' --until 4s");
     let (motion, still) = (json(&line), json(&format!("contraction {muscle}")));
     let at = &still["loaded"]["at"][0]["equilibria"][0];
-    let half = number(at, "uncertainty_n") / (number(at, "held_stiffness_n_per_mm") * 285.0);
-    assert_close(number(&motion, "end_contraction_uncertainty"), half, 1e-9);
+    let half = number(at, "contraction_uncertainty");
+    assert_close(number(&motion, "end_contraction_uncertainty"), half, 1e-3);
     assert_eq!(motion["at_rest"], true);
     assert!(
         mckibben(&line)
@@ -314,26 +311,25 @@ fn the_bench_example_finds_what_made_its_points_and_its_file_has_the_uncertainty
         dir.path(),
         "identify examples/bench.toml --data examples/bench.csv -o found.toml",
     );
-    for (p, truth) in identified["parameters"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .zip([0.4, 900.0])
-    {
+    // The points are those of a muscle with these constants, and no ends that give way.
+    let parameters = identified["parameters"].as_array().unwrap();
+    for (name, truth) in [("tube.material.mu", 0.4), ("braid.stiffness", 900.0)] {
+        let p = parameters.iter().find(|p| p["name"] == name).unwrap();
         assert!(
-            p["identifiable"] == true
-                && (number(p, "value") - truth).abs() <= number(p, "half_width_95")
+            (number(p, "value") - truth).abs() <= number(p, "half_width_95"),
+            "{p}"
         );
     }
-    assert!((2.0..6.0).contains(&number(&identified, "rms_n")));
-    let force = |more: &str| json_in(dir.path(), &format!("force found.toml -e 8% {more}"));
-    assert!((9.0..16.0).contains(&number(&force("-p 3bar"), "uncertainty_n")));
-    for elsewhere in ["-p 4bar", "-p 3bar -D 21"] {
-        assert!(
-            number(&force(elsewhere), "uncertainty_n") > 60.0,
-            "{elsewhere}"
-        );
-    }
+    assert!((2.0..8.0).contains(&number(&identified, "rms_n")));
+    let half = |more: &str| {
+        let answer = json_in(dir.path(), &format!("force found.toml -e 8% {more}"));
+        number(&answer, "uncertainty_n")
+    };
+    // Its own points tell more than those of all other muscles, and less of another diameter.
+    let own = half("-p 3bar");
+    let start = json_in(dir.path(), "force examples/bench.toml -e 8% -p 3bar");
+    assert!(own < 0.5 * number(&start, "uncertainty_n"), "{own} {start}");
+    assert!(half("-p 3bar -D 21") > 1.5 * own);
 }
 
 /// Forces are rounded to 0.01 N; what conversions round adds less than 0.001 N. With J = ∂F/∂μ at

@@ -17,8 +17,9 @@
 use crate::muscle::Constants;
 
 /// σg: smooth difference between model and muscle over the blocked force.
-pub const DISCREPANCY: f64 = 0.045;
-/// σn and σ1: noise of a measured point, and of one that is predicted, over the blocked force.
+pub const DISCREPANCY: f64 = 0.05;
+/// σn and σ1: noise of a measured point, and of one that is predicted, over the blocked force, which
+/// is that at the highest pressure where points were measured.
 pub const NOISE: f64 = 0.02;
 /// σ1.
 pub const SINGLE: f64 = 0.01;
@@ -78,6 +79,8 @@ pub fn forward(l: &[Vec<f64>], b: impl IntoIterator<Item = f64>) -> Vec<f64> {
 pub struct Learnt {
     places: Vec<Place>,
     highest_mpa: f64,
+    /// The largest blocked force of the points in N, of which their noise is a share.
+    pub largest_n: f64,
     /// L of R.
     root: Vec<Vec<f64>>,
     /// L⁻¹ r.
@@ -108,6 +111,7 @@ impl Learnt {
                 .collect(),
             places,
             highest_mpa,
+            largest_n: largest,
             root,
         })
     }

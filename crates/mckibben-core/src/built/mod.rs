@@ -211,8 +211,11 @@ impl Evaluation<'_> {
         contraction: f64,
         force_n: f64,
     ) -> Option<(Built, UncertaintyParts)> {
-        let formula = self.formula_n(pressure_mpa)?;
         let muscle = Arc::clone(&self.model.info().muscle);
+        let model = &self.model.info().name;
+        // The error of the model is in the points by which its own constants were found.
+        let is_own = muscle.bench().is_some_and(|bench| bench.model == *model);
+        let formula = self.formula_n(pressure_mpa)?.filter(|_| !is_own);
         let predicted_direction = working_direction(&muscle, self.options.direction);
         let sign = predicted_direction.sign();
         let mut at = predictor.at(pressure_mpa, contraction, sign)?;
@@ -226,7 +229,15 @@ impl Evaluation<'_> {
                 .friction_n(pressure_mpa, contraction)
                 .ok()?;
             at.slopes[friction] = n;
-            covariance[friction][friction] = FRICTION_LAW * FRICTION_LAW;
+            let share = predictor.centre[friction];
+            let relative = if predictor.is_identified && share > 0.0 {
+                covariance[friction][friction].sqrt() / share
+            } else {
+                FRICTION_LAW
+            };
+            covariance[friction] = [0.0; Constant::ALL.len()];
+            covariance.iter_mut().for_each(|row| row[friction] = 0.0);
+            covariance[friction][friction] = relative * relative;
             n
         } else {
             sign * predictor.centre[friction] * at.strands_n
@@ -245,7 +256,8 @@ impl Evaluation<'_> {
             ends: at.ends_n,
             factor: own_n + (factor - 1.0) * unscaled_n,
         };
-        let single = learnt::SINGLE * at.blocked_n;
+        let largest_n = predictor.learnt.as_ref().map_or(0.0, |l| l.largest_n);
+        let single = learnt::SINGLE * largest_n.max(at.blocked_n);
         let scale_n = self
             .model
             .blocked_scale_n(self.workspace, pressure_mpa)
@@ -263,6 +275,7 @@ impl Evaluation<'_> {
             }),
             measured: Some(HALF_95 * variance.sqrt().hypot(single)),
             ..UncertaintyParts::of_constants(&slopes, &covariance, predictor.is_identified)
+                .with_rubber(predictor.limit_n(pressure_mpa, contraction))
         };
         let built = Built {
             predicted_direction,

@@ -89,6 +89,14 @@ impl UncertaintyParts {
         }
     }
 
+    /// With what the limit of another muscle's law makes of the pull, in N.
+    pub(super) fn with_rubber(self, limit_n: Option<f64>) -> Self {
+        Self {
+            rubber: limit_n.map(f64::abs).or(self.rubber),
+            ..self
+        }
+    }
+
     /// The parts with their names, in the order of their fields.
     fn slots(&mut self) -> [(&'static str, &mut Option<f64>); 11] {
         [

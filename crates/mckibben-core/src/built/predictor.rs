@@ -5,7 +5,10 @@ use super::{
     learnt::{Learnt, Place},
     twin::Twin,
 };
-use crate::muscle::{Bench, Constant, Constants, Muscle, OwnPoint};
+use crate::{
+    muscle::{Bench, Constant, Constants, Muscle, OwnPoint, Rubber, Tube},
+    rubber::{Law, NeoHookean, RubberLaw},
+};
 use std::sync::OnceLock;
 
 /// A constant, the muscle with it below and above its centre, and half of what lies between.
@@ -27,6 +30,8 @@ pub struct Predictor {
     /// between, where the ± needs it.
     muscle: Muscle,
     sides: OnceLock<Option<Vec<Side>>>,
+    /// The muscle without the limit of its law, where that is the limit of another muscle.
+    unlocked: Option<Twin>,
 }
 
 /// A built muscle at a pressure and a contraction.
@@ -74,13 +79,14 @@ impl Predictor {
         let scatter = if bench.laboratory.is_some() || muscle.differs_from_identified() {
             Some(experience.specimen)
         } else {
-            muscle.has_another_length().then_some(experience.length)
+            (!muscle.has_own_points()).then_some(experience.length)
         };
         for (i, deviation) in scatter.into_iter().flatten().enumerate() {
             covariance[i][i] += deviation * deviation;
         }
         let mut out = Self::about(muscle, centre, covariance)?;
         out.is_identified = true;
+        out.unlocked = unlocked(muscle);
         if scatter.is_none() {
             let row = |&(p, e, sign, off_n): &OwnPoint| {
                 let at = out.at(p, e, sign)?;
@@ -99,6 +105,7 @@ impl Predictor {
             built: Twin::new(&muscle.with_constants(&centre).ok()?),
             muscle: muscle.clone(),
             sides: OnceLock::new(),
+            unlocked: None,
             centre,
             covariance,
             is_identified: false,
@@ -131,6 +138,16 @@ impl Predictor {
         let built = self.built.state(pressure_mpa, contraction)?;
         let stated_n = self.stated.force_n(pressure_mpa, contraction)?;
         Some((built.force_n - stated_n, built.strands_n))
+    }
+
+    /// What the limit of a law that the pull of another muscle gave makes of the pull, in N: it is not
+    /// that of the rubber.
+    pub(super) fn limit_n(&self, pressure_mpa: f64, contraction: f64) -> Option<f64> {
+        let unlocked = self.unlocked.as_ref()?;
+        Some(
+            unlocked.force_n(pressure_mpa, contraction)?
+                - self.built.force_n(pressure_mpa, contraction)?,
+        )
     }
 
     /// At a pressure in MPa and a contraction, on a branch by its sign; `None` where the infinitely
@@ -188,4 +205,23 @@ impl Predictor {
             blocked_n: at.blocked_n,
         }
     }
+}
+
+/// A muscle that differs from the identified one by more than its length, with a neo-Hookean rubber of
+/// the same modulus where its law locks.
+fn unlocked(muscle: &Muscle) -> Option<Twin> {
+    let rubber = &muscle.tube().rubber;
+    if rubber.law.locks_at().is_none() || !muscle.differs_from_identified() {
+        return None;
+    }
+    let mu_mpa = rubber.law.shear_modulus_mpa();
+    let tube = Tube {
+        rubber: Rubber {
+            name: None,
+            law: Law::NeoHookean(NeoHookean { mu_mpa }),
+            ..rubber.clone()
+        },
+        ..muscle.tube().clone()
+    };
+    Some(Twin::new(&muscle.with_tube(tube).ok()?))
 }

@@ -164,6 +164,14 @@ impl Muscle {
         self.bench_of_lengths().is_some() && self.bench().is_none()
     }
 
+    /// Whether it has the length of the points that its bench keeps.
+    pub(crate) fn has_own_points(&self) -> bool {
+        let first_mm = |bench: &Bench| bench.lengths_mm.first().copied();
+        let length_mm = self.length_mm();
+        self.bench()
+            .is_some_and(|bench| first_mm(bench).unwrap_or(length_mm) == length_mm)
+    }
+
     /// A digest of everything that the pull depends on, to nine digits.
     pub fn digest(&self) -> String {
         let mut text = Digested::default();

@@ -21,6 +21,8 @@ fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben_core::model::M
 
 fn spec(force_n: f64, contraction: f64) -> Spec {
     Spec {
+        // As the brute force of these tests: by the model's own pull.
+        built: false,
         direction: Direction::Mean,
         wall_mm: Values::Interval(1.0, 5.0),
         limits: Limits::default(),
@@ -41,6 +43,34 @@ const MODELS: Models<'_> = Models {
     search: BUILD,
     settle: None,
 };
+
+/// The pressure to set is that at which a muscle that is built pulls what is wanted by the median,
+/// more than the model alone says; with a guarantee the lower end of its interval does.
+#[test]
+fn a_muscle_that_is_built_meets_the_requirement_by_the_median() {
+    for guaranteed in [None, Some(0.95)] {
+        let spec = Spec {
+            built: true,
+            guaranteed,
+            ..spec(150.0, 0.1)
+        };
+        let outcome = design(&spec, BUILD).unwrap();
+        let best = &outcome.candidates[0];
+        let point = &best.points[0];
+        let built = point.built.unwrap();
+        let met_n = if guaranteed.is_some() {
+            built.predicted_low_n
+        } else {
+            built.predicted_n
+        };
+        assert!((met_n / 150.0 - 1.0).abs() < 1e-4, "{built:?}");
+        let (model, w) = (ThickWall::new(&best.muscle), &mut Workspace::new());
+        let alone = Evaluation::new(&model, w, Options::default())
+            .pressure_at(150.0, 0.1)
+            .unwrap();
+        assert!(best.pressure_mpa > alone && point.model_force_n > 150.0);
+    }
+}
 
 #[test]
 fn lists_of_stock_sizes_agree_with_brute_force() {

@@ -1,7 +1,12 @@
 //! The default of the free parameters.
 
-use super::{Build, Candidate, Identification, Parameter, Request, Result, Target, identify};
-use crate::measured::{DataPoint, distinct};
+use super::{
+    Build, Candidate, Identification, Parameter, Request, Result, Target, identify, learn,
+};
+use crate::{
+    least_squares::Loss,
+    measured::{DataPoint, Quantity, distinct},
+};
 use mckibben_core::{
     model::Workspace,
     muscle::{
@@ -51,9 +56,18 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     out
 }
 
-/// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not
-/// determine keeps the value of the muscle.
+/// All constants with what is known of them before ([`learn`]); of rows in time order, and of
+/// volumes, [`identify`] with the [`default_targets`] that are not fixed: a stiffness that the data
+/// do not determine keeps the value of the muscle.
 pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
+    let has_volumes = request
+        .points
+        .iter()
+        .any(|p| p.measured == Quantity::Volume);
+    let least_squares = request.history || has_volumes || request.loss != Loss::Squares;
+    if !least_squares && !request.muscle.is_extensile() {
+        return learn(request);
+    }
     let mut targets = default_targets(request.muscle, request.points, request.history);
     targets.retain(|t| request.fixed.iter().all(|f| f.0 != *t));
     let run = |targets: &[Target]| {

@@ -190,19 +190,8 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     }
     let unknowns = unknowns(request)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
-    let noise_n = noise_n(request.points);
-    let pulls = |p: &DataPoint| {
-        request.two_sided || p.measured != Quantity::Force || p.at.force_n > noise_n
-    };
-    let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
-    let (counted, slack): (Vec<_>, Vec<_>) = counted.partition(pulls);
-    let too_few = |points| {
-        IdentifyError::Data(DataError::TooFew {
-            points,
-            dropped: slack.len(),
-            parameters: unknowns.len(),
-        })
-    };
+    let (counted, slack) = pulls_and_slack(request);
+    let too_few = |points| too_few(points, slack.len(), unknowns.len());
     if counted.len() <= unknowns.len() {
         return Err(too_few(counted.len()));
     }
@@ -267,6 +256,25 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
     out.bench = bench(request, &out);
     out.notes.extend(advice::after(&out, request));
     Ok(out)
+}
+
+/// The points that count, and of them those at which the muscle was slack.
+pub fn pulls_and_slack(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
+    let noise_n = noise_n(request.points);
+    let pulls = |p: &DataPoint| {
+        request.two_sided || p.measured != Quantity::Force || p.at.force_n > noise_n
+    };
+    let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
+    counted.partition(pulls)
+}
+
+/// Fewer points than parameters.
+pub fn too_few(points: usize, dropped: usize, parameters: usize) -> IdentifyError {
+    IdentifyError::Data(DataError::TooFew {
+        points,
+        dropped,
+        parameters,
+    })
 }
 
 /// Up to which reading in N a load cell may show no pull: three times what it shows below zero, of

@@ -1,5 +1,4 @@
-//! The error of finite elements at measured pulls, and the share of the measured points that the ±
-//! covers.
+//! The error of finite elements at measured pulls.
 
 use super::{
     case::MuscleCase,
@@ -17,21 +16,15 @@ use mckibben_core::{
 /// The share of the points of a set that the ± must cover.
 pub const COVERAGE: f64 = 0.95;
 
-/// The share of the points of each set that the ± covers, of the means of the branches and of the
-/// single branches.
+/// The error of each set.
 pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<VerificationRow> {
     let judged = sets.iter().filter(|set| set.rms_of_blocked.is_some());
     let of_set = |&set: &&'static MuscleCase| {
         let all = first_fit_residuals(set, set.friction_share(), by).unwrap_or_default();
-        let [means, single] = [true, false]
-            .map(|mean| ForceErrors::new(all.iter().filter(|r| r.branch.is_mean() == mean)));
-        let mut rows = vec![rms(set, &means), covered(set, &means, "points")];
-        if single.points > 0 {
-            rows.push(covered(set, &single, "points of single branches"));
-        }
-        rows
+        let means = ForceErrors::new(all.iter().filter(|r| r.branch.is_mean()));
+        rms(set, &means)
     };
-    threads::map(&judged.copied().collect::<Vec<_>>(), of_set).concat()
+    threads::map(&judged.copied().collect::<Vec<_>>(), of_set)
 }
 
 /// A row of validation with an error that is not that of its value.
@@ -55,8 +48,6 @@ pub(super) enum Coverage {
     Calibrated,
     /// At least that, less what chance makes of so few points.
     Least,
-    /// That, within 0.02 or what chance makes.
-    Exact,
 }
 
 /// The row of the share of some points that are covered.
@@ -70,23 +61,10 @@ pub(super) fn share_row(
     let tolerance = match coverage {
         Coverage::Calibrated => 0.0,
         Coverage::Least => by_chance,
-        Coverage::Exact => by_chance.max(0.02),
     };
-    let off = |share| match coverage {
-        Coverage::Exact => f64::abs(COVERAGE - share),
-        _ => f64::max(COVERAGE - share, 0.0),
-    };
-    let error = errors.held.map(off);
+    let error = errors.held.map(|share| f64::max(COVERAGE - share, 0.0));
     let row = VerificationRow::new(name, source, COVERAGE, errors.held, tolerance);
     validated(row, Measure::Share, error)
-}
-
-fn covered(set: &'static MuscleCase, errors: &ForceErrors, what: &str) -> VerificationRow {
-    let name = format!(
-        "{}: {} {what} within the ± of fe",
-        set.facts.title, errors.points
-    );
-    share_row(name, &set.facts.source, errors, Coverage::Calibrated)
 }
 
 /// The rms error of a set's identified muscle at the means of the branches, beside its largest

@@ -56,7 +56,7 @@ fn rows(set: &'static MuscleCase, by: Fitter<'_>) -> Option<Vec<VerificationRow>
             muscle: fitted.first()?.section.apply(&fit.muscle).ok()?,
             ..fit.clone()
         };
-        let muscle = by.identified(&fit, fitted).ok()?.with_bench();
+        let muscle = by.learnt(&fit, fitted).ok()?.with_bench();
         Some(residuals(by.build, &muscle, left_out, 0.0))
     };
     let by_others = |parts: &[(f64, Vec<DataPoint>)], i: usize| {

@@ -2,7 +2,7 @@
 
 use super::case::CaseFit;
 use crate::{
-    identify::{Build, Identification, Identified, Request, Result, identify},
+    identify::{Build, Identification, Identified, Request, Result, identify, learn},
     least_squares::Errors,
     measured::{DataPoint, MeasuredPoint, Quantity, Section},
 };
@@ -138,6 +138,15 @@ impl Fitter<'_> {
     pub(super) fn identified(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
         let request = Request::new(&fit.muscle, &fit.free, points, self.build);
         identify(&Request {
+            progress: self.progress,
+            ..request
+        })
+    }
+
+    /// What points tell of the muscle of a fit, beside what is known of all muscles.
+    pub(super) fn learnt(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
+        let request = Request::new(&fit.muscle, &[], points, self.build);
+        learn(&Request {
             progress: self.progress,
             ..request
         })

@@ -67,7 +67,7 @@ fn slack_rows_with_noise_on_both_sides_of_zero_change_nothing() {
         let all = points(table);
         let of = found(&all).unwrap();
         let (friction, half) = value(&of, "friction.coefficient");
-        assert!((57.0..67.0).contains(&friction), "{friction} ± {half}");
+        assert!((57.0..75.0).contains(&friction), "{friction} ± {half}");
         assert!(of.rms_n < 3.5, "{}", of.rms_n);
         let (mu, half) = value(&of, "tube.material.mu");
         assert!((mu - 0.25).abs() < 0.01 + half, "{mu} ± {half}");

@@ -69,7 +69,7 @@ fn points_without_a_branch_do_not_measure_friction() {
     let (means, means_said) = at_2_bar(|_| "mean");
     assert!(said && !means_said);
     let fit = |parts: &UncertaintyParts| parts.fit.unwrap();
-    assert!(fit(&none) > 1.05 * fit(&means), "{none:?} {means:?}");
+    assert!(fit(&none) > fit(&means), "{none:?} {means:?}");
     let (one_branch, said) = at_2_bar(|_| "contraction");
     assert!(!said && fit(&one_branch) < fit(&none), "{one_branch:?}");
 }

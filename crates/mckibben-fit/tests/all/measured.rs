@@ -169,7 +169,7 @@ fn the_friction_that_is_estimated_is_that_of_two_measured_muscles() {
 }
 
 /// Ten points at the highest pressure and at 0.4 of it, as far as they are there: the share of the
-/// other points that their ± holds, which is between 3 and 12 % of the blocked force.
+/// other points that their ± holds, which is between 3 and 20 % of the blocked force.
 #[test]
 fn the_uncertainty_of_ten_points_holds_the_others() {
     let thick = |m: &Muscle| mckibben_core::model::ModelKind::ThickWall.build(m);
@@ -206,10 +206,7 @@ fn the_uncertainty_of_ten_points_holds_the_others() {
         let wide: f64 = judged.iter().map(|p| p.of_built_n.unwrap().1).sum();
         shares.push(wide / judged.len() as f64 / blocked);
     }
-    assert!(
-        shares.iter().all(|s| (0.03..0.12).contains(s)),
-        "{shares:?}"
-    );
+    assert!(shares.iter().all(|s| (0.03..0.2).contains(s)), "{shares:?}");
 }
 
 /// Slopes of measured pulls between contractions at one pressure, at least a quarter of the largest

@@ -73,8 +73,10 @@ fn what_the_data_cannot_tell_is_flagged() {
     );
 }
 
+/// Strands that do not stretch in the points stay where the prior is, and that is said; the modulus
+/// comes back within its interval.
 #[test]
-fn the_default_does_not_free_an_unidentifiable_stiffness() {
+fn what_the_points_do_not_tell_stays_with_the_prior() {
     let rigid = muscle(
         Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }),
         BraidStiffness::Inextensible,
@@ -87,13 +89,14 @@ fn the_default_does_not_free_an_unidentifiable_stiffness() {
     );
     let request = Request::new(&stiff, &[], &points, &thick);
     let fit = identify_default(&request).unwrap();
-    assert_eq!(fit.parameters.len(), 1);
+    let of = |name: &str| fit.parameters.iter().find(|p| p.name == name).unwrap();
+    let (mu, k) = (of("tube.material.mu"), of("braid.stiffness"));
+    assert!((mu.value - 0.3).abs() <= mu.half_width, "{mu:#?}");
     assert!(
-        (fit.parameters[0].value - 0.3).abs() < 0.05,
-        "{:#?}",
-        fit.parameters
+        !k.identifiable && (k.value / 1e5 - 1.0).abs() < 0.1,
+        "{k:#?}"
     );
-    assert!(says(&fit, "was not changed"), "{:?}", fit.notes);
+    assert!(says(&fit, "not from these points"), "{:?}", fit.notes);
 }
 
 #[test]
@@ -449,7 +452,7 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
             }
         }
         let share = f64::from(held as u32) / f64::from(all as u32);
-        assert!(share >= 0.95 && widest < 60.0, "{share} of {all}, {widest}");
+        assert!(share >= 0.95 && widest < 80.0, "{share} of {all}, {widest}");
     }
 }
 
@@ -493,9 +496,9 @@ fn the_bench_stands_in_the_muscle_file() {
     assert!(wrong("points = 15", "points = -1").contains("identified.points"));
     assert!(wrong("branches = [\"mean\"]", "branches = [\"up\"]").contains("identified.branches"));
     assert!(wrong("pressure = [", "pressure = [\"9 MPa\", ").contains("identified.pressure"));
-    assert!(wrong("scatter = \"", "scatter = \"-").contains("identified.scatter"));
-    assert!(wrong("fit = [[", "fit = [[-1, ").contains("identified.fit"));
-    assert!(wrong("parameters = [", "parameters = [\"more\", ").contains("identified.covariance"));
+    assert!(wrong("pull_factor = ", "pull_factor = -").contains("identified.pull_factor"));
+    assert!(wrong("constants = [", "constants = [\"angle\", ").contains("identified.constants"));
+    assert!(wrong("own_points = [[", "own_points = [[-1, 0, 0, 0], [").contains("own_points"));
     assert!(wrong("points = 15", "").contains("identified.points is missing"));
     // c₁₁ c₂₂ < c₁₂²: no covariance.
     let (one, rest) = text
