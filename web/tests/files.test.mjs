@@ -406,7 +406,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.locator("main[data-shown=muscle]").waitFor();
     await page.waitForFunction((old) => {
       const text = document.querySelector(".stage .say b")?.textContent ?? "";
-      return /±/.test(text) && text !== old;
+      return /model/.test(text) && text !== old;
     }, before);
     await soon(async () => assert.match(page.url(), /file=/));
     assert.deepEqual(errors, []);

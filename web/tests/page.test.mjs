@@ -3,7 +3,15 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import axe from "axe-core";
-import { alive, openFiles, pull, soon, trapping } from "./browser.mjs";
+import {
+  alive,
+  asBuilt,
+  asShown,
+  openFiles,
+  pull,
+  soon,
+  trapping,
+} from "./browser.mjs";
 import { ask, inBrowser, root, shots } from "./sites.mjs";
 
 const PAGES = [
@@ -112,14 +120,16 @@ inBrowser(({ name, url, open, blank }) => {
       "-e",
       "12%",
     );
-    const decimals = Math.max(
-      0,
-      1 - Math.floor(Math.log10(said.uncertainty_n)),
+    await soon(async () =>
+      assert.equal(
+        await page.locator(".stage .say").textContent(),
+        `${asShown(said)}at 2.3 bar and 12 %`,
+      ),
     );
     await soon(async () =>
       assert.equal(
-        await pull(page),
-        `${said.force_n.toFixed(decimals)} ± ${said.uncertainty_n.toFixed(decimals)} N`,
+        await page.locator(".numbers dd .bare").innerText(),
+        asBuilt(said),
       ),
     );
     await page.waitForFunction(() =>

@@ -193,7 +193,7 @@ export function withBuilt(model, x, list) {
     model,
     {
       ...model,
-      name: `${model.name}, as built`,
+      name: `${model.name} as built`,
       end: "",
       legend: "as built",
       dash: "dash",
