@@ -952,12 +952,13 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await page.getByRole("button", { name: "Open", exact: true }).click();
     await page.getByRole("button", { name: /lib:dmsp-20-300/ }).click();
-    await reads(page, ".muscle-bar", "D0 23 mm");
+    const said = ask("force", "lib:dmsp-20-300", "-p", "2.5bar", "-e", "15%");
     await reads(
       page,
-      PULL,
-      asShown(ask("force", "lib:dmsp-20-300", "-p", "2.5bar", "-e", "15%")),
+      ".muscle-bar",
+      `D0 ${Number(said.muscle.outer_diameter_mm.toPrecision(4))} mm`,
     );
+    await reads(page, PULL, asShown(said));
     await context.close();
   });
 
