@@ -526,13 +526,13 @@ inBrowser(({ name, url, open, blank }) => {
       "water",
     ];
     const { page, errors, context } = await open(
-      "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=21mL",
+      "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=25mL",
     );
     const muscles = page.getByRole("region", {
       name: "Muscles that fit, best first",
     });
     await muscles.getByText("liquid per stroke").waitFor({ timeout: 60_000 });
-    const [best] = ask("design", ...wanted, "--max-liquid", "21mL").candidates;
+    const [best] = ask("design", ...wanted, "--max-liquid", "25mL").candidates;
     await muscles
       .getByText(`${Number((1e-3 * best.liquid_volume_mm3).toPrecision(3))} mL`)
       .first()
