@@ -492,6 +492,17 @@ inBrowser(({ name, url, open, blank }) => {
       ".numbers",
       `Threshold pressure${bar(said.start_pressure_mpa)}`,
     );
+    // Its ± of some per cent leaves one decimal.
+    const [median, low, high] = [
+      said.predicted,
+      said.predicted_low,
+      said.predicted_high,
+    ].map((v) => (100 * v).toFixed(1));
+    await reads(
+      page,
+      ".numbers",
+      `Contraction as built${median} % (${low} to ${high} %)`,
+    );
     await page.screenshot({ path: `${shots}/load-held-${name}.png` });
     await page.reload();
     await reads(

@@ -81,14 +81,12 @@ function rows({ facts }, point) {
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
     ["Contraction", show("ratio", point.contraction, 3)],
     [
-      "As built, under the load",
-      muscle.F === undefined
-        ? "–"
-        : interval("ratio", [
-            point.predicted,
-            point.predicted_low,
-            point.predicted_high,
-          ]),
+      "Contraction as built",
+      interval("ratio", [
+        facts.said?.predicted,
+        facts.said?.predicted_low,
+        facts.said?.predicted_high,
+      ]),
     ],
     ["Bulged diameter", show("length", point.bulged_diameter_mm)],
     ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],

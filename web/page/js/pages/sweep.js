@@ -48,7 +48,6 @@ const RESULTS = [
     label: "contraction",
     kind: "ratio",
     of: "contraction",
-    built: ["predicted", "predicted_low", "predicted_high"],
   },
   {
     key: "b",
