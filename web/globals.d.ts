@@ -93,7 +93,7 @@ declare global {
   type Read = Record<string, any>;
 
   /**
-   * `half`: half-widths of the ± at each point, drawn as a band; `band`: the points are the outline of one; `end`: a label at the curve's
+   * `low`, `high`: ends of an interval at each point, drawn as a band; `band`: the points are the outline of one; `end`: a label at the curve's
    * end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the state among its family; `silent`: nobody
    * reads it off; `smooth`: a cubic between its points; `fixed`: what does not change along it.
    */
@@ -101,7 +101,8 @@ declare global {
     name: string;
     x: number[];
     y: (number | null)[];
-    half?: (number | null | undefined)[];
+    low?: (number | null)[];
+    high?: (number | null)[];
     z?: number[];
     end?: string;
     at?: "start" | "end";
@@ -132,14 +133,16 @@ declare global {
     rows?: (string | number | null)[][];
     xaxis?: Axis;
     yaxis?: Axis;
-    exact?: (
-      s: Series,
-      x: number,
-      take: (y: number, half?: number | null) => void,
-    ) => void;
+    exact?: (s: Series, x: number, take: (found: number[]) => void) => void;
   }
   /** What is below a pointer: of which curve, and where. */
-  type Found = { which: number; x: number; y: number; half?: number };
+  type Found = {
+    which: number;
+    x: number;
+    y: number;
+    low?: number;
+    high?: number;
+  };
   type Reach = { x: [number, number]; y: [number, number] };
 
   type Design = All["design"];
@@ -175,6 +178,12 @@ declare global {
   };
   type Family = { answer: JointAnswer; angles: number[]; pairs: number[][] };
   type Run = All["motion"]["answer"];
+  /** The pull of a muscle that is built. */
+  type Built = {
+    predicted_n?: number;
+    predicted_low_n?: number;
+    predicted_high_n?: number;
+  };
   type CurveAnswer = All["curve"]["answer"];
 
   /** A muscle of the project: its file with its name, and where it was looked at. */

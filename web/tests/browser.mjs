@@ -194,7 +194,7 @@ export function trapping(words) {
 export const alive = (page, timeout = 20_000) =>
   page.waitForFunction(
     () =>
-      /±|Slack/.test(
+      /model|Slack/.test(
         document.querySelector(".stage .say b")?.textContent ?? "",
       ),
     undefined,
@@ -202,6 +202,19 @@ export const alive = (page, timeout = 20_000) =>
   );
 /** @param {import("playwright-core").Page} page */
 export const pull = (page) => page.locator(".stage .say b").innerText();
+
+/** The model's pull as the page writes it. @param {any} said */
+export const modelPull = ({ force_n: n }) =>
+  `${n < 1000 ? Number(n.toPrecision(4)) : n.toFixed(0)} N`;
+/** What a muscle that is built pulls, in the digits of the command line. @param {any} said */
+export function asBuilt({ uncertainty_words: { built } }) {
+  const [, ...three] =
+    /^(\S+)\sN \((\S+)\sN to (\S+)\sN, 95 %\)/.exec(built) ?? [];
+  return `${three[0]} N (${three[1]} to ${three[2]} N)`;
+}
+/** Both as they stand on the stage. @param {any} said */
+export const asShown = (said) =>
+  `${modelPull(said)} (model ${said.model})as built ${asBuilt(said)}`;
 
 /** What a page holds, when nothing comes any more. @param {import("playwright-core").Page} page */
 export async function meter(page) {

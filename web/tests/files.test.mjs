@@ -327,7 +327,7 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
-  test("a sweep over a measure has the command line's pull and its ±, and keeps its question in the link", async () => {
+  test("a sweep over a measure has the command line's pull and that as built, and keeps its question in the link", async () => {
     const { page, errors, context } = await open(
       "#sweep?D=38&p=2.2bar&e=10%25",
     );
@@ -346,8 +346,8 @@ inBrowser(({ name, url, open, blank }) => {
     );
     const rows = await saved(page),
       at = rows.filter(([, x]) => Number(x) === 2.5);
-    assert.equal(rows.length, 6);
-    const { force_n: force } = ask(
+    assert.equal(rows.length, 11);
+    const { force_n: force, predicted_n: built } = ask(
       "force",
       "-D",
       "38",
@@ -358,16 +358,22 @@ inBrowser(({ name, url, open, blank }) => {
       "-e",
       "10%",
     );
-    assert.ok(
-      Math.abs(Number(at[0][2]) / force - 1) < 1e-6,
-      `${at[0]} for ${force}`,
+    assert.deepEqual(
+      at.map(([name]) => name),
+      ["pull over wall", "pull over wall as built"],
+    );
+    [force, built].forEach((said, i) =>
+      assert.ok(
+        Math.abs(Number(at[i][2]) / said - 1) < 1e-6,
+        `${at[i]} for ${said}`,
+      ),
     );
     await page.reload();
     await page.getByText("Pull over wall").waitFor();
     await page.waitForFunction(
       () => document.querySelector("progress")?.hidden,
     );
-    await soon(async () => assert.equal((await saved(page)).length, 6));
+    await soon(async () => assert.equal((await saved(page)).length, 11));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -406,7 +412,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.locator("main[data-shown=muscle]").waitFor();
     await page.waitForFunction((old) => {
       const text = document.querySelector(".stage .say b")?.textContent ?? "";
-      return /±/.test(text) && text !== old;
+      return /model/.test(text) && text !== old;
     }, before);
     await soon(async () => assert.match(page.url(), /file=/));
     assert.deepEqual(errors, []);

@@ -1,10 +1,10 @@
-// Three candidates for a pull, as pictures to one scale: what the muscles are in use, with width, pressure and ±.
+// Three candidates for a pull, as pictures to one scale: what the muscles are in use, with width, pressure and pull as built.
 import { Slot } from "./ask.js";
 import { body, contracted, ground } from "./body.js";
 import { decisionView } from "./design-view.js";
 import { block, el } from "./dom.js";
 import { card } from "./thumbnail.js";
-import { show, withUncertainty } from "./units.js";
+import { asBuilt, show } from "./units.js";
 import { inWords } from "./words.js";
 
 /** What each is the best for, and what is asked for it. @type {[string, Design["request"]][]} */
@@ -69,7 +69,7 @@ export function candidatesView(open) {
           box,
           title,
           `${show("length", one.bulged_diameter_mm, 3)} wide at ${show("pressure", one.pressure_mpa, 3)}`,
-          withUncertainty("force", Number(at?.force_n), one.uncertainty_n),
+          `as built ${asBuilt(at)}`,
           parts.join(", "),
         );
       }),

@@ -5,7 +5,7 @@ import { table } from "./form.js";
 import { Lines } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { isDark, onTheme } from "./theme.js";
-import { clamp, number, outside } from "./units.js";
+import { builtPull, clamp, number, outside } from "./units.js";
 
 export { KINDS };
 
@@ -160,16 +160,58 @@ export function isobar(points) {
     slack > 0 && typeof free === "number" && 100 * free > at[slack - 1]
       ? [100 * free]
       : [];
-  const half = (/** @type {CurveAnswer["points"][number]} */ q) =>
-    "force_n" in q && q.uncertainty_n
-      ? outside("force", q.uncertainty_n)
-      : null;
   return {
     x: [...at, ...ends],
-    half: [...taut, ...(ends.length ? [last] : [])].map(half),
     y: [
       ...taut.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
       ...ends.map(() => 0),
     ],
   };
 }
+
+/** What a muscle that is built pulls, where it is known. @param {Parameters<typeof builtPull>[0]} q */
+export const builtAt = (q) => builtPull(q).map((n) => outside("force", n));
+/**
+ * A model's curve, and that of a muscle that is built: its median, dashed, in its interval, where it is known.
+ * @param {Series} model @param {number[]} x @param {number[][]} list median, low and high at each
+ * @returns {Series[]}
+ */
+export function withBuilt(model, x, list) {
+  const known = x.map((_, i) => i).filter((i) => list[i].length),
+    at = known.map((i) => x[i]);
+  const [y, low, high] = [0, 1, 2].map((k) => known.map((i) => list[i][k]));
+  if (!known.length) return [model];
+  return [
+    {
+      name: "",
+      colour: model.colour,
+      band: true,
+      silent: true,
+      x: [...at, ...at.toReversed()],
+      y: [...high, ...low.toReversed()],
+    },
+    model,
+    {
+      ...model,
+      name: `${model.name} as built`,
+      end: "",
+      legend: "as built",
+      dash: "dash",
+      strong: false,
+      x: at,
+      y,
+      low,
+      high,
+    },
+  ];
+}
+/**
+ * A model's isobar, and that of a muscle that is built.
+ * @param {Omit<Series, "x" | "y">} of @param {CurveAnswer["points"]} points
+ */
+export const isobars = (of, points) =>
+  withBuilt(
+    { ...of, ...isobar(points) },
+    points.map((q) => 100 * (q.contraction ?? NaN)),
+    points.map(builtAt),
+  );

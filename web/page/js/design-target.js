@@ -1,6 +1,6 @@
 // The target of a design, to drag: a pull at a contraction, over what the best muscle gives at the supply.
 import { Slot } from "./ask.js";
-import { Chart, KINDS, isobar } from "./chart.js";
+import { Chart, KINDS, isobars } from "./chart.js";
 import { el, heading, remark } from "./dom.js";
 import { candidate, fields } from "./state.js";
 import { outside, show, unitName } from "./units.js";
@@ -102,15 +102,10 @@ export function designTarget(act) {
         },
         ({ points }) => {
           const name = `best muscle at ${show("pressure", answer.max_pressure_mpa, 3)}`;
-          series = [
-            {
-              name,
-              end: "best muscle",
-              colour: KINDS[0],
-              strong: true,
-              ...isobar(points),
-            },
-          ];
+          series = isobars(
+            { name, end: "best muscle", colour: KINDS[0], strong: true },
+            points,
+          );
           draw();
         },
         () => {},

@@ -13,22 +13,18 @@ import {
   smallPrint,
 } from "./dom.js";
 import { table, warnings } from "./form.js";
-import { number, outside, show, unitName, withUncertainty } from "./units.js";
+import { asBuilt, number, outside, show, unitName } from "./units.js";
 import { inWords } from "./words.js";
 
 /** Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string, string>} Prices */
 
-/** The least pull to spare at any of its points, and the ± there. @param {Candidate} c */
-function spare(c) {
-  const points = c.points.map((q) => ({
-    spare: (q.force_at_max_pressure_n * q.margin) / (1 + q.margin),
-    half: q.uncertainty_n ?? NaN,
-  }));
-  return points.reduce(
-    (a, b) => (b.spare - b.half < a.spare - a.half ? b : a),
-    points[0] ?? { spare: NaN, half: NaN },
+/** The least pull to spare at any of its points. @param {Candidate} c */
+const spare = (c) =>
+  Math.min(
+    ...c.points.map(
+      (q) => (q.force_at_max_pressure_n * q.margin) / (1 + q.margin),
+    ),
   );
-}
 /** @param {Candidate} c @param {Prices} prices */
 const price = (c, prices) =>
   [c.tube, c.sleeve]
@@ -69,12 +65,7 @@ function columns(prices, liquid) {
     quantity("θ0", "angle", (c) => c.angle_deg),
     words("rubber", (c) => c.rubber),
     quantity("set", "pressure", (c) => c.pressure_mpa, 3),
-    [
-      "spare pull",
-      unitName("force"),
-      (c) => show("force", spare(c).spare, 3),
-      (c) => outside("force", spare(c).spare),
-    ],
+    quantity("spare pull", "force", spare, 3),
     [
       "± of the pull",
       unitName("force"),
@@ -163,9 +154,11 @@ function head(answer, ask) {
   const size =
     `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${show("length", best.wall_mm)}, ` +
     `length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
-  const sentences = [words?.text, words?.bench].flatMap((text) =>
-    text ? [`${inWords(text)}.`] : [],
-  );
+  const sentences = [
+    words?.built && `As built ${words.built}.`,
+    words?.text && `${words.text}.`,
+    words?.bench && `To measure: ${words.bench}.`,
+  ].filter(Boolean);
   return [
     heading(size),
     decisionView(answer),
@@ -178,20 +171,22 @@ function head(answer, ask) {
       button("Design for a guaranteed pull (95 %)", () =>
         ask({ sure: "95 %" }),
       ),
-    sentences.length > 0 && remark(sentences.join(" ")),
+    sentences.length > 0 && remark(inWords(sentences.join(" "))),
   ];
 }
 
 /** Where it is asked at several points. @param {Candidate} best */
 function points(best) {
   const rows = best.points.map((p) => [
-    withUncertainty("force", p.force_n, p.uncertainty_n),
+    show("force", p.force_n),
+    asBuilt(p),
+    show("force", p.model_force_n),
     show("ratio", p.contraction, 3),
     show("pressure", p.pressure_mpa, 3),
   ]);
   return (
     rows.length > 1 &&
-    table(["pull", "at", "set"], rows, {
+    table(["pull", "as built", "model alone", "at", "set"], rows, {
       text: [],
       label: "the operating points",
     })
@@ -233,7 +228,7 @@ export function foundView(answer, prices, { open, ask }) {
     download("design.csv", csv(rowsOf(candidates, prices)), "text/csv");
   const words =
     `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed ` +
-    `by ${answer.model}. Click one to show it. Guaranteed at: the lower end of the ± meets the requirement there.`;
+    `by ${answer.model}. Click one to show it. Guaranteed at: the lower end meets the requirement there.`;
   return there([
     ...head(answer, ask),
     warnings(answer.warnings),
@@ -271,7 +266,7 @@ function boughtView({ bought }) {
   const one = (
     /** @type {NonNullable<Design["answer"]["bought"]>[number]} */ b,
   ) =>
-    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): ${withUncertainty("force", b.force_n, b.uncertainty_n)} ` +
+    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): as built ${show("force", b.force_n)} ± ${show("force", b.uncertainty_n, 2)} ` +
     `at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
   return bought?.length
     ? smallPrint(`Sold muscles that fit: ${bought.map(one).join("; ")}.`)

@@ -3,7 +3,7 @@ import { niceUp } from "./bench/round.js";
 import { KINDS, pressureColour } from "./chart.js";
 import { capital, el, remark } from "./dom.js";
 import { reachable } from "./joint-drawing.js";
-import { number, outside, show, unitName } from "./units.js";
+import { interval, number, outside, show, unitName } from "./units.js";
 
 /** @typedef {NonNullable<JointAnswer["map"]>} Reached */
 /** @typedef {NonNullable<Reached["points"][number]>} Reach */
@@ -43,6 +43,11 @@ export function numbersView(point, which) {
   ].flatMap((k) =>
     typeof k === "number" ? [number(outside("angular-stiffness", k), 3)] : [],
   );
+  const built = interval("torque", [
+    point.predicted_nm,
+    point.predicted_low_nm,
+    point.predicted_high_nm,
+  ]);
   // Less than a milligram's weight is what the solution leaves of a slack muscle.
   const pull = (/** @type {number | null | undefined} */ n) =>
     show("force", Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
@@ -64,7 +69,9 @@ export function numbersView(point, which) {
       `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`,
     ],
   ]);
-  const words = point.words ? ` The ± of the torque ${point.words}.` : "";
+  const words = point.words
+    ? ` The torque as built is ${built}, with its ± ${point.words}.`
+    : "";
   return [
     badge(point.model),
     el(

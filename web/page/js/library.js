@@ -5,7 +5,7 @@ import { block, button, capital, download, el, heading, rowOf } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 import { card, thumbnail } from "./thumbnail.js";
-import { show, withUncertainty } from "./units.js";
+import { show } from "./units.js";
 
 /** @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Entry */
 
@@ -40,11 +40,10 @@ export const muscleButtons = (file, put, keep, name) =>
 
 /** @param {Entry} entry @param {() => void} opened @param {(problem: unknown) => void} fail */
 function entryCard(entry, opened, fail) {
-  const { name, blocked_force_n: force, uncertainty_n: half } = entry;
-  const pull =
-    force && half
-      ? `, ${withUncertainty("force", force, half)} blocked at ${show("pressure", entry.pressure_mpa, 3)}`
-      : "";
+  const { name, blocked_force_n: force } = entry;
+  const pull = force
+    ? `, ${show("force", force)} blocked at ${show("pressure", entry.pressure_mpa, 3)} (model fe)`
+    : "";
   const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
   const box = card(
     () => openPart(name).then(opened, fail),

@@ -1,7 +1,7 @@
 // Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
 import { button, el, say, token } from "./dom.js";
-import { colourOf, drawing, frame, nearest, reachOf } from "./plot.js";
-import { clamp, number, plusMinus } from "./units.js";
+import { colourOf, drawing, frame, nearest, reachOf, valueAt } from "./plot.js";
+import { between, clamp, number } from "./units.js";
 
 /** Farther away than this in pixels nothing is read off. */
 const NEAR = 48;
@@ -139,9 +139,15 @@ export class Lines {
   }
 
   /** What lies at a place, in words. @param {Found} found */
-  words({ which, x, y, half }) {
-    const spec = /** @type {Spec} */ (this.spec);
-    return `${spec.series[which].name}: ${number(x, 4)}${unit(spec.x)}, ${plusMinus(y, half)}${unit(spec.y)}`;
+  words({ which, x, y, low, high }) {
+    const spec = /** @type {Spec} */ (this.spec),
+      s = spec.series[which];
+    const [l, h] = [low ?? valueAt(s, x, "low"), high ?? valueAt(s, x, "high")];
+    const value =
+      l === undefined || h === undefined
+        ? `${number(y)}${unit(spec.y)}`
+        : between(y, l, h, unit(spec.y));
+    return `${s.name}: ${number(x)}${unit(spec.x)}, ${value}`;
   }
 
   /** @param {Found} found */
@@ -278,9 +284,9 @@ export class Lines {
    */
   compute(found) {
     const { spec, pointer } = this;
-    spec?.exact?.(spec.series[found.which], found.x, (y, half) => {
+    spec?.exact?.(spec.series[found.which], found.x, ([y, low, high]) => {
       if (this.spec === spec && this.pointer === pointer)
-        this.point({ ...found, y, half: half ?? undefined });
+        this.point({ ...found, y, low, high });
     });
   }
 
@@ -363,7 +369,7 @@ export class Lines {
     while (s.y[next] === null && next + (along || 1) in s.x) next += along || 1;
     const y = s.y[next];
     if (typeof y !== "number") return;
-    const found = { which, x: s.x[next], y, half: s.half?.[next] ?? undefined };
+    const found = { which, x: s.x[next], y };
     this.point(found);
     this.read = [which, next];
     say(this.words(found));

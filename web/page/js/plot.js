@@ -49,10 +49,6 @@ export function reachOf(spec) {
       const value = s.y[i];
       if (!finite(v) || !finite(value)) return;
       take(x, v);
-      // The ± of the others may be far wider than the curves that they belong to: they are cut where they would
-      // flatten them.
-      const half = s.strong ? (s.half?.[i] ?? 0) : 0;
-      take(y, /** @type {number} */ (value) + half);
       take(y, /** @type {number} */ (value));
     });
   }
@@ -179,10 +175,9 @@ const onPaper = ({ ink, paper }, fill = ink) =>
 export function drawing(spec, at, colours, file = false) {
   const { width, height, left, top, w, h, px, py } = at,
     box = [left - 4, top - 4, w + 8, h + 8];
-  const strong = spec.series.some((s) => s.strong);
   const inner = [
     image(spec.picture, at),
-    ...spec.series.map((s, i) => band(s, i, at, strong)),
+    ...spec.series.map((s, i) => band(s, i, at)),
     ...spec.series.map((s, i) => curve(s, i, at)),
   ].join("");
   const marks = (spec.marks ?? [])
@@ -262,30 +257,18 @@ function runs(s, has = () => true) {
 /** Places of the points of a series. @param {Series} s @param {Frame} at */
 const placed =
   (s, { px, py }) =>
-  (/** @type {number} */ i, by = 0) =>
-    `${short(px(s.x[i]))} ${short(py(Number(s.y[i]) + by))}`;
+  (/** @type {number} */ i) =>
+    `${short(px(s.x[i]))} ${short(py(Number(s.y[i])))}`;
 
-/** @param {Series} s @param {number} which @param {Frame} at @param {boolean} strong whether one is, which alone has its ± */
-function band(s, which, at, strong) {
-  const place = placed(s, at),
-    half = (/** @type {number} */ i) => Number(s.half?.[i]);
-  if (!s.band && (!s.half || (strong && !s.strong))) return "";
-  const all = s.band
-    ? runs(s)
-    : runs(s, (i) => finite(s.half?.[i])).filter((run) => run.length > 1);
-  return all
-    .map((run) => {
-      const points = s.band
-        ? run.map((i) => place(i))
-        : [
-            ...run.map((i) => place(i, half(i))),
-            ...run.reverse().map((i) => place(i, -half(i))),
-          ];
-      const edge = s.strong
-        ? ` stroke="${colourOf(s, which)}" stroke-opacity=".6" stroke-dasharray="2 3"`
-        : "";
-      return `<path d="M${points.join("L")}Z" fill="${colourOf(s, which)}" fill-opacity="${s.band ? 0.14 : 0.09}"${edge}/>`;
-    })
+/** @param {Series} s @param {number} which @param {Frame} at */
+function band(s, which, at) {
+  if (!s.band) return "";
+  const place = placed(s, at);
+  return runs(s)
+    .map(
+      (run) =>
+        `<path d="M${run.map((i) => place(i)).join("L")}Z" fill="${colourOf(s, which)}" fill-opacity="0.14"/>`,
+    )
     .join("");
 }
 
@@ -420,7 +403,7 @@ export function slopes(x, y) {
 
 /**
  * A curve at a value of the lower axis: between its points by a line, or by its cubic.
- * @param {Series} s @param {number} x @param {"y" | "half"} [of]
+ * @param {Series} s @param {number} x @param {"y" | "low" | "high"} [of]
  */
 export function valueAt(s, x, of = "y") {
   const list = s[of] ?? [];
@@ -435,7 +418,7 @@ export function valueAt(s, x, of = "y") {
     )
       continue;
     const t = (x - a) / (b - a);
-    if (of === "half" || !s.smooth) return ya + t * (yb - ya);
+    if (of !== "y" || !s.smooth) return ya + t * (yb - ya);
     const run = runs(s).find((list) => list.includes(i)) ?? [],
       k = run.indexOf(i);
     const m = slopes(
@@ -464,11 +447,10 @@ export function nearest(spec, at, x, y) {
     /** @type {number} */ which,
     /** @type {number} */ vx,
     /** @type {number} */ vy,
-    /** @type {number | undefined} */ half,
     more = 0,
   ) => {
     const far = Math.hypot(at.px(vx) - x, at.py(vy) - y) + more;
-    if (!best || far < best.far) best = { far, which, x: vx, y: vy, half };
+    if (!best || far < best.far) best = { far, which, x: vx, y: vy };
   };
   const value = at.x(x);
   spec.series.forEach((s, which) => {
@@ -476,12 +458,11 @@ export function nearest(spec, at, x, y) {
     if (s.mode?.includes("markers"))
       s.x.forEach((vx, i) => {
         const vy = s.y[i];
-        if (finite(vx) && typeof vy === "number")
-          take(which, vx, vy, s.half?.[i] ?? undefined);
+        if (finite(vx) && typeof vy === "number") take(which, vx, vy);
       });
     const on = s.mode === "markers" ? undefined : valueAt(s, value);
     // Points come first where a curve runs through them.
-    if (on !== undefined) take(which, value, on, valueAt(s, value, "half"), 4);
+    if (on !== undefined) take(which, value, on, 4);
   });
   return best;
 }

@@ -189,17 +189,39 @@ export function withUnit(kind, text) {
   return `${text} ${writtenUnit(kind)}`;
 }
 
-/** A number to the digits that its ± leaves. @param {number} value @param {number | null | undefined} half */
-export function plusMinus(value, half) {
-  if (!half) return number(value);
-  const decimals = clamp(1 - Math.floor(Math.log10(half)), 0, 8);
-  return `${value.toFixed(decimals).replace("-", "−")} ± ${half.toFixed(decimals)}`;
+/**
+ * A median with its interval, to the digits that half of it leaves: `520 N (170 to 900 N)`.
+ * @param {number} median @param {number} low @param {number} high @param {string} unit with the space before it
+ */
+export function between(median, low, high, unit) {
+  const place = Math.floor(Math.log10((high - low) / 2 || 1)) - 1,
+    step = 10 ** place;
+  const [m, l, h] = [median, low, high].map((v) =>
+    (Math.round(v / step) * step)
+      .toFixed(clamp(-place, 0, 8))
+      .replace(/^-(?=[0.]*$)/, "")
+      .replace("-", "−"),
+  );
+  return `${m}${unit} (${l} to ${h}${unit})`;
 }
-/** The same of a quantity. @param {string} kind @param {number} value @param {number | null | undefined} half */
-export const withUncertainty = (kind, value, half) =>
-  half
-    ? `${plusMinus(outside(kind, value), outside(kind, half))} ${unitName(kind)}`
-    : show(kind, value);
+/** The same of a quantity. @param {string} kind @param {(number | null | undefined)[]} list median, low and high */
+export function interval(kind, list) {
+  const [m, l, h] = list.map((v) => outside(kind, v ?? NaN));
+  return m >= l ? between(m, l, h, ` ${unitName(kind)}`) : "–";
+}
+/**
+ * Pull of a muscle that is built: median, low and high in N, where they are known.
+ * @param {CurveAnswer["points"][number] | Built} q
+ */
+export const builtPull = (q) =>
+  "predicted_n" in q
+    ? [q.predicted_n, q.predicted_low_n, q.predicted_high_n].map(Number)
+    : [];
+/** The same in words. @param {Built} answer */
+export const asBuilt = (answer) => interval("force", builtPull(answer));
+/** @param {{ model: string, force_n: number }} answer */
+export const modelPull = ({ model, force_n: force }) =>
+  `${show("force", force)} (model ${model})`;
 
 /** Changes a unit everywhere, to the next one or to one by name. @param {string} kind @param {string} [name] */
 export function changeUnit(kind, name) {

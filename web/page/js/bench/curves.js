@@ -1,6 +1,6 @@
-// Curves of the page Muscle: a family, the curve of the present state with its ±, other models, and measured points.
+// Curves of the page Muscle: a family, the curve of the present state and as built, other models, and measured points.
 import { Slot } from "../ask.js";
-import { Chart, KINDS } from "../chart.js";
+import { Chart, KINDS, builtAt } from "../chart.js";
 import { block, el, tabs } from "../dom.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
@@ -10,6 +10,7 @@ import { along } from "./along.js";
 import {
   FAMILY,
   OVERLAYS,
+  builtContraction,
   familyOf,
   familySeries,
   overlay,
@@ -228,9 +229,9 @@ export class Curves {
 
   /**
    * A curve by finite elements where the pointer rests.
-   * @param {Series} s @param {number} x @param {(y: number, half?: number | null) => void} take
+   * @param {Series} s @param {number} x @param {(found: number[]) => void} take
    */
-  exact({ fixed }, x, take) {
+  exact({ fixed, low }, x, take) {
     const { test } = this.store.wanted,
       of = muscle.fields(),
       { exact } = this.slots;
@@ -240,21 +241,14 @@ export class Curves {
       return exact.ask(
         "contraction",
         { muscle: of, force_n: fixed, pressure_mpa: pressure },
-        (a) =>
-          take(
-            100 * a.contraction,
-            a.contraction_uncertainty && 100 * a.contraction_uncertainty,
-          ),
+        (a) => take(low ? builtContraction(a) : [100 * a.contraction]),
       );
     const at =
       test === "isobaric"
         ? { pressure_mpa: fixed, contraction: x / 100 }
         : { pressure_mpa: pressure, contraction: fixed };
     exact.ask("force", { muscle: of, ...at }, (a) =>
-      take(
-        outside("force", a.force_n),
-        a.uncertainty_n && outside("force", a.uncertainty_n),
-      ),
+      take(low ? builtAt(a) : [outside("force", a.force_n)]),
     );
   }
 

@@ -1,5 +1,13 @@
 // Families of curves of the page Muscle: what is asked for them, and their answers as series.
-import { KINDS, isobar, pressureColour, shade } from "../chart.js";
+import {
+  KINDS,
+  builtAt,
+  isobar,
+  isobars,
+  pressureColour,
+  shade,
+  withBuilt,
+} from "../chart.js";
 import { muscle } from "../muscle.js";
 import { evenly, inside, outside, show } from "../units.js";
 import { niceUp, twoDigits } from "./round.js";
@@ -86,26 +94,25 @@ function line(list, test) {
   if (test === "isobaric") return isobar(list);
   const ok = (/** @type {Point} */ q) => q.status === "ok";
   const x = list.map((q) => outside("pressure", q.pressure_mpa));
-  if (test === "isotonic") {
-    const of = (/** @type {Point} */ q) =>
-      "force_n" in q ? q.contraction_uncertainty : undefined;
-    const half = list.map((q) => (of(q) ? 100 * Number(of(q)) : null));
-    return {
-      x,
-      y: list.map((q) => (ok(q) ? 100 * Number(q.contraction) : null)),
-      half,
-    };
-  }
-  return {
-    x,
-    y: list.map((q) => ("force_n" in q ? outside("force", q.force_n) : null)),
-    half: list.map((q) =>
-      "force_n" in q && q.uncertainty_n
-        ? outside("force", q.uncertainty_n)
+  const y = list.map((q) =>
+    test === "isotonic"
+      ? ok(q)
+        ? 100 * Number(q.contraction)
+        : null
+      : "force_n" in q
+        ? outside("force", q.force_n)
         : null,
-    ),
-  };
+  );
+  return { x, y };
 }
+
+/** The same of its contraction in %. @param {Point | Commands["contraction"]["answer"]} q */
+export const builtContraction = (q) =>
+  "force_n" in q && typeof q.predicted === "number"
+    ? [q.predicted, q.predicted_low, q.predicted_high].map(
+        (e) => 100 * Number(e),
+      )
+    : [];
 
 /**
  * @param {CurveAnswer} answer @param {string} test @param {number} top
@@ -145,7 +152,7 @@ export function ownSeries(answer, test, top) {
   const of = (/** @type {Point} */ q) =>
     "force_n" in q ? q.direction : undefined;
   const branches = [...new Set(answer.points.map(of))];
-  return branches.map((branch, i) => {
+  return branches.flatMap((branch, i) => {
     const list = answer.points.filter((q) => of(q) === branch);
     const words =
       branch === "contraction"
@@ -161,29 +168,30 @@ export function ownSeries(answer, test, top) {
             test === "isobaric" ? "start" : "end"
           ),
         };
-    const curve = line(list, test);
-    return /** @type {Series} */ ({
+    const model = /** @type {Series} */ ({
       name: name + words,
       ...label,
       colour,
       strong: true,
       smooth: true,
       fixed: branches.length > 1 ? undefined : answer.fixed[0],
-      dash: branch === "elongation" ? "dash" : "solid",
-      ...curve,
+      dash: branch === "elongation" ? "dot" : "solid",
     });
+    if (test === "isobaric") return isobars(model, list);
+    const curve = line(list, test);
+    const built = test === "isotonic" ? builtContraction : builtAt;
+    return withBuilt({ ...model, ...curve }, curve.x, list.map(built));
   });
 }
 
 /** @param {CurveAnswer} answer of another model */
 export function overlay(answer) {
   const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
-  const { half, ...curve } = isobar(answer.points);
   return /** @type {Series} */ ({
     name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
     dash: "dash",
     colour,
     smooth: true,
-    ...curve,
+    ...isobar(answer.points),
   });
 }

@@ -1,8 +1,8 @@
-// The numbers of the page Muscle: the pull with the parts of its ±, the margins, and what the engine warns of.
+// The numbers of the page Muscle: the pull of the model and as built, the parts of the ±, the margins, and what the engine warns of.
 import { engine } from "../ask.js";
 import { button, capital, el, remark } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { clamp, number, show, withUncertainty } from "../units.js";
+import { asBuilt, clamp, interval, modelPull, number, show } from "../units.js";
 import { inWords } from "../words.js";
 import { partsView } from "./parts.js";
 import { solveView } from "./solve.js";
@@ -18,11 +18,11 @@ export function numbersView(store) {
     solve = solveView(store);
   /** @type {HTMLElement[]} */ const values = [];
   let noted = "";
-  const half = button(
+  const built = button(
     "",
     () => {
       parts.element.hidden = !parts.element.hidden;
-      half.ariaExpanded = String(!parts.element.hidden);
+      built.ariaExpanded = String(!parts.element.hidden);
     },
     { class: "bare", "aria-expanded": "false", title: "What the ± is made of" },
   );
@@ -40,9 +40,11 @@ export function numbersView(store) {
       });
       const head = [
         el("dt", { class: "head" }, "Pull"),
-        el("dd", { class: "head" }, pull, " ", half),
+        el("dd", { class: "head" }, pull),
+        el("dt", {}, "As built"),
+        el("dd", {}, built),
       ];
-      const basis = `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`;
+      const basis = `As built: median and 95 % of muscles like this one. ${engine().about}.`;
       element.replaceChildren(
         el("dl", {}, ...head, ...lines),
         parts.element,
@@ -53,14 +55,8 @@ export function numbersView(store) {
         remark(basis),
       );
     }
-    const [value, uncertainty] = point.slack
-      ? ["slack", ""]
-      : withUncertainty("force", point.force_n, point.uncertainty_n).split(
-          / (?=±)/,
-        );
-    put(pull, value);
-    put(half, uncertainty ?? "");
-    half.hidden = !uncertainty;
+    put(pull, point.slack ? "slack" : modelPull(point));
+    put(built, asBuilt(point));
     list.forEach(([, text], i) => put(values[i], text));
     meters.replaceChildren(...margins(store, point));
     const said = warned(store, point);
@@ -83,7 +79,15 @@ function rows({ facts }, point) {
   const c = facts.characteristics;
   return [
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
-    ["Contraction", contraction(point)],
+    ["Contraction", show("ratio", point.contraction, 3)],
+    [
+      "Contraction as built",
+      interval("ratio", [
+        facts.said?.predicted,
+        facts.said?.predicted_low,
+        facts.said?.predicted_high,
+      ]),
+    ],
     ["Bulged diameter", show("length", point.bulged_diameter_mm)],
     ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],
     ["Threshold pressure", show("pressure", facts.start, 3)],
@@ -107,16 +111,6 @@ function rows({ facts }, point) {
       c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–",
     ],
   ];
-}
-
-/** Of a held load the contraction has the ±. @param {NonNullable<Store["point"]>} point */
-function contraction(point) {
-  const half = /** @type {{ contraction_uncertainty?: number | null }} */ (
-    point
-  ).contraction_uncertainty;
-  return muscle.F !== undefined && half
-    ? withUncertainty("ratio", point.contraction, half)
-    : show("ratio", point.contraction, 3);
 }
 
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */

@@ -1,45 +1,16 @@
-// The parts of the ± of the pull, and what would make each smaller.
-import { capital, el, remark } from "../dom.js";
+// What a muscle that is built will pull, the parts of the ±, and what to measure.
+import { el, remark } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { show } from "../units.js";
 import { inWords } from "../words.js";
 
-/** Name of each part, and what reduces it. @type {Record<string, [string, string]>} */
+/** Names of the parts that are no words yet. @type {Record<string, string>} */
 const PARTS = {
-  friction: [
-    "friction, not measured",
-    "Pull the muscle at one pressure in both directions, and identify the friction in Measurements.",
-  ],
-  measured: [
-    "model against tests",
-    "Identify the rubber from the muscle's own pull in Measurements.",
-  ],
-  rubber: [
-    "rubber",
-    "Identify the rubber from the muscle's own pull, or test the rubber in tension.",
-  ],
-  braid: [
-    "stiffness of the braid",
-    "Measure the sleeve, or identify the stiffness from the muscle's own pull.",
-  ],
-  data_sheet: [
-    "data sheets",
-    "Pull your own muscle, and identify it in Measurements.",
-  ],
-  formula: ["formula", "Compute by finite elements: the model fe."],
-  mesh: ["mesh", "Take a finer mesh; it seldom matters."],
-  length_transfer: [
-    "another length",
-    "Pull your muscle at its own length, and identify it in Measurements.",
-  ],
-  transfer: [
-    "another specimen",
-    "Pull your own muscle, and identify it in Measurements.",
-  ],
-  fit: [
-    "fit to the bench",
-    "Measure more points, at the pressures and contractions that you need.",
-  ],
+  pull_factor: "muscle to muscle",
+  take_up: "take-up",
+  braid: "stiffness of the braid",
+  fit: "own points",
+  measured: "model against tests",
 };
 
 /** @param {Store} store */
@@ -65,10 +36,14 @@ export function partsView(store) {
       .sort((a, b) => b[1] - a[1]);
     const words =
       facts.said?.state === muscle.state ? facts.said.words : undefined;
-    const bench = words?.bench ? ` ${capital(inWords(words.bench))}.` : "";
+    const said = [
+      words?.built && `As built ${words.built}.`,
+      "95 % half-widths; they add as squares.",
+      words?.bench && `To measure: ${words.bench}.`,
+    ].filter(Boolean);
     const next = JSON.stringify([
       parts.map(([name, value]) => [name, show("force", value, 2)]),
-      bench,
+      said,
     ]);
     if (next === key) return;
     key = next;
@@ -76,7 +51,7 @@ export function partsView(store) {
     list.replaceChildren(
       ...parts.flatMap(([name, value]) => row(name, value, most)),
     );
-    note.textContent = `95 % half-widths; they add as squares.${bench}`;
+    note.textContent = inWords(said.join(" "));
   }
   store.on("answer", paint);
   store.on("facts", paint);
@@ -85,13 +60,12 @@ export function partsView(store) {
 
 /** @param {string} name @param {number} value @param {number} most */
 function row(name, value, most) {
-  const [words, remedy] = PARTS[name] ?? [name.replaceAll("_", " "), ""];
   const bar = el("i", {
     style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%`,
   });
   return [
-    el("dt", {}, words),
+    el("dt", {}, PARTS[name] ?? name),
     el("dd", {}, `± ${show("force", value, 2)}`),
-    el("dd", { class: "wide" }, bar, value > 0.3 * most ? remedy : ""),
+    el("dd", { class: "wide" }, bar),
   ];
 }

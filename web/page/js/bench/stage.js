@@ -6,7 +6,7 @@ import { gauge } from "../gauge.js";
 import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { PRESSURE } from "../state.js";
-import { clamp, evenly, number, show, withUncertainty } from "../units.js";
+import { asBuilt, clamp, evenly, modelPull, number, show } from "../units.js";
 import { View, reach } from "../view3d.js";
 import { dimensions } from "./dimensions.js";
 import { niceUp } from "./round.js";
@@ -153,7 +153,9 @@ function sentence(shape, point) {
     ];
   const at = `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`;
   return [
-    el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)),
+    el("b", {}, modelPull(point)),
+    el("br"),
+    `as built ${asBuilt(point)}`,
     el("br"),
     at,
   ];

@@ -19,7 +19,8 @@ export const OWN = ["test", "show", "cut", "over"];
 /**
  * `start`: P′; `said`: what `force` has to say of a state.
  * @typedef {Partial<Commands["check"]["answer"]> & { start?: number | null,
- *   said?: { state: unknown, warnings: string[], words?: Commands["force"]["answer"]["uncertainty_words"] } }} Facts
+ *   said?: Pick<Commands["contraction"]["answer"], "warnings" | "predicted" | "predicted_low" | "predicted_high"> &
+ *   { state: unknown, words?: Commands["force"]["answer"]["uncertainty_words"] } }} Facts
  */
 
 export class Store {
@@ -152,19 +153,14 @@ export class Store {
   /** P′ at the contraction of the state, and what `force` has to say: whether it bursts takes more than a shape. */
   starts() {
     const { state } = muscle;
-    const request = {
-      muscle: muscle.fields(),
-      pressure_mpa: state.p,
-      contraction: state.e,
-    };
     this.slots.start.ask(
-      "force",
-      request,
-      ({ start_pressure_mpa: start, warnings, uncertainty_words: words }) => {
+      state.F === undefined ? "force" : "contraction",
+      { muscle: muscle.fields(), ...pointOf(state) },
+      (answer) => {
         this.facts = {
           ...this.facts,
-          start,
-          said: { state, warnings: /** @type {string[]} */ (warnings), words },
+          start: answer.start_pressure_mpa,
+          said: { ...answer, state, words: answer.uncertainty_words },
         };
         this.tell("facts");
       },

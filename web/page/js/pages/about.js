@@ -147,8 +147,8 @@ export const mount = (main) => {
       ),
       heading("Accuracy"),
       paragraph(
-        "The ± covers 95 % of the differences from measured muscles. It is wide because rubbers vary from batch to " +
-          "batch and few are known; it becomes smaller when you identify your own rubber in Measurements. The " +
+        "As built is what a muscle that you build will pull: the median, and the interval that 95 % of measured " +
+          "muscles keep. It becomes narrower when you identify your own muscle in Measurements. The " +
           "model includes the thickness of the braid, the gap before first contact, the slip of the ends, the " +
           "history of the rubber and the friction between strands only if the muscle file states them.",
       ),

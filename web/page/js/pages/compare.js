@@ -1,7 +1,7 @@
 // The muscle beside another one, or beside another model of it: B is the same muscle, or that of a file, with what is
 // said over it.
 import { Slot } from "../ask.js";
-import { Chart, KINDS, isobar } from "../chart.js";
+import { Chart, KINDS, isobars } from "../chart.js";
 import { fileField } from "../controls.js";
 import { pack } from "../deflate.js";
 import {
@@ -26,7 +26,7 @@ import {
   shownValue,
   side as asked,
 } from "../state.js";
-import { number, onUnits, show, unitName, withUncertainty } from "../units.js";
+import { asBuilt, number, onUnits, show, unitName } from "../units.js";
 import { View } from "../view3d.js";
 import { braidName, partName } from "../words.js";
 
@@ -213,11 +213,8 @@ function sideOf(name, { ask, paint }) {
 /** Rows of the numbers. @type {[string, (x: Commands["force"]["answer"]) => string][]} */
 const ROWS = [
   ["model", (x) => x.model],
-  [
-    "pull",
-    (x) =>
-      x.slack ? "slack" : withUncertainty("force", x.force_n, x.uncertainty_n),
-  ],
+  ["pull", (x) => (x.slack ? "slack" : show("force", x.force_n))],
+  ["as built", asBuilt],
   ["stiffness", (x) => show("stiffness", x.stiffness_n_per_mm, 3)],
   ["bulged diameter", (x) => show("length", x.bulged_diameter_mm)],
   ["cavity", (x) => (x.volume_mm3 ? show("volume", x.volume_mm3, 3) : "–")],
@@ -262,16 +259,15 @@ export const mount = (main) => {
     );
     const series = sides.flatMap(({ name, family }, i) =>
       family
-        ? [
+        ? isobars(
             {
               name: `${name.toUpperCase()}: ${family.model}`,
               end: name.toUpperCase(),
               colour: KINDS[i],
               smooth: true,
-              dash: /** @type {"dash" | "solid"} */ (i ? "dash" : "solid"),
-              ...isobar(family.points),
             },
-          ]
+            family.points,
+          )
         : [],
     );
     chart.show({

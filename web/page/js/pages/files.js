@@ -184,7 +184,7 @@ function errorLine(answer) {
     `${share(answer.force_rms)} rms and ${share(answer.force_worst_ratio)} at worst of the blocked force ` +
     `${show("force", answer.blocked_force_n)}, up to ` +
     `${show("pressure", answer.supply_pressure_mpa, 3)} and ${show("ratio", answer.contraction_high, 3)}; volume ` +
-    `${share(answer.volume_worst_ratio)} at worst. Against ${answer.model}, whose own ± is ` +
+    `${share(answer.volume_worst_ratio)} at worst. Against ${answer.model}; as built ± ` +
     `${show("force", answer.uncertainty_n, 2)}.`
   );
 }

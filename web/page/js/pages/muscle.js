@@ -1,4 +1,4 @@
-// The muscle, alive: its measures as sliders, the deformed body, curves, and numbers with their ±.
+// The muscle, alive: its measures as sliders, the deformed body, curves, and numbers.
 import { controlsView } from "../bench/controls.js";
 import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
@@ -6,7 +6,7 @@ import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
 import { block, button, dim, el, problemBox, remark, say } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { onUnits, withUncertainty } from "../units.js";
+import { asBuilt, modelPull, onUnits } from "../units.js";
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -41,9 +41,7 @@ export const mount = (main) => {
     stale(false);
     const { point } = store;
     if (!pumped && point)
-      say(
-        `Pull ${withUncertainty("force", point.force_n, point.uncertainty_n)}`,
-      );
+      say(`Pull ${modelPull(point)}, as built ${asBuilt(point)}`);
   });
   store.on("problem", ({ problem }) => {
     const again = button("Try again", () => store.ask(), { class: "main" });

@@ -1,6 +1,6 @@
 // One measure of the muscle over a range: what it does to the pull and to the rest.
 import { engine } from "../ask.js";
-import { Chart, KINDS } from "../chart.js";
+import { Chart, KINDS, withBuilt } from "../chart.js";
 import { choice } from "../controls.js";
 import {
   button,
@@ -31,8 +31,8 @@ import { inWords } from "../words.js";
 /** @typedef {Commands["shape"]["answer"]} Answer */
 /** @typedef {{ value: number, answer?: Answer, why?: string }} Row */
 /**
- * A result: name, kind, its field, and that of half of its ± where it is known.
- * @type {{ key: string, label: string, kind: Kind, of: keyof Answer, half?: keyof Answer }[]}
+ * A result: name, kind, its field, and those of a muscle that is built where they are known.
+ * @type {{ key: string, label: string, kind: Kind, of: keyof Answer, built?: (keyof Answer)[] }[]}
  */
 const RESULTS = [
   {
@@ -40,7 +40,7 @@ const RESULTS = [
     label: "pull",
     kind: "force",
     of: "force_n",
-    half: "uncertainty_n",
+    built: ["predicted_n", "predicted_low_n", "predicted_high_n"],
   },
   { key: "k", label: "stiffness", kind: "stiffness", of: "stiffness_n_per_mm" },
   {
@@ -48,7 +48,6 @@ const RESULTS = [
     label: "contraction",
     kind: "ratio",
     of: "contraction",
-    half: "contraction_uncertainty",
   },
   {
     key: "b",
@@ -228,10 +227,11 @@ export const mount = (main) => {
     if (!rows.length) return;
     const { kind, label, symbol } = measure(),
       y = RESULTS.find(({ key }) => key === asked.y) ?? RESULTS[0];
-    const list = (/** @type {keyof Answer} */ of) =>
-      rows.map(({ answer }) =>
-        typeof answer?.[of] === "number" ? outside(y.kind, answer[of]) : null,
-      );
+    const at = (
+      /** @type {Row} */ { answer },
+      /** @type {keyof Answer} */ of,
+    ) =>
+      typeof answer?.[of] === "number" ? outside(y.kind, answer[of]) : null;
     const unit = (/** @type {Kind} */ k) =>
       k === "number" ? "–" : unitName(k);
     const name = `${y.label} over ${label.toLowerCase()}`,
@@ -239,8 +239,7 @@ export const mount = (main) => {
     const curve = {
       name,
       x: rows.map(({ value }) => outside(kind, value)),
-      y: list(y.of),
-      half: y.half && list(y.half),
+      y: rows.map((row) => at(row, y.of)),
       colour: KINDS[0],
       strong: true,
       smooth: true,
@@ -252,7 +251,11 @@ export const mount = (main) => {
       y: `${y.label} [${unit(y.kind)}]`,
       yaxis: {},
       marks: here === undefined ? [] : [{ x: now, y: here, text: "now" }],
-      series: [curve],
+      series: withBuilt(
+        curve,
+        curve.x,
+        rows.map((row) => (y.built ?? []).flatMap((of) => at(row, of) ?? [])),
+      ),
     });
     title.textContent = capital(name);
     const failed = rows.filter(({ why }) => why);
