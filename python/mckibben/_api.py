@@ -46,6 +46,7 @@ __all__ = [
     "Build",
     "BuildPart",
     "BuiltFile",
+    "BuiltShift",
     "BundleAnswer",
     "BundlePoint",
     "CampaignOutcome",
@@ -100,6 +101,7 @@ __all__ = [
     "JointSolution",
     "LawAnswer",
     "LawRow",
+    "Left",
     "LibraryAgreement",
     "LibraryDetails",
     "LibraryFit",
@@ -218,6 +220,7 @@ KEYS = {
     "strands_per_carrier": "braid.strands_per_carrier",
     "strand_length_mm": "braid.strand_length",
     "turns": "braid.turns",
+    "take_up_mpa": "braid.take_up",
     "braid_thickness_mm": "braid.thickness",
     "braid_diameter_mm": "braid.diameter",
     "crimp": "braid.crimp",
@@ -584,6 +587,27 @@ class BuiltFile(Record):
     about: str
     text: str | None = None
     base64: str | None = None
+
+
+class BuiltShift(Record):
+    """What a muscle that is built pulls more than the model says, in N; below zero where it pulls less.
+
+    Attributes
+    ----------
+    friction
+        By the friction of its braid.
+    take_up
+        By the pressure that takes up the slack of the braid.
+    ends
+        By its ends, which give way.
+    factor
+        By the factor on the pull, and what its own points tell besides.
+    """
+
+    friction: float
+    take_up: float
+    ends: float
+    factor: float
 
 
 class BundleAnswer(Record):
@@ -1109,6 +1133,8 @@ class CheckAnswer(Record):
         Length of one strand measured on the muscle, mm, for the model belforte, where it is stated.
     turns
         Turns of that strand, for the model belforte, where it is stated.
+    take_up_mpa : MPa
+        Take-up pressure P0: what takes up the slack of the braid before the muscle pulls, MPa, where it is stated.
     braid_thickness_mm : mm
         Thickness t of the braid, both layers of strands, mm, where it is stated.
     braid_diameter_mm : mm
@@ -1177,6 +1203,7 @@ class CheckAnswer(Record):
     strands_per_carrier: float | None = None
     strand_length_mm: float | None = None
     turns: float | None = None
+    take_up_mpa: float | None = None
     braid_thickness_mm: float | None = None
     braid_diameter_mm: float | None = None
     crimp: float | None = None
@@ -1632,16 +1659,22 @@ class DesignPoint(Record):
         Air from rest to this point, normal litres; none with a liquid.
     liquid_volume_mm3 : mm3
         Liquid pushed in from rest to this point, measured at atmospheric pressure, mm³.
+    model_force_n : N
+        The model's own pull there on the branch that is wanted, N.
     uncertainty_n : N
-        95 % half-width of the pull, N.
+        Half of the 95 % interval of what a muscle that is built pulls, N.
     friction_n : N
         What friction adds to the model's pull on the branch that is wanted, N: below zero while the muscle shortens, 0 of the mean of both branches.
     predicted_n : N
-        What it will pull, N.
+        The median of what a muscle that is built will pull, N.
     predicted_low_n : N
-        Lower end of the 95 % interval, N.
+        Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end of the 95 % interval, N.
+        Upper end, N.
+    predicted_direction
+        The branch on which it does: the one that is asked, else that of its work.
+    predicted_shift_n : N
+        What lies between the model's pull of the mean of both branches and the median, N.
     """
 
     pressure_mpa: float
@@ -1650,6 +1683,7 @@ class DesignPoint(Record):
     force_at_max_pressure_n: float
     margin: float
     air_normal_litres: float | None
+    model_force_n: float
     uncertainty_n: float | None
     friction_n: float
     volume_mm3: float | None = None
@@ -1666,6 +1700,8 @@ class DesignPoint(Record):
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    predicted_shift_n: BuiltShift | None = None
 
 
 class EndPowers(Record):
@@ -1762,22 +1798,36 @@ class Equilibrium(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    predicted_n : N
+        The median of what a muscle that is built will pull, N.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end, N.
+    predicted_direction
+        The branch on which it does: the one that is asked, else that of its work.
+    predicted_shift_n : N
+        What lies between the model's pull of the mean of both branches and the median, N.
     uncertainty_n : N
-        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
-    pressure_uncertainty_mpa : MPa
-        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
-    contraction_uncertainty
-        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
-    pressure_low_mpa : MPa
-        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
-    pressure_high_mpa : MPa
-        Its upper end.
-    contraction_low
-        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
-    contraction_high
-        Its upper end; none where the pull never leaves its ±.
+        Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
+    predicted_mpa : MPa
+        Of a pressure that was sought: the one at which a muscle that is built will pull this, by the median, MPa.
+    predicted_low_mpa : MPa
+        Lower end of its 95 % interval, MPa.
+    predicted_high_mpa : MPa
+        Upper end, MPa.
+    pressure_uncertainty_mpa : MPa
+        Half of what lies between, MPa.
+    predicted
+        Of a contraction that was sought: that of a muscle that is built, by the median.
+    predicted_low
+        Lower end of its 95 % interval.
+    predicted_high
+        Upper end.
+    contraction_uncertainty
+        Half of what lies between.
     buckling_load_n : N
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     warnings
@@ -1814,14 +1864,21 @@ class Equilibrium(Record):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
-    pressure_uncertainty_mpa: float | None = None
-    contraction_uncertainty: float | None = None
-    pressure_low_mpa: float | None = None
-    pressure_high_mpa: float | None = None
-    contraction_low: float | None = None
-    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
+    predicted_mpa: float | None = None
+    predicted_low_mpa: float | None = None
+    predicted_high_mpa: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    predicted: float | None = None
+    predicted_low: float | None = None
+    predicted_high: float | None = None
+    contraction_uncertainty: float | None = None
     buckling_load_n: float | None = None
     natural_frequency_hz: float | None = None
 
@@ -2135,22 +2192,36 @@ class FillAnswer(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    predicted_n : N
+        The median of what a muscle that is built will pull, N.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end, N.
+    predicted_direction
+        The branch on which it does: the one that is asked, else that of its work.
+    predicted_shift_n : N
+        What lies between the model's pull of the mean of both branches and the median, N.
     uncertainty_n : N
-        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
-    pressure_uncertainty_mpa : MPa
-        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
-    contraction_uncertainty
-        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
-    pressure_low_mpa : MPa
-        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
-    pressure_high_mpa : MPa
-        Its upper end.
-    contraction_low
-        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
-    contraction_high
-        Its upper end; none where the pull never leaves its ±.
+        Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
+    predicted_mpa : MPa
+        Of a pressure that was sought: the one at which a muscle that is built will pull this, by the median, MPa.
+    predicted_low_mpa : MPa
+        Lower end of its 95 % interval, MPa.
+    predicted_high_mpa : MPa
+        Upper end, MPa.
+    pressure_uncertainty_mpa : MPa
+        Half of what lies between, MPa.
+    predicted
+        Of a contraction that was sought: that of a muscle that is built, by the median.
+    predicted_low
+        Lower end of its 95 % interval.
+    predicted_high
+        Upper end.
+    contraction_uncertainty
+        Half of what lies between.
     buckling_load_n : N
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     warnings
@@ -2237,14 +2308,21 @@ class FillAnswer(Record):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
-    pressure_uncertainty_mpa: float | None = None
-    contraction_uncertainty: float | None = None
-    pressure_low_mpa: float | None = None
-    pressure_high_mpa: float | None = None
-    contraction_low: float | None = None
-    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
+    predicted_mpa: float | None = None
+    predicted_low_mpa: float | None = None
+    predicted_high_mpa: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    predicted: float | None = None
+    predicted_low: float | None = None
+    predicted_high: float | None = None
+    contraction_uncertainty: float | None = None
     buckling_load_n: float | None = None
     friction_work_j: float | None = None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
@@ -2836,8 +2914,14 @@ class JointRow(Record):
         −dτ/dφ with the valves shut, the air at constant temperature, N m/rad; not known where the model has no volume.
     stiffness_shut_adiabatic_nm_per_rad : N m/rad
         The same without heat exchange, N m/rad.
+    predicted_nm : N m
+        Torque that a joint which is built will give, by the median, N m.
+    predicted_low_nm : N m
+        Lower end of its 95 % interval, as far as the muscles' pulls make it, N m.
+    predicted_high_nm : N m
+        Upper end, N m.
     uncertainty_nm : N m
-        95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
+        Half of what lies between, N m.
     uncertainty_parts_nm : N m
         Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds fully; a rubber or braid that both share shifts both
         pulls at once.
@@ -2891,6 +2975,9 @@ class JointRow(Record):
     slack_1: bool
     stiffness_shut_isothermal_nm_per_rad: float | None = None
     stiffness_shut_adiabatic_nm_per_rad: float | None = None
+    predicted_nm: float | None = None
+    predicted_low_nm: float | None = None
+    predicted_high_nm: float | None = None
     uncertainty_nm: float | None = None
     uncertainty_parts_nm: UncertaintyParts | None = None
     stiffness_uncertainty_nm_per_rad: float | None = None
@@ -3043,6 +3130,31 @@ class LawRow(Record):
     doubt: str | None = None
 
 
+class Left(Record):
+    """What a measurement leaves of a ±.
+
+    Attributes
+    ----------
+    measurement
+        What is measured.
+    uncertainty_n : N
+        Half of the 95 % interval of the pull afterwards, N.
+    minutes
+        About how long it takes, minutes.
+    """
+
+    measurement: Literal[
+        "hung_load",
+        "ten_pulls",
+        "one_pull",
+        "free_contraction",
+        "start_pressure",
+        "turns",
+    ]
+    uncertainty_n: float
+    minutes: int
+
+
 class LibraryAgreement(Record):
     """Errors of finite elements of a muscle at its measured points.
 
@@ -3089,6 +3201,10 @@ class LibraryDetails(Record):
         What is not.
     product
         The product, where one can buy it.
+    family
+        The family that it belongs to: what one maker or workshop made.
+    angle_deviation_deg : deg
+        Standard deviation of an angle that nobody stated, in degrees.
     outer_diameter_mm : mm
         Outer diameter D0 at rest, mm.
     wall_mm : mm
@@ -3151,6 +3267,8 @@ class LibraryDetails(Record):
     agreement: LibraryAgreement
     muscle_file: TextFile
     product: str | None = None
+    family: str | None = None
+    angle_deviation_deg: float | None = None
     sleeve: str | None = None
     stiffness_factor: float | None = None
     rubber_mass_g: float | None = None
@@ -3223,6 +3341,10 @@ class LibraryMuscle(Record):
         What is not.
     product
         The product, where one can buy it.
+    family
+        The family that it belongs to: what one maker or workshop made.
+    angle_deviation_deg : deg
+        Standard deviation of an angle that nobody stated, in degrees.
     outer_diameter_mm : mm
         Outer diameter D0 at rest, mm.
     wall_mm : mm
@@ -3273,6 +3395,8 @@ class LibraryMuscle(Record):
     free_contraction: float | None
     points: int
     product: str | None = None
+    family: str | None = None
+    angle_deviation_deg: float | None = None
     sleeve: str | None = None
     stiffness_factor: float | None = None
     rubber_mass_g: float | None = None
@@ -3659,6 +3783,10 @@ class MeasuredCase(Record):
         What is not.
     product
         The product, where one can buy it.
+    family
+        The family that it belongs to: what one maker or workshop made.
+    angle_deviation_deg : deg
+        Standard deviation of an angle that nobody stated, in degrees.
     points
         Points that pull.
     fits
@@ -3674,6 +3802,8 @@ class MeasuredCase(Record):
     points: int
     fits: list[MeasuredFit]
     product: str | None = None
+    family: str | None = None
+    angle_deviation_deg: float | None = None
 
 
 class MeasuredFit(Record):
@@ -3770,6 +3900,10 @@ class MeasuredRubber(Record):
         What is not.
     product
         The product, where one can buy it.
+    family
+        The family that it belongs to: what one maker or workshop made.
+    angle_deviation_deg : deg
+        Standard deviation of an angle that nobody stated, in degrees.
     points
         Points.
     fits
@@ -3785,6 +3919,8 @@ class MeasuredRubber(Record):
     points: int
     fits: list[MeasuredRubberFit]
     product: str | None = None
+    family: str | None = None
+    angle_deviation_deg: float | None = None
 
 
 class MeasuredRubberFit(Record):
@@ -4286,7 +4422,7 @@ class MuscleFinding(Record):
     text
         In a sentence.
     left_n : N
-        95 % half-width of the blocked force that a measurement leaves at least, N: the ± without the part that it replaces.
+        Half of the 95 % interval of the blocked force that a measurement leaves, N.
     """
 
     kind: Literal["implausible", "unknown", "outside", "measure"]
@@ -4544,22 +4680,36 @@ class PointRow(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    predicted_n : N
+        The median of what a muscle that is built will pull, N.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end, N.
+    predicted_direction
+        The branch on which it does: the one that is asked, else that of its work.
+    predicted_shift_n : N
+        What lies between the model's pull of the mean of both branches and the median, N.
     uncertainty_n : N
-        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
-    pressure_uncertainty_mpa : MPa
-        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
-    contraction_uncertainty
-        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
-    pressure_low_mpa : MPa
-        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
-    pressure_high_mpa : MPa
-        Its upper end.
-    contraction_low
-        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
-    contraction_high
-        Its upper end; none where the pull never leaves its ±.
+        Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
+    predicted_mpa : MPa
+        Of a pressure that was sought: the one at which a muscle that is built will pull this, by the median, MPa.
+    predicted_low_mpa : MPa
+        Lower end of its 95 % interval, MPa.
+    predicted_high_mpa : MPa
+        Upper end, MPa.
+    pressure_uncertainty_mpa : MPa
+        Half of what lies between, MPa.
+    predicted
+        Of a contraction that was sought: that of a muscle that is built, by the median.
+    predicted_low
+        Lower end of its 95 % interval.
+    predicted_high
+        Upper end.
+    contraction_uncertainty
+        Half of what lies between.
     buckling_load_n : N
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     warnings
@@ -4599,14 +4749,21 @@ class PointRow(Record):
     slack: bool | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
-    pressure_uncertainty_mpa: float | None = None
-    contraction_uncertainty: float | None = None
-    pressure_low_mpa: float | None = None
-    pressure_high_mpa: float | None = None
-    contraction_low: float | None = None
-    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
+    predicted_mpa: float | None = None
+    predicted_low_mpa: float | None = None
+    predicted_high_mpa: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    predicted: float | None = None
+    predicted_low: float | None = None
+    predicted_high: float | None = None
+    contraction_uncertainty: float | None = None
     buckling_load_n: float | None = None
     warnings: list[str] | None = None
     wanted_force_n: float | None = None
@@ -5297,22 +5454,36 @@ class Shape(_record.Shaped):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    predicted_n : N
+        The median of what a muscle that is built will pull, N.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end, N.
+    predicted_direction
+        The branch on which it does: the one that is asked, else that of its work.
+    predicted_shift_n : N
+        What lies between the model's pull of the mean of both branches and the median, N.
     uncertainty_n : N
-        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
-    pressure_uncertainty_mpa : MPa
-        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
-    contraction_uncertainty
-        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
-    pressure_low_mpa : MPa
-        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
-    pressure_high_mpa : MPa
-        Its upper end.
-    contraction_low
-        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
-    contraction_high
-        Its upper end; none where the pull never leaves its ±.
+        Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
+    predicted_mpa : MPa
+        Of a pressure that was sought: the one at which a muscle that is built will pull this, by the median, MPa.
+    predicted_low_mpa : MPa
+        Lower end of its 95 % interval, MPa.
+    predicted_high_mpa : MPa
+        Upper end, MPa.
+    pressure_uncertainty_mpa : MPa
+        Half of what lies between, MPa.
+    predicted
+        Of a contraction that was sought: that of a muscle that is built, by the median.
+    predicted_low
+        Lower end of its 95 % interval.
+    predicted_high
+        Upper end.
+    contraction_uncertainty
+        Half of what lies between.
     buckling_load_n : N
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     warnings
@@ -5361,14 +5532,21 @@ class Shape(_record.Shaped):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
-    pressure_uncertainty_mpa: float | None = None
-    contraction_uncertainty: float | None = None
-    pressure_low_mpa: float | None = None
-    pressure_high_mpa: float | None = None
-    contraction_low: float | None = None
-    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
+    predicted_mpa: float | None = None
+    predicted_low_mpa: float | None = None
+    predicted_high_mpa: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    predicted: float | None = None
+    predicted_low: float | None = None
+    predicted_high: float | None = None
+    contraction_uncertainty: float | None = None
     buckling_load_n: float | None = None
     strands: int | None = None
 
@@ -5829,22 +6007,36 @@ class StudyRow(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    predicted_n : N
+        The median of what a muscle that is built will pull, N.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end, N.
+    predicted_direction
+        The branch on which it does: the one that is asked, else that of its work.
+    predicted_shift_n : N
+        What lies between the model's pull of the mean of both branches and the median, N.
     uncertainty_n : N
-        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
-    pressure_uncertainty_mpa : MPa
-        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
-    contraction_uncertainty
-        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
-    pressure_low_mpa : MPa
-        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
-    pressure_high_mpa : MPa
-        Its upper end.
-    contraction_low
-        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
-    contraction_high
-        Its upper end; none where the pull never leaves its ±.
+        Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
+    predicted_mpa : MPa
+        Of a pressure that was sought: the one at which a muscle that is built will pull this, by the median, MPa.
+    predicted_low_mpa : MPa
+        Lower end of its 95 % interval, MPa.
+    predicted_high_mpa : MPa
+        Upper end, MPa.
+    pressure_uncertainty_mpa : MPa
+        Half of what lies between, MPa.
+    predicted
+        Of a contraction that was sought: that of a muscle that is built, by the median.
+    predicted_low
+        Lower end of its 95 % interval.
+    predicted_high
+        Upper end.
+    contraction_uncertainty
+        Half of what lies between.
     buckling_load_n : N
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     warnings
@@ -5888,14 +6080,21 @@ class StudyRow(Record):
     slack: bool | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
-    pressure_uncertainty_mpa: float | None = None
-    contraction_uncertainty: float | None = None
-    pressure_low_mpa: float | None = None
-    pressure_high_mpa: float | None = None
-    contraction_low: float | None = None
-    contraction_high: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
+    predicted_mpa: float | None = None
+    predicted_low_mpa: float | None = None
+    predicted_high_mpa: float | None = None
+    pressure_uncertainty_mpa: float | None = None
+    predicted: float | None = None
+    predicted_low: float | None = None
+    predicted_high: float | None = None
+    contraction_uncertainty: float | None = None
     buckling_load_n: float | None = None
     warnings: list[str] | None = None
     wanted_force_n: float | None = None
@@ -6019,52 +6218,58 @@ class UncertaintyParts(Record):
         The model against finite elements (for a formula of a bought muscle: against that muscle).
     mesh
         Finite elements against the limit of fine meshes.
+    pull_factor
+        The factor on the pull that differs from muscle to muscle.
+    ends
+        Ends that give way.
+    take_up
+        The pressure that takes up the slack of the braid.
     rubber
-        What laws of equal standing disagree on, and what a rubber that is known from one axis may differ by in two.
+        The modulus of the rubber.
+    angle
+        The angle of the strands.
     braid
-        What a stiffness of the strands that is an estimate may differ by.
-    data_sheet
-        What no data sheet of a sleeve as it is sold tells.
-    measured
-        Finite elements against measured muscles.
+        The stiffness of the strands.
     friction
-        One branch of the hysteresis loop against the answer.
+        The friction of the braid.
     fit
-        The bench that the muscle was identified from, against the fit.
-    transfer
-        Another specimen, with other fittings or another angle, against the one that was identified.
-    length_transfer
-        Another length of the muscle against those that were identified.
+        All constants of a muscle that was identified.
+    measured
+        The smooth difference between the model and measured muscles, and the noise of one point.
     """
 
     formula: float | None = None
     mesh: float | None = None
+    pull_factor: float | None = None
+    ends: float | None = None
+    take_up: float | None = None
     rubber: float | None = None
+    angle: float | None = None
     braid: float | None = None
-    data_sheet: float | None = None
-    measured: float | None = None
     friction: float | None = None
     fit: float | None = None
-    transfer: float | None = None
-    length_transfer: float | None = None
+    measured: float | None = None
 
 
 class UncertaintyWords(Record):
-    """The ± of a pull in words, and the suggested test that would make it smaller.
+    """What a muscle that is built will pull in words, its ± with the parts, and what to measure.
 
     Attributes
     ----------
+    built
+        What it will pull: `520 N (170 N to 900 N, 95 %) while it shortens: friction −145, take-up −100, ends −55`.
     text
-        The ± with its parts: `± 170 N (95 %): friction unknown 160, model against tests 50, mesh 1`.
+        The ± with its parts: `± 170 N (95 %): rubber 100, friction 90, ends 50, mesh 1`.
     bench
-        That bench: `10 points on both branches at 0.1 MPa and 0.3 MPa would reduce the ± to about 30 N`.
-    branch
-        What a selected branch would make of it, where the friction is not known: `a branch, shortening or lengthening, would reduce the ± to about 70 N`.
+        What to measure, and the ± that is left: `hang the load and set the pressure: ± 62 N (10 min)`.
+    measurements
+        What each measurement leaves of the ±, the best first; none of a muscle that was identified.
     """
 
+    measurements: list[Left]
+    built: str | None = None
     text: str | None = None
     bench: str | None = None
-    branch: str | None = None
 
 
 class UnderstoodColumn(Record):
@@ -6313,6 +6518,7 @@ class Measures(TypedDict, total=False):
     strands_per_carrier: Number | None
     strand_length_mm: Number | None
     turns: Number | None
+    take_up_mpa: Number | None
     braid_thickness_mm: Number | None
     braid_diameter_mm: Number | None
     crimp: Number | None
@@ -6429,20 +6635,30 @@ class Solution(_record.Points):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    predicted_n : N
+        The median of what a muscle that is built will pull, N.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end, N.
     uncertainty_n : N
-        95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+        Half of the 95 % interval of what a muscle that is built will pull, N.
+    predicted_mpa : MPa
+        Of a pressure that was sought: the one at which a muscle that is built will pull this, by the median, MPa.
+    predicted_low_mpa : MPa
+        Lower end of its 95 % interval, MPa.
+    predicted_high_mpa : MPa
+        Upper end, MPa.
     pressure_uncertainty_mpa : MPa
-        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+        Half of what lies between, MPa.
+    predicted
+        Of a contraction that was sought: that of a muscle that is built, by the median.
+    predicted_low
+        Lower end of its 95 % interval.
+    predicted_high
+        Upper end.
     contraction_uncertainty
-        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
-    pressure_low_mpa : MPa
-        Of a pressure that was sought: the lower end of its 95 % interval in MPa, where an end of the pull's ± there is the wanted pull.
-    pressure_high_mpa : MPa
-        Its upper end.
-    contraction_low
-        Of a contraction that was sought: the lower end of its 95 % interval, likewise.
-    contraction_high
-        Its upper end; none where the pull never leaves its ±.
+        Half of what lies between.
     buckling_load_n : N
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     slack
@@ -6470,13 +6686,18 @@ class Solution(_record.Points):
     max_stretch: NDArray[np.float64]
     free_contraction: NDArray[np.float64]
     start_pressure_mpa: NDArray[np.float64]
+    predicted_n: NDArray[np.float64]
+    predicted_low_n: NDArray[np.float64]
+    predicted_high_n: NDArray[np.float64]
     uncertainty_n: NDArray[np.float64]
+    predicted_mpa: NDArray[np.float64]
+    predicted_low_mpa: NDArray[np.float64]
+    predicted_high_mpa: NDArray[np.float64]
     pressure_uncertainty_mpa: NDArray[np.float64]
+    predicted: NDArray[np.float64]
+    predicted_low: NDArray[np.float64]
+    predicted_high: NDArray[np.float64]
     contraction_uncertainty: NDArray[np.float64]
-    pressure_low_mpa: NDArray[np.float64]
-    pressure_high_mpa: NDArray[np.float64]
-    contraction_low: NDArray[np.float64]
-    contraction_high: NDArray[np.float64]
     buckling_load_n: NDArray[np.float64]
     slack: NDArray[np.bool_]
     status: NDArray[np.str_]
@@ -6609,6 +6830,7 @@ class MuscleFields:
         strands_per_carrier: Number | None = None,
         strand_length_mm: Number | None = None,
         turns: Number | None = None,
+        take_up_mpa: Number | None = None,
         braid_thickness_mm: Number | None = None,
         braid_diameter_mm: Number | None = None,
         crimp: Number | None = None,
@@ -6677,6 +6899,8 @@ class MuscleFields:
             Length of one strand measured on the muscle, mm, for the model belforte.
         turns
             Turns of that strand, for the model belforte.
+        take_up_mpa : MPa
+            Take-up pressure P0: what takes up the slack of the braid before the muscle pulls, MPa.
         braid_thickness_mm : mm
             Thickness t of the braid, both layers of strands, mm.
         braid_diameter_mm : mm
@@ -6740,6 +6964,7 @@ class MuscleFields:
         strands_per_carrier: Number | None = None,
         strand_length_mm: Number | None = None,
         turns: Number | None = None,
+        take_up_mpa: Number | None = None,
         braid_thickness_mm: Number | None = None,
         braid_diameter_mm: Number | None = None,
         crimp: Number | None = None,
@@ -6921,6 +7146,12 @@ class MuscleFields:
     def turns(self: Any) -> float | None:
         """Turns of that strand, for the model belforte."""
         found: float | None = self._field("turns")
+        return found
+
+    @property
+    def take_up_mpa(self: Any) -> float | None:
+        """Take-up pressure P0: what takes up the slack of the braid before the muscle pulls, MPa."""
+        found: float | None = self._field("take_up_mpa")
         return found
 
     @property

@@ -86,7 +86,7 @@ impl Show for ExportAnswer {
         let (exported, errors) = (&self.exported, &self.exported.errors);
         let share = &PERCENT;
         let error = &PERCENT.digits(2);
-        let pull = (exported.blocked_force_n, exported.uncertainty_n);
+        let pull = exported.blocked_force_n;
         let rows = Rows::default()
             .text("model", &exported.model)
             .quantity(

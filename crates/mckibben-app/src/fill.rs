@@ -83,17 +83,10 @@ impl Show for FillAnswer {
             )
             .quantity("pressure", &u.pressure, a.response.pressure_mpa)
             .quantity("stroke", &u.length.digits(4), fill.stroke_mm)
-            .quantity(
-                "contraction",
-                &PERCENT,
-                (a.response.contraction, a.contraction_uncertainty),
-            )
+            .quantity("contraction", &PERCENT, a.response.contraction)
             .text("state", fill.state.to_string())
-            .quantity(
-                "pull",
-                &u.force.digits(4),
-                (a.response.force_n, a.uncertainty_n),
-            )
+            .quantity("pull", &u.force.digits(4), a.response.force_n)
+            .text("as built", self.background.uncertainty_words.built_in(u))
             .quantity(
                 "stiffness, liquid shut in",
                 &u.stiffness(),

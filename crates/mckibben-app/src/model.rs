@@ -235,8 +235,7 @@ pub fn check_branch(options: Options, muscle: &Muscle) -> Result<()> {
         return Ok(());
     }
     let message = "`direction` needs the braid's friction, which this muscle does not state; it is \
-        estimated only of muscles that contract, were not identified and have their strands \
-        outside of the rubber";
+        estimated only of muscles that contract";
     let hint = "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file";
     Err(Problem::new(ProblemKind::MissingInput, message, hint))
 }

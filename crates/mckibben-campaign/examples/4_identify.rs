@@ -20,8 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let muscle = parse_muscle(MUSCLE)?;
     let points = read_data(POINTS)?;
-    // Nothing is named as free: then it is the modulus of the rubber and the stiffness of the
-    // braid.
+    // Nothing is named as free: then all constants are, each with what measured muscles tell.
     let build = |m: &Muscle| match Axisymmetric::new(m) {
         Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),
         Err(error) => Err(error.into()),
@@ -48,7 +47,7 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
 fn the_interval_holds_the_modulus_with_which_the_points_were_made() {
     let (mu_mpa, half_width) = modulus_with_half_width().unwrap();
     assert!(
-        (mu_mpa - 0.4).abs() < half_width && half_width < 0.03,
+        (mu_mpa - 0.4).abs() < half_width && half_width < 0.2,
         "{mu_mpa} ± {half_width}"
     );
 }

@@ -129,11 +129,21 @@ fn point_of(
         });
     }
     let friction_n = trial.evaluation().friction_n(pressure_mpa, contraction)?;
-    let built = trial.predicted(pressure_mpa, contraction);
+    let built = trial
+        .predicted(pressure_mpa, contraction)
+        .map(|built| Built {
+            // A muscle that contracts does not push.
+            predicted_low_n: if spec.wanted.extends() {
+                built.predicted_low_n
+            } else {
+                built.predicted_low_n.max(0.0)
+            },
+            ..built
+        });
     Ok(CandidatePoint {
         model_force_n: trial.evaluation().force_n(pressure_mpa, contraction)?,
         friction_n,
-        uncertainty_n: built.map(|built| built.half_n()),
+        uncertainty_n: built.map(|built| built.predicted_high_n - built.predicted_n),
         built,
         force_at_max_pressure_n: available_n,
         margin: available_n / wanted.force_n - 1.0,

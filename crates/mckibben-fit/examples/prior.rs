@@ -1,5 +1,5 @@
 //! What the measured muscles tell of one that nobody measured, as `crates/mckibben-core/data/prior.json`
-//! keeps it: `cargo run --release -p mckibben-fit --example prior > FILE`; with `--table` what the ±
+//! keeps it: `cargo run --release -p mckibben-fit --example prior > FILE`; with the word `table` behind it what the ±
 //! covers where each family is left out, series by series.
 
 use mckibben_core::{model::ForceModel, muscle::Muscle, progress::Silent};
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let series = families::series(&built_in::muscles()?);
     let known = families::known(&series, by);
-    if std::env::args().any(|a| a == "--table") {
+    if std::env::args().any(|a| a == "table") {
         for way in Way::ALL {
             print!("{}", families::left_out(&known, way, by));
         }

@@ -76,11 +76,11 @@ impl Show for CheckAnswer {
 
 impl Characteristics {
     pub(crate) fn rows(&self, u: &Units) -> Rows {
-        let pull = (self.blocked_force_n, self.blocked_force_uncertainty_n);
         let limits = self.limits.rows(u);
         let unknown = limits.is_empty().then_some("not stated");
         Rows::default()
-            .quantity("blocked force", &u.force, pull)
+            .quantity("blocked force", &u.force, self.blocked_force_n)
+            .text("as built", self.uncertainty_words.built_in(u))
             .quantity("free contraction", &PERCENT, self.free_contraction)
             .quantity("work of a free stroke", &JOULES, self.work_j)
             .quantity("cavity at its end", &u.volume, self.volume_mm3)

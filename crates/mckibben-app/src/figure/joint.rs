@@ -57,12 +57,8 @@ fn torques(points: &[JointRow], u: &Units) -> (Panel, Vec<Series>) {
         let edges: Vec<(f64, f64, f64)> = family
             .iter()
             .filter_map(|q| {
-                let half = q.point.uncertainty_nm?;
-                Some((
-                    q.point.angle_deg,
-                    q.point.torque_nm - half,
-                    q.point.torque_nm + half,
-                ))
+                let ends = (q.point.predicted_low_nm?, q.point.predicted_high_nm?);
+                Some((q.point.angle_deg, ends.0, ends.1))
             })
             .collect();
         bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(i)));

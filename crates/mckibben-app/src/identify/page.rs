@@ -7,8 +7,12 @@ use crate::{
     units::NUMBER,
     words::in_a_row,
 };
-use mckibben_core::{extremes::peak, muscle::Bench};
+use mckibben_core::{
+    extremes::peak,
+    muscle::{Bench, measures::TAKE_UP},
+};
 use mckibben_fit::identify::{Identification, Identified};
+use std::borrow::Cow;
 
 impl Show for IdentifyAnswer {
     fn page(&self, u: &Units) -> Page {
@@ -20,7 +24,13 @@ impl Show for IdentifyAnswer {
         page.line(format!("model {model}, {points} points of {data}"));
         page.line(self.muscle.line(u));
         page.gap();
-        page.table(constants(&self.identified.parameters));
+        let parameters: Vec<Identified> = self
+            .identified
+            .parameters
+            .iter()
+            .map(|p| in_units(p, u))
+            .collect();
+        page.table(constants(&parameters));
         correlation(&self.identified, &mut page);
         page.gap();
         page.rows(self.residuals(u));
@@ -104,6 +114,23 @@ impl LawRow {
             Some(format!("{name} {value} ± {bar}"))
         });
         in_a_row(constants)
+    }
+}
+
+/// A pressure of the muscle in units; the moduli of rubbers are in MPa.
+fn in_units(p: &Identified, u: &Units) -> Identified {
+    let Cow::Borrowed(unit) = u.pressure.name else {
+        return p.clone();
+    };
+    if p.name != TAKE_UP.key {
+        return p.clone();
+    }
+    Identified {
+        value: u.pressure.value(p.value),
+        standard_error: u.pressure.value(p.standard_error),
+        half_width: u.pressure.value(p.half_width),
+        unit,
+        ..p.clone()
     }
 }
 

@@ -37,16 +37,14 @@ impl LoadAnswer {
         let table = Table::of(&lines)
             .text(&u.pressure.heading("P"), |l| u.pressure.bare(l.0))
             .quantity("ε", &PERCENT, |l| {
-                l.1.map(|e| {
-                    (
-                        e.answer.response.contraction,
-                        e.answer.contraction_uncertainty,
-                    )
-                })
+                l.1.map(|e| e.answer.response.contraction)
+            })
+            .quantity("as built", &PERCENT, |l| {
+                l.1.map(|e| (e.answer.predicted, e.answer.contraction_uncertainty))
             })
             .quantity("x", &u.length.digits(4), |l| l.1.map(|e| e.shortening_mm))
             .quantity("F", &u.force.digits(4), |l| {
-                l.1.map(|e| (e.answer.response.force_n, e.answer.uncertainty_n))
+                l.1.map(|e| e.answer.response.force_n)
             })
             .quantity("muscle and load", &u.stiffness(), |l| {
                 l.1.map(|e| e.stiffness_n_per_mm)

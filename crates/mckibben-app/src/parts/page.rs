@@ -49,9 +49,7 @@ impl Show for PartsListAnswer {
             .quantity("D0", &length, |m| m.muscle.outer_diameter_mm)
             .quantity("L0", &length, |m| m.muscle.length_mm)
             .unaligned("P", &u.pressure.digits(3), |m| m.pressure_mpa)
-            .quantity("F blocked", &u.force.digits(4), |m| {
-                (m.blocked_force_n, m.uncertainty_n)
-            })
+            .quantity("F blocked", &u.force.digits(4), |m| m.blocked_force_n)
             .quantity("ε free", &PERCENT.digits(3), |m| m.free_contraction)
             .text("points", |m| m.points)
             .text("product", |m| &m.facts.product)
@@ -270,11 +268,7 @@ impl LibraryDetails {
             .text("rubber", &of.muscle.rubber)
             .text("braid", &of.muscle.braid)
             .quantity("highest pressure", &u.pressure, of.pressure_mpa)
-            .quantity(
-                "blocked force",
-                &u.force.digits(4),
-                (of.blocked_force_n, of.uncertainty_n),
-            )
+            .quantity("blocked force", &u.force.digits(4), of.blocked_force_n)
             .quantity("free contraction", &PERCENT.digits(3), of.free_contraction)
             .text("source", &facts.source)
             .text("terms", &facts.terms)

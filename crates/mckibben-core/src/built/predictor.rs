@@ -89,7 +89,11 @@ impl Predictor {
         out.unlocked = unlocked(muscle);
         if scatter.is_none() {
             let row = |&(p, e, sign, off_n): &OwnPoint| {
-                let at = out.at(p, e, sign)?;
+                let mut at = out.at(p, e, sign)?;
+                // A stated law errs by a share of itself.
+                if let Some(law) = muscle.friction() {
+                    at.slopes[Constant::Friction as usize] = sign * law.half_width_n(p, 0.0);
+                }
                 Some((out.place(p, e, &at), off_n, at.slopes))
             };
             let rows: Vec<_> = bench.own_points.iter().filter_map(row).collect();

@@ -98,7 +98,7 @@ const ANGLE_OF_SLEEVE_DEG: f64 = 1.6;
 const ANGLE_OF_TURNS_DEG: f64 = 0.4;
 const ANGLE_MEASURED_DEG: f64 = 0.8;
 /// Standard deviation of the logarithm of a stiffness that is stated.
-const STRANDS_STATED: f64 = 0.1;
+const STRANDS_STATED: f64 = 0.35;
 /// Share of its deviation that a constant keeps which somebody states.
 const STATED: f64 = 0.5;
 

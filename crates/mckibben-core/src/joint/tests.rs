@@ -205,6 +205,8 @@ fn the_uncertainty_of_an_antagonist_is_that_of_drawn_joints() {
     };
     let (mut sum, mut squares) = (0.0, 0.0);
     const DRAWS: usize = 4000;
+    // Of the deviations, so that no constant is drawn below zero.
+    const SMALL: f64 = 0.2;
     for _ in 0..DRAWS {
         let common: Vec<f64> = shared.iter().map(|_| normal()).collect();
         let torque: f64 = [0, 1]
@@ -216,7 +218,7 @@ fn the_uncertainty_of_an_antagonist_is_that_of_drawn_joints() {
                         Some(k) => common[k],
                         None => normal(),
                     };
-                    x[c] += prior.deviation[c] * draw;
+                    x[c] += SMALL * prior.deviation[c] * draw;
                 }
                 let built = Predictor::about(&muscle, x, prior.covariance()).unwrap();
                 let e = point.muscles[i].answer.response.contraction;
@@ -230,7 +232,7 @@ fn the_uncertainty_of_an_antagonist_is_that_of_drawn_joints() {
         squares += torque * torque;
     }
     let n = DRAWS as f64;
-    let drawn = 1.96 * (squares / n - (sum / n).powi(2)).sqrt();
+    let drawn = 1.96 / SMALL * (squares / n - (sum / n).powi(2)).sqrt();
     // The parts that are drawn: without the friction and the models' own errors.
     let parts = UncertaintyParts {
         friction: None,

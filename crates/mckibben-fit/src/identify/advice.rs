@@ -510,7 +510,7 @@ pub fn neighbours(points: &[PointFit]) -> (usize, f64) {
 /// Residuals of neighbours that resemble each other: the error of the model has a pattern, and the
 /// standard errors, which take residuals for noise, are too small. With ρ the correlation of
 /// neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
-fn pattern(points: &[PointFit]) -> Option<String> {
+pub fn pattern(points: &[PointFit]) -> Option<String> {
     let (pairs, rho) = neighbours(points);
     // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
     if pairs < 10 || rho < 3.0 / (pairs as f64).sqrt() {

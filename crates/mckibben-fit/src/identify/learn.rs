@@ -86,6 +86,7 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
         .collect();
     notes.extend(from_prior(&parameters));
     notes.extend(zero_of_load_cell(&found));
+    notes.extend(advice::pattern(&points));
     let mut candidate = request.candidate(&[])?;
     candidate.muscle = muscle.clone();
     Ok(Identification {
@@ -129,14 +130,14 @@ fn left_over(
     .posterior()
 }
 
-/// C·P^β by least squares, where both branches were measured and nothing states a friction.
+/// C·P^β by least squares, where both branches were measured.
 fn friction_law(
     request: &Request<'_>,
     muscle: &Muscle,
     points: &[DataPoint],
 ) -> Result<Option<Identification>> {
     let has = |branch| points.iter().any(|p| p.at.branch == Some(branch));
-    if muscle.friction().is_some() || !Direction::BRANCHES.into_iter().all(has) {
+    if !Direction::BRANCHES.into_iter().all(has) {
         return Ok(None);
     }
     let exponent = distinct(points.iter().map(|p| p.at.pressure_mpa)).len() > 2;
@@ -248,7 +249,14 @@ fn parameter(
     let slope = factor.unwrap_or(value).abs();
     let at_bound = factor.is_some() && constant != Constant::Angle && value <= 0.0;
     Some(Identified {
-        target: None,
+        target: match constant {
+            Constant::Modulus if base.tube().rubber.law.constants().len() == 1 => {
+                Some(Target::Law(0))
+            }
+            Constant::Modulus => Some(Target::Modulus),
+            Constant::Strands => Some(Target::Stiffness),
+            _ => None,
+        },
         name,
         start: value_at(found.prior.centre[i]),
         value,
@@ -280,10 +288,13 @@ fn correlation(parameters: &[Identified], found: &Posterior) -> Vec<Vec<f64>> {
     (0..n).map(|i| (0..n).map(|k| of(i, k)).collect()).collect()
 }
 
-/// A zero of the load cell that three deviations tell from none.
+/// A zero of the load cell is told from none by so many deviations.
+const DEVIATIONS: f64 = 2.0;
+
+/// A zero of the load cell that the points tell from none.
 fn zero_of_load_cell(found: &Posterior) -> Option<String> {
     let (zero_n, deviation_n) = found.zero_n?;
-    (zero_n.abs() > 3.0 * deviation_n).then(|| {
+    (zero_n.abs() > DEVIATIONS * deviation_n).then(|| {
         format!(
             "the load cell seems to show {zero_n:.1} N without a pull: look at its zero, or free \
              `force_offset`"

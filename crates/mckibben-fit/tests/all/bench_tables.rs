@@ -68,7 +68,7 @@ fn slack_rows_with_noise_on_both_sides_of_zero_change_nothing() {
         let of = found(&all).unwrap();
         let (friction, half) = value(&of, "friction.coefficient");
         assert!((57.0..75.0).contains(&friction), "{friction} ± {half}");
-        assert!(of.rms_n < 3.5, "{}", of.rms_n);
+        assert!(of.rms_n < 5.0, "{}", of.rms_n);
         let (mu, half) = value(&of, "tube.material.mu");
         assert!((mu - 0.25).abs() < 0.01 + half, "{mu} ± {half}");
         let pulls: Vec<DataPoint> = all.into_iter().filter(|p| p.at.force_n > 8.0).collect();
