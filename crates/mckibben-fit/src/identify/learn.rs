@@ -6,7 +6,7 @@
 
 use super::{
     Identification, Identified, Parameter, PointFit, Posterior, PosteriorRequest, Request, Result,
-    Target, advice, bench, identify,
+    Target, advice, bench, default_targets, identify,
     result::{spread, spreads},
     run::{pulls_and_slack, too_few},
     signs,
@@ -85,7 +85,7 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
         .chain(law)
         .collect();
     notes.extend(from_prior(&parameters));
-    notes.extend(zero_of_load_cell(&found));
+    notes.extend(zero_of_load_cell(request, &counted));
     notes.extend(advice::pattern(&points));
     let mut candidate = request.candidate(&[])?;
     candidate.muscle = muscle.clone();
@@ -288,18 +288,18 @@ fn correlation(parameters: &[Identified], found: &Posterior) -> Vec<Vec<f64>> {
     (0..n).map(|i| (0..n).map(|k| of(i, k)).collect()).collect()
 }
 
-/// A zero of the load cell is told from none by so many deviations.
-const DEVIATIONS: f64 = 2.0;
-
-/// A zero of the load cell that the points tell from none.
-fn zero_of_load_cell(found: &Posterior) -> Option<String> {
-    let (zero_n, deviation_n) = found.zero_n?;
-    (zero_n.abs() > DEVIATIONS * deviation_n).then(|| {
-        format!(
-            "the load cell seems to show {zero_n:.1} N without a pull: look at its zero, or free \
-             `force_offset`"
-        )
-    })
+/// A zero of the load cell, which shows in least squares: a prior has room for it.
+fn zero_of_load_cell(request: &Request<'_>, points: &[DataPoint]) -> Option<String> {
+    let targets = default_targets(request.muscle, points, false);
+    let free: Vec<Parameter> = targets.into_iter().map(Parameter::free).collect();
+    let found = identify(&Request {
+        free: &free,
+        fixed: &[],
+        points,
+        ..*request
+    });
+    let is_zero = |note: &String| note.contains("force_offset");
+    found.ok()?.notes.into_iter().find(is_zero)
 }
 
 /// Which constants the points did not tell.

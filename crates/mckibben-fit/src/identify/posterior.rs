@@ -47,8 +47,6 @@ pub struct Posterior {
     pub prior: Prior,
     /// Each point with the pull of the constants there, in N.
     pub points: Vec<(DataPoint, f64)>,
-    /// What the load cell seems to show of no pull, in N, with its standard deviation.
-    pub zero_n: Option<(f64, f64)>,
 }
 
 /// Points, the muscle that states what is known, its model and what is known before.
@@ -258,26 +256,7 @@ impl PosteriorRequest<'_> {
                 .iter()
                 .map(|(point, row)| (**point, row.predicted_n))
                 .collect(),
-            zero_n: self.zero(&constants, known),
         })
-    }
-
-    /// A zero of the load cell by generalised least squares, S = R + J Σ0 Jᵀ: z = 1ᵀS⁻¹r/1ᵀS⁻¹1 with
-    /// the variance 1/1ᵀS⁻¹1, r the pulls less those of the centre of the prior.
-    fn zero(&self, x: &Constants, known: &[(&DataPoint, &Row)]) -> Option<(f64, f64)> {
-        let n = known.len();
-        let Prior { centre, deviation } = self.prior;
-        let j = DMatrix::from_fn(n, CONSTANTS, |i, c| known[i].1.slopes[c] * deviation[c]);
-        let s = self.covariance(known) + &j * j.transpose();
-        let r = DVector::from_fn(n, |i, _| {
-            let (point, row) = known[i];
-            let moved = (0..CONSTANTS).map(|c| row.slopes[c] * (x[c] - centre[c]));
-            point.at.force_n - row.predicted_n + moved.sum::<f64>()
-        });
-        let ones = DVector::from_element(n, 1.0);
-        let weights = s.cholesky()?.solve(&ones);
-        let information = weights.dot(&ones);
-        Some((weights.dot(&r) / information, information.sqrt().recip()))
     }
 }
 
