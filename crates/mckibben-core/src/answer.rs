@@ -261,34 +261,27 @@ impl Evaluation<'_> {
         let slope = self.force_per_pressure_mm2(&answer.response).ok();
         let at = |p: f64| (p, contraction);
         let reach = REACH * pressure_mpa.max(FLAT_MPA);
-        let places =
-            slope.map(|slope| self.built_at(&answer, (pressure_mpa, slope, reach), at, |_| 0.0));
-        let [low, median, high] = places.unwrap_or_default();
-        // Where the pull rises with the pressure, its upper end is met first.
-        let ends = low.zip(high).map(|(a, b)| (a.min(b), a.max(b)));
-        (answer.predicted_low_mpa, answer.predicted_high_mpa) = ends.unzip();
-        answer.predicted_mpa = median;
-        answer.pressure_uncertainty_mpa = ends.map(|(low, high)| 0.5 * (high - low));
-        if let Some(half_n) = answer.uncertainty_n.filter(|_| ends.is_none()) {
-            answer.warnings.push(Warning::flat("pressure", half_n));
-        }
+        let sought = self.built_at(&answer, (pressure_mpa, slope, reach), at, |_| 0.0);
+        answer.predicted_mpa = sought.median;
+        (answer.predicted_low_mpa, answer.predicted_high_mpa) = sought.ends.unzip();
+        answer.pressure_uncertainty_mpa = sought.half();
+        answer.warnings.extend(sought.flat(&answer, "pressure"));
         Ok(answer)
     }
 
-    /// Where the lower end, the median and the upper end of the pull of a muscle that is built are
-    /// the pull of an answer and `more_n` of the place, from the place of the answer and the slope of
-    /// the pull there, up to `reach` away. `at` gives pressure and contraction of a place. `None`
-    /// where there is none.
+    /// Where the median and the ends of the pull of a muscle that is built are the pull of an answer
+    /// and `more_n` of the place, from the place of the answer and the slope of the pull there, up to
+    /// `reach` away. `at` gives pressure and contraction of a place.
     fn built_at(
         &mut self,
         answer: &Answer,
-        (place, slope, reach): (f64, f64, f64),
+        (place, slope, reach): (f64, Option<f64>, f64),
         at: impl Fn(f64) -> (f64, f64),
         more_n: impl Fn(f64) -> f64,
-    ) -> [Option<f64>; 3] {
-        if answer.built.is_none() {
-            return [None; 3];
-        }
+    ) -> Sought {
+        let Some(slope) = slope.filter(|_| answer.built.is_some()) else {
+            return Sought::default();
+        };
         let two_sided = Options {
             two_sided: true,
             ..self.options
@@ -312,10 +305,15 @@ impl Evaluation<'_> {
             |b| b.predicted_n,
             |b| b.predicted_high_n,
         ];
-        ends.map(|end| {
+        let [low, median, high] = ends.map(|end| {
             let missed = |x: f64| Some(end(&built(x)?) - force_n - more_n(x));
             secant(missed, (place, slope, reach), force_n)
-        })
+        });
+        Sought {
+            median,
+            // Where the pull rises with what is sought, its upper end is met first.
+            ends: low.zip(high).map(|(a, b)| (a.min(b), a.max(b))),
+        }
     }
 
     /// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull
@@ -364,17 +362,11 @@ impl Evaluation<'_> {
         let slope = stiffness.map(|k| -(k + load_n_per_mm) * length_mm);
         let at = |e: f64| (pressure_mpa, e);
         let more_n = |e: f64| load_n_per_mm * length_mm * (e - contraction);
-        let places = slope.map(|slope| {
-            self.built_at(&answer, (contraction, slope, FLAT_CONTRACTION), at, more_n)
-        });
-        let [low, median, high] = places.unwrap_or_default();
-        let ends = low.zip(high).map(|(a, b)| (a.min(b), a.max(b)));
-        (answer.predicted_low, answer.predicted_high) = ends.unzip();
-        answer.predicted = median;
-        answer.contraction_uncertainty = ends.map(|(low, high)| 0.5 * (high - low));
-        if let Some(half_n) = answer.uncertainty_n.filter(|_| ends.is_none()) {
-            answer.warnings.push(Warning::flat("contraction", half_n));
-        }
+        let sought = self.built_at(&answer, (contraction, slope, FLAT_CONTRACTION), at, more_n);
+        answer.predicted = sought.median;
+        (answer.predicted_low, answer.predicted_high) = sought.ends.unzip();
+        answer.contraction_uncertainty = sought.half();
+        answer.warnings.extend(sought.flat(&answer, "contraction"));
         answer
     }
 
@@ -454,6 +446,28 @@ pub(crate) const FLAT_MPA: f64 = 0.1;
 const REACH: f64 = 4.0;
 /// The same of a contraction.
 const FLAT_CONTRACTION: f64 = 0.4;
+
+/// What a muscle that is built makes of a pressure or a contraction that was sought.
+#[derive(Default)]
+struct Sought {
+    /// Where its median is the pull.
+    median: Option<f64>,
+    /// Where the ends of its interval are, the lower place first.
+    ends: Option<(f64, f64)>,
+}
+
+impl Sought {
+    /// Half of the interval.
+    fn half(&self) -> Option<f64> {
+        self.ends.map(|(low, high)| 0.5 * (high - low))
+    }
+
+    /// That the interval of the pull of an answer gives none.
+    fn flat(&self, answer: &Answer, sought: &'static str) -> Option<Warning> {
+        let half_n = answer.uncertainty_n.filter(|_| self.ends.is_none())?;
+        Some(Warning::flat(sought, half_n))
+    }
+}
 
 /// The root of a falling or rising function of a place, from a place near it and its slope there, by
 /// secants; `None` where it is not found within `reach`.

@@ -104,6 +104,11 @@ impl<'a> Trial<'a> {
         Ok(pull_n - sign * widths * half_n)
     }
 
+    /// The share of the pull of a point that is missing at a pressure.
+    fn missed(&mut self, p: f64, point: &OperatingPoint) -> Result<f64> {
+        Ok(1.0 - self.sure_n(p, point.contraction)? / point.force_n)
+    }
+
     /// The pull at the highest pressure.
     pub fn strongest_n(&mut self, contraction: f64) -> Result<f64> {
         self.pull_n(self.highest_mpa, contraction)
@@ -129,9 +134,7 @@ impl<'a> Trial<'a> {
             return Ok(pull_mpa);
         }
         let max = self.highest_mpa;
-        let mut missed = |p: f64| -> Result<f64> {
-            Ok(1.0 - self.sure_n(p, point.contraction)? / point.force_n)
-        };
+        let mut missed = |p: f64| self.missed(p, point);
         if missed(pull_mpa)? <= 0.0 {
             return Ok(pull_mpa);
         }
@@ -143,9 +146,7 @@ impl<'a> Trial<'a> {
     pub fn need_from(&mut self, point: &OperatingPoint, from_mpa: f64) -> Result<Option<f64>> {
         const STEPS: i32 = 8;
         const STEP: f64 = 1.25;
-        let mut missed = |p: f64| -> Result<f64> {
-            Ok(1.0 - self.sure_n(p, point.contraction)? / point.force_n)
-        };
+        let mut missed = |p: f64| self.missed(p, point);
         if missed(from_mpa)? <= 0.0 {
             return Ok(Some(from_mpa));
         }
@@ -164,12 +165,8 @@ impl<'a> Trial<'a> {
         let widths = self.half_widths.replace(self.half_widths.unwrap_or(1.0));
         let points = self.spec.points(self.muscle);
         let mut need = |q: &OperatingPoint| {
-            let sure_n = self.sure_n(self.highest_mpa, q.contraction).ok()?;
-            if sure_n / q.force_n >= 1.0 {
-                self.need(q).ok()
-            } else {
-                None
-            }
+            let is_met = self.missed(self.highest_mpa, q).ok()? <= 0.0;
+            is_met.then(|| self.need(q).ok())?
         };
         let needs: Option<Vec<f64>> = points.iter().map(&mut need).collect();
         self.half_widths = widths;

@@ -76,17 +76,18 @@ impl Decision<'_> {
             let force = &Units::default().force;
             let built = q.built.map(|built| {
                 let model = &first.model;
+                let [low, high, alone] = [
+                    built.predicted_low_n,
+                    built.predicted_high_n,
+                    q.model_force_n,
+                ]
+                .map(|n| within(n, built.half_n()));
                 if self.spec.built {
-                    let alone = within(q.model_force_n, built.half_n());
-                    let [low, high] = [built.predicted_low_n, built.predicted_high_n]
-                        .map(|n| within(n, built.half_n()));
                     format!(
                         " ({low}\u{a0}N to {high}\u{a0}N, 95 %, as built; {model} alone \
                          {alone}\u{a0}N)"
                     )
                 } else if (built.predicted_n / q.response.force_n - 1.0).abs() < SAME {
-                    let [low, high] = [built.predicted_low_n, built.predicted_high_n]
-                        .map(|n| within(n, built.half_n()));
                     format!(" by {model} ({low}\u{a0}N to {high}\u{a0}N, 95 %)")
                 } else {
                     format!(" by {model}; as built {}", interval(&built, force))

@@ -11,7 +11,7 @@
 //! the variance that `identify` would give, where the pull is linear in the constants.
 
 use super::{
-    HALF_95, Predictor,
+    At, HALF_95, Predictor,
     learnt::{Place, SINGLE, cholesky, forward, kernel},
 };
 use crate::muscle::{Constant, Constants};
@@ -83,6 +83,12 @@ const TURNS_DEG: f64 = 0.4;
 /// A row of what is measured: slopes, noise, and the place of a pull.
 type Row = (Constants, f64, Option<Place>);
 
+/// A pull that is measured.
+fn pull_at(at: &At) -> Row {
+    let noise_n = (PULL * at.force_n.abs()).max(SINGLE * at.place.blocked_n);
+    (at.slopes, noise_n, Some(at.place))
+}
+
 impl Predictor {
     /// What each measurement leaves of the ± of the pull at a pressure in MPa and a contraction on a
     /// branch, the best first; nothing of a muscle that was identified.
@@ -90,11 +96,14 @@ impl Predictor {
         if self.is_identified {
             return vec![];
         }
+        let Some(at) = &self.at(pressure_mpa, contraction, sign) else {
+            return vec![];
+        };
         let left = |measurement: Measurement| {
-            let rows = self.rows(measurement, (pressure_mpa, contraction, sign))?;
+            let rows = self.rows(measurement, at)?;
             Some(Left {
                 measurement,
-                uncertainty_n: self.half_after_n((pressure_mpa, contraction, sign), &rows)?,
+                uncertainty_n: self.half_after_n(at, &rows)?,
                 minutes: measurement.words().1,
             })
         };
@@ -103,43 +112,31 @@ impl Predictor {
         all
     }
 
-    /// A pull at a state.
-    fn pull(&self, (p, e, sign): (f64, f64, f64)) -> Option<Row> {
-        let at = self.at(p, e, sign)?;
-        Some((
-            at.slopes,
-            (PULL * at.force_n.abs()).max(SINGLE * at.blocked_n),
-            Some(self.place(p, e, &at)),
-        ))
-    }
-
-    /// The rows of a measurement for a state.
-    fn rows(&self, measurement: Measurement, job: (f64, f64, f64)) -> Option<Vec<Row>> {
-        let (p, e, _) = job;
+    /// The rows of a measurement for a pull.
+    fn rows(&self, measurement: Measurement, job: &At) -> Option<Vec<Row>> {
+        let p = job.place.pressure_mpa;
+        let pull = |p, e, sign| Some(pull_at(&self.at(p, e, sign)?));
         let direct = |constant: Constant, noise: f64| {
             let mut slopes = [0.0; Constant::ALL.len()];
             slopes[constant as usize] = 1.0;
             Some(vec![(slopes, noise, None)])
         };
         match measurement {
-            Measurement::HungLoad => Some(vec![self.pull(job)?]),
-            Measurement::OnePull => Some(vec![self.pull((p, 0.05, -1.0))?]),
+            Measurement::HungLoad => Some(vec![pull_at(job)]),
+            Measurement::OnePull => Some(vec![pull(p, 0.05, -1.0)?]),
             Measurement::TenPulls => {
                 let free = self.free_contraction(p)?;
                 let states = (0..10).map(|i| {
                     let pressure = if i < 5 { p } else { 0.5 * p };
                     let sign = if i % 2 == 0 { -1.0 } else { 1.0 };
-                    (
-                        pressure,
-                        0.03 + (0.8 * free - 0.03) * f64::from(i % 5) / 4.0,
-                        sign,
-                    )
+                    let contraction = 0.03 + (0.8 * free - 0.03) * f64::from(i % 5) / 4.0;
+                    pull(pressure, contraction, sign)
                 });
-                states.map(|state| self.pull(state)).collect()
+                states.collect()
             }
             Measurement::FreeContraction => {
                 let free = self.free_contraction(p)?;
-                let (slopes, _, place) = self.pull((p, free, -1.0))?;
+                let (slopes, _, place) = pull(p, free, -1.0)?;
                 let k = (self.at(p, free + RULER, -1.0)?.force_n
                     - self.at(p, free - RULER, -1.0)?.force_n)
                     / 2.0;
@@ -148,33 +145,17 @@ impl Predictor {
             Measurement::StartPressure => direct(Constant::TakeUp, START_MPA),
             Measurement::Turns => direct(Constant::Angle, TURNS_DEG),
         }
-        .filter(|_| e.is_finite())
     }
 
-    /// Where the muscle as it is built pulls nothing.
-    fn free_contraction(&self, pressure_mpa: f64) -> Option<f64> {
-        let (mut low, mut high) = (0.0, self.largest_contraction());
-        for _ in 0..30 {
-            let middle = 0.5 * (low + high);
-            if self.at(pressure_mpa, middle, 0.0)?.force_n > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Some(low)
-    }
-
-    /// Half of the 95 % interval of the pull at a state after some rows were measured, N.
-    fn half_after_n(&self, (p, e, sign): (f64, f64, f64), rows: &[Row]) -> Option<f64> {
-        let at = self.at(p, e, sign)?;
-        let here = self.place(p, e, &at);
+    /// Half of the 95 % interval of a pull after some rows were measured, N.
+    fn half_after_n(&self, at: &At, rows: &[Row]) -> Option<f64> {
+        let here = &at.place;
         let by_c = |a: &Constants, b: &Constants| -> f64 {
             let row = |r: &Constants| r.iter().zip(b).map(|(c, b)| c * b).sum::<f64>();
             self.covariance.iter().zip(a).map(|(r, a)| a * row(r)).sum()
         };
         let near = |a: &Option<Place>, b: &Option<Place>| match (a, b) {
-            (Some(a), Some(b)) => kernel(a, b, p),
+            (Some(a), Some(b)) => kernel(a, b, here.pressure_mpa),
             _ => 0.0,
         };
         let s: Vec<Vec<f64>> = rows
@@ -190,11 +171,11 @@ impl Predictor {
             .collect();
         let c = rows
             .iter()
-            .map(|row| by_c(&at.slopes, &row.0) + near(&Some(here), &row.2));
+            .map(|row| by_c(&at.slopes, &row.0) + near(&Some(*here), &row.2));
         let told = forward(&cholesky(&s)?, c);
-        let before = by_c(&at.slopes, &at.slopes) + kernel(&here, &here, p);
+        let before = by_c(&at.slopes, &at.slopes) + kernel(here, here, here.pressure_mpa);
         let left = before - told.iter().map(|t| t * t).sum::<f64>();
-        let single = SINGLE * at.blocked_n;
+        let single = SINGLE * here.blocked_n;
         Some(HALF_95 * (left.max(0.0) + single * single).sqrt())
     }
 }

@@ -141,6 +141,88 @@ impl Evaluation<'_> {
         self.predicted_by(predictor, pressure_mpa, contraction, force_n)
     }
 
+    /// The same by what somebody else knows of the muscle.
+    pub fn predicted_by(
+        &mut self,
+        predictor: &Predictor,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+    ) -> Option<(Built, UncertaintyParts)> {
+        let muscle = Arc::clone(&self.model.info().muscle);
+        let model = &self.model.info().name;
+        // The error of the model is in the points by which its own constants were found.
+        let is_own = muscle.bench().is_some_and(|bench| bench.model == *model);
+        let formula = self.formula_n(pressure_mpa)?.filter(|_| !is_own);
+        let predicted_direction = working_direction(&muscle, self.options.direction);
+        let sign = predicted_direction.sign();
+        let mut at = predictor.at(pressure_mpa, contraction, sign)?;
+        let mean_n = force_n - self.friction_n(pressure_mpa, contraction).ok()?;
+        let mut covariance = predictor.covariance.clone();
+        let friction = Constant::Friction as usize;
+        let friction_n = if muscle.friction().is_some() {
+            let options = Options::from(predicted_direction);
+            let n = self
+                .with(options)
+                .friction_n(pressure_mpa, contraction)
+                .ok()?;
+            at.slopes[friction] = n;
+            let share = predictor.centre[friction];
+            let relative = if predictor.is_identified && share > 0.0 {
+                covariance[friction][friction].sqrt() / share
+            } else {
+                FRICTION_LAW
+            };
+            covariance[friction] = [0.0; Constant::ALL.len()];
+            covariance.iter_mut().for_each(|row| row[friction] = 0.0);
+            covariance[friction][friction] = relative * relative;
+            n
+        } else {
+            sign * predictor.centre[friction] * at.strands_n
+        };
+        let whole = learnt::DISCREPANCY * at.place.blocked_n;
+        let (own_n, slopes, variance) = match &predictor.learnt {
+            Some(learnt) => learnt.at(&at.place, at.slopes),
+            None => (0.0, at.slopes, whole * whole),
+        };
+        let factor = predictor.centre[Constant::PullFactor as usize].exp();
+        let unscaled_n = mean_n + at.ends_n + at.take_up_n;
+        let shift = BuiltShift {
+            friction: friction_n,
+            take_up: at.take_up_n,
+            ends: at.ends_n,
+            factor: own_n + (factor - 1.0) * unscaled_n,
+        };
+        let largest_n = predictor.learnt.as_ref().map_or(0.0, |l| l.largest_n);
+        let single = learnt::SINGLE * largest_n.max(at.place.blocked_n);
+        let scale_n = self
+            .model
+            .blocked_scale_n(self.workspace, pressure_mpa)
+            .ok();
+        let parts = UncertaintyParts {
+            formula,
+            mesh: scale_n.and_then(|scale_n| {
+                self.model.mesh_error_n(
+                    self.workspace,
+                    pressure_mpa,
+                    contraction,
+                    mean_n,
+                    scale_n.abs(),
+                )
+            }),
+            measured: Some(HALF_95 * variance.sqrt().hypot(single)),
+            ..UncertaintyParts::of_constants(&slopes, &covariance, predictor.is_identified)
+                .with_rubber(predictor.limit_n(pressure_mpa, contraction))
+        };
+        let built = Built {
+            predicted_direction,
+            predicted_shift_n: shift,
+            ..Built::default()
+        };
+        let median_n = unscaled_n * factor + own_n + friction_n;
+        Some((self.interval(built, median_n, parts), parts))
+    }
+
     /// The median of what a muscle that is built pulls in N, without the ± and without slack, on its
     /// working branch; the model's own pull of a bought muscle.
     ///
@@ -201,89 +283,6 @@ impl Evaluation<'_> {
     fn predictor(&mut self, muscle: &Arc<Muscle>) -> Arc<Option<Predictor>> {
         self.workspace
             .of_muscle(muscle, || Predictor::of(muscle, Experience::built_in()))
-    }
-
-    /// The same by what somebody else knows of the muscle.
-    pub fn predicted_by(
-        &mut self,
-        predictor: &Predictor,
-        pressure_mpa: f64,
-        contraction: f64,
-        force_n: f64,
-    ) -> Option<(Built, UncertaintyParts)> {
-        let muscle = Arc::clone(&self.model.info().muscle);
-        let model = &self.model.info().name;
-        // The error of the model is in the points by which its own constants were found.
-        let is_own = muscle.bench().is_some_and(|bench| bench.model == *model);
-        let formula = self.formula_n(pressure_mpa)?.filter(|_| !is_own);
-        let predicted_direction = working_direction(&muscle, self.options.direction);
-        let sign = predicted_direction.sign();
-        let mut at = predictor.at(pressure_mpa, contraction, sign)?;
-        let mean_n = force_n - self.friction_n(pressure_mpa, contraction).ok()?;
-        let mut covariance = predictor.covariance.clone();
-        let friction = Constant::Friction as usize;
-        let friction_n = if muscle.friction().is_some() {
-            let options = Options::from(predicted_direction);
-            let n = self
-                .with(options)
-                .friction_n(pressure_mpa, contraction)
-                .ok()?;
-            at.slopes[friction] = n;
-            let share = predictor.centre[friction];
-            let relative = if predictor.is_identified && share > 0.0 {
-                covariance[friction][friction].sqrt() / share
-            } else {
-                FRICTION_LAW
-            };
-            covariance[friction] = [0.0; Constant::ALL.len()];
-            covariance.iter_mut().for_each(|row| row[friction] = 0.0);
-            covariance[friction][friction] = relative * relative;
-            n
-        } else {
-            sign * predictor.centre[friction] * at.strands_n
-        };
-        let place = predictor.place(pressure_mpa, contraction, &at);
-        let whole = learnt::DISCREPANCY * at.blocked_n;
-        let (own_n, slopes, variance) = match &predictor.learnt {
-            Some(learnt) => learnt.at(&place, at.slopes),
-            None => (0.0, at.slopes, whole * whole),
-        };
-        let factor = predictor.centre[Constant::PullFactor as usize].exp();
-        let unscaled_n = mean_n + at.ends_n + at.take_up_n;
-        let shift = BuiltShift {
-            friction: friction_n,
-            take_up: at.take_up_n,
-            ends: at.ends_n,
-            factor: own_n + (factor - 1.0) * unscaled_n,
-        };
-        let largest_n = predictor.learnt.as_ref().map_or(0.0, |l| l.largest_n);
-        let single = learnt::SINGLE * largest_n.max(at.blocked_n);
-        let scale_n = self
-            .model
-            .blocked_scale_n(self.workspace, pressure_mpa)
-            .ok();
-        let parts = UncertaintyParts {
-            formula,
-            mesh: scale_n.and_then(|scale_n| {
-                self.model.mesh_error_n(
-                    self.workspace,
-                    pressure_mpa,
-                    contraction,
-                    mean_n,
-                    scale_n.abs(),
-                )
-            }),
-            measured: Some(HALF_95 * variance.sqrt().hypot(single)),
-            ..UncertaintyParts::of_constants(&slopes, &covariance, predictor.is_identified)
-                .with_rubber(predictor.limit_n(pressure_mpa, contraction))
-        };
-        let built = Built {
-            predicted_direction,
-            predicted_shift_n: shift,
-            ..Built::default()
-        };
-        let median_n = unscaled_n * factor + own_n + friction_n;
-        Some((self.interval(built, median_n, parts), parts))
     }
 
     /// With a median and its interval: a muscle that contracts does not push unless that is asked.

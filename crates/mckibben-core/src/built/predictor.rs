@@ -46,8 +46,8 @@ pub struct At {
     pub slopes: Constants,
     /// Pull of the infinitely long muscle as it is built, in N.
     pub force_n: f64,
-    /// Its blocked force at this pressure.
-    pub blocked_n: f64,
+    /// The place for the smooth difference, with its blocked force at this pressure.
+    pub place: Place,
 }
 
 impl Predictor {
@@ -94,7 +94,7 @@ impl Predictor {
                 if let Some(law) = muscle.friction() {
                     at.slopes[Constant::Friction as usize] = sign * law.half_width_n(p, 0.0);
                 }
-                Some((out.place(p, e, &at), off_n, at.slopes))
+                Some((at.place, off_n, at.slopes))
             };
             let rows: Vec<_> = bench.own_points.iter().filter_map(row).collect();
             out.learnt = Learnt::new(&rows, bench.pressure_mpa.1);
@@ -192,22 +192,26 @@ impl Predictor {
             strands_n: state.strands_n,
             slopes,
             force_n: state.force_n,
-            blocked_n: self.built.force_n(pressure_mpa, 0.0)?.abs(),
+            place: Place {
+                pressure_mpa,
+                contraction,
+                blocked_n: self.built.force_n(pressure_mpa, 0.0)?.abs(),
+            },
         })
     }
 
-    /// Beyond which no muscle of its braid contracts.
-    pub(super) fn largest_contraction(&self) -> f64 {
-        self.muscle.max_ideal_contraction()
-    }
-
-    /// The place of a point for the smooth difference.
-    pub fn place(&self, pressure_mpa: f64, contraction: f64, at: &At) -> Place {
-        Place {
-            pressure_mpa,
-            contraction,
-            blocked_n: at.blocked_n,
+    /// Where the muscle as it is built pulls nothing.
+    pub(super) fn free_contraction(&self, pressure_mpa: f64) -> Option<f64> {
+        let (mut low, mut high) = (0.0, self.muscle.max_ideal_contraction());
+        for _ in 0..30 {
+            let middle = 0.5 * (low + high);
+            if self.built.force_n(pressure_mpa, middle)? > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
+        Some(low)
     }
 }
 

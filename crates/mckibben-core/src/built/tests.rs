@@ -251,9 +251,9 @@ fn a_load_that_is_hung_leaves_what_its_noise_does() {
     let by_constants: f64 = (0..8)
         .map(|i| at.slopes[i].powi(2) * predictor.covariance[i][i])
         .sum();
-    let v = by_constants + (DISCREPANCY * at.blocked_n).powi(2);
-    let noise = (0.02 * at.force_n).max(SINGLE * at.blocked_n).powi(2);
-    let left = v - v * v / (v + noise) + (SINGLE * at.blocked_n).powi(2);
+    let v = by_constants + (DISCREPANCY * at.place.blocked_n).powi(2);
+    let noise = (0.02 * at.force_n).max(SINGLE * at.place.blocked_n).powi(2);
+    let left = v - v * v / (v + noise) + (SINGLE * at.place.blocked_n).powi(2);
     let all = predictor.measurements(p, e, sign);
     let hung = all
         .iter()
@@ -261,7 +261,7 @@ fn a_load_that_is_hung_leaves_what_its_noise_does() {
         .unwrap();
     assert!((hung.uncertainty_n / (1.96 * left.sqrt()) - 1.0).abs() < 1e-9);
     // No measurement makes it wider, and the best is first.
-    let before = 1.96 * (v + (SINGLE * at.blocked_n).powi(2)).sqrt();
+    let before = 1.96 * (v + (SINGLE * at.place.blocked_n).powi(2)).sqrt();
     assert!(
         all.windows(2)
             .all(|two| two[0].uncertainty_n <= two[1].uncertainty_n)

@@ -56,20 +56,6 @@ impl Constant {
         }
     }
 
-    /// What it is, and its unit.
-    pub fn name(self) -> (&'static str, &'static str) {
-        match self {
-            Self::PullFactor => ("ln of the factor on the pull", ""),
-            Self::Seating => ("seating of the ends over D0", ""),
-            Self::Compliance => ("slip of the ends times D0", "1/MPa"),
-            Self::TakeUp => ("take-up pressure", "MPa"),
-            Self::Modulus => ("ln of the factor on the modulus", ""),
-            Self::Angle => ("angle", "deg"),
-            Self::Strands => ("ln of the factor on the strands' stiffness", ""),
-            Self::Friction => ("friction over the strands' pull", ""),
-        }
-    }
-
     /// The values that it may have.
     pub fn bounds(self) -> (f64, f64) {
         match self {

@@ -1,12 +1,12 @@
 //! What the points tell of an identified muscle, as its file keeps it: the covariance of its
 //! constants, and up to 20 of the points with what the constants miss there.
 
-use super::{Identification, Posterior, Request, posterior::PosteriorRequest};
+use super::{Identification, Posterior, Request, Result, posterior::PosteriorRequest};
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben_core::{
     built::{Experience, Prior},
     extremes::ends,
-    muscle::{Bench, Constant, Direction, Muscle, OwnPoint},
+    muscle::{Bench, Constant, Constants, Direction, Muscle, OwnPoint},
 };
 
 /// Distances at which two points tell different things: of the contraction, and of the pressure over
@@ -14,7 +14,7 @@ use mckibben_core::{
 const APART: (f64, f64) = (0.03, 0.25);
 
 /// The points of a muscle in any of its lengths, as its constants have them.
-pub fn of_muscle(muscle: &Muscle, points: impl Iterator<Item = DataPoint>) -> Vec<DataPoint> {
+fn of_muscle(muscle: &Muscle, points: impl Iterator<Item = DataPoint>) -> Vec<DataPoint> {
     let in_any_length = |p: &DataPoint| {
         let section = Section {
             length_mm: None,
@@ -36,24 +36,36 @@ pub fn bench(request: &Request<'_>, result: &Identification) -> Option<Bench> {
         point.at.force_n -= candidate.force_offset_n;
         point
     });
-    let points = of_muscle(muscle, points);
+    let posterior = left_over(request, muscle, points, None).ok()??;
+    let model = (request.build)(muscle).ok()?.info().name.to_string();
+    written(muscle, &posterior, model, request.history)
+}
+
+/// What points leave of a muscle whose constants somebody found, beside a factor on the pull and the
+/// friction: those of the constants `kept`, or none and that of the prior. Nothing is sought.
+pub fn left_over(
+    request: &Request<'_>,
+    muscle: &Muscle,
+    points: impl Iterator<Item = DataPoint>,
+    kept: Option<&Constants>,
+) -> Result<Option<Posterior>> {
     let experience = Experience::built_in();
     let mut prior = Prior::of(muscle, experience);
-    let share = prior.centre[Constant::Friction as usize];
-    prior.centre = [0.0; Constant::ALL.len()];
-    prior.centre[Constant::Friction as usize] = share;
-    let posterior = PosteriorRequest {
+    prior.centre = Constant::ALL.map(|constant| match (constant, kept) {
+        (Constant::PullFactor | Constant::Friction, Some(kept)) => kept[constant as usize],
+        (Constant::Friction, None) => prior.centre[constant as usize],
+        _ => 0.0,
+    });
+    PosteriorRequest {
         muscle,
-        points: &points,
+        points: &of_muscle(muscle, points),
         build: request.build,
         experience,
         prior: &prior,
         progress: request.progress,
         search: false,
-    };
-    let posterior = posterior.posterior().ok().flatten()?;
-    let model = (request.build)(muscle).ok()?.info().name.to_string();
-    written(muscle, &posterior, model, request.history)
+    }
+    .posterior()
 }
 
 /// What a posterior says of the muscle with its constants; `None` where no point is of its length.
@@ -123,19 +135,30 @@ fn spread(mut points: Vec<OwnPoint>) -> Vec<OwnPoint> {
         by_pressure.hypot((a.1 - b.1) / APART.0).hypot(a.2 - b.2)
     };
     points.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut out: Vec<OwnPoint> = vec![];
-    while out.len() < Bench::OWN_POINTS && !points.is_empty() {
-        let nearest = |p: &OwnPoint| {
+    let order = farthest_first(points.len(), Bench::OWN_POINTS, |i, k| {
+        apart(&points[i], &points[k])
+    });
+    order.into_iter().map(|i| points[i]).collect()
+}
+
+/// Some of `count` things, by their places: the first one, then each farthest from those before it; of
+/// equal ones the first.
+pub fn farthest_first(
+    count: usize,
+    some: usize,
+    apart: impl Fn(usize, usize) -> f64,
+) -> Vec<usize> {
+    let mut out: Vec<usize> = vec![];
+    while out.len() < some.min(count) {
+        let nearest = |i: usize| {
             out.iter()
-                .map(|q| apart(p, q))
+                .map(|&k| apart(i, k))
                 .fold(f64::INFINITY, f64::min)
         };
-        let place = (0..points.len()).max_by(|&i, &k| {
-            nearest(&points[i])
-                .total_cmp(&nearest(&points[k]))
-                .then(k.cmp(&i))
-        });
-        out.extend(place.map(|place| points.remove(place)));
+        let next = (0..count)
+            .filter(|i| !out.contains(i))
+            .max_by(|&i, &k| nearest(i).total_cmp(&nearest(k)).then(k.cmp(&i)));
+        out.extend(next);
     }
     out
 }

@@ -65,7 +65,8 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
         Some(law) => (law.muscle, law.parameters),
         None => (muscle, vec![]),
     };
-    let left = left_over(&muscle, &found, ask)?.ok_or_else(none)?;
+    let of = counted.iter().copied();
+    let left = bench::left_over(request, &muscle, of, Some(&found.constants))?.ok_or_else(none)?;
     let written = Posterior {
         covariance: found.covariance.clone(),
         ..left.clone()
@@ -106,28 +107,6 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
         points,
         slack,
     })
-}
-
-/// The points beside the muscle with the constants that were found: what is left is a factor and the
-/// friction.
-fn left_over(
-    muscle: &Muscle,
-    found: &Posterior,
-    ask: PosteriorRequest<'_>,
-) -> Result<Option<Posterior>> {
-    let mut own = Prior::of(muscle, ask.experience);
-    own.centre = [0.0; Constant::ALL.len()];
-    for constant in [Constant::PullFactor, Constant::Friction] {
-        own.centre[constant as usize] = found.constants[constant as usize];
-    }
-    let points = bench::of_muscle(muscle, ask.points.iter().copied());
-    PosteriorRequest {
-        muscle,
-        points: &points,
-        prior: &own,
-        ..ask
-    }
-    .posterior()
 }
 
 /// C·P^β by least squares, where both branches were measured.

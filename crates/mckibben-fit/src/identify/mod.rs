@@ -23,6 +23,7 @@ mod run;
 mod signs;
 
 pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
+pub(crate) use bench::farthest_first;
 pub use bench::written as written_bench;
 pub use candidate::Candidate;
 pub use default_parameters::{default_targets, identify_default, matters};

@@ -98,7 +98,7 @@ impl PosteriorRequest<'_> {
             };
             Some(Row {
                 section,
-                place: predictor.place(p, e, &at),
+                place: at.place,
                 predicted_n: mean_n + sign * half_loop_n,
                 slopes,
                 half_loop_n,

@@ -42,28 +42,16 @@ pub(super) fn validated(
     }
 }
 
-/// How near the share of covered points must be to [`COVERAGE`].
-pub(super) enum Coverage {
-    /// At least that.
-    Calibrated,
-    /// At least that, less what chance makes of so few points.
-    Least,
-}
-
-/// The row of the share of some points that are covered.
+/// The row of the share of some points that are covered: at least [`COVERAGE`], less what chance
+/// makes of so few.
 pub(super) fn share_row(
     name: String,
     source: &'static str,
     errors: &ForceErrors,
-    coverage: Coverage,
 ) -> VerificationRow {
     let by_chance = 1.96 * (COVERAGE * (1.0 - COVERAGE) / errors.points.max(1) as f64).sqrt();
-    let tolerance = match coverage {
-        Coverage::Calibrated => 0.0,
-        Coverage::Least => by_chance,
-    };
     let error = errors.held.map(|share| f64::max(COVERAGE - share, 0.0));
-    let row = VerificationRow::new(name, source, COVERAGE, errors.held, tolerance);
+    let row = VerificationRow::new(name, source, COVERAGE, errors.held, by_chance);
     validated(row, Measure::Share, error)
 }
 

@@ -2,7 +2,7 @@
 
 use super::{
     case::{CaseFit, MuscleCase},
-    coverage::{Coverage, share_row},
+    coverage::share_row,
     residual::{Fitter, ForceErrors, Residual, residuals},
 };
 use crate::{
@@ -79,6 +79,6 @@ pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<Verific
             "{}: {} points held out of fits of fe, within the ± of the fit",
             set.facts.title, errors.points
         );
-        share_row(name, &set.facts.source, &errors, Coverage::Least)
+        share_row(name, &set.facts.source, &errors)
     })
 }

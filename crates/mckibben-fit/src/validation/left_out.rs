@@ -1,13 +1,13 @@
 //! Left out of a fit: one fifth of the pressures, one length, one angle or one specimen, predicted
 //! by the constants of the others.
 //!
-//! The ± is that of the muscle as `identify` writes it: outside of its bench, and with the parts
-//! for another length (`length_transfer`) and for another specimen (`transfer`). It covers at least
+//! The ± is that of the muscle as `identify` writes it, with what differs between lengths and between
+//! specimens. It covers at least
 //! 95 % of the points that were left out, less what chance makes of so few.
 
 use super::{
     case::{CaseFit, MuscleCase},
-    coverage::{Coverage, share_row},
+    coverage::share_row,
     library::library,
     residual::{Fitter, ForceErrors, Residual, residuals},
 };
@@ -108,7 +108,7 @@ fn row(set: &'static MuscleCase, from: &str, residuals: &[Residual]) -> Verifica
         "{title}: {points} points by fe with the constants of {from}, within the ± ({width:.1} % \
          of the blocked force)"
     );
-    share_row(name, &set.facts.source, &errors, Coverage::Least)
+    share_row(name, &set.facts.source, &errors)
 }
 
 /// The constants of each muscle of the library, with the length or the angle of another that is the

@@ -30,7 +30,7 @@ use crate::{
     identify::{Build, Parameter, Request, Target, identify},
     measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured},
 };
-use coverage::{Coverage, share_row, validated};
+use coverage::{COVERAGE, validated};
 #[cfg(test)]
 use mckibben_core::model::{ForceModel, ModelError};
 use mckibben_core::{
@@ -42,7 +42,7 @@ use mckibben_core::{
     progress::{CancelOnly, Progress},
     verification::{Measure, VerificationRow},
 };
-use residual::{Fitter, ForceErrors};
+use residual::Fitter;
 
 const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
 /// The folder of the measured muscle, which begins with a neo-Hookean rubber of 0.5 MPa, and
@@ -59,8 +59,8 @@ pub fn cases(
         // Measurements that are built in and cannot be read: a case that fails.
         Err(error) => {
             let name = format!("measured muscles: {error}");
-            let none = ForceErrors::default();
-            return Ok(vec![share_row(name, "", &none, Coverage::Calibrated)]);
+            let row = VerificationRow::new(name, "", COVERAGE, None, 0.0);
+            return Ok(vec![validated(row, Measure::Share, None)]);
         }
     };
     let mut rows = hand_made(elements, progress)?;

@@ -8,7 +8,7 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Evaluation, Options},
-    built::UncertaintyParts,
+    built::{Built, UncertaintyParts},
     extremes::peak,
     model::{ForceModel, Workspace},
     muscle::{Direction, Muscle},
@@ -78,15 +78,9 @@ fn residual(
     let mut evaluation = Evaluation::new(model, blocked, options);
     let predicted = evaluation.predicted(pressure_mpa, contraction, here.force_n);
     let is_pull = point.measured != Quantity::Volume;
-    let of_built_n = predicted.filter(|_| is_pull).map(|(built, parts)| {
-        let (friction_n, friction) = if branch.is_mean() {
-            (built.predicted_shift_n.friction, None)
-        } else {
-            (0.0, parts.friction)
-        };
-        let parts = UncertaintyParts { friction, ..parts };
-        let median_n = (built.predicted_n - friction_n).max(0.0);
-        (force_n - median_n, parts.total())
+    let of_built_n = predicted.filter(|_| is_pull).map(|predicted| {
+        let (median_n, half_n) = of_branch(branch, predicted);
+        (force_n - median_n.max(0.0), half_n)
     });
     Some(Residual {
         contraction,
@@ -97,6 +91,25 @@ fn residual(
         blocked_n: model.force_n(blocked, pressure_mpa, 0.0).ok()?,
         of_built_n,
     })
+}
+
+/// The median of what a muscle that is built pulls in N, and half of its interval, on the branch that
+/// was measured: on the mean of both without the friction.
+pub(super) fn of_branch(
+    branch: Direction,
+    (built, parts): (Built, UncertaintyParts),
+) -> (f64, f64) {
+    if !branch.is_mean() {
+        return (built.predicted_n, parts.total());
+    }
+    let parts = UncertaintyParts {
+        friction: None,
+        ..parts
+    };
+    (
+        built.predicted_n - built.predicted_shift_n.friction,
+        parts.total(),
+    )
 }
 
 /// The model of the muscle of some rows, where it has one, with its memories.
@@ -134,15 +147,6 @@ pub struct Fitter<'a> {
 }
 
 impl Fitter<'_> {
-    /// A fit to points: least squares of the pulls, from one side, without history.
-    pub(super) fn identified(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
-        let request = Request::new(&fit.muscle, &fit.free, points, self.build);
-        identify(&Request {
-            progress: self.progress,
-            ..request
-        })
-    }
-
     /// What points tell of the muscle of a fit, beside what is known of all muscles.
     pub(super) fn learnt(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
         let request = Request::new(&fit.muscle, &[], points, self.build);
@@ -152,7 +156,8 @@ impl Fitter<'_> {
         })
     }
 
-    /// The muscle and the constants of a fit to points.
+    /// The muscle and the constants of a fit to points: least squares of the pulls, from one side,
+    /// without history.
     pub(super) fn fitted(
         &self,
         fit: &CaseFit,
@@ -161,7 +166,11 @@ impl Fitter<'_> {
         if fit.free.is_empty() {
             return Ok((fit.muscle.clone(), vec![]));
         }
-        let identification = self.identified(fit, points)?;
+        let request = Request::new(&fit.muscle, &fit.free, points, self.build);
+        let identification = identify(&Request {
+            progress: self.progress,
+            ..request
+        })?;
         Ok((identification.muscle, identification.parameters))
     }
 }

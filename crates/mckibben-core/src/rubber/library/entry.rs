@@ -20,9 +20,6 @@ pub struct RubberEntry {
     /// Terms under which the data may be used.
     #[serde(skip_deserializing)]
     pub terms: String,
-    /// Whether its tests are uniaxial alone.
-    #[serde(skip)]
-    pub one_axis: bool,
     /// What else one should know.
     pub note: Option<String>,
     /// Factor within which its stiffness is known; 1 where a measured curve is behind it.

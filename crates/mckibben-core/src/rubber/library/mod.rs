@@ -20,8 +20,7 @@ pub use entry::{RubberEntry, RubberFit};
 pub use error::LibraryError;
 pub(crate) use named::following;
 pub use named::{
-    COVERING, USUAL_REACH, find, find_for, find_up_to, follows, is_known_from_one_axis,
-    of_equal_standing, stiffness_factor,
+    COVERING, USUAL_REACH, find, find_for, find_up_to, follows, of_equal_standing, stiffness_factor,
 };
 pub use window::{Standing, Window, WindowLaw};
 

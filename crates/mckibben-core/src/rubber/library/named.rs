@@ -81,18 +81,6 @@ pub fn follows(rubber: &Rubber) -> bool {
     library_entry(rubber).is_some_and(|(entry, law)| entry.fits_of_law(law).nth(1).is_some())
 }
 
-/// Whether a rubber is one of the library, with its constants, whose tests are uniaxial alone: what
-/// it does in two axes is then a guess of its law.
-pub fn is_known_from_one_axis(rubber: &Rubber) -> bool {
-    let of_one_axis =
-        |(entry, law): (&RubberEntry, Option<&str>)| entry.one_axis && entry.has(law, rubber);
-    rubber
-        .name
-        .as_deref()
-        .and_then(exactly)
-        .is_some_and(of_one_axis)
-}
-
 /// Factor within which the stiffness of a rubber is known: of one that represents others, or
 /// follows from one number of a data sheet; 1 of any other.
 pub fn stiffness_factor(rubber: &Rubber) -> f64 {

@@ -15,8 +15,6 @@ struct Table {
 struct Origin {
     citation: String,
     terms: String,
-    #[serde(default)]
-    one_axis: bool,
 }
 
 pub fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
@@ -38,7 +36,6 @@ pub fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
                 .map_err(|e| wrong(e.to_string()))?;
         }
         (entry.source, entry.terms) = (origin.citation.clone(), origin.terms.clone());
-        entry.one_axis = origin.one_axis;
     }
     Ok(rubber)
 }
