@@ -12,7 +12,7 @@
 
 use super::{
     At, HALF_95, Predictor,
-    learnt::{Place, SINGLE, cholesky, forward, kernel},
+    learnt::{NOISE, Place, SINGLE, cholesky, forward, kernel},
 };
 use crate::muscle::{Constant, Constants};
 use schemars::JsonSchema;
@@ -71,8 +71,6 @@ pub struct Left {
     pub minutes: u32,
 }
 
-/// A pull reads within this share of it.
-const PULL: f64 = 0.02;
 /// A contraction by a ruler.
 const RULER: f64 = 0.005;
 /// The pressure at which a muscle starts to move, in MPa.
@@ -82,12 +80,6 @@ const TURNS_DEG: f64 = 0.4;
 
 /// A row of what is measured: slopes, noise, and the place of a pull.
 type Row = (Constants, f64, Option<Place>);
-
-/// A pull that is measured.
-fn pull_at(at: &At) -> Row {
-    let noise_n = (PULL * at.force_n.abs()).max(SINGLE * at.place.blocked_n);
-    (at.slopes, noise_n, Some(at.place))
-}
 
 impl Predictor {
     /// What each measurement leaves of the ± of the pull at a pressure in MPa and a contraction on a
@@ -115,14 +107,17 @@ impl Predictor {
     /// The rows of a measurement for a pull.
     fn rows(&self, measurement: Measurement, job: &At) -> Option<Vec<Row>> {
         let p = job.place.pressure_mpa;
-        let pull = |p, e, sign| Some(pull_at(&self.at(p, e, sign)?));
+        // As `identify` takes it: of the highest pressure where points were measured.
+        let noise_n = NOISE * job.place.blocked_n;
+        let row = |at: &At| (at.slopes, noise_n, Some(at.place));
+        let pull = |p, e, sign| Some(row(&self.at(p, e, sign)?));
         let direct = |constant: Constant, noise: f64| {
             let mut slopes = [0.0; Constant::ALL.len()];
             slopes[constant as usize] = 1.0;
             Some(vec![(slopes, noise, None)])
         };
         match measurement {
-            Measurement::HungLoad => Some(vec![pull_at(job)]),
+            Measurement::HungLoad => Some(vec![row(job)]),
             Measurement::OnePull => Some(vec![pull(p, 0.05, -1.0)?]),
             Measurement::TenPulls => {
                 let free = self.free_contraction(p)?;

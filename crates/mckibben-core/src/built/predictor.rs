@@ -201,7 +201,7 @@ impl Predictor {
     }
 
     /// Where the muscle as it is built pulls nothing.
-    pub(super) fn free_contraction(&self, pressure_mpa: f64) -> Option<f64> {
+    pub fn free_contraction(&self, pressure_mpa: f64) -> Option<f64> {
         let (mut low, mut high) = (0.0, self.muscle.max_ideal_contraction());
         for _ in 0..30 {
             let middle = 0.5 * (low + high);

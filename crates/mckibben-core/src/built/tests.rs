@@ -252,7 +252,7 @@ fn a_load_that_is_hung_leaves_what_its_noise_does() {
         .map(|i| at.slopes[i].powi(2) * predictor.covariance[i][i])
         .sum();
     let v = by_constants + (DISCREPANCY * at.place.blocked_n).powi(2);
-    let noise = (0.02 * at.force_n).max(SINGLE * at.place.blocked_n).powi(2);
+    let noise = (NOISE * at.place.blocked_n).powi(2);
     let left = v - v * v / (v + noise) + (SINGLE * at.place.blocked_n).powi(2);
     let all = predictor.measurements(p, e, sign);
     let hung = all

@@ -15,7 +15,7 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Evaluation, Options},
-    built::Predictor,
+    built::{Experience, Predictor, Prior},
     extremes::peak,
     model::Workspace,
     muscle::Muscle,
@@ -34,7 +34,7 @@ pub struct Judged {
 }
 
 /// The points of a series by a predictor of its muscle, or of one made from it.
-fn judged(
+pub(super) fn judged(
     series: &Series,
     muscle: &Muscle,
     predictor: &Predictor,
@@ -137,6 +137,21 @@ fn spread(points: &[DataPoint], n: usize) -> Vec<usize> {
     .collect()
 }
 
+/// The muscle of a series, and what is known of it, after some of its points were measured.
+pub(super) fn after(
+    series: &Series,
+    points: &[DataPoint],
+    (experience, prior): (&Experience, &Prior),
+    by: Fitter<'_>,
+) -> Option<(Muscle, Predictor)> {
+    let posterior = posterior(series, points, (experience, prior), by)?;
+    let muscle = series.muscle.with_constants(&posterior.constants).ok()?;
+    let bench = written_bench(&muscle, &posterior, "fe".to_owned(), false)?;
+    let muscle = muscle.with_bench(bench);
+    let predictor = Predictor::of(&muscle, experience)?;
+    Some((muscle, predictor))
+}
+
 /// Every series by the families that it does not belong to.
 pub fn left_out(known: &[Known<'_>], way: Way, by: Fitter<'_>) -> Coverage {
     let one = |of: &&Known<'_>| {
@@ -158,11 +173,7 @@ pub fn left_out(known: &[Known<'_>], way: Way, by: Fitter<'_>) -> Coverage {
                 let (own, rest): (Vec<_>, Vec<_>) = all.partition(|i| own.contains(i));
                 let [fitted, rest] =
                     [own, rest].map(|list| Vec::from_iter(list.iter().map(|&i| series.points[i])));
-                let posterior = posterior(series, &fitted, (&experience, &prior), by)?;
-                let muscle = series.muscle.with_constants(&posterior.constants).ok()?;
-                let bench = written_bench(&muscle, &posterior, "fe".to_owned(), false)?;
-                let muscle = muscle.with_bench(bench);
-                let predictor = Predictor::of(&muscle, &experience)?;
+                let (muscle, predictor) = after(series, &fitted, (&experience, &prior), by)?;
                 judged(series, &muscle, &predictor, &rest, by)?
             }
         };

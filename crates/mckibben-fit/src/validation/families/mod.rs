@@ -7,6 +7,8 @@
 
 mod experience;
 mod left_out;
+#[cfg(test)]
+mod promised;
 
 pub use experience::experience;
 pub use left_out::{Coverage, Judged, Way, left_out};
