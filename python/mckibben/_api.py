@@ -2757,8 +2757,10 @@ class Identified(Record):
         Standard error; infinite (null in JSON) where the data do not determine it at all, 0 on a bound.
     half_width_95
         Half-width of the 95 % interval; likewise.
+    prior_standard_deviation
+        Standard deviation before, where measured muscles tell of it.
     identifiable
-        Whether the data determine it.
+        Whether the data determine it; with a prior, whether they told more than that.
     at_bound
         Whether it lies on a bound.
     matters
@@ -2774,6 +2776,7 @@ class Identified(Record):
     identifiable: bool
     at_bound: bool
     matters: bool
+    prior_standard_deviation: float | None = None
 
 
 class IdentifiedPoint(Record):

@@ -25,7 +25,7 @@ use mckibben_core::{
 use mckibben_fit::{
     identify::{
         Identification, Identified, LawTrial, Parameter, PointFit, Request, Target,
-        identify_default, try_laws,
+        default_parameters, identify_default, try_laws,
     },
     least_squares::Loss,
     measured::{
@@ -298,12 +298,17 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
             Problem::new(ProblemKind::Data, message, "take every tenth row").in_field("data"),
         );
     }
-    let (free, fixed) = request.parameters(&muscle)?;
+    let Parameters {
+        free,
+        fixed,
+        bounds,
+    } = request.parameters(&muscle)?;
     let build = |m: &Muscle| model.build(m);
     let input = Request {
         muscle: &muscle,
         free: &free,
         fixed: &fixed,
+        bounds: &bounds,
         points: &points,
         build: &build,
         progress,
@@ -318,17 +323,11 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         mckibben_fit::identify::identify(&input)?
     };
     let laws = if request.laws {
-        let sought: Vec<Parameter> = identified
-            .parameters
-            .iter()
-            .filter_map(|p| p.target)
-            .map(|t| {
-                free.iter()
-                    .find(|q| q.target == t)
-                    .copied()
-                    .unwrap_or(Parameter::free(t))
-            })
-            .collect();
+        let sought = if free.is_empty() {
+            default_parameters(&input)?
+        } else {
+            free.clone()
+        };
         let trials = try_laws(&Request {
             free: &sought,
             ..input
@@ -365,8 +364,12 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     })
 }
 
-/// What is free, and what is held at a value.
-type Parameters = (Vec<Parameter>, Vec<(Target, f64)>);
+/// What is free, what is held at a value, and the bounds where nothing is named.
+struct Parameters {
+    free: Vec<Parameter>,
+    fixed: Vec<(Target, f64)>,
+    bounds: Vec<(Target, (f64, f64))>,
+}
 
 struct Data {
     points: Vec<DataPoint>,
@@ -494,16 +497,23 @@ impl IdentifyRequest {
                 }
             }
         }
+        let mut bounds = vec![];
         for text in &self.bounds {
-            let (target, bounds) = Parameter::parse_bounds(text, muscle)?;
+            let (target, within) = Parameter::parse_bounds(text, muscle)?;
             if let Some(p) = free.iter_mut().find(|p| p.target == target) {
-                p.bounds = Some(bounds)
+                p.bounds = Some(within);
+            } else if free.is_empty() {
+                bounds.push((target, within));
             } else {
                 let message = format!("{} is not free", target.name(muscle));
                 return wrong("bounds", message, "name it in `free` too");
             }
         }
-        Ok((free, fixed))
+        Ok(Parameters {
+            free,
+            fixed,
+            bounds,
+        })
     }
 }
 
@@ -526,6 +536,7 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
         let (value, bar) = with_error_bar(p);
         let doubt = match p {
             p if p.identifiable => "",
+            p if p.prior_standard_deviation.is_some() => " (from measured muscles)",
             p if p.at_bound => " (on its bound)",
             p if p.implausible => " (not determined)",
             _ => " (not identifiable)",

@@ -143,12 +143,13 @@ pub fn constants(parameters: &[Identified]) -> Table<'_, Identified> {
         .unaligned("std. error", &NUMBER.digits(2), |p| p.standard_error)
         .text("unit", |p| p.unit)
         .unaligned("start", &NUMBER, |p| p.start)
-        .text("identifiable", |p| match p {
-            p if p.identifiable => "yes",
-            p if p.at_bound => "no (on its bound)",
-            p if p.implausible => "no (too much)",
-            p if !p.matters => "no (no effect)",
-            _ => "no",
+        .text("told by", |p| match p {
+            p if p.at_bound => "nothing: on its bound",
+            p if p.identifiable => "these points",
+            p if p.prior_standard_deviation.is_some() => "measured muscles",
+            p if p.implausible => "nothing: too much",
+            p if !p.matters => "nothing: no effect",
+            _ => "nothing",
         })
 }
 

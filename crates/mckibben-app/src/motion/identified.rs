@@ -315,6 +315,7 @@ impl Fit<'_> {
                 standard_error: found.standard_errors[i],
                 half_width,
                 limit,
+                prior_standard_deviation: None,
                 identifiable: !at_bound && half_width <= limit,
                 at_bound,
                 matters: at_bound || half_width.is_finite(),

@@ -63,6 +63,7 @@ pub fn left_over(
         experience,
         prior: &prior,
         progress: request.progress,
+        bounds: &[],
         search: false,
     }
     .posterior()

@@ -1,7 +1,8 @@
 //! The default of the free parameters.
 
 use super::{
-    Build, Candidate, Identification, Parameter, Request, Result, Target, identify, learn,
+    Build, Candidate, Identification, IdentifyError, Parameter, Request, Result, Target, identify,
+    learn,
 };
 use crate::{
     least_squares::Loss,
@@ -56,6 +57,28 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     out
 }
 
+/// The [`default_targets`] that are not fixed, with their bounds.
+pub fn default_parameters(request: &Request<'_>) -> Result<Vec<Parameter>> {
+    let mut targets = default_targets(request.muscle, request.points, request.history);
+    targets.retain(|t| request.fixed.iter().all(|f| f.0 != *t));
+    if let Some((target, _)) = request.bounds.iter().find(|b| !targets.contains(&b.0)) {
+        return Err(not_free(*target, request.muscle));
+    }
+    let one = |target: Target| Parameter {
+        bounds: request.bounds.iter().find(|b| b.0 == target).map(|b| b.1),
+        ..Parameter::free(target)
+    };
+    Ok(targets.into_iter().map(one).collect())
+}
+
+/// Bounds of what stays as it is.
+pub fn not_free(target: Target, muscle: &Muscle) -> IdentifyError {
+    let name = target.name(muscle);
+    IdentifyError::Refused(format!(
+        "{name} has bounds and is not free: name it in `free` too"
+    ))
+}
+
 /// All constants with what is known of them before ([`learn`]); of rows in time order, and of
 /// volumes, [`identify`] with the [`default_targets`] that are not fixed: a stiffness that the data
 /// do not determine keeps the value of the muscle.
@@ -68,26 +91,19 @@ pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
     if !least_squares && !request.muscle.is_extensile() {
         return learn(request);
     }
-    let mut targets = default_targets(request.muscle, request.points, request.history);
-    targets.retain(|t| request.fixed.iter().all(|f| f.0 != *t));
-    let run = |targets: &[Target]| {
-        let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
-        identify(&Request {
-            free: &free,
-            ..*request
-        })
-    };
-    let without: Vec<Target> = targets
+    let free = default_parameters(request)?;
+    let run = |free: &[Parameter]| identify(&Request { free, ..*request });
+    let without: Vec<Parameter> = free
         .iter()
         .copied()
-        .filter(|t| *t != Target::Stiffness)
+        .filter(|p| p.target != Target::Stiffness)
         .collect();
-    let all = run(&targets);
+    let all = run(&free);
     let identified = match &all {
         Ok(result) => result
             .parameter(Target::Stiffness)
             .is_none_or(|p| p.identifiable),
-        Err(_) => without.len() == targets.len(),
+        Err(_) => without.len() == free.len(),
     };
     if identified || without.is_empty() {
         return all;

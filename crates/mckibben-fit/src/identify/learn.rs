@@ -6,17 +6,19 @@
 
 use super::{
     Identification, Identified, Parameter, PointFit, Posterior, PosteriorRequest, Request, Result,
-    Target, advice, bench, default_targets, identify,
+    Target, advice, bench,
+    default_parameters::{default_parameters, default_targets, not_free},
+    identify,
     result::{spread, spreads},
     run::{pulls_and_slack, too_few},
     signs,
 };
-use crate::measured::{DataPoint, Quantity, distinct};
+use crate::measured::{DataPoint, Quantity};
 use mckibben_core::{
     built::{Experience, HALF_95, Prior},
     muscle::{
-        Constant, Direction, Muscle,
-        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT},
+        Constant, Muscle,
+        measures::{ANGLE, SEATING, SLIP, TAKE_UP},
     },
 };
 
@@ -37,26 +39,23 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
     let mut notes = advice::before(request, &counted)?;
     notes.extend(flipped);
     let experience = Experience::built_in();
-    let prior = Prior::of(&base, experience);
-    let ask = PosteriorRequest {
+    let prior = prior(request, &base);
+    let bounds = bounds(request, &base)?;
+    let found = PosteriorRequest {
         muscle: &base,
         points: &counted,
         build: request.build,
         experience,
         prior: &prior,
         progress: request.progress,
-        search: false,
+        bounds: &bounds,
+        search: true,
     };
     let none = || {
         super::IdentifyError::Refused(
             "the model has no answer at the points with any constants near to those of the muscle"
                 .to_owned(),
         )
-    };
-    let before = ask.posterior()?.ok_or_else(none)?;
-    let found = PosteriorRequest {
-        search: true,
-        ..ask
     };
     let found = found.posterior()?.ok_or_else(none)?;
     let muscle = base.with_constants(&found.constants)?;
@@ -79,13 +78,10 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
     let points = fits(&left);
     let residuals: Vec<f64> = points.iter().map(|f| f.residual_n).collect();
     let all = spread("all", &residuals);
-    let start: Vec<f64> = fits(&before).iter().map(|f| f.residual_n).collect();
-    let parameters: Vec<Identified> = Constant::ALL
-        .into_iter()
-        .filter_map(|constant| parameter(constant, &base, &muscle, &found))
+    let parameters: Vec<Identified> = Shown::all(&base)
+        .filter_map(|shown| shown.identified(&base, &muscle, &found))
         .chain(law)
         .collect();
-    notes.extend(from_prior(&parameters));
     notes.extend(zero_of_load_cell(request, &counted));
     notes.extend(advice::pattern(&points));
     let mut candidate = request.candidate(&[])?;
@@ -96,7 +92,7 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
         correlation: correlation(&parameters, &found),
         spreads: spreads(&points),
         freedom: points.len(),
-        rms_before_n: spread("start", &start).rms_n,
+        rms_before_n: found.rms_before_n,
         rms_n: all.rms_n,
         max_n: all.max_n,
         deviation: all.rms_n,
@@ -115,16 +111,12 @@ fn friction_law(
     muscle: &Muscle,
     points: &[DataPoint],
 ) -> Result<Option<Identification>> {
-    let has = |branch| points.iter().any(|p| p.at.branch == Some(branch));
-    if !Direction::BRANCHES.into_iter().all(has) {
+    let mut targets = default_targets(muscle, points, false);
+    targets.retain(|target| target.is_of_friction());
+    if targets.is_empty() {
         return Ok(None);
     }
-    let exponent = distinct(points.iter().map(|p| p.at.pressure_mpa)).len() > 2;
-    let free: Vec<Parameter> = [&FRICTION_COEFFICIENT, &FRICTION_EXPONENT]
-        .into_iter()
-        .take(if exponent { 2 } else { 1 })
-        .map(|measure| Parameter::free(Target::Measure(measure)))
-        .collect();
+    let free: Vec<Parameter> = targets.into_iter().map(Parameter::free).collect();
     let law = identify(&Request {
         muscle,
         free: &free,
@@ -158,96 +150,131 @@ fn fits(posterior: &Posterior) -> Vec<PointFit> {
     posterior.points.iter().enumerate().map(one).collect()
 }
 
-/// How a constant stands in the muscle file: its name, the value without it, its unit, and what one
-/// unit of the constant makes of the value; `None` where the constant is a logarithm of a factor.
-type Shown = (String, f64, &'static str, Option<f64>);
+/// How a constant stands in the muscle file.
+struct Shown {
+    constant: Constant,
+    /// The parameter of that name; the factor on the pull and the share of friction have none.
+    target: Option<Target>,
+    /// The value without the constant.
+    zero: f64,
+    /// What one unit of the constant makes of the value; `None` where it is the logarithm of a factor.
+    factor: Option<f64>,
+}
 
-fn shown(constant: Constant, base: &Muscle) -> Option<Shown> {
-    let d0_mm = base.outer_diameter_mm();
-    let ends = base.terminals();
-    let law = &base.tube().rubber.law;
-    let of = |name: &str, value: f64, unit, factor| Some((name.to_owned(), value, unit, factor));
-    match constant {
-        Constant::PullFactor => of("pull_factor", 1.0, "", None),
-        Constant::Seating => of(
-            "terminals.seating",
-            ends.seating_mm.unwrap_or(0.0),
-            "mm",
-            Some(d0_mm),
-        ),
-        Constant::Compliance => of(
-            "terminals.slip",
-            ends.slip_mm_per_n.unwrap_or(0.0),
-            "mm/N",
-            Some(1.0 / d0_mm),
-        ),
-        Constant::TakeUp => of(
-            "braid.take_up",
-            base.braid().take_up_mpa.unwrap_or(0.0),
-            "MPa",
-            Some(1.0),
-        ),
-        // A law of one constant is that constant.
-        Constant::Modulus => match law.constants().as_slice() {
-            [one] => of(
-                &format!("tube.material.{}", one.name),
-                one.value,
-                "MPa",
-                None,
-            ),
-            _ => of("tube.material.modulus", 1.0, "", None),
-        },
-        Constant::Angle => of("braid.angle", base.braid().angle_deg, "deg", Some(1.0)),
-        Constant::Strands => of(
-            "braid.stiffness",
-            base.family_stiffness_n_per_mm()?,
-            "N/mm",
-            None,
-        ),
-        Constant::Friction => of("friction_share", 0.0, "", Some(1.0)),
+impl Shown {
+    /// `None` where a muscle has no such constant.
+    fn new(constant: Constant, base: &Muscle) -> Option<Self> {
+        let d0_mm = base.outer_diameter_mm();
+        let (target, factor) = match constant {
+            Constant::PullFactor => (None, None),
+            Constant::Seating => (Some(Target::Measure(&SEATING)), Some(d0_mm)),
+            Constant::Compliance => (Some(Target::Measure(&SLIP)), Some(1.0 / d0_mm)),
+            Constant::TakeUp => (Some(Target::Measure(&TAKE_UP)), Some(1.0)),
+            // A law of one constant is that constant.
+            Constant::Modulus => match base.tube().rubber.law.values().len() {
+                1 => (Some(Target::Law(0)), None),
+                _ => (Some(Target::Modulus), None),
+            },
+            Constant::Angle => (Some(Target::Measure(&ANGLE)), Some(1.0)),
+            Constant::Strands => {
+                base.family_stiffness_n_per_mm()?;
+                (Some(Target::Stiffness), None)
+            }
+            Constant::Friction => (None, Some(1.0)),
+        };
+        let value = target.and_then(|target| target.value(base));
+        Some(Self {
+            constant,
+            target,
+            zero: value.unwrap_or(if factor.is_some() { 0.0 } else { 1.0 }),
+            factor,
+        })
+    }
+
+    fn all(base: &Muscle) -> impl Iterator<Item = Self> {
+        Constant::ALL
+            .into_iter()
+            .filter_map(|constant| Self::new(constant, base))
+    }
+
+    fn name(&self, base: &Muscle) -> String {
+        match self.target {
+            Some(target) => target.name(base),
+            None if self.constant == Constant::Friction => "friction_share".to_owned(),
+            None => self.constant.word().to_owned(),
+        }
+    }
+
+    fn value_of(&self, x: f64) -> f64 {
+        match self.factor {
+            Some(factor) => self.zero + factor * x,
+            None => self.zero * x.exp(),
+        }
+    }
+
+    fn constant_of(&self, value: f64) -> f64 {
+        match self.factor {
+            Some(factor) => (value - self.zero) / factor,
+            None => (value / self.zero).ln(),
+        }
+    }
+
+    /// The constant as it was found; none that is known.
+    fn identified(&self, base: &Muscle, muscle: &Muscle, found: &Posterior) -> Option<Identified> {
+        let i = self.constant as usize;
+        let before = found.prior.deviation[i];
+        let is_law = self.constant == Constant::Friction && muscle.friction().is_some();
+        if before == 0.0 || is_law {
+            return None;
+        }
+        let deviation = found.covariance[i][i].sqrt();
+        let value = self.value_of(found.constants[i]);
+        let slope = self.factor.unwrap_or(value).abs();
+        Some(Identified {
+            target: self.target,
+            name: self.name(base),
+            start: self.value_of(found.prior.centre[i]),
+            value,
+            unit: self.target.map_or("", |target| target.unit(base)),
+            standard_error: slope * deviation,
+            half_width: HALF_95 * slope * deviation,
+            limit: HALF_95 * slope * before * LEARNT,
+            prior_standard_deviation: Some(slope * before),
+            identifiable: deviation < LEARNT * before,
+            at_bound: found.at_bound[i],
+            matters: true,
+            implausible: false,
+        })
     }
 }
 
-/// A constant that was found; none that no muscle of this kind has.
-fn parameter(
-    constant: Constant,
-    base: &Muscle,
-    muscle: &Muscle,
-    found: &Posterior,
-) -> Option<Identified> {
-    let i = constant as usize;
-    let before = found.prior.deviation[i];
-    let is_law = constant == Constant::Friction && muscle.friction().is_some();
-    if before == 0.0 || is_law {
-        return None;
+/// The bounds of constants by those of parameters.
+fn bounds(request: &Request<'_>, base: &Muscle) -> Result<Vec<(Constant, (f64, f64))>> {
+    let one = |&(target, (low, high)): &(Target, (f64, f64))| {
+        let shown = Shown::all(base).find(|shown| shown.target == Some(target));
+        let shown = shown.ok_or_else(|| not_free(target, base))?;
+        Ok((
+            shown.constant,
+            (shown.constant_of(low), shown.constant_of(high)),
+        ))
+    };
+    request.bounds.iter().map(one).collect()
+}
+
+/// What is known before: a constant that is fixed is known.
+fn prior(request: &Request<'_>, base: &Muscle) -> Prior {
+    let mut prior = Prior::of(base, Experience::built_in());
+    for shown in Shown::all(base) {
+        let is_it = |(target, _): &(Target, f64)| {
+            Some(*target) == shown.target
+                || target.is_of_law() && shown.constant == Constant::Modulus
+        };
+        if request.fixed.iter().any(is_it) {
+            prior.centre[shown.constant as usize] = 0.0;
+            prior.deviation[shown.constant as usize] = 0.0;
+        }
     }
-    let deviation = found.covariance[i][i].sqrt();
-    let (name, zero, unit, factor) = shown(constant, base)?;
-    let value_at = |x: f64| factor.map_or(zero * x.exp(), |factor| zero + factor * x);
-    let value = value_at(found.constants[i]);
-    let slope = factor.unwrap_or(value).abs();
-    let at_bound = factor.is_some() && constant != Constant::Angle && value <= 0.0;
-    Some(Identified {
-        target: match constant {
-            Constant::Modulus if base.tube().rubber.law.constants().len() == 1 => {
-                Some(Target::Law(0))
-            }
-            Constant::Modulus => Some(Target::Modulus),
-            Constant::Strands => Some(Target::Stiffness),
-            _ => None,
-        },
-        name,
-        start: value_at(found.prior.centre[i]),
-        value,
-        unit,
-        standard_error: slope * deviation,
-        half_width: HALF_95 * slope * deviation,
-        limit: HALF_95 * slope * before * LEARNT,
-        identifiable: deviation < LEARNT * before,
-        at_bound,
-        matters: true,
-        implausible: false,
-    })
+    prior
 }
 
 /// The correlation of the constants that are listed; those of the law of the friction have none.
@@ -269,26 +296,12 @@ fn correlation(parameters: &[Identified], found: &Posterior) -> Vec<Vec<f64>> {
 
 /// A zero of the load cell, which shows in least squares: a prior has room for it.
 fn zero_of_load_cell(request: &Request<'_>, points: &[DataPoint]) -> Option<String> {
-    let targets = default_targets(request.muscle, points, false);
-    let free: Vec<Parameter> = targets.into_iter().map(Parameter::free).collect();
+    let request = Request { points, ..*request };
+    let free = default_parameters(&request).ok()?;
     let found = identify(&Request {
         free: &free,
-        fixed: &[],
-        points,
-        ..*request
+        ..request
     });
     let is_zero = |note: &String| note.contains("force_offset");
     found.ok()?.notes.into_iter().find(is_zero)
-}
-
-/// Which constants the points did not tell.
-fn from_prior(parameters: &[Identified]) -> Option<String> {
-    let kept = parameters.iter().filter(|p| !p.identifiable);
-    let names: Vec<&str> = kept.map(|p| p.name.as_str()).collect();
-    (!names.is_empty()).then(|| {
-        format!(
-            "from the measured muscles, not from these points: {}",
-            names.join(", ")
-        )
-    })
 }

@@ -26,7 +26,7 @@ pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data}
 pub(crate) use bench::farthest_first;
 pub use bench::written as written_bench;
 pub use candidate::Candidate;
-pub use default_parameters::{default_targets, identify_default, matters};
+pub use default_parameters::{default_parameters, identify_default, matters};
 pub(crate) use error::Result;
 pub use error::{DataError, IdentifyError};
 pub use laws::{LawTrial, try_laws};

@@ -141,6 +141,11 @@ impl Target {
         matches!(self, Law(_) | Modulus)
     }
 
+    /// Whether it is a constant of the law of the friction.
+    pub(super) fn is_of_friction(self) -> bool {
+        matches!(self, Target::Measure(m) if m.section() == "friction")
+    }
+
     /// How a measure is identified.
     pub(super) fn identify(self) -> Option<&'static Identify> {
         match self {

@@ -9,14 +9,18 @@
 //! A = JᵀR⁻¹J + Σ0⁻¹,   x += A⁻¹ [JᵀR⁻¹(y − f) − Σ0⁻¹(x − x0)],   C = A⁻¹
 //! ```
 //!
-//! in steps of at most two deviations of the prior, within the bounds of the constants. A point of
+//! in steps of at most two deviations of the prior, within the bounds of the constants: one that would
+//! leave them is held on its bound, and the others follow. A point of
 //! another length shares the constants up to what differs between lengths: R has J S Jᵀ more there,
 //! S the scatter between lengths. A point whose branch is not stated lies anywhere in the loop: its
 //! variance has h² more. A contraction or a pressure that was measured counts as the pull there.
 //! What ends below 0.7 of its deviation before was learnt from the points.
 
-use super::{Build, Result};
-use crate::measured::{DataPoint, Quantity, Section};
+use super::{Build, IdentifyError, Result};
+use crate::{
+    least_squares::{Errors, EstimateError},
+    measured::{DataPoint, Quantity, Section},
+};
 use mckibben_core::{
     built::{
         Experience, Predictor, Prior,
@@ -32,9 +36,11 @@ use nalgebra::{DMatrix, DVector};
 
 const CONSTANTS: usize = Constant::ALL.len();
 /// Turns of the search at most; six are the rule.
-const TURNS: usize = 20;
+const STEPS: usize = 200;
+/// Steps that shrink by less than to this share of the one before are followed to their end.
+const MOST_STEADY: f64 = 0.95;
 /// A step below this share of a prior's deviation is none.
-const SMALL: f64 = 1e-4;
+const SMALL: f64 = 1e-8;
 
 /// What points and prior tell of the constants.
 #[derive(Debug, Clone)]
@@ -43,8 +49,12 @@ pub struct Posterior {
     pub constants: Constants,
     /// C.
     pub covariance: Vec<Constants>,
+    /// Which constants lie on a bound.
+    pub at_bound: [bool; CONSTANTS],
     /// What was known before.
     pub prior: Prior,
+    /// rms of the points about the centre of the prior, in N.
+    pub rms_before_n: f64,
     /// Each point with the pull of the constants there, in N.
     pub points: Vec<(DataPoint, f64)>,
 }
@@ -58,6 +68,8 @@ pub struct PosteriorRequest<'a> {
     pub experience: &'a Experience,
     pub prior: &'a Prior,
     pub progress: &'a dyn Progress,
+    /// Bounds of constants within those that each has.
+    pub bounds: &'a [(Constant, (f64, f64))],
     /// Whether the constants are sought; else they stay at the centre of the prior.
     pub search: bool,
 }
@@ -70,6 +82,11 @@ struct Row {
     slopes: Constants,
     /// T cosθ η: h in N.
     half_loop_n: f64,
+}
+
+/// Of a value the nearest one within bounds.
+fn clamp(value: f64, (low, high): (f64, f64)) -> f64 {
+    value.max(low).min(high)
 }
 
 impl PosteriorRequest<'_> {
@@ -159,26 +176,33 @@ impl PosteriorRequest<'_> {
         })
     }
 
-    /// The least values of the constants: what a muscle states may become less.
-    fn least(&self) -> Constants {
+    /// Lowest and highest value of each constant: what a muscle states may become less.
+    fn bounds(&self) -> [(f64, f64); CONSTANTS] {
         let muscle = self.muscle;
         let d0_mm = muscle.outer_diameter_mm();
-        Constant::ALL.map(|constant| {
+        let mut out = Constant::ALL.map(|constant| {
             let stated = match constant {
                 Constant::Seating => muscle.terminals().seating_mm.map(|mm| mm / d0_mm),
                 Constant::Compliance => muscle.terminals().slip_mm_per_n.map(|c| c * d0_mm),
                 Constant::TakeUp => muscle.braid().take_up_mpa,
                 _ => None,
             };
-            constant.bounds().0 - stated.unwrap_or(0.0)
-        })
+            let (low, high) = constant.bounds();
+            (low - stated.unwrap_or(0.0), high)
+        });
+        for &(constant, (low, high)) in self.bounds {
+            let within = &mut out[constant as usize];
+            *within = (low.max(within.0), high.min(within.1));
+        }
+        out
     }
 
-    /// A step towards the largest posterior, and A.
+    /// A step towards the largest posterior within bounds, and A.
     fn step(
         &self,
         x: &Constants,
         known: &[(&DataPoint, &Row)],
+        bounds: &[(f64, f64); CONSTANTS],
     ) -> Option<(Constants, DMatrix<f64>)> {
         let n = known.len();
         let root = self.covariance(known).cholesky()?;
@@ -197,19 +221,35 @@ impl PosteriorRequest<'_> {
             a[(c, c)] += 1.0 / variance;
             right[c] -= (x[c] - centre[c]) / variance;
         }
-        let step = a.clone().cholesky()?.solve(&right);
-        Some((std::array::from_fn(|c| step[c]), a))
+        // A constant that would leave its bounds is held on one, and the others are sought again.
+        const HELD: f64 = 1e9;
+        let mut with_held = a.clone();
+        let mut is_held = [false; CONSTANTS];
+        loop {
+            let step = with_held.clone().cholesky()?.solve(&right);
+            let next: Constants = std::array::from_fn(|c| x[c] + step[c]);
+            let within = |c: usize| clamp(next[c], bounds[c]);
+            let Some(c) = (0..CONSTANTS).find(|&c| !is_held[c] && within(c) != next[c]) else {
+                return Some((next, a));
+            };
+            is_held[c] = true;
+            let stiff = HELD * a[(c, c)];
+            with_held[(c, c)] += stiff;
+            right[c] += stiff * (within(c) - x[c]);
+        }
     }
 
     /// The constants with the largest posterior; `None` where the model has no answer for any point.
     ///
     /// # Errors
-    /// [`Cancelled`](mckibben_core::cancel::Cancelled).
+    /// [`Cancelled`](mckibben_core::cancel::Cancelled), or constants that do not come to rest.
     pub fn posterior(&self) -> Result<Option<Posterior>> {
-        let least = self.least();
+        let bounds = self.bounds();
         let Prior { centre, deviation } = self.prior;
         let mut x = *centre;
-        for turn in 0..=TURNS {
+        let mut rms_before_n = 0.0;
+        let mut last: Option<[f64; CONSTANTS]> = None;
+        for turn in 0..STEPS {
             self.progress.check()?;
             let rows = self.rows(&x).unwrap_or_default();
             let known: Vec<(&DataPoint, &Row)> = self
@@ -220,38 +260,73 @@ impl PosteriorRequest<'_> {
                 .filter(|(point, _)| point.weight > 0.0 && point.measured != Quantity::Volume)
                 .collect();
             if known.is_empty() {
-                break;
+                return Ok(None);
             }
-            let Some((step, a)) = self.step(&x, &known) else {
-                break;
+            if turn == 0 {
+                let off = known.iter().map(|(p, row)| row.predicted_n - p.at.force_n);
+                rms_before_n = Errors::new(off).rms;
+            }
+            let Some((mut next, a)) = self.step(&x, &known, &bounds) else {
+                return Ok(None);
             };
-            let mut next = x;
-            for (c, constant) in Constant::ALL.into_iter().enumerate() {
+            for c in 0..CONSTANTS {
                 let most = 2.0 * deviation[c];
-                next[c] = (x[c] + step[c].clamp(-most, most)).clamp(least[c], constant.bounds().1);
+                let near = next[c].clamp(x[c] - most, x[c] + most);
+                next[c] = clamp(near, bounds[c]);
             }
-            let moved = |c: usize| (next[c] - x[c]).abs() > SMALL * deviation[c];
-            if !self.search || turn == TURNS || !(0..CONSTANTS).any(moved) {
-                return Ok(self.found(x, &a, &known));
+            // In deviations of the prior.
+            let step: [f64; CONSTANTS] =
+                std::array::from_fn(|c| (next[c] - x[c]) / deviation[c].max(f64::MIN_POSITIVE));
+            let small = step.iter().all(|s| s.abs() < SMALL);
+            if !self.search || small {
+                let found = self.found(x, &bounds, &a, &known);
+                return Ok(found.map(|found| Posterior {
+                    rms_before_n,
+                    ..found
+                }));
             }
-            x = next;
+            // Steps that shrink by a steady share are taken all at once.
+            let dot = |other: &[f64; CONSTANTS]| -> f64 {
+                step.iter().zip(other).map(|(a, b)| a * b).sum()
+            };
+            let share = last
+                .take()
+                .map(|last| dot(&last) / last.iter().map(|s| s * s).sum::<f64>());
+            if let Some(share) = share.filter(|share| (0.0..MOST_STEADY).contains(share)) {
+                x = std::array::from_fn(|c| {
+                    clamp(x[c] + (next[c] - x[c]) / (1.0 - share), bounds[c])
+                });
+            } else {
+                x = next;
+                last = Some(step);
+            }
         }
-        Ok(None)
+        let reason = format!("the constants still move after {STEPS} steps");
+        let at = x.to_vec();
+        Err(IdentifyError::Estimate(EstimateError::NoMinimum {
+            reason,
+            at,
+        }))
     }
 
     fn found(
         &self,
         constants: Constants,
+        bounds: &[(f64, f64); CONSTANTS],
         a: &DMatrix<f64>,
         known: &[(&DataPoint, &Row)],
     ) -> Option<Posterior> {
         let inverse = a.clone().cholesky()?.inverse();
         Some(Posterior {
+            at_bound: std::array::from_fn(|c| {
+                constants[c] <= bounds[c].0 || constants[c] >= bounds[c].1
+            }),
             constants,
             covariance: (0..CONSTANTS)
                 .map(|i| std::array::from_fn(|k| inverse[(i, k)]))
                 .collect(),
             prior: self.prior.clone(),
+            rms_before_n: 0.0,
             points: known
                 .iter()
                 .map(|(point, row)| (**point, row.predicted_n))
@@ -275,11 +350,10 @@ impl Posterior {
     /// rms of the points about the constants over their largest pull.
     pub fn rms_of_largest(&self) -> f64 {
         let largest = peak(self.points.iter().map(|p| p.0.at.force_n));
-        let squares: f64 = self
+        let off = self
             .points
             .iter()
-            .map(|(point, predicted_n)| (point.at.force_n - predicted_n).powi(2))
-            .sum();
-        (squares / self.points.len().max(1) as f64).sqrt() / largest
+            .map(|(p, predicted_n)| p.at.force_n - predicted_n);
+        Errors::new(off).rms / largest
     }
 }

@@ -370,14 +370,9 @@ fn friction_share(request: &Request<'_>) -> f64 {
     let of_one = one
         .filter(|one| !one.is_mean())
         .is_some_and(|one| request.points.iter().all(|p| p.at.branch == Some(one)));
-    let is_free =
-        |target: &Target| matches!(target, Target::Measure(m) if m.section() == "friction");
-    let known = request
-        .free
-        .iter()
-        .map(|p| &p.target)
-        .chain(request.fixed.iter().map(|f| &f.0))
-        .any(is_free);
+    let free = request.free.iter().map(|p| p.target);
+    let fixed = request.fixed.iter().map(|f| f.0);
+    let known = free.chain(fixed).any(Target::is_of_friction);
     let muscle = request.muscle;
     if of_one && !known && !request.history && muscle.friction().is_none() && !muscle.is_extensile()
     {

@@ -34,7 +34,10 @@ pub struct Identified {
     /// The half-width up to which it counts as identifiable.
     #[serde(skip)]
     pub limit: f64,
-    /// Whether the data determine it.
+    /// Standard deviation before, where measured muscles tell of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub prior_standard_deviation: Option<f64>,
+    /// Whether the data determine it; with a prior, whether they told more than that.
     pub identifiable: bool,
     /// Whether it lies on a bound.
     pub at_bound: bool,

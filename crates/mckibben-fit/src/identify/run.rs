@@ -33,6 +33,8 @@ pub struct Request<'a> {
     pub free: &'a [Parameter],
     /// Values in place of those of the muscle.
     pub fixed: &'a [(Target, f64)],
+    /// Lowest and highest values where nothing is named in `free`.
+    pub bounds: &'a [(Target, (f64, f64))],
     pub points: &'a [DataPoint],
     pub build: &'a Build<'a>,
     pub progress: &'a dyn Progress,
@@ -56,6 +58,7 @@ impl<'a> Request<'a> {
             muscle,
             free,
             fixed: &[],
+            bounds: &[],
             points,
             build,
             progress: &Silent,
@@ -421,6 +424,7 @@ fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> 
             standard_error: estimate.standard_errors[i],
             half_width: estimate.half_widths[i],
             limit,
+            prior_standard_deviation: None,
             identifiable: !estimate.at_bound[i] && !implausible && estimate.half_widths[i] <= limit,
             at_bound: estimate.at_bound[i],
             matters: matters(i),

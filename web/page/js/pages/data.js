@@ -32,7 +32,7 @@ function identifiedView(answer) {
       p.name,
       `${number(p.value, 5)} ${p.unit ?? ""}`,
       half,
-      p.identifiable ? "" : "not identifiable from these data",
+      p.identifiable ? "" : "not told by these points",
     ];
   });
   return [

@@ -1,7 +1,10 @@
 //! Doubts that a fit states about its fit.
 
 use super::*;
-use mckibben_core::muscle::file::{parse_muscle, to_toml};
+use mckibben_core::muscle::{
+    file::{parse_muscle, to_toml},
+    measures::{ANGLE, OUTER_DIAMETER},
+};
 
 #[test]
 fn what_the_data_cannot_tell_is_flagged() {
@@ -96,7 +99,55 @@ fn what_the_points_do_not_tell_stays_with_the_prior() {
         !k.identifiable && (k.value / 1e5 - 1.0).abs() < 0.1,
         "{k:#?}"
     );
-    assert!(says(&fit, "not from these points"), "{:?}", fit.notes);
+    assert!(k.standard_error > 0.7 * k.prior_standard_deviation.unwrap());
+}
+
+/// A constant that is fixed is not sought, and one that would leave its bounds is held on one: the
+/// others are then those with the constant fixed there.
+#[test]
+fn identity_a_constant_on_its_bound_is_one_that_is_fixed_there() {
+    let points = noisy(&bench(&soft(), 0.0), 4.0, 5);
+    let m = soft();
+    let angle = Target::Measure(&ANGLE);
+    let free = Request::new(&m, &[], &points, &thick);
+    let sought = identify_default(&free).unwrap();
+    let held_deg = sought.parameter(angle).unwrap().value + 1.0;
+    let bounded = identify_default(&Request {
+        bounds: &[(angle, (held_deg, held_deg + 3.0))],
+        ..free
+    })
+    .unwrap();
+    let fixed = identify_default(&Request {
+        fixed: &[(angle, held_deg)],
+        ..free
+    })
+    .unwrap();
+    let on_bound = bounded.parameter(angle).unwrap();
+    assert!(on_bound.at_bound && (on_bound.value - held_deg).abs() < 1e-12);
+    assert!(fixed.parameter(angle).is_none());
+    assert!((fixed.muscle.braid().angle_deg - held_deg).abs() < 1e-12);
+    for p in &fixed.parameters {
+        let other = bounded
+            .parameters
+            .iter()
+            .find(|q| q.name == p.name)
+            .unwrap();
+        let apart = (p.value - other.value).abs();
+        assert!(
+            apart < 2e-3 * p.prior_standard_deviation.unwrap(),
+            "{p:?} {other:?}"
+        );
+    }
+    let none = Target::Measure(&OUTER_DIAMETER);
+    let refused = identify_default(&Request {
+        bounds: &[(none, (10.0, 20.0))],
+        ..free
+    });
+    let message = refused.unwrap_err().to_string();
+    assert!(
+        message.contains("tube.outer_diameter has bounds"),
+        "{message}"
+    );
 }
 
 #[test]

@@ -102,6 +102,7 @@ fn posterior(
         experience,
         prior,
         progress: by.progress,
+        bounds: &[],
         search: true,
     }
     .posterior()
