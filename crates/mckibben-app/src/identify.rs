@@ -3,8 +3,8 @@
 pub mod page;
 
 use crate::{
-    BuiltFile, DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
-    Result, TextFile, UnderstoodTable, Units, figure, finite,
+    DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
+    TextFile, UnderstoodTable, Units, figure, finite,
     flags::{self, Args},
     number,
     warnings::largest_stretch,
@@ -418,8 +418,8 @@ impl IdentifyRequest {
         }))
     }
 
-    /// The files of a measured muscle, for others who use these points.
-    pub fn measured_files(&self, answer: &IdentifyAnswer) -> Result<Vec<BuiltFile>> {
+    /// The files of a measured muscle by name, for others who use these points.
+    pub fn measured_files(&self, answer: &IdentifyAnswer) -> Result<Vec<(&'static str, String)>> {
         if self.branches == Branches::History {
             let message = "a measured muscle has no rows in time order";
             let hint = "let `branches` be both: each row then states its branch";
@@ -433,23 +433,19 @@ impl IdentifyRequest {
             .data
             .iter()
             .map(|file| Path::new(&file.name).file_name());
-        let names = files.flatten().map(|name| name.to_string_lossy());
+        let origin = joined(files.flatten().map(|name| name.to_string_lossy()), ", ");
         let (free, fixed) = self.parameters(&muscle)?;
         let start = Candidate::new(&muscle, &fixed)?.muscle;
         let has_branch = |p: &DataPoint| !p.at.direction().is_mean();
-        let files = measured_files(&SavedMuscle {
+        Ok(measured_files(&SavedMuscle {
             muscle: &start,
             points: &points,
-            origin: &joined(names, ", "),
+            origin: &origin,
             free: &free,
             fixed: &self.fix,
             both_branches: self.branches == Branches::Both && points.iter().any(has_branch),
-            model: &answer.model,
-            constants: &in_one_line(&answer.identified.parameters),
-            rms_n: answer.identified.rms_n,
-            identified: &answer.muscle_file,
-        });
-        Ok(files.into_iter().map(BuiltFile::from).collect())
+            identified: &answer.muscle_file.replace(&answer.data, &origin),
+        }))
     }
 
     /// All points, and where they come from.

@@ -4,7 +4,7 @@ use crate::{
     Bar, Format, Plot, Problem, check_ending,
     cli::examples,
     output::{ShownUnits, print},
-    path_on_one_line, save, save_all,
+    overwrite, path_on_one_line, save, save_inside,
 };
 use mckibben_app::{IdentifyRequest, MotionRequest, TextFile, print::Page};
 use std::path::{Path, PathBuf};
@@ -62,7 +62,8 @@ impl Identify {
         self.plot.save(&mut answer.figure)?;
         let folder = self.save_measured.as_deref();
         if let Some(folder) = folder {
-            save_all(&self.request.measured_files(&answer)?, folder)?;
+            let files = self.request.measured_files(&answer)?;
+            save_inside(folder, files, overwrite())?;
         }
         save(target, answer.muscle_file.as_bytes())?;
         let written = target.map(|path| format!("The muscle is in {}.", path_on_one_line(path)));

@@ -536,6 +536,34 @@ fn the_test_sheet_is_read_back_by_identify() {
     assert_eq!(std::fs::read_to_string(&sheet).unwrap(), filled);
 }
 
+/// The readings of `examples/hour.csv` were computed of the muscle below: the interval after them
+/// holds its pull while it shortens, and is a fifth of that before.
+#[test]
+fn ten_readings_give_the_muscle_of_which_they_were_computed() {
+    let dir = copy();
+    let truth = std::fs::read_to_string(dir.path().join("examples/shop.toml"))
+        .unwrap()
+        .replace(
+            "rubber = \"latex\"",
+            "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.33",
+        )
+        .replace(
+            "[terminals]",
+            "take_up = 0.015\n[friction]\nlever = 2\n[terminals]\nseating = 0.5",
+        );
+    std::fs::write(dir.path().join("truth.toml"), truth).unwrap();
+    let line = "identify examples/shop.toml --data examples/hour.csv --set measured=contraction -o \
+        found.toml";
+    run_in(dir.path(), line).ok();
+    let pull = |words: &str| json_in(dir.path(), &format!("force {words} -p 3bar -e 10%"));
+    let truth_n = number(&pull("truth.toml --branch contraction"), "force_n");
+    let (before, after) = (pull("examples/shop.toml"), pull("found.toml"));
+    let ends = ["predicted_low_n", "predicted_high_n"].map(|key| number(&after, key));
+    assert!(ends[0] < truth_n && truth_n < ends[1], "{truth_n} {ends:?}");
+    let [before, after] = [&before, &after].map(|answer| number(answer, "uncertainty_n"));
+    assert!(after < 0.2 * before, "{before} {after}");
+}
+
 /// An identity: a measured muscle that is saved gives the report of the muscle from which it was
 /// made, with its blanks as they are.
 #[test]

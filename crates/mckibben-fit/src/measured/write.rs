@@ -1,16 +1,15 @@
 //! Points → a table with the headings of this program.
 
 use super::{DataPoint, Quantity};
-use mckibben_core::joined;
+use mckibben_core::{joined, muscle::Measure};
 
-/// The columns of a point with their headings; `None` where the cell is blank.
-fn cells(p: &DataPoint) -> [(&'static str, Option<String>); 15] {
+/// The cells of a point with their headings; `None` where a cell is blank.
+fn cells(p: &DataPoint) -> Vec<(&'static str, Option<String>)> {
     let number = |value: Option<f64>| value.map(|v| v.to_string());
     let error = |of: Quantity| number(p.error.filter(|_| p.measured == of));
     let other = |w: &&(&str, Quantity)| w.1 == p.measured && w.1 != Quantity::Force;
     let measured = Quantity::WORDS.iter().find(other);
-    let section = &p.section;
-    [
+    let mut cells = vec![
         ("pressure_mpa", number(Some(p.at.pressure_mpa))),
         ("contraction", number(Some(p.at.contraction))),
         ("force_n", number(Some(p.at.force_n))),
@@ -22,25 +21,28 @@ fn cells(p: &DataPoint) -> [(&'static str, Option<String>); 15] {
         ("pressure_error_mpa", error(Quantity::Pressure)),
         ("volume_error_mm3", error(Quantity::Volume)),
         ("weight", number(Some(p.weight).filter(|w| *w != 1.0))),
-        ("outer_diameter_mm", number(section.outer_diameter_mm)),
-        ("wall_mm", number(section.wall_mm)),
-        ("rest_length_mm", number(section.length_mm)),
-        ("angle_deg", number(section.angle_deg)),
-    ]
+    ];
+    let measure = |(m, value): (&Measure, Option<f64>)| Some((m.field?, number(value)));
+    cells.extend(p.section.values().into_iter().filter_map(measure));
+    cells
 }
 
 /// A table that [`read_data`](super::read_data) reads as these points, with the columns that they
 /// need.
 pub fn table(points: &[DataPoint]) -> String {
     let rows: Vec<_> = points.iter().map(cells).collect();
-    let needed = |column: &usize| rows.iter().any(|row| row[*column].1.is_some());
-    let columns: Vec<usize> = (0..15).filter(needed).collect();
-    let line =
-        |cell: &dyn Fn(usize) -> String| joined(columns.iter().map(|i| cell(*i)), ",") + "\n";
-    let headings = rows.first().map(|row| line(&|i| row[i].0.into()));
+    let is_needed = |column: usize| rows.iter().any(|row| row[column].1.is_some());
+    let line = |row: &[(&str, Option<String>)], text: fn(&(&str, Option<String>)) -> String| {
+        let cells = row
+            .iter()
+            .enumerate()
+            .filter(|(column, _)| is_needed(*column));
+        joined(cells.map(|(_, cell)| text(cell)), ",") + "\n"
+    };
+    let headings = rows.first().map(|row| line(row, |cell| cell.0.into()));
     let lines = rows
         .iter()
-        .map(|row| line(&|i| row[i].1.clone().unwrap_or_default()));
+        .map(|row| line(row, |cell| cell.1.clone().unwrap_or_default()));
     headings.into_iter().chain(lines).collect()
 }
 
@@ -53,7 +55,7 @@ mod tests {
     fn points_that_are_written_and_read_are_the_same() {
         let text = "pressure_mpa,contraction,force_n,branch,measured,volume_mm3,force_error_n,\
             contraction_error,pressure_error_mpa,volume_error_mm3,weight,outer_diameter_mm,wall_mm,\
-            rest_length_mm,angle_deg\n\
+            length_mm,angle_deg\n\
             0.1,0.05,120.25,contraction,force,,2,,,,1,20,1.5,200,25\n\
             0.2,0.15,0,elongation,contraction,,,0.005,,,2,20,1.5,250,25\n\
             0.30000000000000004,0.1,80,mean,pressure,,,,0.01,,0.5,20,1.5,300,24.5\n\

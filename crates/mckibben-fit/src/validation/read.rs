@@ -252,6 +252,8 @@ mod tests {
                 Measurement::Rubber(case) => case.count() > 30 && !case.fits.is_empty(),
             };
             assert!(enough, "{}", files.name);
+            // A blank of a folder that `identify` wrote.
+            assert!(!files.case.contains("TO FILL IN"), "{}", files.name);
         }
     }
 

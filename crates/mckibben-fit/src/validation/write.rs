@@ -8,9 +8,8 @@ use crate::{
 use mckibben_core::{
     clean::line,
     muscle::{Muscle, file::to_toml},
-    units::trimmed,
 };
-use mckibben_io::{files::File, template::render};
+use mckibben_io::template::render;
 
 /// A muscle that was measured and identified.
 #[derive(Debug)]
@@ -27,55 +26,38 @@ pub struct SavedMuscle<'a> {
     pub fixed: &'a [String],
     /// Whether the single branches were fitted, in place of their means.
     pub both_branches: bool,
-    pub model: &'a str,
-    /// What was identified, in a line.
-    pub constants: &'a str,
-    pub rms_n: f64,
     /// The identified muscle as a muscle file.
     pub identified: &'a str,
 }
 
-/// The files of its folder, with blanks for what its owner alone can state.
-pub fn measured_files(saved: &SavedMuscle<'_>) -> Vec<File> {
+/// The files of its folder by name, with blanks for what its owner alone can state.
+pub fn measured_files(saved: &SavedMuscle<'_>) -> Vec<(&'static str, String)> {
     let free: Vec<String> = saved.free.iter().map(|p| p.word(saved.muscle)).collect();
     let of_library = saved.free.iter().all(|p| p.target.is_in_file());
-    let stated = |key, holds: bool| holds.then(|| (key, String::new()));
+    let origin = line(saved.origin);
+    let points = format!("# From {origin}.\n{}", table(saved.points));
     let mut values = vec![
         ("free", format!("{free:?}")),
         ("points", saved.points.len().to_string()),
-        ("origin", line(saved.origin)),
-        ("model", line(saved.model)),
-        ("rms", trimmed(saved.rms_n, 1)),
-        ("constants", line(saved.constants)),
+        ("origin", origin),
     ];
-    values.extend(stated("nothing", free.is_empty()));
-    values.extend(stated("both", saved.both_branches));
-    values.extend(stated("identified", of_library));
-    values.extend((!saved.fixed.is_empty()).then(|| ("fixed", line(&saved.fixed.join(", ")))));
+    let fixed = line(&saved.fixed.join(", "));
+    for (key, holds, text) in [
+        ("nothing", free.is_empty(), String::new()),
+        ("both", saved.both_branches, String::new()),
+        ("identified", of_library, String::new()),
+        ("fixed", !fixed.is_empty(), fixed),
+    ] {
+        values.extend(holds.then_some((key, text)));
+    }
     let made = |template| render(template, &[], &values);
-    let points = format!("# From {}.\n{}", line(saved.origin), table(saved.points));
     let mut files = vec![
-        File::text(
-            "README.md",
-            "what others need; to be completed",
-            made(include_str!("../../templates/README.md")),
-        ),
-        File::text(
-            "case.toml",
-            "source, terms, what is known, the fit",
-            made(include_str!("../../templates/case.toml")),
-        ),
-        File::text(
-            "muscle.toml",
-            "the muscle before the test",
-            to_toml(saved.muscle),
-        ),
-        File::text("points.csv", "the points", points),
+        ("README.md", made(include_str!("../../templates/README.md"))),
+        ("case.toml", made(include_str!("../../templates/case.toml"))),
+        ("muscle.toml", to_toml(saved.muscle)),
+        ("points.csv", points),
     ];
-    files.extend(
-        of_library
-            .then(|| File::text(IDENTIFIED, "the identified muscle", saved.identified.into())),
-    );
+    files.extend(of_library.then(|| (IDENTIFIED, saved.identified.into())));
     files
 }
 
@@ -88,9 +70,8 @@ mod tests {
         },
         *,
     };
-    use mckibben_io::files::Content;
 
-    fn saved_and_read(case: &MuscleCase) -> (MuscleCase, Vec<File>) {
+    fn saved_and_read(case: &MuscleCase) -> (MuscleCase, Vec<(&'static str, String)>) {
         let fit = case.fit_of_library().unwrap();
         let identified = case.identified.as_deref().map(to_toml).unwrap_or_default();
         let files = measured_files(&SavedMuscle {
@@ -100,14 +81,11 @@ mod tests {
             free: &fit.free,
             fixed: &[],
             both_branches: fit.both_branches,
-            model: "fe",
-            constants: "mu 1 MPa",
-            rms_n: 1.25,
             identified: &identified,
         });
-        let text = |name: &str| match files.iter().find(|f| f.name == name).map(|f| &f.content) {
-            Some(Content::Text(text)) => text.clone(),
-            _ => String::new(),
+        let text = |name: &str| {
+            let file = files.iter().find(|file| file.0 == name);
+            file.map(|file| file.1.clone()).unwrap_or_default()
         };
         let folder = MeasuredFolder {
             name: case.facts.name.clone(),
