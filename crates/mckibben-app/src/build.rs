@@ -3,7 +3,8 @@
 
 use crate::{
     Contraction, Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
-    ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, Units, above_zero, borne, burst_of,
+    ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
+    borne, burst_of,
     flags::{self, Args},
     not_measured, number,
     print::{Csv, Page, Rows, Show, Table},
@@ -14,11 +15,12 @@ use crate::{
 };
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use mckibben_build::{
-    BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, Wishes, proof_mpa,
+    BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, ToMeasure, Wishes, proof_mpa,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation},
     answer::Options,
+    built::Left,
     cancel,
     extremes::peak,
     model::Workspace,
@@ -332,6 +334,15 @@ fn operating(
         cancel::check()?;
     }
     let blocked_force_n = evaluation.force_n(pressure_mpa, 0.0)?;
+    let point = evaluation.point(pressure_mpa, 0.5 * free)?;
+    let words = UncertaintyWords::of(&point, &mut evaluation);
+    let left: Vec<Left> = words.worth().copied().collect();
+    let to_measure = point.uncertainty_n.filter(|_| !left.is_empty());
+    let to_measure = to_measure.map(|uncertainty_n| ToMeasure {
+        contraction: 0.5 * free,
+        uncertainty_n,
+        left,
+    });
     let shape = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa.into()),
@@ -370,6 +381,7 @@ fn operating(
         burst: burst.first().map(|(by, burst_mpa)| (burst_mpa, by)),
         allowed_mpa,
         free_contractions,
+        to_measure,
     };
     Ok((operating, burst))
 }

@@ -24,7 +24,7 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     identify::{
-        Identification, Identified, LawTrial, Parameter, PointFit, Request, Target,
+        Candidate, Identification, Identified, LawTrial, Parameter, PointFit, Request, Target,
         default_parameters, identify_default, try_laws,
     },
     least_squares::Loss,
@@ -32,12 +32,14 @@ use mckibben_fit::{
         DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
         read_points,
     },
+    validation::write::{SavedMuscle, measured_files},
 };
 use mckibben_io::table::{OverTime, read_over_time};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_with_macros::skip_serializing_none;
+use std::path::Path;
 
 /// Points, and the parameters of a muscle to identify from them.
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
@@ -288,10 +290,13 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model)?;
     let Data {
-        points,
+        mut points,
         origin,
         understood,
     } = request.points(&muscle)?;
+    if request.branches == Branches::Mean {
+        points = mean_of_data(&points);
+    }
     if points.len() > MOST_POINTS {
         let message = format!("{} points, and the limit is {MOST_POINTS}", points.len());
         return Err(
@@ -416,6 +421,36 @@ impl IdentifyRequest {
         }))
     }
 
+    /// The files of a measured muscle by name, for others who use these points.
+    pub fn measured_files(&self, answer: &IdentifyAnswer) -> Result<Vec<(&'static str, String)>> {
+        if self.branches == Branches::History {
+            let message = "a measured muscle has no rows in time order";
+            let hint = "let `branches` be both: each row then states its branch";
+            return Err(Problem::new(ProblemKind::Usage, message, hint));
+        }
+        let muscle = self.muscle.resolve()?;
+        let points = self.points(&muscle)?.points;
+        // Without the folders of the one who measured.
+        let files = self
+            .tables
+            .data
+            .iter()
+            .map(|file| Path::new(&file.name).file_name());
+        let origin = joined(files.flatten().map(|name| name.to_string_lossy()), ", ");
+        let Parameters { free, fixed, .. } = self.parameters(&muscle)?;
+        let start = Candidate::new(&muscle, &fixed)?.muscle;
+        let has_branch = |p: &DataPoint| !p.at.direction().is_mean();
+        Ok(measured_files(&SavedMuscle {
+            muscle: &start,
+            points: &points,
+            origin: &origin,
+            free: &free,
+            fixed: &self.fix,
+            both_branches: self.branches == Branches::Both && points.iter().any(has_branch),
+            identified: &answer.muscle_file.replace(&answer.data, &origin),
+        }))
+    }
+
     /// All points, and where they come from.
     fn points(&self, muscle: &Muscle) -> Result<Data> {
         let (sets, understood): (Vec<Vec<DataPoint>>, _) =
@@ -445,9 +480,6 @@ impl IdentifyRequest {
                 weight: p.weight * factor,
                 ..*p
             }));
-        }
-        if self.branches == Branches::Mean {
-            points = mean_of_data(&points);
         }
         Ok(Data {
             points,

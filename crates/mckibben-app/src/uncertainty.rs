@@ -102,9 +102,7 @@ impl UncertaintyWords {
 
     /// What to measure, in units; none where nothing helps much.
     pub fn bench_in(&self, u: &Units) -> Option<String> {
-        let now_n = self.parts?.total();
-        let worth = self.worth(now_n);
-        let each = worth.take(NAMED).map(|left| {
+        let each = self.worth().take(NAMED).map(|left| {
             let half = u.force.half_width(left.uncertainty_n);
             let (what, minutes) = left.measurement.words();
             format!(
@@ -115,8 +113,9 @@ impl UncertaintyWords {
         Some(joined(each, "; ")).filter(|text| !text.is_empty())
     }
 
-    /// Measurements that leave less than most of a ±.
-    fn worth(&self, now_n: f64) -> impl Iterator<Item = &Left> {
+    /// Measurements that leave less than most of the ±.
+    pub(crate) fn worth(&self) -> impl Iterator<Item = &Left> {
+        let now_n = self.parts.map_or(0.0, |parts| parts.total());
         let helps = move |left: &&Left| left.uncertainty_n < WORTH * now_n;
         self.measurements.iter().filter(helps)
     }

@@ -34,7 +34,7 @@ const MARK: &str = "mckibben build";
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{Plan, Wishes};
-pub use safety::{Operating, Safety, highest_mpa, proof_mpa, relief_mpa};
+pub use safety::{Operating, Safety, ToMeasure, highest_mpa, proof_mpa, relief_mpa};
 pub use test_points::TestPoint;
 
 pub use mckibben_io::files::{Content, File};
@@ -76,7 +76,7 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
         ),
         text(
             "test.csv",
-            "sheet for the first test; `identify` reads it",
+            "what to measure, and the sheet for it; `identify` reads it",
             test_points::csv(plan),
         ),
         text(

@@ -3,6 +3,7 @@
 use crate::text::significant;
 use mckibben_core::{
     analysis::{ATMOSPHERE_MPA, FailureMode, RELIEF},
+    built::Left,
     units::{Unit, rounded},
 };
 
@@ -31,6 +32,19 @@ pub struct Operating {
     pub allowed_mpa: Option<f64>,
     /// Free contractions at the pressures of the test sheet: pressure in MPa, contraction.
     pub free_contractions: Vec<(f64, f64)>,
+    /// What to measure, where its pull has a ±.
+    pub to_measure: Option<ToMeasure>,
+}
+
+/// Measurements that leave less of the ± of a pull at the working pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ToMeasure {
+    /// Where the muscle pulls.
+    pub contraction: f64,
+    /// Half of the 95 % interval of the pull in N, before.
+    pub uncertainty_n: f64,
+    /// What each leaves of it, the best first.
+    pub left: Vec<Left>,
 }
 
 impl Operating {

@@ -2,9 +2,9 @@
 
 use crate::{
     Operating, Plan,
-    text::{mm, trimmed},
+    text::{mm, percent, significant, trimmed},
 };
-use mckibben_core::muscle::Direction;
+use mckibben_core::{built::Measurement, muscle::Direction};
 
 /// A point of the test.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
@@ -62,27 +62,69 @@ pub fn points(operating: &Operating) -> Vec<TestPoint> {
     out
 }
 
+/// Rows for readings of the builder's own choice.
+const BLANK_ROWS: usize = 4;
+
+/// What is worth measuring, a comment each, and the rows for its reading beside those of the test.
+fn to_measure(plan: &Plan) -> (String, String) {
+    let operating = &plan.operating;
+    let (mut text, mut rows) = Default::default();
+    let Some(to_measure) = &operating.to_measure else {
+        return (text, rows);
+    };
+    text += &format!(
+        "# At {} and {} the pull has a ± of {} N (95 %). What leaves less of it, the best first:\n",
+        operating.pressure(operating.pressure_mpa),
+        percent(to_measure.contraction),
+        significant(to_measure.uncertainty_n, 2)
+    );
+    let p = trimmed(operating.pressure_mpa, 5);
+    for left in &to_measure.left {
+        let (what, minutes) = left.measurement.words();
+        let half = significant(left.uncertainty_n, 2);
+        let mut place = "";
+        match left.measurement {
+            Measurement::HungLoad => rows += ",,,contraction,pressure,\n",
+            Measurement::OnePull => {
+                let distance = trimmed(0.95 * plan.muscle.length_mm(), 1);
+                rows += &format!("{p},0.05,,contraction,force,{distance}\n");
+            }
+            Measurement::FreeContraction => rows += &format!("{p},,0,contraction,contraction,\n"),
+            Measurement::StartPressure => place = "; take_up of [braid] in muscle.toml",
+            Measurement::Turns => place = "; strand_length and turns of [braid] in muscle.toml",
+            // The rows of the test.
+            Measurement::TenPulls => {}
+        }
+        text += &format!("# - {what}: ± {half} N ({minutes} min){place}\n");
+    }
+    (text, rows)
+}
+
+/// The sheet for the readings, which `identify` reads.
 pub fn csv(plan: &Plan) -> String {
     let length_mm = plan.muscle.length_mm();
+    let (text, rows) = to_measure(plan);
     let mut out = format!(
-        "# {}: first test of a muscle with L0 {} mm. Fill in force_n (N); leave out rows that \
-         you do not measure.\n",
+        "# {}: first test of a muscle with L0 {} mm. Fill in pressure_mpa, contraction (shortening \
+         over L0) and force_n (N).\n# `measured` names what was read; the other two were set. Rows \
+         in which it is blank are left out.\n{text}",
         crate::MARK,
         mm(length_mm)
     );
     out += &format!(
-        "# Set the distance between the clamps, then the pressure, row by row, without going back: \
-         contraction is while the pressure rises,\n# elongation while it falls. The pressure stays \
-         at or below {}.\n",
+        "# Rows with a distance: set it between the clamps, then the pressure, row by row, without \
+         going back: contraction is while the pressure rises,\n# elongation while it falls. The \
+         pressure stays at or below {}.\n",
         plan.operating.pressure(plan.operating.pressure_mpa)
     );
     out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
-        pressure_mpa,contraction,force_n,branch,distance between the clamps (mm)\n";
+        pressure_mpa,contraction,force_n,branch,measured,distance between the clamps (mm)\n";
+    out += &rows;
     for point in &plan.test {
         let p = trimmed(point.pressure_mpa, 5);
         let e = trimmed(point.contraction, 4);
         let distance = trimmed(length_mm * (1.0 - point.contraction), 1);
-        out += &format!("{p},{e},,{},{distance}\n", point.branch);
+        out += &format!("{p},{e},,{},force,{distance}\n", point.branch);
     }
-    out
+    out + &",,,,force,\n".repeat(BLANK_ROWS)
 }

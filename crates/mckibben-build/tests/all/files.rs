@@ -1,8 +1,9 @@
 //! Cut list, pressures, files.
 
-use mckibben_build::{Clamps, Content, Operating, Plan, Wishes, files};
+use mckibben_build::{Clamps, Content, Operating, Plan, ToMeasure, Wishes, files};
 use mckibben_core::{
     analysis::FailureMode,
+    built::{Left, Measurement},
     muscle::{Muscle, file::parse_muscle},
     units::Dimension,
 };
@@ -29,6 +30,17 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
             (0.21, 0.17),
             (0.25, 0.2),
         ],
+        to_measure: Some(ToMeasure {
+            contraction: 0.1,
+            uncertainty_n: 160.4,
+            left: Measurement::ALL
+                .map(|measurement| Left {
+                    measurement,
+                    uncertainty_n: 22.6,
+                    minutes: measurement.words().1,
+                })
+                .into(),
+        }),
     }
 }
 
@@ -132,6 +144,29 @@ fn ties_hold_a_thin_muscle_and_ferrules_a_thick_one() {
     let error =
         Plan::new(muscle.clone(), operating(&muscle, 0.25), &Wishes::default()).unwrap_err();
     assert!(error.to_string().contains("at least 3\u{a0}mm"), "{error}");
+}
+
+/// Every measurement is listed; of 200 mm a pull at 5 % is at 190 mm by hand.
+#[test]
+fn the_sheet_lists_what_to_measure_with_a_row_for_each_reading_as_by_hand() {
+    let all = files(&plan_of(10.0, 1.5, &Wishes::default())).unwrap();
+    let sheet = all.iter().find(|f| f.name == "test.csv").unwrap();
+    let Content::Text(sheet) = &sheet.content else {
+        panic!("{sheet:?}")
+    };
+    assert!(sheet.contains("0.25 MPa (2.5 bar) and 10 % the pull has a ± of 160 N"));
+    for measurement in Measurement::ALL {
+        let (what, minutes) = measurement.words();
+        let line = format!("\n# - {what}: ± 23 N ({minutes} min)");
+        assert!(sheet.contains(&line), "{line}{sheet}");
+    }
+    for row in [
+        ",,,contraction,pressure,",
+        "0.25,0.05,,contraction,force,190",
+        "0.25,,0,contraction,contraction,",
+    ] {
+        assert!(sheet.lines().any(|line| line == row), "{row}\n{sheet}");
+    }
 }
 
 /// Every file of every muscle is there and holds no number that is none.

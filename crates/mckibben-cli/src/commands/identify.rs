@@ -4,7 +4,7 @@ use crate::{
     Bar, Format, Plot, Problem, check_ending,
     cli::examples,
     output::{ShownUnits, print},
-    path_on_one_line, save,
+    overwrite, path_on_one_line, save, save_inside,
 };
 use mckibben_app::{IdentifyRequest, MotionRequest, TextFile, print::Page};
 use std::path::{Path, PathBuf};
@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 #[command(after_long_help = examples(&[
     "identify examples/bench.toml --data examples/bench.csv",
     "identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --model thick-wall --free mu,terminals.end_factor,friction.c,friction.beta --plot fit.svg -o found.toml",
+    "identify examples/bench.toml --data examples/bench.csv --save-measured my-muscle",
     "motion examples/drive.toml --model universal -o log.csv",
     "identify examples/drive.toml --motion log.csv --model universal -o drive.toml"
 ]))]
@@ -38,6 +39,15 @@ pub struct Identify {
     /// Write the muscle with the identified values as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     output: Option<PathBuf>,
+    /// Write points, muscle, fit and a README.md with blanks into a folder, for others who use the
+    /// points: `validate --measured DIR` reads it
+    #[arg(
+        long,
+        value_name = "DIR",
+        conflicts_with = "motion",
+        help_heading = "Output"
+    )]
+    save_measured: Option<PathBuf>,
 }
 
 impl Identify {
@@ -50,9 +60,21 @@ impl Identify {
         }
         let mut answer = mckibben_app::identify(&self.request, &Bar::new("points"))?;
         self.plot.save(&mut answer.figure)?;
+        let folder = self.save_measured.as_deref();
+        if let Some(folder) = folder {
+            let files = self.request.measured_files(&answer)?;
+            save_inside(folder, files, overwrite())?;
+        }
         save(target, answer.muscle_file.as_bytes())?;
         let written = target.map(|path| format!("The muscle is in {}.", path_on_one_line(path)));
-        let add = |page: &mut Page| written.into_iter().for_each(|text| page.paragraph(text));
+        let measured = folder.map(|path| {
+            let place = path_on_one_line(path);
+            format!("The measured muscle is in {place}; fill in README.md and case.toml.")
+        });
+        let add = |page: &mut Page| {
+            let texts = written.into_iter().chain(measured);
+            texts.for_each(|text| page.paragraph(text));
+        };
         print(&answer, format, add, None)?;
         Ok(0)
     }

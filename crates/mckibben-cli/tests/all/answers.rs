@@ -433,13 +433,34 @@ fn a_campaign_becomes_a_formula() {
     assert_close(a, b, 1e-5);
 }
 
+const BUILT: &str = "build --rubber latex --braid flexo-overexpanded-0.38in -D 0.375in -s 0.0625in \
+    -L 200mm -p 2bar";
+
+/// An identity: what the sheet lists is what a pull says at half of the free contraction.
+#[test]
+fn the_test_sheet_lists_what_a_pull_says_to_measure() {
+    let dir = folder();
+    let answer = json_in(dir.path(), &format!("{BUILT} -o ."));
+    let half = 0.5 * number(&answer, "free_contraction");
+    let pull = json_in(dir.path(), &format!("force muscle.toml -p 2bar -e {half}"));
+    let said = pull["uncertainty_words"]["bench"].as_str().unwrap();
+    let text = std::fs::read_to_string(dir.path().join("test.csv")).unwrap();
+    let listed: Vec<&str> = text.lines().filter(|l| l.starts_with("# - ")).collect();
+    assert!(said.split("; ").count() == 3 && listed.len() >= 3, "{text}");
+    for (said, listed) in said.split("; ").zip(&listed) {
+        assert!(
+            listed[4..].starts_with(&said.replace('\u{a0}', " ")),
+            "{said}: {listed}"
+        );
+    }
+}
+
 /// The sheet with the forces of a model in it is read as it is, and the muscle of the folder comes
 /// back: an identity.
 #[test]
 fn the_test_sheet_is_read_back_by_identify() {
     let dir = folder();
-    let line = "build --rubber latex --braid flexo-overexpanded-0.38in -D 0.375in -s 0.0625in -L \
-        200mm -p 2bar -o .";
+    let line = &format!("{BUILT} -o .");
     assert!(
         run_in(dir.path(), line)
             .ok()
@@ -448,11 +469,24 @@ fn the_test_sheet_is_read_back_by_identify() {
     );
     let sheet = dir.path().join("test.csv");
     let text = std::fs::read_to_string(&sheet).unwrap();
-    let rows = |line: &&str| line.split(',').nth(2) == Some("");
+    let rows = |line: &&str| line.ends_with(|c: char| c.is_ascii_digit()) && line.contains(",,");
     let points: Vec<&str> = text.lines().filter(rows).collect();
-    let mut filled = text.clone();
+    // A load that is hung at 10 %.
+    let hung = number(
+        &json_in(
+            dir.path(),
+            "force muscle.toml -p 0.2 -e 0.1 --model thick-wall",
+        ),
+        "force_n",
+    );
+    let mut filled = text.replacen(
+        ",,,contraction,pressure",
+        &format!("0.2,0.1,{hung},contraction,pressure"),
+        1,
+    );
+    assert_ne!(filled, text);
     for line in &points {
-        let [p, e, _, branch, distance] = line.split(',').collect::<Vec<_>>()[..] else {
+        let [p, e, _, branch, _, distance] = line.split(',').collect::<Vec<_>>()[..] else {
             panic!("{line}")
         };
         let there = 200.0 * (1.0 - e.parse::<f64>().unwrap());
@@ -469,7 +503,7 @@ fn the_test_sheet_is_read_back_by_identify() {
         );
         // The muscle pulls at every point of the test.
         assert!(force > 0.0, "{line}");
-        filled = filled.replace(line, &format!("{p},{e},{force},{branch},{distance}"));
+        filled = filled.replace(line, &format!("{p},{e},{force},{branch},force,{distance}"));
     }
     assert!(
         points.len() >= 12 && filled.contains("contraction") && filled.contains("elongation"),
@@ -483,13 +517,14 @@ fn the_test_sheet_is_read_back_by_identify() {
         .split("</table>")
         .next()
         .unwrap();
-    assert_eq!(bench.matches("<td></td>").count(), points.len());
+    let of_test = json_in(dir.path(), BUILT)["test"].as_array().unwrap().len();
+    assert_eq!(bench.matches("<td></td>").count(), of_test);
     std::fs::write(&sheet, &filled).unwrap();
     let answer = json_in(
         dir.path(),
         "identify muscle.toml --data test.csv --model thick-wall --free modulus",
     );
-    assert_eq!(answer["points"].as_array().unwrap().len(), points.len());
+    assert_eq!(answer["points"].as_array().unwrap().len(), points.len() + 1);
     assert_close(number(&answer["parameters"][0], "value"), 1.0, 1e-6);
     // What was measured is not lost.
     let again = run_in(dir.path(), line);
@@ -499,6 +534,76 @@ fn the_test_sheet_is_read_back_by_identify() {
         again.err
     );
     assert_eq!(std::fs::read_to_string(&sheet).unwrap(), filled);
+}
+
+/// The readings of `examples/hour.csv` were computed of the muscle below: the interval after them
+/// holds its pull while it shortens, and is a fifth of that before.
+#[test]
+fn ten_readings_give_the_muscle_of_which_they_were_computed() {
+    let dir = copy();
+    let truth = std::fs::read_to_string(dir.path().join("examples/shop.toml"))
+        .unwrap()
+        .replace(
+            "rubber = \"latex\"",
+            "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.33",
+        )
+        .replace(
+            "[terminals]",
+            "take_up = 0.015\n[friction]\nlever = 2\n[terminals]\nseating = 0.5",
+        );
+    std::fs::write(dir.path().join("truth.toml"), truth).unwrap();
+    let line = "identify examples/shop.toml --data examples/hour.csv --set measured=contraction -o \
+        found.toml";
+    run_in(dir.path(), line).ok();
+    let pull = |words: &str| json_in(dir.path(), &format!("force {words} -p 3bar -e 10%"));
+    let truth_n = number(&pull("truth.toml --branch contraction"), "force_n");
+    let (before, after) = (pull("examples/shop.toml"), pull("found.toml"));
+    let ends = ["predicted_low_n", "predicted_high_n"].map(|key| number(&after, key));
+    assert!(ends[0] < truth_n && truth_n < ends[1], "{truth_n} {ends:?}");
+    let [before, after] = [&before, &after].map(|answer| number(answer, "uncertainty_n"));
+    assert!(after < 0.2 * before, "{before} {after}");
+}
+
+/// An identity: a measured muscle that is saved gives the report of the muscle from which it was
+/// made, with its blanks as they are.
+#[test]
+fn a_measured_muscle_that_is_saved_is_validated_as_before() {
+    let dir = folder();
+    let case = root().join("crates/mckibben-fit/data/measured/dmsp-20-300");
+    let line = format!(
+        "identify {0}/muscle.toml --data {0}/points.csv --model thick-wall --free mu,braid.angle \
+         --save-measured mine",
+        case.display()
+    );
+    let said = run_in(dir.path(), &line).ok().text().to_owned();
+    assert!(said.contains("fill in README.md and case.toml"), "{said}");
+    let report = |words: &str| {
+        let line = format!("validate --measured {words} --model thick-wall");
+        let answer = json_in(dir.path(), &line);
+        let points = answer["cases"][0]["points"].clone();
+        let (result, fit) = (&answer["results"][0], &answer["cases"][0]["fits"][0]);
+        (points, result["rms_n"].clone(), fit["parameters"].clone())
+    };
+    assert_eq!(report("mine"), report("--only dmsp-20-300"));
+    let names = names(&dir.path().join("mine"));
+    assert_eq!(
+        names,
+        [
+            "README.md",
+            "case.toml",
+            "identified.toml",
+            "muscle.toml",
+            "points.csv"
+        ]
+    );
+    // Rows in time order are none.
+    let line = format!("{line}2 --branches history");
+    let refused = run_in(dir.path(), &line);
+    assert!(
+        refused.code == 2 && refused.err.contains("time order"),
+        "{}",
+        refused.err
+    );
 }
 
 /// `data/paper` against the tables that the program carries: F = a ε² + b ε + c, and formula (11).

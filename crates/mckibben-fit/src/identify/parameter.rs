@@ -146,6 +146,14 @@ impl Target {
         matches!(self, Target::Measure(m) if m.section() == "friction")
     }
 
+    /// Whether a muscle file holds it.
+    pub(crate) fn is_in_file(self) -> bool {
+        !matches!(
+            self,
+            StiffnessExponent | ContractionOffset | DeadVolume | ForceOffset
+        )
+    }
+
     /// How a measure is identified.
     pub(super) fn identify(self) -> Option<&'static Identify> {
         match self {
@@ -261,6 +269,17 @@ impl Parameter {
         }
     }
 
+    /// The word that [`parse`](Self::parse) reads as this parameter.
+    pub fn word(&self, muscle: &Muscle) -> String {
+        let name = self.target.name(muscle);
+        let own = self.bounds.and(self.target.value(muscle));
+        match (self.start.or(own), self.bounds) {
+            (Some(start), Some((low, high))) => format!("{name}={start}:{low}:{high}"),
+            (Some(start), None) => format!("{name}={start}"),
+            (None, _) => name,
+        }
+    }
+
     pub fn parse_bounds(
         text: &str,
         muscle: &Muscle,
@@ -321,6 +340,8 @@ mod tests {
                 bounds: Some((0.05, 1.0))
             }
         );
+        assert_eq!(p.word(&m), "tube.material.c10=0.2:0.05:1");
+        assert_eq!(Parameter::parse(&p.word(&m), &m).unwrap(), p);
         assert_eq!(
             Parameter::parse("c01", &m).unwrap(),
             Parameter::free(Law(1))

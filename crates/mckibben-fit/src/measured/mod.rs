@@ -3,6 +3,7 @@
 mod data;
 mod over_time;
 mod read;
+mod write;
 
 pub use data::{
     DataPoint, MeasuredPoint, Quantity, Section, distinct, mean_of_branches, mean_of_data, means,
@@ -11,3 +12,4 @@ pub use data::{
 pub use over_time::PressureLog;
 pub(crate) use over_time::runs;
 pub use read::{PointOptions, read_data, read_measured, read_points};
+pub use write::table;

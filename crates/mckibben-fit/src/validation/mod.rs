@@ -24,6 +24,7 @@ pub mod report;
 pub mod residual;
 pub mod rubber;
 mod stress;
+pub mod write;
 
 use crate::{
     compare::compare,

@@ -5,7 +5,7 @@ use super::case::{
     RubberCaseFit, Split,
 };
 use crate::{
-    identify::{Parameter, Target},
+    identify::Parameter,
     measured::{Quantity, read_data},
     rubber::read_tests,
     rubber_over_time::read_history,
@@ -132,7 +132,8 @@ fn wrong(files: &MeasuredFolder, key: &str, expected: &str) -> CaseError {
 }
 
 /// The fit of the library: the one that is named, else the first. Its constants are those of a
-/// muscle file, and it has all points.
+/// muscle file, and it has all points. Where it frees nothing the muscle was identified without
+/// `free`: all constants, beside what is known of other muscles.
 fn library_fit(
     files: &MeasuredFolder,
     named: Option<&str>,
@@ -140,16 +141,10 @@ fn library_fit(
 ) -> Result<usize, CaseError> {
     const FORM: &str =
         "the name of a fit that has no `split` and frees numbers of the muscle file alone";
-    let in_file = |p: &Parameter| {
-        !matches!(
-            p.target,
-            Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent
-        )
-    };
     let place = named.map_or(Some(0), |name| fits.iter().position(|fit| fit.name == name));
     let serves = |i: &usize| {
         fits.get(*i).is_some_and(|fit| {
-            fit.split.is_none() && !fit.free.is_empty() && fit.free.iter().all(in_file)
+            fit.split.is_none() && fit.free.iter().all(|p| p.target.is_in_file())
         })
     };
     match place.filter(serves) {
@@ -257,6 +252,8 @@ mod tests {
                 Measurement::Rubber(case) => case.count() > 30 && !case.fits.is_empty(),
             };
             assert!(enough, "{}", files.name);
+            // A blank of a folder that `identify` wrote.
+            assert!(!files.case.contains("TO FILL IN"), "{}", files.name);
         }
     }
 
