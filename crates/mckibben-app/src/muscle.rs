@@ -90,12 +90,12 @@ impl MuscleFields {
     pub fn from_muscle(muscle: &Muscle) -> Self {
         let tube = muscle.tube();
         let braid = muscle.braid();
-        let section = braid.strands.and_then(|strands| strands.section);
-        let diameter_mm = |(area, _): (f64, f64)| (4.0 * area / PI).sqrt();
+        let area_mm2 = braid.strands.and_then(|strands| strands.area_mm2);
+        let diameter_mm = |area: f64| (4.0 * area / PI).sqrt();
         let mut out = Self {
             rubber: tube.rubber.name.clone().map(NameOrFile::Name),
             braid: braid.sleeve.as_ref().map(|sleeve| sleeve.name.clone()),
-            strand_diameter_mm: section.map(|section| diameter_mm(section).into()),
+            strand_diameter_mm: area_mm2.map(|area| diameter_mm(area).into()),
             stiffness: match braid.stiffness {
                 BraidStiffness::OfStrands => muscle
                     .family_stiffness_n_per_mm()

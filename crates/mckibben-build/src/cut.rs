@@ -102,7 +102,7 @@ impl Cut {
                 mounted_mm: sheet.braid_cut_mm,
                 strand_mm: sheet.strand_cut_mm,
                 strands: sheet.strands,
-                strand_area_mm2: braid.strands.and_then(|s| s.section).map(|s| s.0),
+                strand_area_mm2: braid.strands.and_then(|s| s.area_mm2),
                 relaxed_diameter_mm: relaxed,
                 relaxed_mm: relaxed.and_then(at),
                 by_diameter: rows.collect(),

@@ -3,7 +3,7 @@
 //! `cargo run --release -p mckibben-campaign --example 4_identify`
 
 use mckibben_core::{muscle::file::parse_muscle, prelude::*};
-use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{Request, Target, identify_default, read_data};
 use std::error::Error;
 
@@ -21,9 +21,9 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let muscle = parse_muscle(MUSCLE)?;
     let points = read_data(POINTS)?;
     // Nothing is named as free: then all constants are, each with what measured muscles tell.
-    let build = |m: &Muscle| match Axisymmetric::new(m) {
-        Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),
-        Err(error) => Err(error.into()),
+    // The elements with the ends of the muscle.
+    let build = |m: &Muscle| -> Result<Box<dyn ForceModel>, _> {
+        Ok(Elements::Axisymmetric(Default::default()).build(m)?)
     };
     let request = Request::new(&muscle, &[], &points, &build);
     let result = identify_default(&request)?;

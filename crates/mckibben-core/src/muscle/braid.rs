@@ -65,9 +65,10 @@ impl<'de> Deserialize<'de> for BraidStiffness {
 pub struct Strands {
     /// N, both families together; even.
     pub count: u32,
-    /// Cross-section and Young's modulus of one strand (mm², MPa), where the braid is described by
-    /// them.
-    pub section: Option<(f64, f64)>,
+    /// Cross-section of one strand, mm².
+    pub area_mm2: Option<f64>,
+    /// Young's modulus of one strand, MPa, where the stiffness follows from it.
+    pub modulus_mpa: Option<f64>,
     /// Force at which one strand breaks, in N.
     pub strength_n: Option<f64>,
     /// Factor by which there may be fewer: 1 where they were counted.
@@ -77,11 +78,14 @@ pub struct Strands {
 }
 
 impl Strands {
-    /// Strands that were counted, of a strength that is stated.
+    /// Strands that were counted, of a strength that is stated; section: area in mm² and Young's
+    /// modulus in MPa of one.
     pub fn new(count: u32, section: Option<(f64, f64)>, strength_n: Option<f64>) -> Self {
+        let (area_mm2, modulus_mpa) = section.unzip();
         Self {
             count,
-            section,
+            area_mm2,
+            modulus_mpa,
             strength_n,
             count_factor: 1.0,
             strength_factor: 1.0,
@@ -248,8 +252,12 @@ impl Braid {
         }
         match (&self.strands, self.stiffness) {
             (None, BraidStiffness::OfStrands) => Err(strands_incomplete("strands")),
-            (Some(Strands { section: None, .. }), BraidStiffness::OfStrands) => {
-                Err(strands_incomplete("strand_area"))
+            (Some(strands), BraidStiffness::OfStrands) => {
+                match (strands.area_mm2, strands.modulus_mpa) {
+                    (None, _) => Err(strands_incomplete("strand_area")),
+                    (_, None) => Err(strands_incomplete("strand_modulus")),
+                    _ => Ok(()),
+                }
             }
             _ => Ok(()),
         }
@@ -337,7 +345,7 @@ impl Braid {
             BraidStiffness::Inextensible => None,
             BraidStiffness::OfStrands => self.strands.and_then(|s| {
                 let spacing = self.strand_spacing_mm(tube, s.count);
-                s.section.map(|(area, modulus)| modulus * area / spacing)
+                Some(s.modulus_mpa? * s.area_mm2? / spacing)
             }),
         }
     }

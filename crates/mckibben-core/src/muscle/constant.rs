@@ -1,6 +1,7 @@
 //! The constants in which a muscle that is built differs from the one that is described.
 
 use super::{BraidStiffness, Muscle, MuscleError};
+use crate::rubber::library;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -99,13 +100,17 @@ impl Muscle {
         if of(Constant::Modulus) != 0.0 {
             let rubber = &mut parts.tube.rubber;
             rubber.law = rubber.law.scaled(of(Constant::Modulus).exp());
-            rubber.name = None;
         }
         if of(Constant::Angle) != 0.0 {
             parts.braid.angle_deg += of(Constant::Angle);
             parts.braid.sleeve = None;
-            // The law of a named rubber is that for the stretches of the stated angle.
-            parts.tube.rubber.name = None;
+        }
+        // The law of a named rubber is that for the stretches of the stated angle.
+        if [Constant::Modulus, Constant::Angle]
+            .into_iter()
+            .any(|constant| of(constant) != 0.0)
+        {
+            parts.tube.rubber = library::without_name(parts.tube.rubber);
         }
         if let Some(k) = self
             .family_stiffness_n_per_mm()

@@ -16,6 +16,9 @@ impl Rubber {
             .clone()
             .validated()
             .map_err(|e| e.within("tube.material"))?;
+        if let Some(strain) = self.elongation_at_break {
+            positive("tube.material.elongation_at_break", strain, "")?;
+        }
         if let Some(softening) = self.softening {
             softening
                 .validated()

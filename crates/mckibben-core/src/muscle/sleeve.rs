@@ -24,11 +24,13 @@ impl Sleeve {
         }
     }
 
-    /// The strands of a braid whose stiffness is stated otherwise: their number, where it is known,
-    /// which only informs.
+    /// The strands of a braid whose stiffness is stated otherwise, where their number is known: what
+    /// they bear, and the openings between them.
     pub fn strands_beside_stiffness(&self) -> Option<Strands> {
-        let strands = Strands::new(self.strands?, None, self.strand_strength_n);
-        Some(self.with_factors(strands))
+        Some(self.with_factors(Strands {
+            area_mm2: self.strand_area_mm2(),
+            ..Strands::new(self.strand_count()?, None, self.strand_strength_n)
+        }))
     }
 
     /// Strands with the factors within which their number and strength are known.
@@ -81,10 +83,7 @@ impl Muscle {
         let sleeve = self.braid().sleeve.as_ref()?;
         let density = library::material_of(&sleeve.name)?.density_kg_per_m3?;
         Some(
-            1e-6 * density
-                * f64::from(strands.count)
-                * strands.section?.0
-                * self.strand_length_mm(),
+            1e-6 * density * f64::from(strands.count) * strands.area_mm2? * self.strand_length_mm(),
         )
     }
 

@@ -87,12 +87,14 @@ impl Stated {
             }
         }
         let area = self.strand_area_mm2()?;
-        let is_described = area.is_some() || self.measures.get(&STRAND_MODULUS).is_some();
-        if is_described && self.stiffness.is_some() {
+        let has_modulus = self.measures.get(&STRAND_MODULUS).is_some();
+        if has_modulus && self.stiffness.is_some() {
             let message = "give either `stiffness`, or `strands`, `strand_area` (or \
                 `strand_diameter`) and `strand_modulus`; both are given";
             return Err(MuscleError::new(["braid.stiffness"], message));
         }
+        // Beside a stiffness the area says what openings the strands leave.
+        let is_described = has_modulus || area.is_some() && self.stiffness.is_none();
         let braid = parts.braid;
         let mut braid = if let Some(sleeve) = &self.sleeve {
             self.of_sleeve(sleeve.clone(), area, braid)?
@@ -116,7 +118,7 @@ impl Stated {
             braid.stiffness_factor = self.measures.get(&STIFFNESS_FACTOR).unwrap_or(1.0);
             // What it takes the place of is no longer stated.
             braid.strands = braid.strands.map(|strands| Strands {
-                section: None,
+                modulus_mpa: None,
                 ..strands
             });
         }
@@ -168,16 +170,9 @@ impl Stated {
             stated(&STRANDS_FACTOR, &mut strands.count_factor);
             stated(&STRENGTH_FACTOR, &mut strands.strength_factor);
         }
-        if let (
-            Some(area),
-            Some(Strands {
-                section: Some(section),
-                ..
-            }),
-        ) = (area, &mut strands)
-        {
+        if let Some(strands) = &mut strands {
             // To the last bit, not by way of the diameter.
-            section.0 = area;
+            strands.area_mm2 = area.or(strands.area_mm2);
         }
         let strands_per_carrier = self
             .measures
@@ -201,14 +196,13 @@ impl Stated {
         mut braid: Braid,
     ) -> Result<Braid, MuscleError> {
         if let (Some(area), Some(strands)) = (area, &mut braid.strands) {
-            strands.section.get_or_insert((0.0, 0.0)).0 = area;
+            strands.area_mm2 = Some(area);
         }
         let strands = braid.strands.unwrap_or(Strands::new(0, None, None));
-        let (area_mm2, modulus_mpa) = strands.section.unwrap_or_default();
         let needs = [
             ("braid.strands", strands.count == 0),
-            ("braid.strand_modulus", modulus_mpa == 0.0),
-            ("braid.strand_area", area_mm2 == 0.0 && area.is_none()),
+            ("braid.strand_modulus", strands.modulus_mpa.is_none()),
+            ("braid.strand_area", strands.area_mm2.or(area).is_none()),
         ];
         if let Some((missing, _)) = needs.into_iter().find(|need| is_described && need.1) {
             let written = [

@@ -77,6 +77,9 @@ pub struct Rubber {
     pub bulk: Bulk,
     /// Largest stretch of the data the constants were fitted to, where it is known.
     pub fitted_to_stretch: Option<f64>,
+    /// Strain at which a strip of it breaks, where that is stated; a rubber of the library has the
+    /// one of its data sheet.
+    pub elongation_at_break: Option<f64>,
     /// How rubber that was stretched before is softer, where it is known. The law is that of the
     /// first loading.
     pub softening: Option<OgdenRoxburgh>,
@@ -109,6 +112,7 @@ impl Rubber {
             law,
             bulk: Bulk::Incompressible,
             fitted_to_stretch: None,
+            elongation_at_break: None,
             softening: None,
             conditioned: None,
             prony: None,

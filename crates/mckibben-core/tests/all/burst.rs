@@ -2,9 +2,15 @@
 //! the worst case.
 
 use mckibben_core::{
-    analysis::{Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst},
+    analysis::{
+        Burst, Evaluation, FailureMode, FailurePressure, NoBurst, Options, SAFETY, burst,
+        burst::bladder::stretch_at_break,
+    },
     model::{ForceModel, ModelKind, ThickWall, Workspace},
-    muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Terminals, Tube},
+    muscle::{
+        Braid, BraidStiffness, Constant, Muscle, Rubber, Strands, Terminals, Tube,
+        file::{parse_muscle, to_toml},
+    },
     random::{Random, rounds},
     rubber::{Law, NeoHookean},
     sleeve::library,
@@ -204,7 +210,7 @@ fn the_tube_bulges_through_the_widest_opening() {
     );
     let counted = braid
         .strands
-        .map(|s| Strands::new(s.count, s.section, s.strength_n));
+        .map(|s| Strands::new(s.count, s.area_mm2.zip(s.modulus_mpa), s.strength_n));
     let counted = Braid {
         strands: counted,
         ..braid.clone()
@@ -232,6 +238,48 @@ fn the_tube_bulges_through_the_widest_opening() {
     );
 }
 
+/// What `identify` finds of a muscle takes no limit away: with constants that are nearly nothing, and
+/// as its file is read, the same parts fail at the same pressures.
+#[test]
+fn identity_a_muscle_with_constants_fails_where_the_muscle_does() {
+    let text = "[tube]\nouter_diameter = 9.525\nwall_thickness = 1.5875\nlength = 200\n\
+        rubber = \"latex\"\n[braid]\nname = \"flexo-overexpanded-0.38in\"\n";
+    let bought = parse_muscle(text).unwrap();
+    let nearly = |constant: Constant| {
+        let mut x = [0.0; Constant::ALL.len()];
+        x[constant as usize] = 1e-10;
+        bought.with_constants(&x).unwrap()
+    };
+    let k = bought.family_stiffness_n_per_mm().unwrap();
+    let stated = text.to_owned() + &format!("stiffness = {k:.14}\n");
+    let all = [
+        nearly(Constant::Modulus),
+        nearly(Constant::Angle),
+        nearly(Constant::Strands),
+        parse_muscle(&stated).unwrap(),
+    ];
+    let limits = |m: &Muscle| {
+        let failures = burst(&ThickWall::new(m)).unwrap();
+        let breaks = stretch_at_break(m).unwrap();
+        let modes = failures
+            .modes()
+            .map(|(_, pressure)| pressure.least_mpa().unwrap_or(0.0));
+        [breaks, failures.allowed().unwrap().mpa]
+            .into_iter()
+            .chain(modes)
+            .collect::<Vec<f64>>()
+    };
+    let known = limits(&bought);
+    assert!(known[0] > 5.0 && known[1] > 0.3, "{known:?}");
+    for m in all {
+        let read = parse_muscle(&to_toml(&m)).unwrap();
+        for other in [limits(&m), limits(&read)] {
+            let near = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-6 * b;
+            assert!(other.iter().zip(&known).all(near), "{other:?} {known:?}");
+        }
+    }
+}
+
 /// A sleeve of which the seller states neither number nor filament: 716 strands of 20 N are an
 /// estimate, and with half of them the tube bulges at 0.414 MPa (found by a separate run). Its
 /// pressures reach down to those of fewer and weaker strands, which keep the stiffness.
@@ -248,7 +296,11 @@ fn failures_of_estimated_strands_reach_down_to_those_of_fewer_and_weaker_ones() 
     let known = braid.strands.unwrap();
     let with = |count: u32, strength: f64| {
         burst_of(&Braid {
-            strands: Some(Strands::new(count, known.section, Some(strength))),
+            strands: Some(Strands::new(
+                count,
+                known.area_mm2.zip(known.modulus_mpa),
+                Some(strength),
+            )),
             stiffness: BraidStiffness::NewtonPerMm(braid.family_stiffness_n_per_mm(&tube).unwrap()),
             ..braid.clone()
         })

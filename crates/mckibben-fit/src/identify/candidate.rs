@@ -2,9 +2,12 @@
 
 use super::Target;
 use crate::measured::Section;
-use mckibben_core::muscle::{
-    BraidStiffness, Muscle, MuscleError,
-    measures::{END_FACTOR, FRICTION_COEFFICIENT, FRICTION_EXPONENT},
+use mckibben_core::{
+    muscle::{
+        BraidStiffness, Muscle, MuscleError,
+        measures::{END_FACTOR, FRICTION_COEFFICIENT, FRICTION_EXPONENT},
+    },
+    rubber::library,
 };
 
 /// k = k₀ (D0/D0₀)ⁿ of one strand family.
@@ -99,7 +102,7 @@ impl Candidate {
         // Constants that are sought are those of every row of the data; the law of a named rubber
         // would follow its measures.
         if values.iter().any(|v| v.0.is_of_law()) {
-            rubber.name = None;
+            *rubber = library::without_name(rubber.clone());
         }
         let family = has_family.then_some(family);
         if let Some(family) = &family {

@@ -35,12 +35,12 @@ use mckibben_core::{
 use nalgebra::{DMatrix, DVector};
 
 const CONSTANTS: usize = Constant::ALL.len();
-/// Turns of the search at most; six are the rule.
-const STEPS: usize = 200;
+/// Steps of the search at most; eight are the rule.
+const STEPS: usize = 100;
 /// Steps that shrink by less than to this share of the one before are followed to their end.
 const MOST_STEADY: f64 = 0.95;
 /// A step below this share of a prior's deviation is none.
-const SMALL: f64 = 1e-8;
+const SMALL: f64 = 1e-6;
 
 /// What points and prior tell of the constants.
 #[derive(Debug, Clone)]
@@ -197,16 +197,43 @@ impl PosteriorRequest<'_> {
         out
     }
 
+    /// Which constants the pull of the model has: a formula has no modulus, and a model between the
+    /// ends alone no seating.
+    fn in_model(&self) -> [bool; CONSTANTS] {
+        let Prior { centre, deviation } = self.prior;
+        let pulls = |x: &Constants| -> Option<Vec<f64>> {
+            let model = (self.build)(&self.muscle.with_constants(x).ok()?).ok()?;
+            let w = &mut Workspace::new();
+            let ends = [self.points.first()?, self.points.last()?];
+            let pull = |p: &DataPoint| model.force_n(w, p.at.pressure_mpa, p.at.contraction).ok();
+            ends.into_iter().map(pull).collect()
+        };
+        let before = pulls(centre);
+        Constant::ALL.map(|constant| {
+            let mut x = *centre;
+            x[constant as usize] += deviation[constant as usize];
+            let is_apart = [Constant::PullFactor, Constant::Friction].contains(&constant);
+            is_apart || pulls(&x).is_none_or(|after| before.as_ref() != Some(&after))
+        })
+    }
+
     /// A step towards the largest posterior within bounds, and A.
     fn step(
         &self,
         x: &Constants,
         known: &[(&DataPoint, &Row)],
-        bounds: &[(f64, f64); CONSTANTS],
+        (bounds, in_model): (&[(f64, f64); CONSTANTS], &[bool; CONSTANTS]),
     ) -> Option<(Constants, DMatrix<f64>)> {
         let n = known.len();
         let root = self.covariance(known).cholesky()?;
-        let j = DMatrix::from_fn(n, CONSTANTS, |i, c| known[i].1.slopes[c]);
+        let slope = |i: usize, c: usize| {
+            if in_model[c] {
+                known[i].1.slopes[c]
+            } else {
+                0.0
+            }
+        };
+        let j = DMatrix::from_fn(n, CONSTANTS, slope);
         let off = known
             .iter()
             .map(|(point, row)| point.at.force_n - row.predicted_n);
@@ -245,6 +272,7 @@ impl PosteriorRequest<'_> {
     /// [`Cancelled`](mckibben_core::cancel::Cancelled), or constants that do not come to rest.
     pub fn posterior(&self) -> Result<Option<Posterior>> {
         let bounds = self.bounds();
+        let in_model = self.in_model();
         let Prior { centre, deviation } = self.prior;
         let mut x = *centre;
         let mut rms_before_n = 0.0;
@@ -266,7 +294,7 @@ impl PosteriorRequest<'_> {
                 let off = known.iter().map(|(p, row)| row.predicted_n - p.at.force_n);
                 rms_before_n = Errors::new(off).rms;
             }
-            let Some((mut next, a)) = self.step(&x, &known, &bounds) else {
+            let Some((mut next, a)) = self.step(&x, &known, (&bounds, &in_model)) else {
                 return Ok(None);
             };
             for c in 0..CONSTANTS {
@@ -285,14 +313,14 @@ impl PosteriorRequest<'_> {
                     ..found
                 }));
             }
-            // Steps that shrink by a steady share are taken all at once.
+            // Of steps that shrink by a steady share, or go to and fro, the sum is taken at once.
             let dot = |other: &[f64; CONSTANTS]| -> f64 {
                 step.iter().zip(other).map(|(a, b)| a * b).sum()
             };
             let share = last
                 .take()
                 .map(|last| dot(&last) / last.iter().map(|s| s * s).sum::<f64>());
-            if let Some(share) = share.filter(|share| (0.0..MOST_STEADY).contains(share)) {
+            if let Some(share) = share.filter(|share| *share < MOST_STEADY) {
                 x = std::array::from_fn(|c| {
                     clamp(x[c] + (next[c] - x[c]) / (1.0 - share), bounds[c])
                 });

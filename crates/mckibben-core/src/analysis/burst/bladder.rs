@@ -33,8 +33,7 @@ const ALMOST_NONE: f64 = 1e-9;
 
 /// The stretch at which the rubber of a muscle breaks, where it is known.
 pub fn stretch_at_break(muscle: &Muscle) -> Option<f64> {
-    let name = muscle.tube().rubber.name.as_deref()?;
-    Some(1.0 + library::entry(name).ok()?.max_strain?)
+    Some(1.0 + library::elongation_at_break(&muscle.tube().rubber)?)
 }
 
 /// The pressure at which the rubber of the unloaded muscle tears, below one at which another part

@@ -70,7 +70,7 @@ impl Openings {
     fn new(muscle: &Muscle, fewer: f64) -> Option<Self> {
         let strands = muscle.braid().strands?;
         let side_by_side = muscle.braid().strands_per_carrier?;
-        let diameter = (4.0 / PI * strands.section?.0).sqrt();
+        let diameter = (4.0 / PI * strands.area_mm2?).sqrt();
         Some(Self {
             radii: Radii::new(muscle),
             shear_modulus_mpa: muscle.rubber().law.shear_modulus_mpa(),

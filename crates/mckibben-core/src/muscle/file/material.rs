@@ -13,7 +13,7 @@ use crate::{
     },
     units::{
         Dimension, Positive, parse_quantity,
-        typed::{Pressure, text_or_number},
+        typed::{Pressure, Ratio, text_or_number},
     },
 };
 use indexmap::IndexMap;
@@ -35,6 +35,8 @@ struct Other {
     bulk_modulus: Option<Bulk>,
     /// Largest stretch of the data behind the constants
     fitted_to_stretch: Option<Positive<f64>>,
+    /// Strain at which a strip of it breaks, such as "500 %"
+    elongation_at_break: Option<Ratio>,
     /// Softening of rubber that was stretched before (Ogden & Roxburgh 1999)
     softening: Option<OgdenRoxburgh>,
     /// What the rubber has seen: a pressure, or a strain such as "50 %"
@@ -250,6 +252,7 @@ fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, Fil
         law: law.map_err(|e| wrong(e.fields[0], e.message.clone()))?,
         bulk: other.bulk_modulus.unwrap_or_default(),
         fitted_to_stretch: other.fitted_to_stretch.map(f64::from),
+        elongation_at_break: other.elongation_at_break.map(f64::from),
         softening: other.softening,
         conditioned: other.conditioned,
         prony: other.prony.filter(|series| !series.branches.is_empty()),
@@ -274,7 +277,7 @@ fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, Fil
     // Constants that are written are those of this muscle, also where they are the library's for
     // another one.
     if library::follows(&rubber) {
-        rubber.name = None;
+        rubber = library::without_name(rubber);
     }
     Ok(rubber)
 }

@@ -67,12 +67,23 @@ fn rubber() -> impl Strategy<Value = Rubber> {
     ];
     let branch = (number(0.0, 0.3), number(1e-3, 1e5));
     let prony = prop::option::of(prop::collection::vec(branch, 1..4).prop_map(Prony::from));
-    let written = (name, law(), bulk, prop::option::of(1.0..9.0), memory, prony).prop_map(
-        |(name, law, bulk, fitted_to_stretch, (softening, conditioned), prony)| Rubber {
+    let reach = || prop::option::of(1.0..9.0);
+    // In percent, as it is written.
+    let breaks = prop::option::of((1..900u32).prop_map(|n| f64::from(n) / 100.0));
+    let written = (name, law(), bulk, (reach(), breaks), memory, prony).prop_map(
+        |(
+            name,
+            law,
+            bulk,
+            (fitted_to_stretch, elongation_at_break),
+            (softening, conditioned),
+            prony,
+        )| Rubber {
             name,
             law,
             bulk,
             fitted_to_stretch,
+            elongation_at_break,
             softening,
             conditioned,
             prony,
@@ -90,7 +101,11 @@ fn braid() -> impl Strategy<Value = Braid> {
         Just(BraidStiffness::Inextensible),
         number(1.0, 1e4).prop_map(BraidStiffness::NewtonPerMm),
     ];
-    let counted = (count.clone(), strength()).prop_map(|(c, s)| Strands::new(c, None, s));
+    let area = prop::option::of(number(1e-4, 3.0));
+    let counted = (count.clone(), area, strength()).prop_map(|(c, area_mm2, s)| Strands {
+        area_mm2,
+        ..Strands::new(c, None, s)
+    });
     let factors = (prop_oneof![Just(1.0), number(1.0, 9.0)], number(1.0, 9.0));
     let described =
         (count, section, strength(), factors).prop_map(|(count, section, strength_n, factors)| {
@@ -169,7 +184,7 @@ prop_compose! {
         friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0), prop_oneof![Just(0.0), number(0.01, 5.0)], prop::option::of(number(0.01, 5.0)))),
     ) -> Muscle {
         // A strand is no thicker than the tube.
-        let strand_area_mm2 = braid.strands.and_then(|s| s.section).map_or(0.0, |section| section.0);
+        let strand_area_mm2 = braid.strands.and_then(|s| s.area_mm2).unwrap_or(0.0);
         let strand_mm = (4.0 * strand_area_mm2 / std::f64::consts::PI).sqrt();
         let outer_diameter_mm = outer_diameter_mm.max(braid.diameter_mm.unwrap_or(0.0)).max(1.01 * strand_mm);
         let tube = Tube::new(outer_diameter_mm, share * outer_diameter_mm / 2.0, length_mm, rubber);
@@ -354,18 +369,19 @@ stiffness = "paper"              # k of one strand family: "321 N/mm", "inextens
     assert_eq!(to_toml(&Muscle::prototype()), text);
 }
 
-/// A cross-section beside a stiffness is what a file may not say; it stays as a comment.
+/// Beside a stiffness the area of a strand still says what openings are between them; the modulus is
+/// what a file may not say.
 #[test]
-fn an_unused_strand_section_is_written_as_a_comment() {
+fn beside_a_stiffness_the_area_of_a_strand_is_kept() {
     let strands = Strands::new(48, Some((0.3, 2500.0)), None);
     let braid = Braid {
         strands: Some(strands),
         ..Braid::paper()
     };
     let text = to_toml(&Muscle::prototype().with_braid(braid).unwrap());
-    assert!(text.contains("\n# strand_area = \"0.3 mm2\""), "{text}");
-    let strands = parse_muscle(&text).unwrap().braid().strands;
-    assert_eq!(strands, Some(Strands::new(48, None, None)));
+    let read = parse_muscle(&text).unwrap().braid().strands.unwrap();
+    assert_eq!(read.area_mm2, Some(0.3), "{text}");
+    assert_eq!(read.modulus_mpa, None, "{text}");
 }
 
 /// A named sleeve gives angle and strands, stays a name, and says only what it does not say by
@@ -383,7 +399,7 @@ fn named_sleeves_are_read_and_written_by_name() {
     let (muscle, text) = read(2.0, "name = \"SM20\"\nstrand_modulus = \"5 GPa\"");
     assert!((muscle.braid().angle_deg - 18.0).abs() < 1e-12);
     let strands = muscle.braid().strands.unwrap();
-    assert_eq!((strands.count, strands.section.unwrap().1), (24, 5000.0));
+    assert_eq!((strands.count, strands.modulus_mpa.unwrap()), (24, 5000.0));
     assert!(
         text.contains("name = \"s-muscle-20\"") && !text.contains("angle ="),
         "{text}"
@@ -436,8 +452,9 @@ fn a_strand_diameter_is_a_round_cross_section() {
     let text = "[braid]\nstrands = 48\nstrand_diameter = \"0.5 mm\"\nstrand_modulus = \"2.5 GPa\"";
     let muscle = parse_muscle(text).unwrap();
     let area = std::f64::consts::PI / 16.0;
+    let strands = muscle.braid().strands.unwrap();
     assert_eq!(
-        muscle.braid().strands.unwrap().section,
+        strands.area_mm2.zip(strands.modulus_mpa),
         Some((area, 2500.0))
     );
     let spacing = muscle.braid().strand_spacing_mm(muscle.tube(), 48);

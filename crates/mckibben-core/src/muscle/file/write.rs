@@ -134,6 +134,11 @@ impl Text {
             stretch.map(number),
             "largest stretch of the data behind the constants",
         );
+        self.stated(
+            "elongation_at_break",
+            rubber.elongation_at_break.map(percent),
+            "at which a strip of it breaks",
+        );
         let softening = rubber.softening.map(|OgdenRoxburgh { r, m_mpa, beta }| {
             let r = number(r);
             let m = quantity(m_mpa, "MPa");
@@ -235,15 +240,14 @@ impl Text {
             &strands.count.to_string(),
             "both families together",
         );
-        let (unused, why) = if is_stated {
-            ("# ", "not used: `stiffness` is given")
-        } else {
-            ("", "of one strand")
-        };
-        let area = strands.section.map(|section| quantity(section.0, "mm2"));
-        self.stated(&format!("{unused}strand_area"), area, why);
-        let modulus = strands.section.map(|section| quantity(section.1, "MPa"));
-        self.stated(&format!("{unused}strand_modulus"), modulus, "");
+        let area = strands.area_mm2.map(|area| quantity(area, "mm2"));
+        self.stated("strand_area", area, "of one strand");
+        let modulus = strands.modulus_mpa.filter(|_| !is_stated);
+        self.stated(
+            "strand_modulus",
+            modulus.map(|modulus| quantity(modulus, "MPa")),
+            "",
+        );
         let strength = strands
             .strength_n
             .map(|strength_n| quantity(strength_n, "N"));

@@ -445,8 +445,8 @@ pub static STRAND_AREA: Measure = Measure {
     about: "Cross-section A of one strand",
     dimension: Area,
     has_rules: true,
-    get: |p| Some(p.braid.strands?.section?.0),
-    set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).0 = v,
+    get: |p| p.braid.strands?.area_mm2,
+    set: |p, v| strands(p).area_mm2 = Some(v),
     ..Measure::NONE
 };
 
@@ -460,8 +460,8 @@ pub static STRAND_MODULUS: Measure = Measure {
     has_flag: true,
     dimension: Pressure,
     has_rules: true,
-    get: |p| Some(p.braid.strands?.section?.1),
-    set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).1 = v,
+    get: |p| p.braid.strands?.modulus_mpa,
+    set: |p, v| strands(p).modulus_mpa = Some(v),
     ..Measure::NONE
 };
 

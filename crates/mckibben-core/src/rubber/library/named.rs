@@ -93,6 +93,22 @@ pub fn stiffness_factor(rubber: &Rubber) -> f64 {
     library_entry(rubber).map_or(1.0, |(entry, _)| entry.factor)
 }
 
+/// Strain at which a strip of a rubber breaks: as stated, or by its name.
+pub fn elongation_at_break(rubber: &Rubber) -> Option<f64> {
+    let of_name = || exactly(rubber.name.as_deref()?)?.0.max_strain;
+    rubber.elongation_at_break.or_else(of_name)
+}
+
+/// A rubber that keeps its law in every muscle: without its name, and with what the name says of
+/// when it breaks.
+pub fn without_name(rubber: Rubber) -> Rubber {
+    Rubber {
+        elongation_at_break: elongation_at_break(&rubber),
+        name: None,
+        ..rubber
+    }
+}
+
 /// Entry and law of a name that the library itself gave.
 fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
     let (plain, law) = name
