@@ -2,7 +2,7 @@
 
 use crate::{Event, MotionError, MotionSeries};
 use mckibben_core::units::short_numbers;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 
 /// A motion.
 #[serde_with_macros::skip_serializing_none]
@@ -126,7 +126,7 @@ pub enum Moves {
 }
 
 /// The answer to one step of the command, up to the next.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct StepFigures {
     /// When the command changed, in s.
     pub time_s: f64,
@@ -150,7 +150,7 @@ pub struct StepFigures {
 /// gas_work = stored + static_work + p_atm ΔV
 /// static_work + viscoelastic − friction = Δload + Δkinetic + damper + impacts
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Energies {
     /// Enthalpy of the air from the supply; of a liquid p V and stored energy at the pressure of
     /// the muscle, of a syringe the work of its piston.

@@ -5,10 +5,10 @@ use crate::{
     model::{ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm},
     muscle::{Direction, Muscle},
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// How questions are answered.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 #[serde(default)]
 pub struct Options {
     /// Answer outside of the model's range, with a warning, instead of refusing.

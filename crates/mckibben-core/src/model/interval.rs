@@ -1,16 +1,13 @@
 //! Bounds of a quantity, and a value outside of them.
 
-use serde::Serialize;
 use std::fmt;
 
 /// A quantity that a model's box may bound.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Quantity {
     /// Its word, as in muscle files and messages.
-    #[serde(rename = "quantity")]
     pub name: &'static str,
     /// Its unit; empty for ratios.
-    #[serde(skip)]
     pub unit: &'static str,
 }
 
@@ -63,22 +60,14 @@ impl Quantity {
 }
 
 /// Bounds of a quantity, in its unit; equal where only one value will do.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     /// Of what.
-    #[serde(flatten)]
     pub quantity: Quantity,
     /// Lower end.
     pub low: f64,
-    /// Upper end; infinite (and left out of JSON) where there is none.
-    #[serde(skip_serializing_if = "is_infinite")]
+    /// Upper end; infinite where there is none.
     pub high: f64,
-}
-
-// serde asks for a reference.
-#[allow(clippy::trivially_copy_pass_by_ref)]
-fn is_infinite(v: &f64) -> bool {
-    v.is_infinite()
 }
 
 impl Interval {
@@ -111,10 +100,9 @@ impl Interval {
 }
 
 /// A value outside of the box a model was made for.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RangeViolation {
     /// The interval of the box.
-    #[serde(flatten)]
     pub interval: Interval,
     /// The value, in the quantity's unit.
     pub value: f64,

@@ -2,11 +2,11 @@
 
 use super::{ModelError, Result};
 use crate::muscle::Muscle;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// One point of a muscle's behaviour. What a model does not have is `None`.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Response {
     /// Gauge pressure P in MPa.
     pub pressure_mpa: f64,

@@ -2,10 +2,10 @@
 
 use super::{error::short, find::Table, heading::Column, number::Decimal};
 use mckibben_units::{joined, tidy};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// What was understood of a table.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Understood {
     /// Rows that were read.
     pub rows: usize,
@@ -28,7 +28,7 @@ pub struct Understood {
 
 /// What was understood of a column.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct UnderstoodColumn {
     /// Its heading as written.
     pub column: String,
