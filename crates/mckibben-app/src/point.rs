@@ -92,10 +92,9 @@ pub struct PointAnswer {
     #[serde(flatten)]
     pub point: Answer,
     /// The same while the muscle is shortened and while it is lengthened, if both are requested.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
     /// All equilibria with the load, if any; the point is the first stable one, or the first.
-    #[serde(default)]
     pub loaded: Option<LoadAnswer>,
     /// The muscle, the model, limits and ±.
     #[serde(flatten)]

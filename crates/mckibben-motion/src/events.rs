@@ -169,13 +169,7 @@ impl System<'_> {
 
     /// A generalised force that is none.
     fn nothing(&self) -> f64 {
-        1e-7 / self
-            .drive
-            .mechanism
-            .lever(0, 0.0)
-            .per_coordinate
-            .abs()
-            .max(1e-9)
+        1e-7 / self.drive.mechanism.shortening(0.0)
     }
 
     /// Goes over to the other side of a kink.

@@ -1,7 +1,7 @@
 //! The answer to a drive.
 
 use crate::{Event, MotionError, MotionSeries};
-use mckibben_core::units::short_numbers;
+use mckibben_core::warning::sentence;
 use serde::{Serialize, Serializer};
 
 /// A motion.
@@ -44,7 +44,7 @@ pub struct Motion {
     /// Where a joint rests in the end under the commanded pressures, without friction, degrees.
     pub equilibrium_angle_deg: Option<f64>,
     /// Reason why the run stopped early; the series covers the computed part.
-    #[serde(rename = "ended_early", serialize_with = "reason")]
+    #[serde(rename = "ended_early", serialize_with = "sentence")]
     #[schemars(with = "Option<String>")]
     pub ended: Option<MotionError>,
     /// Largest power of the muscles, W.
@@ -96,13 +96,6 @@ impl MotionEnd {
 
 fn rests<S: Serializer>(end: &Option<MotionEnd>, serializer: S) -> Result<S::Ok, S::Error> {
     end.map(MotionEnd::rests).serialize(serializer)
-}
-
-fn reason<S: Serializer>(ended: &Option<MotionError>, serializer: S) -> Result<S::Ok, S::Error> {
-    ended
-        .as_ref()
-        .map(|error| short_numbers(&error.to_string()).into_owned())
-        .serialize(serializer)
 }
 
 /// The end of a motion whose command has become constant.

@@ -6,7 +6,10 @@ use crate::{
     output::{ShownUnits, print},
     path_on_one_line, save,
 };
-use mckibben_app::{IdentifyRequest, MotionRequest, TextFile, print::Page};
+use mckibben_app::{
+    IdentifyRequest, MotionRequest, TextFile,
+    print::{Page, Show},
+};
 use std::path::{Path, PathBuf};
 
 /// Constants of a muscle, or of a drive.
@@ -42,18 +45,28 @@ pub struct Identify {
 
 impl Identify {
     pub fn run(mut self, format: Format) -> Result<u8, Problem> {
-        let target = self.output.as_deref();
-        check_ending(target, &["toml"])?;
+        check_ending(self.output.as_deref(), &["toml"])?;
         self.request.figure = self.plot.wanted();
         if let Some(log) = &self.motion {
             return self.of_motion(log, format);
         }
         let mut answer = mckibben_app::identify(&self.request, &Bar::new("points"))?;
         self.plot.save(&mut answer.figure)?;
-        save(target, answer.muscle_file.as_bytes())?;
-        let written = target.map(|path| format!("The muscle is in {}.", path_on_one_line(path)));
+        self.written(&answer, ("muscle", &answer.muscle_file), format)
+    }
+
+    /// Writes the file that was found, and says where it is.
+    fn written(
+        &self,
+        answer: &impl Show,
+        (what, file): (&str, &str),
+        format: Format,
+    ) -> Result<u8, Problem> {
+        let target = self.output.as_deref();
+        save(target, file.as_bytes())?;
+        let written = target.map(|path| format!("The {what} is in {}.", path_on_one_line(path)));
         let add = |page: &mut Page| written.into_iter().for_each(|text| page.paragraph(text));
-        print(&answer, format, add, None)?;
+        print(answer, format, add, None)?;
         Ok(0)
     }
 
@@ -73,11 +86,6 @@ impl Identify {
         let Some(identified) = &answer.identified else {
             return Ok(0);
         };
-        let target = self.output.as_deref();
-        save(target, identified.drive_file.as_bytes())?;
-        let written = target.map(|path| format!("The drive is in {}.", path_on_one_line(path)));
-        let add = |page: &mut Page| written.into_iter().for_each(|text| page.paragraph(text));
-        print(&answer, format, add, None)?;
-        Ok(0)
+        self.written(&answer, ("drive", &identified.drive_file), format)
     }
 }

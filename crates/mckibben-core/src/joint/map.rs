@@ -55,7 +55,7 @@ pub struct JointMap {
     /// a joint with one muscle, at its pressures.
     pub points: Vec<Option<MapPoint>>,
     /// Pressures at which a muscle has no state where the joint would come to rest.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub gaps: Vec<MapGap>,
     /// The rests along the border of the pressures: P1 up at P2 = 0, P2 up at the highest P1, P1
     /// down, P2 down.

@@ -12,51 +12,28 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    const fn new(name: &'static str, unit: &'static str) -> Self {
+        Self { name, unit }
+    }
+
     /// Gauge pressure P.
-    pub const PRESSURE: Self = Self {
-        name: "pressure",
-        unit: "MPa",
-    };
+    pub const PRESSURE: Self = Self::new("pressure", "MPa");
     /// Contraction ratio ε.
-    pub const CONTRACTION: Self = Self {
-        name: "contraction",
-        unit: "",
-    };
+    pub const CONTRACTION: Self = Self::new("contraction", "");
     /// Outer diameter D0.
-    pub const OUTER_DIAMETER: Self = Self {
-        name: "outer_diameter",
-        unit: "mm",
-    };
+    pub const OUTER_DIAMETER: Self = Self::new("outer_diameter", "mm");
     /// Wall s.
-    pub const WALL_THICKNESS: Self = Self {
-        name: "wall_thickness",
-        unit: "mm",
-    };
+    pub const WALL_THICKNESS: Self = Self::new("wall_thickness", "mm");
     /// Length L0.
-    pub const LENGTH: Self = Self {
-        name: "length",
-        unit: "mm",
-    };
+    pub const LENGTH: Self = Self::new("length", "mm");
     /// Braid angle θ0.
-    pub const BRAID_ANGLE: Self = Self {
-        name: "braid_angle",
-        unit: "deg",
-    };
+    pub const BRAID_ANGLE: Self = Self::new("braid_angle", "deg");
     /// s/D0.
-    pub const WALL_RATIO: Self = Self {
-        name: "wall_ratio",
-        unit: "",
-    };
+    pub const WALL_RATIO: Self = Self::new("wall_ratio", "");
     /// L0/D0.
-    pub const LENGTH_RATIO: Self = Self {
-        name: "length_ratio",
-        unit: "",
-    };
+    pub const LENGTH_RATIO: Self = Self::new("length_ratio", "");
     /// C01/(C10 + C01) of the rubber.
-    pub const C01_SHARE: Self = Self {
-        name: "c01_share",
-        unit: "",
-    };
+    pub const C01_SHARE: Self = Self::new("c01_share", "");
 }
 
 /// Bounds of a quantity, in its unit; equal where only one value will do.

@@ -23,11 +23,7 @@ pub struct Response {
     /// ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
     pub stiffness_n_per_mm: Option<f64>,
     /// ∂F/∂P at fixed ε, in mm² (N/MPa).
-    #[serde(
-        rename = "force_per_pressure_n_per_mpa",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "force_per_pressure_n_per_mpa")]
     pub force_per_pressure_mm2: Option<f64>,
     /// Tension of all strands together in N.
     pub braid_tension_n: Option<f64>,

@@ -12,7 +12,7 @@ pub struct Understood {
     /// Rows that were left out because their `status` is not ok.
     pub left_out: usize,
     /// Rows that were left out because what was measured is blank.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "is_zero")]
     pub not_filled: usize,
     /// The line of the heading, from 1; null where columns were chosen by number.
     pub heading_line: Option<u64>,

@@ -19,9 +19,7 @@ mod window;
 pub use entry::{RubberEntry, RubberFit};
 pub use error::LibraryError;
 pub(crate) use named::following;
-pub use named::{
-    COVERING, USUAL_REACH, find, find_for, find_up_to, follows, of_equal_standing, stiffness_factor,
-};
+pub use named::{COVERING, USUAL_REACH, find, find_for, find_up_to, follows, stiffness_factor};
 pub use window::{Standing, Window, WindowLaw};
 
 use super::biaxial_unstable_from;
