@@ -277,8 +277,7 @@ impl Solver<'_> {
             (true, Some(angles)) => self.rows_of_targets(request, angles),
             (false, Some(angles)) => self.rows_along(families, angles, progress),
             (false, None) => {
-                let torque_nm = request.torque_nm.unwrap_or_default();
-                self.rows_at_rest(families, torque_nm.into())
+                self.rows_at_rest(families, request.torque_nm.unwrap_or_default().into())
             }
         }
     }

@@ -130,11 +130,7 @@ pub struct ModelAbout {
 /// F(P, ε).
 pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let pressure_mpa = given(
-        "pressure_mpa",
-        request.pressure_mpa,
-        "a pressure, such as 0.2 MPa",
-    )?;
+    let pressure_mpa = given_mpa(request.pressure_mpa)?;
     let contraction = question.ratio(&request.contraction)?;
     answered(question, PointQuantity::Force, request.both, |model| {
         Ok(model.answer(pressure_mpa, contraction)?)
@@ -155,11 +151,7 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer> {
 /// ε(F, P).
 pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let pressure_mpa = given(
-        "pressure_mpa",
-        request.pressure_mpa,
-        "a pressure, such as 0.2 MPa",
-    )?;
+    let pressure_mpa = given_mpa(request.pressure_mpa)?;
     let force_n = finite("force_n", request.force_n.unwrap_or_default())?;
     pull(force_n, question.options)?;
     let sought = PointQuantity::Contraction;
@@ -236,6 +228,11 @@ fn answered(
         background,
         sought,
     })
+}
+
+/// The pressure of a request.
+pub fn given_mpa(value: Option<Pressure>) -> Result<f64> {
+    given("pressure_mpa", value, "a pressure, such as 0.2 MPa")
 }
 
 /// A number that must be there.

@@ -432,8 +432,7 @@ impl From<CampaignError> for Problem {
             #[cfg(feature = "files")]
             CampaignError::Read { .. } => ProblemKind::File,
         };
-        let hint = error.hint();
-        Self::new(kind, error.to_string(), hint)
+        Self::new(kind, error.to_string(), error.hint())
     }
 }
 
