@@ -6,14 +6,15 @@ mod page;
 use crate::{
     Problem, ProblemKind, Result, TextFile,
     flags::{self, Args},
+    plan::plan_of,
 };
 use mckibben_campaign::campaign::{
-    self, CampaignStatus, Merged, Outcome, Plan, RunOptions, Shard, Summary,
+    self, CampaignStatus, Merged, Outcome, RunOptions, Shard, Summary,
 };
 use mckibben_core::progress::Progress;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A plan, and where its table goes.
 #[derive(Debug, Default, Deserialize, JsonSchema, Args)]
@@ -41,17 +42,13 @@ pub struct CampaignRequest {
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not
 /// complete.
 pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome> {
-    let file = request
-        .plan
-        .as_ref()
-        .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
-    let plan = Plan::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?;
+    let (plan, _) = plan_of(&request.plan)?;
     let out = request
         .output
         .as_ref()
         .ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
     plan.admit()?;
-    let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
+    let wrong = |e| ProblemKind::Usage.problem(e).in_field("shard");
     let shard = request
         .shard
         .as_deref()

@@ -14,7 +14,7 @@ use crate::{
 use mckibben_core::{
     analysis::{Burst, FailurePressure},
     built::Left,
-    extremes::peak,
+    extremes::{ends, peak},
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     units::typed::Pressure,
@@ -437,9 +437,7 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     let mut outside = vec![];
     for (i, (name, unit)) in SIZES.into_iter().enumerate() {
         let among = measured.iter().map(|sizes| sizes[i]);
-        let (low, high) = among.fold((f64::INFINITY, 0.0), |(low, high), v| {
-            (low.min(v), f64::max(high, v))
-        });
+        let (low, high) = ends(among);
         let size = sizes(muscle)[i];
         // A last digit is no difference.
         if size < low * (1.0 - 1e-9) || size > high * (1.0 + 1e-9) {

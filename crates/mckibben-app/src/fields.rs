@@ -5,8 +5,8 @@ use crate::{
     Problem,
     flags::{self, Args},
 };
-use mckibben_core::joined;
 pub use mckibben_core::muscle::{BraidStiffness as Stiffness, Direction, measures::MeasureValues};
+use mckibben_core::{joined, muscle::file::FileError};
 use mckibben_fem::three_dimensional::{Match, Plug};
 use mckibben_io::table::TableError;
 pub use mckibben_io::table::{Columns, Understood, UnderstoodColumn};
@@ -15,7 +15,7 @@ use serde::{
     Deserialize, Deserializer, Serialize,
     de::{self, MapAccess, Visitor, value::MapAccessDeserializer},
 };
-use std::fmt;
+use std::{fmt, path::Path};
 
 /// A file that a front end read, or that its user dropped in.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -24,6 +24,13 @@ pub struct TextFile {
     pub name: String,
     /// What is in it.
     pub text: String,
+}
+
+impl TextFile {
+    /// What its text says; an error names the file.
+    pub(crate) fn parsed<T>(&self, parse: fn(&str) -> Result<T, FileError>) -> Result<T, Problem> {
+        parse(&self.text).map_err(|e| e.in_file(Path::new(&self.name)).into())
+    }
 }
 
 /// A name, or a file in its place.

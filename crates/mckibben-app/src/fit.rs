@@ -257,7 +257,7 @@ pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<Resul
 fn no_fit(name: &str, error: FitError) -> Problem {
     match error {
         FitError::Cancelled(cancelled) => cancelled.into(),
-        error => Problem::new(ProblemKind::Fit, format!("{name}: {error}"), ""),
+        error => ProblemKind::Fit.problem(format!("{name}: {error}")),
     }
 }
 
@@ -425,7 +425,7 @@ fn built_in(name: &str) -> Result<Document> {
                 "there is no built-in formula \"{name}\"; there are paper, universal and \
                  universal-small"
             );
-            Problem::new(ProblemKind::Model, message, "").in_field("name")
+            ProblemKind::Model.problem(message).in_field("name")
         })
 }
 
@@ -492,7 +492,7 @@ fn rows(path: &Path, bytes: f64) -> Result<(Vec<PointRow>, Origin)> {
 #[cfg(not(feature = "files"))]
 fn rows(_: &Path, _: f64) -> Result<(Vec<PointRow>, Origin)> {
     let message = "this build of the program cannot read campaigns from disk";
-    Err(Problem::new(ProblemKind::Usage, message, "").in_field("campaign"))
+    Err(ProblemKind::Usage.problem(message).in_field("campaign"))
 }
 
 fn of_campaign(path: &Path) -> Result<Points> {

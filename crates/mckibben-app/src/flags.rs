@@ -228,7 +228,7 @@ mod parsers {
             .and_then(|(d, s)| Some((length(d)?.0, length(s)?.0)))
             .ok_or_else(|| {
                 let message = format!("{text}: expected D0 and wall, such as 40x2");
-                Problem::new(ProblemKind::Quantity, message, "")
+                ProblemKind::Quantity.problem(message)
             })
     }
 

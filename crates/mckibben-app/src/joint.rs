@@ -25,7 +25,7 @@ use mckibben_core::{
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::{collections::BTreeMap, path::Path};
+use std::collections::BTreeMap;
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -40,11 +40,8 @@ pub struct JointFields {
 impl JointFields {
     /// The names of the muscle files that a joint file names.
     pub fn files_of(joint: &TextFile) -> Result<Vec<String>> {
-        Ok(parse_joint(&joint.text)
-            .map_err(|e| Problem::from(e.in_file(Path::new(&joint.name))))?
-            .files()
-            .map(str::to_owned)
-            .collect())
+        let file = joint.parsed(parse_joint)?;
+        Ok(file.files().map(str::to_owned).collect())
     }
 
     pub(crate) fn resolve(&self) -> Result<Joint> {
@@ -52,8 +49,7 @@ impl JointFields {
             .joint
             .as_ref()
             .ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
-        let file =
-            parse_joint(&text.text).map_err(|e| Problem::from(e.in_file(Path::new(&text.name))))?;
+        let file = text.parsed(parse_joint)?;
         let muscle = |name: &str| -> Result<Muscle> {
             let of = self
                 .muscles
@@ -281,8 +277,7 @@ impl Solver<'_> {
             (true, Some(angles)) => self.rows_of_targets(request, angles),
             (false, Some(angles)) => self.rows_along(families, angles, progress),
             (false, None) => {
-                let torque_nm = request.torque_nm.unwrap_or_default();
-                self.rows_at_rest(families, torque_nm.into())
+                self.rows_at_rest(families, request.torque_nm.unwrap_or_default().into())
             }
         }
     }

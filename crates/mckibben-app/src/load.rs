@@ -7,11 +7,11 @@ use mckibben_core::{
     analysis::Evaluation,
     cancel,
     load::{Balance, Cycle, Load, LoadError, LoadTable, cycle},
-    units::short_numbers,
+    warning::sentence,
 };
 use mckibben_io::table::read_load;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, fmt};
 
 /// What a muscle works against.
@@ -71,7 +71,6 @@ pub struct LoadAnswer {
     /// At each pressure its equilibria, by rising contraction; none where the load is not lifted.
     pub at: Vec<LoadedAt>,
     /// From the lowest pressure to the highest, where the load is lifted at the highest.
-    #[serde(default)]
     pub cycle: Option<Cycle>,
     /// The load itself.
     #[serde(skip)]
@@ -88,19 +87,11 @@ pub struct LoadedAt {
     /// Why there is none.
     #[serde(
         rename = "cause",
-        default,
         skip_serializing_if = "Option::is_none",
-        serialize_with = "reason"
+        serialize_with = "sentence"
     )]
     #[schemars(with = "Option<String>")]
     pub error: Option<LoadError>,
-}
-
-fn reason<S: Serializer>(error: &Option<LoadError>, serializer: S) -> Result<S::Ok, S::Error> {
-    error
-        .as_ref()
-        .map(|e| short_numbers(&e.to_string()).into_owned())
-        .serialize(serializer)
 }
 
 /// Equilibria of a model and a load at pressures.

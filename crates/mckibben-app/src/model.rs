@@ -212,7 +212,7 @@ impl MeshFields {
 
 /// Refuses both branches where one is requested, or where the friction is not known.
 pub fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
-    if options.direction == Direction::Mean {
+    if options.direction.is_mean() {
         return check_branch(
             Options {
                 direction: Direction::Contraction,

@@ -227,8 +227,7 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
         .chain(muscles.iter().map(String::as_str));
     let all = all.chain(Model::all().into_iter().map(|m| m.name));
     let meant = meant(nearest(library::named(name).unwrap_or(name), all));
-    let given: String = name.chars().take(60).collect();
-    let message = format!("there is no part named \"{given}\"{meant}");
+    let message = format!("there is no part named \"{name:.60}\"{meant}");
     Err(Problem::new(
         ProblemKind::Usage,
         message,

@@ -32,12 +32,16 @@ pub struct PlanAnswer {
 /// Most points of a plan in memory.
 const MOST_POINTS: u64 = 200_000;
 
-pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer> {
-    let file = request
-        .plan
+/// The plan of a request, and its file.
+pub(crate) fn plan_of(file: &Option<TextFile>) -> Result<(Plan, &TextFile)> {
+    let file = file
         .as_ref()
         .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
-    let plan = Plan::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?;
+    Ok((file.parsed(Plan::parse)?, file))
+}
+
+pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer> {
+    let (plan, file) = plan_of(&request.plan)?;
     let points = plan
         .muscles()
         .saturating_mul(plan.points_per_muscle() as u64);

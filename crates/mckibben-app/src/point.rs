@@ -92,10 +92,9 @@ pub struct PointAnswer {
     #[serde(flatten)]
     pub point: Answer,
     /// The same while the muscle is shortened and while it is lengthened, if both are requested.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
     /// All equilibria with the load, if any; the point is the first stable one, or the first.
-    #[serde(default)]
     pub loaded: Option<LoadAnswer>,
     /// The muscle, the model, limits and ±.
     #[serde(flatten)]
@@ -131,11 +130,7 @@ pub struct ModelAbout {
 /// F(P, ε).
 pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let pressure_mpa = given(
-        "pressure_mpa",
-        request.pressure_mpa,
-        "a pressure, such as 0.2 MPa",
-    )?;
+    let pressure_mpa = given_mpa(request.pressure_mpa)?;
     let contraction = question.ratio(&request.contraction)?;
     answered(question, PointQuantity::Force, request.both, |model| {
         Ok(model.answer(pressure_mpa, contraction)?)
@@ -156,11 +151,7 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer> {
 /// ε(F, P).
 pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let pressure_mpa = given(
-        "pressure_mpa",
-        request.pressure_mpa,
-        "a pressure, such as 0.2 MPa",
-    )?;
+    let pressure_mpa = given_mpa(request.pressure_mpa)?;
     let force_n = finite("force_n", request.force_n.unwrap_or_default())?;
     pull(force_n, question.options)?;
     let sought = PointQuantity::Contraction;
@@ -237,6 +228,11 @@ fn answered(
         background,
         sought,
     })
+}
+
+/// The pressure of a request.
+pub fn given_mpa(value: Option<Pressure>) -> Result<f64> {
+    given("pressure_mpa", value, "a pressure, such as 0.2 MPa")
 }
 
 /// A number that must be there.

@@ -27,7 +27,7 @@ use mckibben_fit::{
 use mckibben_io::table::TableError;
 use mckibben_report::FigureError;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::{
     any::Any,
     fmt,
@@ -36,7 +36,7 @@ use std::{
 };
 
 /// What kind of problem it is, as a word for programs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ProblemKind {
     /// Fields that are missing or exclude each other.
@@ -133,7 +133,7 @@ mckibben_core::units::display_as_serde_word!(ProblemKind);
 
 /// The answer nearest to the one that does not exist.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, JsonSchema)]
 pub struct Nearest {
     /// Its pull in N.
     pub force_n: f64,
@@ -149,7 +149,7 @@ pub struct Nearest {
 /// quantities to their unit by a no-break space, so that a front end can put its words and units in
 /// place.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Problem {
     /// A word for programs.
     pub kind: ProblemKind,
@@ -432,8 +432,7 @@ impl From<CampaignError> for Problem {
             #[cfg(feature = "files")]
             CampaignError::Read { .. } => ProblemKind::File,
         };
-        let hint = error.hint();
-        Self::new(kind, error.to_string(), hint)
+        Self::new(kind, error.to_string(), error.hint())
     }
 }
 

@@ -1,9 +1,12 @@
 //! Rubbers of the library.
 
 use crate::{Problem, rubber};
-use mckibben_core::rubber::{
-    Law, RubberLaw,
-    library::{self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw},
+use mckibben_core::{
+    extremes::even,
+    rubber::{
+        Law, RubberLaw,
+        library::{self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw},
+    },
 };
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
@@ -138,7 +141,7 @@ fn means(word: &str, law: &Law, fitted_to_stretch: Option<f64>) -> bool {
 }
 
 fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
-    let best = window.law(None).map_or(&l.law, |best| &best.law);
+    let best = window.recommended().map_or(&l.law, |best| &best.law);
     LibraryFit {
         law: l.law.name().into(),
         name: l.name.clone(),
@@ -177,7 +180,7 @@ fn as_published(word: &str, entry: &RubberEntry, fit: &RubberFit) -> LibraryFit 
 /// max |P − P_best| over max |P_best| of stretches from 1 to `end`.
 fn planar_difference(law: &Law, best: &Law, end: f64) -> f64 {
     const STEPS: u32 = 40;
-    let stretches = (1..=STEPS).map(|i| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS));
+    let stretches = even((1.0, end), STEPS).skip(1);
     let (apart, largest) =
         stretches.fold((0.0_f64, f64::MIN_POSITIVE), |(apart, largest), stretch| {
             let stress = law.planar_stress_mpa(stretch);

@@ -329,9 +329,8 @@ impl RubberFitRequest {
                 Form::parse(word)
             };
             if named.is_empty() {
-                let short: String = word.trim().chars().take(60).collect();
                 let hint = format!("known: {}, all", Form::words().join(", "));
-                let message = format!("there is no law \"{short}\"");
+                let message = format!("there is no law \"{:.60}\"", word.trim());
                 return Err(Problem::new(ProblemKind::Rubber, message, hint).in_field("laws"));
             }
             for form in named {
@@ -358,8 +357,7 @@ fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
     let mut out = BTreeMap::new();
     for entry in text.split(',').filter(|entry| !entry.trim().is_empty()) {
         let bad = |why: &str| {
-            let short: String = entry.trim().chars().take(60).collect();
-            let message = format!("\"{short}\" {why}");
+            let message = format!("\"{:.60}\" {why}", entry.trim());
             Problem::new(
                 ProblemKind::Usage,
                 message,

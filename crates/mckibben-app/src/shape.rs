@@ -2,7 +2,7 @@
 //! front ends that draw it in space.
 
 use crate::{
-    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given, pull,
+    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given_mpa, pull,
     ratio,
 };
 use mckibben_core::{
@@ -76,11 +76,7 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
         return Err(ProblemKind::Model.problem("the shape is always computed by `fe`"));
     };
-    let pressure_mpa = given(
-        "pressure_mpa",
-        request.pressure_mpa,
-        "a pressure, such as 0.2 MPa",
-    )?;
+    let pressure_mpa = given_mpa(request.pressure_mpa)?;
     if pressure_mpa < 0.0 {
         return Err(ProblemKind::OutOfRange
             .problem(format!("{pressure_mpa}\u{a0}MPa is below zero"))

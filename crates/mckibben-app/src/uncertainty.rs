@@ -123,20 +123,25 @@ impl UncertaintyWords {
 
 /// A median with its interval and branch: `520 N (170 N to 900 N, 95 %) while it shortens`.
 pub fn interval(pull: &Built, scale: &Scale) -> String {
-    let half_n = pull.half_n();
-    let shown = |n: f64| within(scale.value(n), scale.value(half_n));
+    let pulls = [
+        pull.predicted_n,
+        pull.predicted_low_n,
+        pull.predicted_high_n,
+    ];
     let way = if pull.predicted_direction.is_mean() {
         String::new()
     } else {
         format!(" while {}", pull.predicted_direction.motion())
     };
+    bounds(pulls, scale) + &way
+}
+
+/// A median and the two ends of its interval.
+pub fn bounds([median, low, high]: [f64; 3], scale: &Scale) -> String {
+    let half = scale.value(0.5 * (high - low));
+    let [median, low, high] = [median, low, high].map(|v| within(scale.value(v), half));
     let unit = &scale.name;
-    format!(
-        "{}\u{a0}{unit} ({}\u{a0}{unit} to {}\u{a0}{unit}, 95 %){way}",
-        shown(pull.predicted_n),
-        shown(pull.predicted_low_n),
-        shown(pull.predicted_high_n)
-    )
+    format!("{median}\u{a0}{unit} ({low}\u{a0}{unit} to {high}\u{a0}{unit}, 95 %)")
 }
 
 /// A ± with its parts, the largest first:

@@ -304,9 +304,8 @@ impl FromStr for Units {
             .filter(|word| !word.is_empty())
         {
             let Some((i, unit)) = (0..3).find_map(|i| Some((i, KINDS[i].unit(word)?))) else {
-                let word: String = word.chars().take(40).collect();
                 return Err(format!(
-                    "\"{word}\" is not a unit of pressure, force or length; one of {}, or several \
+                    "\"{word:.40}\" is not a unit of pressure, force or length; one of {}, or several \
                      with commas: psi,lbf,in",
                     joined(KINDS.into_iter().flat_map(Dimension::unit_names), ", ")
                 ));

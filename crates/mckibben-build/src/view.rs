@@ -1,6 +1,7 @@
 //! Tools of a drawing: a view at a scale, dimensions, hatches.
 
 use crate::{EyePlug, text::mm};
+use mckibben_core::extremes::ends;
 use mckibben_report::{Anchor, Pen, Sheet};
 
 /// Height of dimensions and notes in mm.
@@ -32,14 +33,16 @@ impl View<'_> {
         ]
     }
 
+    fn all_on_sheet(&self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        points.iter().map(|[x, y]| self.on_sheet(*x, *y)).collect()
+    }
+
     pub fn line(&mut self, pen: Pen, points: &[[f64; 2]]) {
-        let points: Vec<_> = points.iter().map(|[x, y]| self.on_sheet(*x, *y)).collect();
-        self.sheet.line(pen, points);
+        self.sheet.line(pen, self.all_on_sheet(points));
     }
 
     pub fn outline(&mut self, pen: Pen, corners: &[[f64; 2]]) {
-        let corners: Vec<_> = corners.iter().map(|[x, y]| self.on_sheet(*x, *y)).collect();
-        self.sheet.outline(pen, corners);
+        self.sheet.outline(pen, self.all_on_sheet(corners));
     }
 
     pub fn circle(&mut self, pen: Pen, diameter: f64) {
@@ -74,8 +77,7 @@ impl View<'_> {
     pub fn cut(&mut self, x: (f64, f64), y: (f64, f64), rising: bool) {
         let corners = [[x.0, y.0], [x.1, y.0], [x.1, y.1], [x.0, y.1]];
         if (x.1 - x.0).min(y.1 - y.0) * self.scale < THIN_MM {
-            let corners: Vec<_> = corners.iter().map(|[x, y]| self.on_sheet(*x, *y)).collect();
-            return self.sheet.fill(corners);
+            return self.sheet.fill(self.all_on_sheet(&corners));
         }
         self.outline(Pen::Outline, &corners);
         self.hatch(&[corners.to_vec()], rising);
@@ -91,8 +93,7 @@ impl View<'_> {
         let sign = if rising { 1.0 } else { -1.0 };
         // Lines y − sign x = c.
         let height = |p: [f64; 2]| p[1] - sign * p[0];
-        let heights = edges.iter().map(|e| height(e[0]));
-        let (low, high) = heights.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+        let (low, high) = ends(edges.iter().map(|e| height(e[0])));
         let step = HATCH_MM * std::f64::consts::SQRT_2;
         let first = (low / step).ceil() as i64;
         // A sheet has no room for more.

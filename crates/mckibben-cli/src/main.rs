@@ -45,14 +45,14 @@ fn main() -> ExitCode {
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
         Err(error) => {
-            typed::take(&root, None);
+            typed::take(&root, &args, None);
             return unparsed(&error);
         }
     };
     let format = cli.format;
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
-        typed::take(&root, Some(&matches));
+        typed::take(&root, &args, Some(&matches));
         display_units::take();
         // A server ends by itself, when its requests have ended.
         if !matches!(cli.command, cli::Command::Serve(_)) {

@@ -18,10 +18,7 @@ static FLAGS: OnceLock<Vec<Flag>> = OnceLock::new();
 
 /// Takes the flags of the command that runs, for its messages and units; of a command line that
 /// clap refuses their names alone.
-pub fn take(root: &Command, matches: Option<&ArgMatches>) {
-    let typed: Vec<String> = std::env::args_os()
-        .map(|arg| arg.to_string_lossy().into_owned())
-        .collect();
+pub fn take(root: &Command, typed: &[String], matches: Option<&ArgMatches>) {
     let mut command = root;
     let mut leaf = matches;
     for word in &typed[1..] {

@@ -11,12 +11,12 @@ use crate::{
     rubber::RubberLaw,
     warning::{Warning, WarningKind, buckling_load_n, of_response, overloaded, strand_strength_n},
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::f64::consts::PI;
 
 /// One answered point.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Answer {
     /// The model's name.
     pub model: String,

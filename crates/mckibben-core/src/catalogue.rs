@@ -131,11 +131,10 @@ pub fn named<'a, T>(
             let spellings = all
                 .clone()
                 .flat_map(|(name, also)| also.iter().map(String::as_str).chain([name]));
-            let given: String = name.chars().take(60).collect();
             let known = match nearest(&sought, spellings) {
                 None => format!("; known: {}", joined(all.map(|names| names.0), ", ")),
                 near => meant(near),
             };
-            format!("there is no {kind} named \"{given}\"{known}")
+            format!("there is no {kind} named \"{name:.60}\"{known}")
         })
 }

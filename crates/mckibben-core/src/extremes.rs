@@ -1,4 +1,4 @@
-//! The smallest and the largest of several values.
+//! The smallest and the largest of several values, and places between two.
 
 /// The smallest and the largest; infinite of none.
 pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
@@ -13,4 +13,9 @@ pub fn ends(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
 /// The largest of values, and no less than zero.
 pub fn peak(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
+}
+
+/// Places at equal distances from one end to the other, with both; `parts` lie between them.
+pub fn even((low, high): (f64, f64), parts: u32) -> impl Iterator<Item = f64> {
+    (0..=parts).map(move |i| low + (high - low) * f64::from(i) / f64::from(parts))
 }

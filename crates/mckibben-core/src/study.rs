@@ -146,8 +146,7 @@ where
     }
     let options = Options {
         extrapolate: true,
-        direction: options.direction,
-        ..Options::default()
+        ..options.direction.into()
     };
     let mut findings = isometric(&mut walls, &ideals, options)?;
     findings.extend([

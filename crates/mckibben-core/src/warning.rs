@@ -7,7 +7,7 @@ use crate::{
     units::{rounded, short_numbers},
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 use std::{borrow::Cow, fmt};
 
 /// Strand strain at which the validated range of all models ends.
@@ -51,8 +51,7 @@ pub enum WarningKind {
 }
 
 /// What the user should know of an answer; as data it is its sentence.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(from = "String")]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Warning {
     /// What it is about.
     pub kind: WarningKind,
@@ -180,6 +179,17 @@ impl Serialize for Warning {
     fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
         out.collect_str(self)
     }
+}
+
+/// As data an error is its sentence too.
+pub fn sentence<E: fmt::Display, S: Serializer>(
+    error: &Option<E>,
+    out: S,
+) -> Result<S::Ok, S::Error> {
+    error
+        .as_ref()
+        .map(|error| short_numbers(&error.to_string()).into_owned())
+        .serialize(out)
 }
 
 impl JsonSchema for Warning {

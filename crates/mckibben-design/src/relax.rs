@@ -148,8 +148,7 @@ impl<'a> Misses<'a> {
                 .filter(|kind| wants(*kind));
             // What fits by the quick model may miss by little.
             let asks = kinds.map(|kind| {
-                let fits = probe.fits();
-                let ask = if fits {
+                let ask = if probe.fits() {
                     0.0
                 } else {
                     miss.change(kind, &mut trial, &probe)?.0

@@ -114,29 +114,26 @@ impl SearchResult {
         }
     }
 
-    fn keep<V: PartialOrd>(list: &mut Vec<(V, Pick)>, value: V, pick: Pick, most: usize) {
+    fn keep<V: PartialOrd>(list: &mut Vec<(V, Pick)>, value: V, pick: Pick) {
         let at = list.partition_point(|f| f.0 <= value);
-        if at < most {
+        if at < MOST {
             list.insert(at, (value, pick));
-            list.truncate(most);
+            list.truncate(MOST);
         }
     }
 
     fn add(&mut self, other: SearchResult) {
         self.looked_at += other.looked_at;
         self.fitted += other.fitted;
-        other
-            .fits
-            .into_iter()
-            .for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, MOST));
-        other
-            .near
-            .into_iter()
-            .for_each(|(score, pick)| Self::keep(&mut self.near, score, pick, MOST));
-        other
-            .misses
-            .into_iter()
-            .for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, MOST));
+        for (score, pick) in other.fits {
+            Self::keep(&mut self.fits, score, pick);
+        }
+        for (score, pick) in other.near {
+            Self::keep(&mut self.near, score, pick);
+        }
+        for (miss, pick) in other.misses {
+            Self::keep(&mut self.misses, miss, pick);
+        }
         self.invalid = self.invalid.take().or(other.invalid);
     }
 }
@@ -314,10 +311,10 @@ impl<'a> Search<'a> {
                 let unsure = self.ranks(&muscle).1;
                 if missed.is_finite() && (missed > FAR || unsure > 0.0) {
                     if missed <= FAR {
-                        SearchResult::keep(&mut screened.near, sample.score, pick, MOST);
+                        SearchResult::keep(&mut screened.near, sample.score, pick);
                         screened.fitted = 0;
                     }
-                    SearchResult::keep(&mut screened.misses, missed + unsure, pick, MOST);
+                    SearchResult::keep(&mut screened.misses, missed + unsure, pick);
                     return screened;
                 }
             }
@@ -359,7 +356,7 @@ impl<'a> Search<'a> {
     fn try_one(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult) {
         let sample = self.sample(pick, build, result, true);
         if sample.fits() {
-            SearchResult::keep(&mut result.fits, sample.score, pick, MOST);
+            SearchResult::keep(&mut result.fits, sample.score, pick);
         } else {
             self.keep_miss(&sample, pick, result);
         }
@@ -371,9 +368,9 @@ impl<'a> Search<'a> {
             return;
         };
         if self.is_good.is_some() && sample.violation() <= Self::window(pick, &muscle) {
-            SearchResult::keep(&mut result.near, sample.score, pick, MOST);
+            SearchResult::keep(&mut result.near, sample.score, pick);
         }
-        SearchResult::keep(&mut result.misses, sample.violation(), pick, MOST);
+        SearchResult::keep(&mut result.misses, sample.violation(), pick);
     }
 
     /// The best muscle in a range of diameters, or the one that misses by least.

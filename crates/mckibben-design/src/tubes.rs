@@ -91,12 +91,11 @@ pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
     let cast =
         rubber.and_then(|rubber| cast_of(rubber).ok()?.into_iter().find(|t| t.name == plain));
     cast.ok_or_else(|| {
-        let given: String = name.chars().take(60).collect();
         let near = mckibben_core::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str()));
         let known = near.map_or("; `parts list tubes` lists them".into(), |n| {
             format!(" (did you mean {n}?)")
         });
-        TubeError(format!("there is no tube named \"{given}\"{known}"))
+        TubeError(format!("there is no tube named \"{name:.60}\"{known}"))
     })
 }
 

@@ -13,7 +13,7 @@ use crate::{
 use mckibben_core::{
     analysis::{Evaluation, Options, bisect},
     cancel,
-    extremes::peak,
+    extremes::{even, peak},
     model::{ForceModel, Workspace},
     muscle::Direction,
     threads,
@@ -113,19 +113,17 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitte
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
         return Err(ExportError::NoPull(supply));
     }
-    let even =
-        |n: usize, a: f64, b: f64| (0..n).map(move |i| a + (b - a) * i as f64 / (n - 1) as f64);
-    let mut contractions: Vec<f64> = even(11, low, 0.0)
+    let mut contractions: Vec<f64> = even((low, 0.0), 10)
         .take(if low < 0.0 { 10 } else { 0 })
         .collect();
     contractions.extend(SHARES.map(|share| share * high));
     let at = sample(model, [&PRESSURES, &contractions], supply, blocked_n)?;
     // Others for the errors: between those of the fit, where strands lock and where they become
     // slack too.
-    let mut held: Vec<f64> = even(21, low, 0.0)
+    let mut held: Vec<f64> = even((low, 0.0), 20)
         .take(if low < 0.0 { 20 } else { 0 })
         .collect();
-    held.extend(even(49, 0.0, high));
+    held.extend(even((0.0, high), 48));
     let middles = PRESSURES.windows(2).map(|w| 0.5 * (w[0] + w[1]));
     let between: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
     let held_out = sample(model, [&between, &held], supply, blocked_n)?;

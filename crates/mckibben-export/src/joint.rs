@@ -7,17 +7,16 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Evaluation, Options},
-    extremes::peak,
+    extremes::{even, peak},
     joint::{Joint, JointSpring, Path},
     model::{ForceModel, Workspace},
-    muscle::Direction,
 };
 use serde::Serialize;
 
 /// Angles and pressures at which the stiffness is compared.
-const STATES: [i32; 2] = [24, 8];
+const STATES: [u32; 2] = [24, 8];
 /// The same where a host has other pulls than the form.
-const HOST_STATES: [i32; 2] = [240, 120];
+const HOST_STATES: [u32; 2] = [240, 120];
 /// How many numbers a joint has beside its muscles.
 pub const JOINT_NUMBERS: usize = 23;
 
@@ -92,8 +91,7 @@ impl ExportedJoint {
                 .zip(models)
                 .position(|(of, other)| *of == wanted && is_same(*other));
             // Short enough that what tells the muscles apart stays in their identifiers.
-            let short: String = name.chars().take(36).collect();
-            let name = format!("{short}_{}", i + 1);
+            let name = format!("{name:.36}_{}", i + 1);
             let mut muscle = match known.and_then(|k| muscles.get(k)) {
                 Some(known) => ExportedMuscle {
                     name,
@@ -295,10 +293,9 @@ impl ExportedJoint {
 }
 
 /// So many angles and one, even over the range, in rad.
-fn angles(joint: &Joint, parts: i32) -> Vec<f64> {
-    let (low, high) = joint.range_deg();
-    let at = |k: i32| (low + (high - low) * f64::from(k) / f64::from(parts)).to_radians();
-    (0..=parts).map(at).collect()
+fn angles(joint: &Joint, parts: u32) -> Vec<f64> {
+    let angles = even(joint.range_deg(), parts);
+    angles.map(f64::to_radians).collect()
 }
 
 /// Largest difference of a muscle's part of the stiffness from its model, N m/rad.
@@ -309,11 +306,7 @@ fn stiffness_error(
     muscle: &ExportedMuscle,
 ) -> f64 {
     let w = &mut Workspace::new();
-    let options = Options {
-        extrapolate: true,
-        ..Direction::Mean.into()
-    };
-    let mut evaluation = Evaluation::new(model, w, options);
+    let mut evaluation = Evaluation::new(model, w, Options::extrapolating());
     let mut pulls = |q: f64, contraction| {
         let pressure_mpa = 1e-6 * muscle.form.supply_pa * q;
         let r = evaluation.response(pressure_mpa, contraction).ok()?;
@@ -332,7 +325,7 @@ fn differences(
     joint: &Joint,
     i: usize,
     muscle: &ExportedMuscle,
-    (angle, pressures): (f64, i32),
+    (angle, pressures): (f64, u32),
     mut other: impl FnMut(f64, f64) -> Option<(f64, f64)>,
 ) -> [f64; 2] {
     let mut largest = [0.0_f64; 2];

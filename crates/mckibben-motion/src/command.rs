@@ -92,11 +92,9 @@ impl Command {
         match self {
             Self::Constant(value) => finite("value", *value),
             Self::Steps(points) | Self::Ramps(points) => {
-                if points.is_empty() {
-                    return Err(MotionError::Refused(
-                        "a command needs at least one time and value".into(),
-                    ));
-                }
+                MotionError::require(!points.is_empty(), || {
+                    "a command needs at least one time and value".into()
+                })?;
                 points
                     .iter()
                     .try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;

@@ -47,8 +47,8 @@ impl System<'_> {
     pub fn at_pressures(&self, pressures: &[f64]) -> Result<Equilibrium> {
         let drive = self.drive;
         let (low, high) = drive.mechanism.stops();
-        let lever = drive.mechanism.lever(0, 0.0);
-        let stride = 0.01 / lever.per_coordinate.abs().max(1e-9);
+        let shortening = drive.mechanism.shortening(0.0);
+        let stride = 0.01 / shortening;
         let equilibrium = |coordinate: f64, stop: Option<f64>| Equilibrium {
             coordinate,
             pressures_mpa: pressures.to_vec(),
@@ -57,7 +57,7 @@ impl System<'_> {
         let mut q = 0.0_f64.max(low).min(high);
         let mut before = self.net(pressures, q)?;
         // Rounding about a muscle without pressure at its rest length is no force.
-        let negligible = 1e-9 / lever.per_coordinate.abs().max(1e-9);
+        let negligible = 1e-9 / shortening;
         if before.abs() <= negligible && (q == low || q == high) {
             return Ok(equilibrium(q, Some(if q == low { -1.0 } else { 1.0 })));
         }
@@ -189,7 +189,7 @@ impl System<'_> {
         };
         let pressures_mpa = self.stated_or(pressures(u));
         let imbalance = self.net(&pressures_mpa, q)?;
-        let negligible = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
+        let negligible = 1e-6 / drive.mechanism.shortening(q);
         let stop = self.stop(q, imbalance, negligible);
         let is_balanced = imbalance.abs() <= negligible || drive.initial_coordinate.is_some();
         if stop.is_none() && !is_balanced {
@@ -258,11 +258,13 @@ impl System<'_> {
                 Some(ValveKind::OnOff {
                     closed_centre: false,
                     hysteresis_mpa: h,
-                }) if full(h) => Switch::Fill,
-                Some(ValveKind::OnOff {
-                    closed_centre: false,
-                    ..
-                }) => Switch::Vent,
+                }) => {
+                    if full(h) {
+                        Switch::Fill
+                    } else {
+                        Switch::Vent
+                    }
+                }
                 _ => Switch::Hold,
             };
             if let (Some(opening), Target::Opening(c)) = (&mut now.opening, &drive.target) {

@@ -140,11 +140,10 @@ pub fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<()>
     if value >= low && value <= high {
         return Ok(());
     }
-    let must = match (low == f64::MIN_POSITIVE, high >= f64::MAX) {
-        (true, true) => "above zero".to_owned(),
-        (true, false) => format!("above zero and at most {high}"),
-        (false, true) => format!("at least {low}"),
-        (false, false) => format!("from {low} to {high}"),
+    let must = if high >= f64::MAX {
+        format!("at least {low}")
+    } else {
+        format!("from {low} to {high}")
     };
     Err(MotionError::value(what, value, &must))
 }

@@ -5,10 +5,10 @@ use crate::{
     state::State,
     system::{Point, Switch, System},
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// What happened.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum EventKind {
     /// The load came to the lower stop.
@@ -34,7 +34,7 @@ pub enum EventKind {
 mckibben_core::units::display_as_serde_word!(EventKind);
 
 /// What happened when.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Event {
     /// When, in s.
     pub time_s: f64,
@@ -169,13 +169,7 @@ impl System<'_> {
 
     /// A generalised force that is none.
     fn nothing(&self) -> f64 {
-        1e-7 / self
-            .drive
-            .mechanism
-            .lever(0, 0.0)
-            .per_coordinate
-            .abs()
-            .max(1e-9)
+        1e-7 / self.drive.mechanism.shortening(0.0)
     }
 
     /// Goes over to the other side of a kink.

@@ -283,8 +283,7 @@ impl Stepper {
         let safety = SAFETY * (1 + 2 * ITERATIONS) as f64 / (iterations + 2 * ITERATIONS) as f64;
         let shorter = shorter_by(error / safety.powi(4));
         if error.is_nan() || error >= 1.0 {
-            let is_first = self.last.is_none();
-            return Err(if is_first || error.is_nan() {
+            return Err(if self.last.is_none() || error.is_nan() {
                 0.1 * h
             } else {
                 h / shorter

@@ -15,15 +15,11 @@ impl Integration<'_, '_> {
         let from = self.t;
         let mut before = from;
         for i in 1..=INSIDE {
-            let time = if i == INSIDE {
-                t
+            let (time, inside) = if i == INSIDE {
+                (t, None)
             } else {
-                from + (t - from) * i as f64 / INSIDE as f64
-            };
-            let inside = if i == INSIDE {
-                None
-            } else {
-                self.within(method, time)
+                let time = from + (t - from) * i as f64 / INSIDE as f64;
+                (time, self.within(method, time))
             };
             let state = inside.as_ref().unwrap_or(end);
             let guards = self.system.guards(time, state, i == INSIDE)?;

@@ -78,6 +78,12 @@ pub trait Mechanism: Send + Sync {
         }
     }
 
+    /// What a unit of q shortens the first muscle by, as a contraction and without a sign; never
+    /// zero.
+    fn shortening(&self, q: f64) -> f64 {
+        self.lever(0, q).per_coordinate.abs().max(1e-9)
+    }
+
     /// Whether the numbers make a mechanism that can move.
     ///
     /// # Errors

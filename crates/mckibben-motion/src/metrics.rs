@@ -154,16 +154,7 @@ pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
         let from = positions.value_at(begin);
         let to = positions.value_at(end);
         let step = to - from;
-        if step.abs()
-            > 1e-9
-                * drive
-                    .mechanism
-                    .lever(0, 0.0)
-                    .per_coordinate
-                    .abs()
-                    .max(1e-9)
-                    .recip()
-        {
+        if step.abs() > 1e-9 * drive.mechanism.shortening(0.0).recip() {
             // Less than the error of the integration is none.
             let overshoot = peak(positions.inside(piece).map(|spot| (spot.value - to) / step));
             let outside = positions
@@ -251,7 +242,7 @@ pub fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option
     let first = *late.first()?;
     let end = *late.last()?;
     let (low, high) = ends(late.iter().copied());
-    let length = 1.0 / drive.mechanism.lever(0, end).per_coordinate.abs().max(1e-9);
+    let length = 1.0 / drive.mechanism.shortening(end);
     let room = (SHARE * (end - begin).abs()).max(OF_LENGTH * length);
     let moves = if high - low <= room {
         Moves::Rests

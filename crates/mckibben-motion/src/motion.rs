@@ -1,8 +1,8 @@
 //! The answer to a drive.
 
 use crate::{Event, MotionError, MotionSeries};
-use mckibben_core::units::short_numbers;
-use serde::{Deserialize, Serialize, Serializer};
+use mckibben_core::warning::sentence;
+use serde::{Serialize, Serializer};
 
 /// A motion.
 #[serde_with_macros::skip_serializing_none]
@@ -44,7 +44,7 @@ pub struct Motion {
     /// Where a joint rests in the end under the commanded pressures, without friction, degrees.
     pub equilibrium_angle_deg: Option<f64>,
     /// Reason why the run stopped early; the series covers the computed part.
-    #[serde(rename = "ended_early", serialize_with = "reason")]
+    #[serde(rename = "ended_early", serialize_with = "sentence")]
     #[schemars(with = "Option<String>")]
     pub ended: Option<MotionError>,
     /// Largest power of the muscles, W.
@@ -98,13 +98,6 @@ fn rests<S: Serializer>(end: &Option<MotionEnd>, serializer: S) -> Result<S::Ok,
     end.map(MotionEnd::rests).serialize(serializer)
 }
 
-fn reason<S: Serializer>(ended: &Option<MotionError>, serializer: S) -> Result<S::Ok, S::Error> {
-    ended
-        .as_ref()
-        .map(|error| short_numbers(&error.to_string()).into_owned())
-        .serialize(serializer)
-}
-
 /// The end of a motion whose command has become constant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionEnd {
@@ -126,7 +119,7 @@ pub enum Moves {
 }
 
 /// The answer to one step of the command, up to the next.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct StepFigures {
     /// When the command changed, in s.
     pub time_s: f64,
@@ -150,7 +143,7 @@ pub struct StepFigures {
 /// gas_work = stored + static_work + p_atm ΔV
 /// static_work + viscoelastic − friction = Δload + Δkinetic + damper + impacts
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Energies {
     /// Enthalpy of the air from the supply; of a liquid p V and stored energy at the pressure of
     /// the muscle, of a syringe the work of its piston.

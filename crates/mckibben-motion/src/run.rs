@@ -252,8 +252,7 @@ impl<'s, 'd> Integration<'s, 'd> {
                 }
                 let h = method.next_step();
                 if h.is_nan() || h < shortest {
-                    let what = "the step has become too small";
-                    let ended = ended_after(self.t, self.steps, h, what);
+                    let ended = self.ended_after(h, "the step has become too small");
                     return Err(failed.unwrap_or(ended));
                 }
                 continue;
@@ -313,26 +312,19 @@ impl<'s, 'd> Integration<'s, 'd> {
     fn check_steps(&mut self, end: f64) -> Result<()> {
         self.steps += 1;
         if self.steps > self.system.drive.most_steps {
-            let time_s = self.t;
-            let steps = self.steps;
-            let step_s = end - self.t;
-            return Err(ended_after(
-                time_s,
-                steps,
-                step_s,
-                "the limit of steps is reached",
-            ));
+            return Err(self.ended_after(end - self.t, "the limit of steps is reached"));
         }
         self.progress.check()?;
         let share = (1000.0 * self.t / self.system.drive.until_s) as usize;
         self.progress.report(share.min(1000), 1000);
         Ok(())
     }
-}
 
-/// That the steps go to nothing, or are too many.
-fn ended_after(time_s: f64, steps: usize, step_s: f64, why: &str) -> MotionError {
-    MotionError::Diverged(format!(
-        "the motion ends at {time_s} s after {steps} steps, the last of {step_s} s: {why}"
-    ))
+    /// That the steps go to nothing, or are too many.
+    fn ended_after(&self, step_s: f64, why: &str) -> MotionError {
+        MotionError::Diverged(format!(
+            "the motion ends at {} s after {} steps, the last of {step_s} s: {why}",
+            self.t, self.steps
+        ))
+    }
 }

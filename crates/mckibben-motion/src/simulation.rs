@@ -66,8 +66,7 @@ impl Simulation {
         if stepped.is_ok() && at.outputs == self.done + 1 {
             stepped = at.record(end, at.state.clone());
         }
-        let state = at.state;
-        let motion = at.motion;
+        let Integration { state, motion, .. } = at;
         self.motion = motion;
         if stepped.is_ok() {
             (self.state, self.modes) = (state, system.modes.borrow().clone());
@@ -177,10 +176,7 @@ impl Simulation {
             || MotionError::Refused("the numbers are not a state of this drive".to_owned());
         let (done, state) = found.filter(|_| rest.is_empty()).ok_or_else(refused)?;
         *system.modes.borrow_mut() = modes.clone();
-        let motion = Motion {
-            series: self.motion.series.last(),
-            ..Motion::default()
-        };
+        let motion = self.last();
         let t = drive.output_step_s * done as f64;
         let mut at = Integration::started_at((&system, progress), t, state, motion);
         at.record(t, at.state.clone())?;

@@ -107,23 +107,26 @@ impl State {
             heat,
             gas_work,
             static_work,
-            ..
-        } = &mut self.totals;
-        [enthalpy_in, enthalpy_out, heat, gas_work, static_work]
-            .into_iter()
-            .for_each(&mut visit);
-        let Totals {
             friction,
             viscoelastic,
             damper,
             positive_work,
             atmosphere,
-            ..
         } = &mut self.totals;
-        [friction, viscoelastic, damper, positive_work]
-            .into_iter()
-            .chain(atmosphere)
-            .for_each(&mut visit);
+        [
+            enthalpy_in,
+            enthalpy_out,
+            heat,
+            gas_work,
+            static_work,
+            friction,
+            viscoelastic,
+            damper,
+            positive_work,
+        ]
+        .into_iter()
+        .chain(atmosphere)
+        .for_each(&mut visit);
         count
     }
 

@@ -368,7 +368,7 @@ fn half_width_n(member: &Member<'_>, now: &MuscleState, at: &Answer) -> f64 {
 /// The size of each number of the state.
 fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
     let mut scale = layout.filled(1e3);
-    let stroke = 0.01 / drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9);
+    let stroke = 0.01 / drive.mechanism.shortening(0.0);
     (scale.coordinate, scale.velocity) = (stroke, 10.0 * stroke);
     for (size, member) in scale.muscles.iter_mut().zip(members) {
         let volume = member.ideal_mm3(0.0).max(1.0);

@@ -280,22 +280,18 @@ impl<'a> Grid<'a, '_> {
         let cell = (self.cell)(index);
         let metrics = self.metrics;
         let axes = self.axes(index, gutters)?;
+        let plot = axes.frame.plot;
         let mut room = room_of(panel, &axes);
-        let legend = (below > 0.0).then(|| {
-            self.legend(
-                index,
-                (axes.frame.plot.x, cell.bottom() - below + 4.0),
-                axes.frame.plot.w,
-            )
-        });
-        if axes.frame.plot.w < 8.0 * PER_MM || axes.frame.plot.h < 8.0 * PER_MM {
+        let legend = (below > 0.0)
+            .then(|| self.legend(index, (plot.x, cell.bottom() - below + 4.0), plot.w));
+        if plot.w < 8.0 * PER_MM || plot.h < 8.0 * PER_MM {
             return Err(FigureError::Drawing(format!(
                 "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure \
                  larger or use fewer columns",
                 index + 1,
                 self.title,
-                axes.frame.plot.w / PER_MM,
-                axes.frame.plot.h / PER_MM
+                plot.w / PER_MM,
+                plot.h / PER_MM
             )));
         }
         let mut labels = labels::for_marks(&panel.marks, &axes.frame, metrics, &mut room);
@@ -318,7 +314,7 @@ impl<'a> Grid<'a, '_> {
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
         Ok(Placed {
             panel,
-            title: (axes.frame.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text),
+            title: (plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text),
             axes,
             legend,
             labels,

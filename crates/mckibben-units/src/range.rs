@@ -5,14 +5,13 @@ use super::{
     dimension::Dimension,
     quantity::{QuantityError, factor, plausible, shortened, split},
 };
-use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// The most points a range or list may hold.
 pub const MAX_POINTS: usize = 1_000_000;
 
 /// What `--wall 1..5`, `--wall 1..5:0.5` and `--wall 1,2,3` mean.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Values {
     /// Single values: one number, a list, or a range with a step (both ends in).
     List(Vec<f64>),

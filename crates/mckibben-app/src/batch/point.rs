@@ -185,12 +185,7 @@ impl BoundModel {
         }
         let force = match self.evaluation(workspace).borne_force_n(p, e) {
             Ok(force) if !force.is_finite() => {
-                return Err(ModelError::NotFinite {
-                    model: self.name().to_owned(),
-                    pressure_mpa: p,
-                    contraction: e,
-                }
-                .into());
+                return Err(ModelError::not_finite(self.name(), p, e).into());
             }
             Ok(force) if force.abs() <= ROUNDING * p * self.outer_area_mm2() => 0.0,
             Ok(force) if force < 0.0 && !self.options.two_sided => {

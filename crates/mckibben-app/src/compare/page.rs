@@ -1,6 +1,6 @@
 //! Compared models as people read them.
 
-use super::{CompareAnswer, ComparedModel, Direction};
+use super::{CompareAnswer, ComparedModel};
 use crate::{
     UnderstoodTable, Units,
     print::{Csv, Page, Show, Table, sentences},
@@ -90,7 +90,7 @@ impl CompareAnswer {
         if self.understood.is_empty() {
             return format!("the model {}", self.reference);
         }
-        let which = if self.branch == Direction::Mean {
+        let which = if self.branch.is_mean() {
             " (mean of the branches where both are given)"
         } else {
             ""

@@ -131,19 +131,11 @@ impl Decision<'_> {
             .candidates
             .iter()
             .find_map(|c| Some((c, c.sure_pressure_mpa?)));
-        match (sure, self.to_be_sure) {
-            (Some((c, p)), _) if c.muscle == first.muscle => {
-                format!("Sure to {share} at {}", mpa(p))
-            }
-            (Some((c, p)), _) => format!("Sure to {share}: {} at {}", parts(c), mpa(p)),
-            (None, Some(sure)) => {
-                format!(
-                    "Sure to {share}: {} at {}",
-                    parts(&sure.candidate),
-                    mpa(sure.candidate.pressure_mpa)
-                )
-            }
-            (None, None) => format!("Sure to {share}: no muscle of this search"),
+        let other = self.to_be_sure.map(|sure| &sure.candidate);
+        match sure.or(other.map(|c| (c, c.pressure_mpa))) {
+            Some((c, p)) if c.muscle == first.muscle => format!("Sure to {share} at {}", mpa(p)),
+            Some((c, p)) => format!("Sure to {share}: {} at {}", parts(c), mpa(p)),
+            None => format!("Sure to {share}: no muscle of this search"),
         }
     }
 }

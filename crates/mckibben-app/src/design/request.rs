@@ -356,7 +356,7 @@ where
     A: std::str::FromStr<Err = QuantityError>,
     B: std::str::FromStr<Err = QuantityError>,
 {
-    let wrong = |message| Problem::new(ProblemKind::Quantity, message, "");
+    let wrong = |message| ProblemKind::Quantity.problem(message);
     let (first, second) = text
         .split_once('@')
         .ok_or_else(|| wrong(format!("\"{text}\" is not a valid {expected}")))?;

@@ -188,7 +188,7 @@ impl DesignRequest {
         let count = self.count.unwrap_or(1);
         if !(1..=bundle::MOST).contains(&count) {
             let message = format!("{count} muscles; a bundle has 1 to {}", bundle::MOST);
-            return Err(Problem::new(ProblemKind::Range, message, "").in_field("count"));
+            return Err(ProblemKind::Range.problem(message).in_field("count"));
         }
         for (field, value) in [
             ("max_envelope_mm", self.max_envelope_mm),
@@ -223,7 +223,7 @@ impl DesignRequest {
                 let message = format!(
                     "{share} is not a valid share: from 0.5 (50 %) to 0.999 (99.9 %), usually 0.95"
                 );
-                Err(Problem::new(ProblemKind::Range, message, "").in_field("guaranteed"))
+                Err(ProblemKind::Range.problem(message).in_field("guaranteed"))
             }
             share => Ok(share),
         }
@@ -517,7 +517,9 @@ fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
     Ok(match choice {
         Choice::One(value) => Values::List(vec![finite(field, *value)?]),
         Choice::Several(list) if list.is_empty() => {
-            return Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field));
+            return Err(ProblemKind::Range
+                .problem("the list is empty")
+                .in_field(field));
         }
         Choice::Several(list) => {
             let list = list.iter().map(|&value| finite(field, value));
@@ -530,7 +532,7 @@ fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
                 let message = format!(
                     "the interval from {low} to {high} is reversed: write the smaller value first"
                 );
-                return Err(Problem::new(ProblemKind::Range, message, "").in_field(field));
+                return Err(ProblemKind::Range.problem(message).in_field(field));
             }
             Values::Interval(low, high)
         }

@@ -5,7 +5,7 @@ use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
 use mckibben_core::{
     analysis::{Evaluation, Options},
     curve::{Curve, CurvePoint, Test},
-    extremes::peak,
+    extremes::{even, peak},
     model::{ForceModel, Workspace},
     muscle::Direction,
     study::Study,
@@ -105,7 +105,7 @@ pub fn label(test: Test, fixed: f64, u: &Units) -> String {
 /// Curves whose bands can be told apart.
 pub const MOST_BANDS: usize = 6;
 /// Points of a load's line.
-const LINE: usize = 101;
+const LINE: u32 = 100;
 
 /// The line of a load over the contraction, and its equilibria: filled where they are stable.
 fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> (Series, Series) {
@@ -120,8 +120,7 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
         .map(|e| &e.answer.response);
     let end = peak(along.chain(responses.clone().map(|r| r.contraction)));
     let (low, high) = loaded.line.reach_mm();
-    let line = (0..LINE)
-        .map(|i| end * i as f64 / (LINE - 1) as f64)
+    let line = even((0.0, end), LINE)
         .filter(|e| (low..=high).contains(&(e * length_mm)))
         .map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm))));
     let points = responses.map(|r| (r.contraction, u.force.value(r.force_n)));
@@ -213,7 +212,7 @@ pub fn design(
             .unwrap_or(0.2)
             .max(reach)
             .min(model.info().range.contraction.1);
-        let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
+        let along: Vec<f64> = even((0.0, end), 60).collect();
         let max_pressure_mpa = candidate.highest_pressure_mpa;
         let needed = candidate.pressure_mpa;
         let workspace = &mut Workspace::new();

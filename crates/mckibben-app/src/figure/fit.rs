@@ -9,7 +9,7 @@ use mckibben_campaign::fit::{
     paper_method::{CurveFit, LineFit, PaperMethod},
 };
 use mckibben_core::{
-    extremes::{ends, peak},
+    extremes::{ends, even, peak},
     formula::Formula,
 };
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
@@ -20,10 +20,7 @@ fn pull() -> Axis {
 
 /// Points of a function between two ends.
 fn line(low: f64, high: f64, of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
-    (0..=40)
-        .map(|i| low + (high - low) * f64::from(i) / 40.0)
-        .map(|x| (x, of(x)))
-        .collect()
+    even((low, high), 40).map(|x| (x, of(x))).collect()
 }
 
 /// Points and the curve fitted to them.

@@ -1,7 +1,7 @@
 //! Tension tests with the laws fitted to them.
 
 use super::{caption, some_of};
-use mckibben_core::extremes::ends;
+use mckibben_core::extremes::{ends, even};
 use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
@@ -113,8 +113,7 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
         panel = panel.series(Series::scatter(labelled("measured".into()), list).colour(LAWS));
     }
     for (n, law) in laws.iter().enumerate() {
-        let at = |i: u32| low + (end - low) * f64::from(i) / 120.0;
-        let line = (0..=120).map(|i| (at(i), stress(law, at(i))));
+        let line = even((low, end), 120).map(|x| (x, stress(law, x)));
         // A law on its bound may lie on another one, as Mooney–Rivlin with C01 = 0 on the
         // neo-Hookean.
         let style = match (law.quality.stable, law.constrained) {

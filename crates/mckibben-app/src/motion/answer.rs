@@ -42,8 +42,7 @@ pub struct EndUncertainty {
 impl MotionRun {
     /// The parts of the ± at its end in words, in units.
     pub fn uncertainty_in(&self, u: &Units) -> Option<String> {
-        let torque = self.end.end_angle_uncertainty_deg.is_some();
-        let (of, scale) = if torque {
+        let (of, scale) = if self.end.end_angle_uncertainty_deg.is_some() {
             ("torque", crate::units::NEWTON_METRES)
         } else {
             ("pull", u.force.clone())

@@ -173,11 +173,7 @@ impl Moved {
             return None;
         }
         let workspace = &mut Workspace::new();
-        let options = Options {
-            extrapolate: true,
-            ..Options::default()
-        };
-        let mut model = Evaluation::new(&**model, workspace, options);
+        let mut model = Evaluation::new(&**model, workspace, Options::extrapolating());
         let balances = model.balances(load, *pressures_mpa.first()?).ok()?;
         let far = |e: f64| (e - contraction).abs();
         let nearest = balances

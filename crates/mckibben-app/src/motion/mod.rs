@@ -30,7 +30,7 @@ const MOST_RUNS: usize = 100;
 
 impl MotionRequest {
     pub fn names_of(drive: &TextFile) -> Result<Names> {
-        drive_names(&drive.text).map_err(|e| Problem::from(e.in_file(Path::new(&drive.name))))
+        drive.parsed(drive_names)
     }
 
     fn moved(&self) -> Result<Moved> {

@@ -4,8 +4,8 @@ use super::{Background, PointAnswer};
 use crate::{
     PointQuantity, Scale, Units,
     print::{Page, Rows, Show, sentences},
+    uncertainty::bounds,
     units::{NUMBER, PERCENT},
-    words::within,
 };
 use mckibben_core::answer::Answer;
 
@@ -48,35 +48,18 @@ impl PointQuantity {
     }
 
     /// What it is of a muscle that is built, and the ends of its 95 % interval.
-    fn built(self, of: &Answer) -> Option<[f64; 3]> {
-        Some(match self {
-            Self::Force => {
-                let built = of.built?;
-                [
-                    built.predicted_n,
-                    built.predicted_low_n,
-                    built.predicted_high_n,
-                ]
-            }
+    fn built_in(self, of: &PointAnswer, u: &Units) -> Option<String> {
+        let a = &of.point;
+        let sought = match self {
+            Self::Force => return of.background.uncertainty_words.built_in(u),
             Self::Pressure => [
-                of.predicted_mpa?,
-                of.predicted_low_mpa?,
-                of.predicted_high_mpa?,
+                a.predicted_mpa?,
+                a.predicted_low_mpa?,
+                a.predicted_high_mpa?,
             ],
-            Self::Contraction => [of.predicted?, of.predicted_low?, of.predicted_high?],
-        })
-    }
-
-    /// The same in words.
-    fn built_in(self, of: &Answer, u: &Units) -> Option<String> {
-        let scale = self.scale(u);
-        let values = self.built(of)?;
-        let half = scale.value(0.5 * (values[2] - values[1]));
-        let [median, low, high] = values.map(|v| within(scale.value(v), half));
-        let unit = &scale.name;
-        Some(format!(
-            "{median}\u{a0}{unit} ({low}\u{a0}{unit} to {high}\u{a0}{unit}, 95 %)"
-        ))
+            Self::Contraction => [a.predicted?, a.predicted_low?, a.predicted_high?],
+        };
+        Some(bounds(sought, &self.scale(u)))
     }
 }
 
@@ -96,10 +79,7 @@ impl PointAnswer {
         let words = &background.uncertainty_words;
         let is_pull = self.sought == PointQuantity::Force;
         let of = if is_pull { "" } else { "of the pull " };
-        let built = match self.sought {
-            PointQuantity::Force => words.built_in(u),
-            sought => sought.built_in(a, u),
-        };
+        let built = self.sought.built_in(self, u);
         let unknown = a
             .built
             .is_none()

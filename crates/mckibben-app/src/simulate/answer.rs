@@ -34,7 +34,7 @@ pub struct SimulateAnswer {
     /// The input deck, if requested.
     pub deck: Option<String>,
     /// Files for ParaView, if requested: `muscle.pvd`, which lists the others, comes first.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub files: Vec<BuiltFile>,
     /// Where no point has an answer: the reason.
     #[serde(skip)]

@@ -108,8 +108,12 @@ impl FittedFormula {
 }
 
 /// The errors of points and of their regions, and those of diameters in mm that are held out.
+fn is_held_out(point: &FitPoint, hold_out: &[f64]) -> bool {
+    hold_out.iter().any(|&d| same(d, point.outer_diameter_mm))
+}
+
 fn formula_errors(list: &[Compared], hold_out: &[f64]) -> FormulaErrors {
-    let held = |p: &FitPoint| hold_out.iter().any(|&d| same(d, p.outer_diameter_mm));
+    let held = |p: &FitPoint| is_held_out(p, hold_out);
     let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
     let points = list.iter().map(|c| c.point);
     FormulaErrors {
@@ -132,13 +136,8 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
     let length_mm = single(request.points, "length_mm", |p| p.length_mm)?;
     let angle_deg = single(request.points, "angle_deg", |p| p.angle_deg)?;
     let points = at_pressures(request.points, request.method);
-    let held = |p: &FitPoint| {
-        request
-            .hold_out
-            .iter()
-            .any(|&d| same(d, p.outer_diameter_mm))
-    };
-    let fitted: Vec<FitPoint> = points.iter().copied().filter(|p| !held(p)).collect();
+    let mut fitted = points.clone();
+    fitted.retain(|p| !is_held_out(p, request.hold_out));
     let (body, paper, global) = match request.method {
         Method::Paper(rules) => {
             let steps = paper_method(&fitted, rules)?;

@@ -59,11 +59,16 @@ fn cells(row: Value) -> Vec<Value> {
 pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let curves = m.curves.iter().map(|c| {
         let abc = [0, 1, 2].map(|k| c.abc.map(|f| f.coefficients[k]));
-        let d = c.outer_diameter_mm;
-        let s = c.wall_mm;
-        let p = c.pressure_mpa;
         let r2 = c.abc.map(|f| f.r2);
-        json!([d, s, p, abc, r2, c.points.len(), c.rule])
+        json!([
+            c.outer_diameter_mm,
+            c.wall_mm,
+            c.pressure_mpa,
+            abc,
+            r2,
+            c.points.len(),
+            c.rule
+        ])
     });
     let lines = m.lines.iter().map(|l| {
         let fits = l.lines.map(|f| (f.coefficients, f.r2));
@@ -85,10 +90,15 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let signs = signs(m).into_iter().map(|s| {
         let way = if s.rises { "rises" } else { "falls" };
         let verdict = if s.holds() { "holds" } else { "does not hold" };
-        let d = s.outer_diameter_mm;
-        let holding = s.holding;
-        let pairs = s.pairs;
-        json!([d, s.coefficient, s.with, way, holding, pairs, verdict])
+        json!([
+            s.outer_diameter_mm,
+            s.coefficient,
+            s.with,
+            way,
+            s.holding,
+            s.pairs,
+            verdict
+        ])
     });
     vec![
         table(

@@ -6,7 +6,10 @@ use crate::{
     output::{ShownUnits, print},
     overwrite, path_on_one_line, save, save_inside,
 };
-use mckibben_app::{IdentifyRequest, MotionRequest, TextFile, print::Page};
+use mckibben_app::{
+    IdentifyRequest, MotionRequest, TextFile,
+    print::{Page, Show},
+};
 use std::path::{Path, PathBuf};
 
 /// Constants of a muscle, or of a drive.
@@ -52,8 +55,7 @@ pub struct Identify {
 
 impl Identify {
     pub fn run(mut self, format: Format) -> Result<u8, Problem> {
-        let target = self.output.as_deref();
-        check_ending(target, &["toml"])?;
+        check_ending(self.output.as_deref(), &["toml"])?;
         self.request.figure = self.plot.wanted();
         if let Some(log) = &self.motion {
             return self.of_motion(log, format);
@@ -65,17 +67,29 @@ impl Identify {
             let files = self.request.measured_files(&answer)?;
             save_inside(folder, files, overwrite())?;
         }
-        save(target, answer.muscle_file.as_bytes())?;
-        let written = target.map(|path| format!("The muscle is in {}.", path_on_one_line(path)));
         let measured = folder.map(|path| {
             let place = path_on_one_line(path);
             format!("The measured muscle is in {place}; fill in README.md and case.toml.")
         });
+        self.written(&answer, ("muscle", &answer.muscle_file), measured, format)
+    }
+
+    /// Writes the file that was found, and says where it is, and what else was written.
+    fn written(
+        &self,
+        answer: &impl Show,
+        (what, file): (&str, &str),
+        more: Option<String>,
+        format: Format,
+    ) -> Result<u8, Problem> {
+        let target = self.output.as_deref();
+        save(target, file.as_bytes())?;
+        let written = target.map(|path| format!("The {what} is in {}.", path_on_one_line(path)));
         let add = |page: &mut Page| {
-            let texts = written.into_iter().chain(measured);
+            let texts = written.into_iter().chain(more);
             texts.for_each(|text| page.paragraph(text));
         };
-        print(&answer, format, add, None)?;
+        print(answer, format, add, None)?;
         Ok(0)
     }
 
@@ -95,11 +109,6 @@ impl Identify {
         let Some(identified) = &answer.identified else {
             return Ok(0);
         };
-        let target = self.output.as_deref();
-        save(target, identified.drive_file.as_bytes())?;
-        let written = target.map(|path| format!("The drive is in {}.", path_on_one_line(path)));
-        let add = |page: &mut Page| written.into_iter().for_each(|text| page.paragraph(text));
-        print(&answer, format, add, None)?;
-        Ok(0)
+        self.written(&answer, ("drive", &identified.drive_file), None, format)
     }
 }

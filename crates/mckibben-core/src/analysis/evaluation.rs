@@ -5,11 +5,9 @@ use crate::{
     model::{ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm},
     muscle::{Direction, Muscle},
 };
-use serde::{Deserialize, Serialize};
 
 /// How questions are answered.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
     /// Answer outside of the model's range, with a warning, instead of refusing.
     pub extrapolate: bool,

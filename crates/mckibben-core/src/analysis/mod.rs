@@ -21,4 +21,4 @@ pub use evaluation::{Evaluation, Options, source_of};
 pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
 pub use root::{bisect, find_root};
-pub(crate) use sweep::Sweep;
+pub(crate) use sweep::{Sweep, places};

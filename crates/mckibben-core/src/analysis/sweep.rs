@@ -301,7 +301,7 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
 }
 
 /// Rising places that cut an interval into so many parts, with its ends.
-fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
+pub fn places((from, to): (f64, f64), parts: usize) -> impl Iterator<Item = f64> {
     (0..=parts).map(move |i| {
         if i == parts {
             to

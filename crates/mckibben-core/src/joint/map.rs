@@ -8,7 +8,7 @@ use crate::{
     threads::Threads,
 };
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Steps of Newton's method from the neighbour's angle before all rests are sought.
 const STEPS: usize = 8;
@@ -22,7 +22,7 @@ const SMALL_FIRST: f64 = 1e-9;
 const ANGLES: u32 = 37;
 
 /// A rest at a pair of pressures.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MapPoint {
     /// Pressures in MPa, one a muscle.
     pub pressures_mpa: Vec<f64>,
@@ -38,7 +38,7 @@ pub struct MapPoint {
 }
 
 /// Pressures at which a muscle has no state where the joint would come to rest.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MapGap {
     /// Pressures in MPa, one a muscle.
     pub pressures_mpa: Vec<f64>,
@@ -47,7 +47,7 @@ pub struct MapGap {
 }
 
 /// The rests at all pairs of pressures.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct JointMap {
     /// Pressures of each muscle in MPa, from none to the supply's.
     pub grid_mpa: Vec<f64>,
@@ -55,7 +55,7 @@ pub struct JointMap {
     /// a joint with one muscle, at its pressures.
     pub points: Vec<Option<MapPoint>>,
     /// Pressures at which a muscle has no state where the joint would come to rest.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub gaps: Vec<MapGap>,
     /// The rests along the border of the pressures: P1 up at P2 = 0, P2 up at the highest P1, P1
     /// down, P2 down.

@@ -32,6 +32,7 @@ pub use rest::Rest;
 pub use shut::ShutStiffness;
 
 use crate::{
+    extremes::even,
     load::GRAVITY_M_PER_S2,
     muscle::{Direction, Muscle},
 };
@@ -252,8 +253,7 @@ impl Joint {
 
     /// So many angles, even over the range.
     fn angles_deg(&self, count: u32) -> impl Iterator<Item = f64> {
-        let (low, high) = self.range_deg;
-        (0..count).map(move |k| low + (high - low) * f64::from(k) / f64::from(count - 1))
+        even(self.range_deg, count - 1)
     }
 
     /// What is unlikely, a sentence each: a muscle whose points turn the joint to the other side than

@@ -8,12 +8,10 @@ use crate::{
     model::{ForceModel, Workspace},
     muscle::Direction,
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Which way the joint turns: on which branch of their friction the muscles are.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Turning {
     /// Between both branches.

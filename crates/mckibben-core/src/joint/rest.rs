@@ -1,7 +1,10 @@
 //! Where a joint comes to rest.
 
 use super::{JointError, JointModel, Result, model::Fixed};
-use crate::{analysis::find_root, model::Workspace};
+use crate::{
+    analysis::{find_root, places},
+    model::Workspace,
+};
 
 /// Parts into which the range of the angle is cut in search of every rest.
 const SCAN: usize = 72;
@@ -103,12 +106,7 @@ impl JointModel<'_> {
         let mut before: Option<(f64, f64)> = None;
         // Start of a stretch in which nothing acts.
         let mut loose: Option<f64> = None;
-        for i in 0..=SCAN {
-            let angle = if i == SCAN {
-                high
-            } else {
-                low + (high - low) * i as f64 / SCAN as f64
-            };
+        for (i, angle) in places((low, high), SCAN).enumerate() {
             let torque = match at(angle) {
                 Err(error) if error.is_of_point() => {
                     let ended = loose.take().zip(before.take());

@@ -4,7 +4,7 @@ use crate::{
     analysis::{ATMOSPHERE_MPA, HEAT_RATIO},
     model::Response,
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// −dτ/dφ with the valves shut, in N m/rad: at constant temperature for slow turns, without heat
 /// exchange for quick ones.
@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 /// V is the cavity of the muscle: hoses and fittings are not counted, and make the air softer. A
 /// slack muscle adds nothing.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct ShutStiffness {
     /// −dτ/dφ with the valves shut, the air at constant temperature, N m/rad; not known where the
     /// model has no volume.

@@ -2,7 +2,7 @@
 
 use super::{Balance, Load};
 use crate::analysis::ATMOSPHERE_MPA;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// From one equilibrium to another and back: filled from the lower pressure to the higher, vented
 /// again.
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 /// Δ(pV)/p_a of air at atmospheric pressure; its exergy at the higher pressure, p_a·(that
 /// volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it \[beater2007\].
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Cycle {
     /// Lower pressure in MPa.
     pub from_pressure_mpa: f64,

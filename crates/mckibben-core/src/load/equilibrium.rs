@@ -31,7 +31,6 @@ pub struct Balance {
     /// Natural frequency at constant pressure in Hz, where a mass moves.
     #[serde(
         rename = "natural_frequency_hz",
-        default,
         skip_serializing_if = "Option::is_none"
     )]
     pub frequency_hz: Option<f64>,

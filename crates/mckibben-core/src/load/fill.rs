@@ -65,7 +65,6 @@ pub struct Fill {
     /// Work on the load, J.
     pub load_work_j: f64,
     /// What the muscle's friction took, J, on a branch of the hysteresis.
-    #[serde(default)]
     pub friction_work_j: Option<f64>,
 }
 

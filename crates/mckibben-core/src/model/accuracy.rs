@@ -1,21 +1,17 @@
 //! What is known of a model's error.
 
-use serde::{Serialize, Serializer};
 use std::fmt;
 
 /// At which pressure the blocked force is taken that an error is a share of.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BlockedAt {
     /// At the pressure of the question.
     SamePressure,
     /// At a fixed pressure in MPa.
-    #[serde(rename = "pressure_mpa")]
     Pressure(f64),
 }
 
-/// Against what a model's error was measured, in a sentence; [`fmt::Display`] says it, and it is
-/// serialised as that.
+/// Against what a model's error was measured, in a sentence; [`fmt::Display`] says it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reference {
     /// Against nothing.
@@ -51,15 +47,8 @@ impl fmt::Display for Reference {
     }
 }
 
-impl Serialize for Reference {
-    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
-        out.collect_str(self)
-    }
-}
-
 /// A model's own error as a 95 % half-width, and how it is known.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accuracy {
     /// Half-width as a share of the muscle's blocked force; `None` where nobody has measured it.
     pub share_of_blocked: Option<f64>,

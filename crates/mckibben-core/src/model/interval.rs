@@ -1,84 +1,50 @@
 //! Bounds of a quantity, and a value outside of them.
 
-use serde::Serialize;
 use std::fmt;
 
 /// A quantity that a model's box may bound.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Quantity {
     /// Its word, as in muscle files and messages.
-    #[serde(rename = "quantity")]
     pub name: &'static str,
     /// Its unit; empty for ratios.
-    #[serde(skip)]
     pub unit: &'static str,
 }
 
 impl Quantity {
+    const fn new(name: &'static str, unit: &'static str) -> Self {
+        Self { name, unit }
+    }
+
     /// Gauge pressure P.
-    pub const PRESSURE: Self = Self {
-        name: "pressure",
-        unit: "MPa",
-    };
+    pub const PRESSURE: Self = Self::new("pressure", "MPa");
     /// Contraction ratio ε.
-    pub const CONTRACTION: Self = Self {
-        name: "contraction",
-        unit: "",
-    };
+    pub const CONTRACTION: Self = Self::new("contraction", "");
     /// Outer diameter D0.
-    pub const OUTER_DIAMETER: Self = Self {
-        name: "outer_diameter",
-        unit: "mm",
-    };
+    pub const OUTER_DIAMETER: Self = Self::new("outer_diameter", "mm");
     /// Wall s.
-    pub const WALL_THICKNESS: Self = Self {
-        name: "wall_thickness",
-        unit: "mm",
-    };
+    pub const WALL_THICKNESS: Self = Self::new("wall_thickness", "mm");
     /// Length L0.
-    pub const LENGTH: Self = Self {
-        name: "length",
-        unit: "mm",
-    };
+    pub const LENGTH: Self = Self::new("length", "mm");
     /// Braid angle θ0.
-    pub const BRAID_ANGLE: Self = Self {
-        name: "braid_angle",
-        unit: "deg",
-    };
+    pub const BRAID_ANGLE: Self = Self::new("braid_angle", "deg");
     /// s/D0.
-    pub const WALL_RATIO: Self = Self {
-        name: "wall_ratio",
-        unit: "",
-    };
+    pub const WALL_RATIO: Self = Self::new("wall_ratio", "");
     /// L0/D0.
-    pub const LENGTH_RATIO: Self = Self {
-        name: "length_ratio",
-        unit: "",
-    };
+    pub const LENGTH_RATIO: Self = Self::new("length_ratio", "");
     /// C01/(C10 + C01) of the rubber.
-    pub const C01_SHARE: Self = Self {
-        name: "c01_share",
-        unit: "",
-    };
+    pub const C01_SHARE: Self = Self::new("c01_share", "");
 }
 
 /// Bounds of a quantity, in its unit; equal where only one value will do.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     /// Of what.
-    #[serde(flatten)]
     pub quantity: Quantity,
     /// Lower end.
     pub low: f64,
-    /// Upper end; infinite (and left out of JSON) where there is none.
-    #[serde(skip_serializing_if = "is_infinite")]
+    /// Upper end; infinite where there is none.
     pub high: f64,
-}
-
-// serde asks for a reference.
-#[allow(clippy::trivially_copy_pass_by_ref)]
-fn is_infinite(v: &f64) -> bool {
-    v.is_infinite()
 }
 
 impl Interval {
@@ -111,10 +77,9 @@ impl Interval {
 }
 
 /// A value outside of the box a model was made for.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RangeViolation {
     /// The interval of the box.
-    #[serde(flatten)]
     pub interval: Interval,
     /// The value, in the quantity's unit.
     pub value: f64,

@@ -10,14 +10,11 @@ use std::{fmt, str::FromStr};
 
 /// That no model has a name: the nearest, and all that there are.
 pub fn unknown_model(name: &str, names: &[&'static str]) -> Refused {
-    let (given, meant): (String, _) = (
-        name.chars().take(60).collect(),
-        meant(nearest(name, names.iter().copied())),
-    );
+    let meant = meant(nearest(name, names.iter().copied()));
     Refused::new(
         ["model"],
         format!(
-            "there is no model `{given}`{meant}; the models are {}",
+            "there is no model `{name:.60}`{meant}; the models are {}",
             names.join(", ")
         ),
     )

@@ -5,7 +5,6 @@ use super::{
     interval::{Interval, Quantity, RangeViolation},
 };
 use crate::muscle::Muscle;
-use serde::{Serialize, Serializer};
 
 /// The box of a model for one muscle: pressures and contractions, the measures it was made for, and
 /// what of the muscle lies outside.
@@ -22,23 +21,6 @@ pub struct ModelRange {
     /// Parts of the muscle that differ from what the model was made for and are not numbers
     /// ("the rubber is dragon-skin-30, the formula is for `paper`").
     pub make: Vec<String>,
-}
-
-impl Serialize for ModelRange {
-    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Data<'a> {
-            intervals: Vec<Interval>,
-            violations: &'a [RangeViolation],
-            make: &'a [String],
-        }
-        Data {
-            intervals: self.intervals(),
-            violations: &self.muscle,
-            make: &self.make,
-        }
-        .serialize(out)
-    }
 }
 
 impl ModelRange {
@@ -95,14 +77,6 @@ impl ModelRange {
             pressure,
             Interval::new(Quantity::CONTRACTION, self.contraction),
         ]
-    }
-
-    /// Every bound: of pressure, contraction and the muscle's measures.
-    pub fn intervals(&self) -> Vec<Interval> {
-        self.of_state()
-            .into_iter()
-            .chain(self.measures.iter().copied())
-            .collect()
     }
 
     /// Everything that is outside at a pressure and contraction, the muscle's own violations first.

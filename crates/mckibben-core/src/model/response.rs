@@ -2,11 +2,11 @@
 
 use super::{ModelError, Result};
 use crate::muscle::Muscle;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// One point of a muscle's behaviour. What a model does not have is `None`.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Response {
     /// Gauge pressure P in MPa.
     pub pressure_mpa: f64,
@@ -23,11 +23,7 @@ pub struct Response {
     /// ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
     pub stiffness_n_per_mm: Option<f64>,
     /// ∂F/∂P at fixed ε, in mm² (N/MPa).
-    #[serde(
-        rename = "force_per_pressure_n_per_mpa",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "force_per_pressure_n_per_mpa")]
     pub force_per_pressure_mm2: Option<f64>,
     /// Tension of all strands together in N.
     pub braid_tension_n: Option<f64>,

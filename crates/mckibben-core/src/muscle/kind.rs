@@ -1,7 +1,7 @@
 //! Which way a muscle moves under pressure.
 
 use super::{Muscle, MuscleError, NEUTRAL_ANGLE_DEG};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// Largest braid angle θ0 at rest in degrees. The ideal muscle extends by 1/(√3 cosθ0) − 1 there,
 /// 1.23 times its length.
@@ -9,7 +9,7 @@ pub const LARGEST_ANGLE_DEG: f64 = 75.0;
 
 /// Which way a muscle moves under pressure: strands at θ0 to the axis turn towards the neutral
 /// angle 54.7°, at which the ideal muscle has its largest volume.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MuscleKind {
     /// θ0 below 54.7°: it shortens, and pulls.

@@ -1,6 +1,7 @@
 //! Where a law stays stable in the two-axis stretch of a muscle wall.
 
 use super::RubberLaw;
+use crate::extremes::even;
 
 /// Axial stretches between which a muscle wall lies: contracted by up to 40 %, or drawn out by up
 /// to 10 %.
@@ -16,10 +17,8 @@ pub fn biaxial_unstable_from<L: RubberLaw + ?Sized>(
     law: &L,
     largest_hoop_stretch: f64,
 ) -> Option<f64> {
-    const STEPS: usize = 200;
-    let mut hoops =
-        (0..=STEPS).map(|i| 1.0 + (largest_hoop_stretch - 1.0) * i as f64 / STEPS as f64);
-    hoops.find(|&hoop| {
+    const STEPS: u32 = 200;
+    even((1.0, largest_hoop_stretch), STEPS).find(|&hoop| {
         [1.0, 0.75]
             .iter()
             .any(|&axial| !is_stable_at(law, hoop, axial))
@@ -49,11 +48,8 @@ pub fn is_stable_at<L: RubberLaw + ?Sized>(law: &L, stretch_1: f64, stretch_2: f
 pub fn muscle_states(largest_hoop_stretch: f64) -> impl Iterator<Item = (f64, f64)> {
     const HOOPS: u32 = 80;
     const AXIALS: u32 = 10;
-    let (low, high) = MUSCLE_AXIAL_STRETCH;
-    (0..=HOOPS).flat_map(move |i| {
-        let hoop = 1.0 + (largest_hoop_stretch - 1.0) * f64::from(i) / f64::from(HOOPS);
-        (0..=AXIALS).map(move |k| (hoop, low + (high - low) * f64::from(k) / f64::from(AXIALS)))
-    })
+    even((1.0, largest_hoop_stretch), HOOPS)
+        .flat_map(|hoop| even(MUSCLE_AXIAL_STRETCH, AXIALS).map(move |axial| (hoop, axial)))
 }
 
 /// [`biaxial_stability`] over the whole field of a muscle's stretches instead of along two paths.

@@ -9,7 +9,7 @@ use mckibben_core::{
         ExtendedTube, Form, Law,
         library::{
             COVERING, RubberEntry, Standing, TABLE_OF_FITS, Window, WindowLaw, entries, entry,
-            find, find_for, find_up_to, of_equal_standing, warnings,
+            find, find_for, find_up_to, warnings,
         },
     },
 };
@@ -58,8 +58,23 @@ fn muscle(name: &str, d0: f64, s: f64, angle_deg: f64) -> Muscle {
     .unwrap()
 }
 
+/// The laws that the data of a rubber, up to the stretch that a muscle reaches, do not tell from its
+/// own: the one that is recommended and those of equal standing with it.
 fn equal(muscle: &Muscle) -> Vec<Rubber> {
-    of_equal_standing(&muscle.tube().rubber, muscle.reach())
+    let (rubber, reach) = (&muscle.tube().rubber, muscle.reach());
+    let name = rubber.name.as_deref().unwrap_or_default();
+    let Ok(entry) = entry(name.split(':').next().unwrap_or_default()) else {
+        return vec![];
+    };
+    let covers = |w: &&Window| w.fitted_to_stretch >= COVERING * reach;
+    let window = entry.windows.iter().find(covers).or(entry.windows.last());
+    let laws = window.into_iter().flat_map(|w| &w.laws);
+    laws.filter(|l| l.standing != Standing::Behind && l.law.name() != rubber.law.name())
+        .map(|l| Rubber {
+            bulk: rubber.bulk,
+            ..find_for(&format!("{}:{}", entry.name, l.name), reach).unwrap()
+        })
+        .collect()
 }
 
 fn same(a: &Law, b: &Law) -> bool {
@@ -131,7 +146,7 @@ fn windows_are_sound() {
             entry.name
         );
         for w in &entry.windows {
-            let best = w.law(None).unwrap();
+            let best = w.recommended().unwrap();
             assert_eq!(
                 w.laws
                     .iter()
@@ -185,7 +200,14 @@ fn the_law_follows_the_muscle() {
         let end = rubber.fitted_to_stretch.unwrap();
         assert_eq!(end, (plain.reach() * COVERING).min(2.9318), "{angle}");
         let [from, to] = [first, first + 1].map(|i| &entry("rtv615").unwrap().windows[i]);
-        let [low, high] = [from, to].map(|w| w.law(Some("yeoh")).unwrap().law.values());
+        let [low, high] = [from, to].map(|w| {
+            w.laws
+                .iter()
+                .find(|l| l.name == "yeoh")
+                .unwrap()
+                .law
+                .values()
+        });
         let share =
             (end - from.fitted_to_stretch) / (to.fitted_to_stretch - from.fitted_to_stretch);
         assert!((0.0..=1.0).contains(&share), "{angle}: {share}");

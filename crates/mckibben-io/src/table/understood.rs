@@ -2,17 +2,17 @@
 
 use super::{error::short, find::Table, heading::Column, number::Decimal};
 use mckibben_units::{joined, tidy};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// What was understood of a table.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Understood {
     /// Rows that were read.
     pub rows: usize,
     /// Rows that were left out because their `status` is not ok.
     pub left_out: usize,
     /// Rows that were left out because what was measured is blank.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "is_zero")]
     pub not_filled: usize,
     /// The line of the heading, from 1; null where columns were chosen by number.
     pub heading_line: Option<u64>,
@@ -28,7 +28,7 @@ pub struct Understood {
 
 /// What was understood of a column.
 #[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct UnderstoodColumn {
     /// Its heading as written.
     pub column: String,

@@ -6,6 +6,7 @@ use crate::{
     Prony, SingleMuscle, Target, Valve, equilibrium,
 };
 use mckibben_core::{
+    extremes::ends,
     load::Load,
     model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
     muscle::{Friction, Muscle},
@@ -239,8 +240,8 @@ fn loops() -> Vec<VerificationRow> {
         let one = until(1.0)?;
         let two = until(2.0)?;
         let x = &two.series.coordinate[two.series.coordinate.len() / 2..];
-        let most = x.iter().copied().fold(f64::MIN, f64::max);
-        let stroke = most - x.iter().copied().fold(f64::MAX, f64::min);
+        let (least, most) = ends(x.iter().copied());
+        let stroke = most - least;
         let area = 1e3 * (two.energies.friction_j - one.energies.friction_j);
         Some((2.0 * LEVEL_N * (stroke - 4.0 / 3.0 * PRESLIDING_MM), area))
     };

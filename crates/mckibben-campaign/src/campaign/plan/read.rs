@@ -164,7 +164,7 @@ fn testing(keys: OfTest, source: &Source<'_>) -> Result<Testing, FileError> {
         let why = format!("contains {p}\u{a0}MPa; a pressure must not be below zero");
         return Err(source.error(PRESSURES, why));
     }
-    let top = pressures_mpa.iter().copied().fold(0.0, f64::max);
+    let top = peak(pressures_mpa.iter().copied());
     let text = source.text_at(PRESSURES).unwrap_or_default();
     if top > HIGHEST_BARE_MPA && !text.contains(char::is_alphabetic) {
         let bar = 10.0 * top;

@@ -27,13 +27,13 @@ const MAX_BYTES: u64 = 64 << 30;
 
 /// A file of a store whose metadata are read.
 pub struct Opened {
-    pub(crate) provenance: Provenance,
+    pub provenance: Provenance,
     /// The part that it holds; `None` of the whole table.
-    pub(crate) part: Option<u64>,
+    pub part: Option<u64>,
     path: PathBuf,
     fields: Arc<[Field]>,
     reader: Reader,
-    pub(crate) checksum: String,
+    pub checksum: String,
 }
 
 impl Opened {

@@ -67,7 +67,7 @@ fn names(folder: &Path) -> Result<Vec<String>> {
 
 /// A folder of parts.
 pub struct Folder {
-    pub(crate) path: PathBuf,
+    pub path: PathBuf,
     /// Held while the store is written.
     locks: Vec<File>,
 }

@@ -12,24 +12,24 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Layout {
     /// Constants of the law: `c10_mpa`.
-    pub(crate) constants: Vec<String>,
+    pub constants: Vec<String>,
     /// Other measures that vary: `seating_mm`.
-    pub(crate) measures: Vec<String>,
+    pub measures: Vec<String>,
     /// Keys of the sensitivities: `tube.material.c10`.
-    pub(crate) sensitivities: Vec<String>,
+    pub sensitivities: Vec<String>,
 }
 
 /// One column of a layout.
 #[derive(Debug, Clone)]
 pub struct Field {
-    pub(crate) name: String,
-    pub(crate) column: &'static Column,
+    pub name: String,
+    pub column: &'static Column,
     /// Its key in a group.
-    pub(crate) key: String,
+    pub key: String,
 }
 
 impl Field {
-    pub(crate) fn slot<'a>(&self, row: &'a mut PointRow) -> Slot<'a> {
+    pub fn slot<'a>(&self, row: &'a mut PointRow) -> Slot<'a> {
         (self.column.slot)(row)
     }
 
@@ -59,14 +59,14 @@ impl Field {
     }
 
     /// Its value in one of the lists of a row.
-    pub(crate) fn value_in(&self, list: &[(String, f64)]) -> Option<f64> {
+    pub fn value_in(&self, list: &[(String, f64)]) -> Option<f64> {
         list.iter()
             .find(|(key, _)| *key == self.key)
             .map(|(_, value)| *value)
     }
 
     /// The number that a row has in it; of groups, the constants alone.
-    pub(crate) fn number(&self, row: &mut PointRow) -> Option<f64> {
+    pub fn number(&self, row: &mut PointRow) -> Option<f64> {
         match self.slot(row) {
             Slot::Number(v) => Some(*v),
             Slot::Optional(v) => *v,
@@ -78,7 +78,7 @@ impl Field {
 
 impl Layout {
     /// The columns of a plan's table.
-    pub(crate) fn for_plan(plan: &Plan) -> Self {
+    pub fn for_plan(plan: &Plan) -> Self {
         Self {
             constants: plan.constants(),
             measures: plan.measures(),
@@ -86,7 +86,7 @@ impl Layout {
         }
     }
 
-    pub(crate) fn fields(&self) -> Arc<[Field]> {
+    pub fn fields(&self) -> Arc<[Field]> {
         let columns = |column: &'static Column| {
             let alone = [column.name.to_owned()];
             let (keys, before) = match (column.slot)(&mut PointRow::default()) {

@@ -54,8 +54,8 @@ fn fill(
 /// Some rows of a campaign.
 pub struct Table {
     pub(super) fields: Arc<[Field]>,
-    pub(crate) columns: Vec<Column>,
-    pub(crate) rows: usize,
+    pub columns: Vec<Column>,
+    pub rows: usize,
 }
 
 impl Table {

@@ -24,6 +24,7 @@ use super::{
     radii::Radii,
 };
 use crate::{
+    extremes::even,
     muscle::{Muscle, NEUTRAL_ANGLE_DEG},
     rubber::RubberLaw,
 };
@@ -32,7 +33,7 @@ use std::f64::consts::PI;
 /// Largest value of 2 sinφ (1 − ((1 + cosφ)/2)³).
 pub const CAP: f64 = 1.83533;
 /// Angles at which the opening is looked at.
-const ANGLES: usize = 32;
+const ANGLES: u32 = 32;
 
 /// The pressure at which the tube of a muscle bulges through its braid.
 pub fn herniation(muscle: &Muscle) -> FailurePressure {
@@ -48,11 +49,9 @@ fn bulging(muscle: &Muscle, fewer: f64) -> FailurePressure {
              `braid.strand_area` and `braid.strands_per_carrier` in the muscle file",
         ));
     };
-    let first = muscle.braid().angle_rad();
-    let last = NEUTRAL_ANGLE_DEG.to_radians();
-    let at = |i: usize| first + (last - first) * i as f64 / ANGLES as f64;
-    (0..=ANGLES)
-        .filter_map(|i| openings.pressure_mpa(at(i)))
+    let ends = (muscle.braid().angle_rad(), NEUTRAL_ANGLE_DEG.to_radians());
+    even(ends, ANGLES)
+        .filter_map(|angle| openings.pressure_mpa(angle))
         .reduce(f64::min)
         .map_or(FailurePressure::None, FailurePressure::at)
 }

@@ -140,10 +140,9 @@ fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
     let mut given = [[[None; 3]; 6]; 3];
     for (i, PaperTerm { name, value, .. }) in terms.iter().enumerate() {
         let unknown = || {
-            let given: String = name.chars().take(40).collect();
             FormulaError::unknown(
                 &format!("terms[{i}].name"),
-                &given,
+                &format!("{name:.40}"),
                 "A11 … A63, B11 … B63, C11 … C62",
             )
         };

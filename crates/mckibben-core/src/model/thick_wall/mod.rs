@@ -26,12 +26,11 @@ mod tests;
 
 pub use equilibrium::State;
 
-use super::{Accuracy, ModelEntry, ModelInfo, ModelRange, Reference, Result, Wall, notes};
+use super::{Accuracy, ModelEntry, ModelInfo, Reference, Result, Wall, notes};
 use crate::{
     muscle::{Crimp, EndFactor, Muscle},
     rubber::Law,
 };
-use std::sync::Arc;
 
 pub const ENTRY: ModelEntry = ModelEntry {
     name: "thick-wall",
@@ -91,17 +90,13 @@ impl ThickWall {
         let bulk = notes::incompressible(ENTRY.name, muscle);
         Self {
             info: ModelInfo {
-                name: ENTRY.name.into(),
-                source: ENTRY.source.into(),
-                muscle: Arc::new(muscle.clone()),
-                range: ModelRange::for_muscle(muscle),
                 accuracy: Accuracy::share(per_slenderness * share, Reference::Elements(compared)),
-                costly: false,
                 notes: bulk
                     .into_iter()
                     .chain(notes::first_inflation(ENTRY.name, muscle))
                     .chain(notes::plugs(ENTRY.name, muscle))
                     .collect(),
+                ..ModelInfo::new(&ENTRY, muscle)
             },
             rs: lay.radius_mm,
             offset: lay.offset_mm,

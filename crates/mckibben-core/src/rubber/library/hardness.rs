@@ -32,10 +32,9 @@ const STRESS: f64 = 2.0;
 /// name is another one.
 pub fn find(name: &str) -> Option<Result<(Rubber, f64), LibraryError>> {
     let lower = name.trim().to_lowercase();
-    let given: String = name.chars().take(60).collect();
     let wrong = |problem| {
         LibraryError(format!(
-            "\"{given}\" is not a rubber by its data sheet: {problem}"
+            "\"{name:.60}\" is not a rubber by its data sheet: {problem}"
         ))
     };
     let modulus = if let Some(rest) = lower.strip_prefix("shore:") {

@@ -21,7 +21,7 @@ pub use error::LibraryError;
 pub(crate) use named::following;
 pub use named::{
     COVERING, USUAL_REACH, elongation_at_break, find, find_for, find_up_to, follows,
-    of_equal_standing, stiffness_factor, without_name,
+    stiffness_factor, without_name,
 };
 pub use window::{Standing, Window, WindowLaw};
 

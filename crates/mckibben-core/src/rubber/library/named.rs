@@ -1,7 +1,7 @@
 //! From a name to a law: its constants follow from the stretches that a muscle reaches, without
 //! steps.
 
-use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, WindowLaw, entry, hardness};
+use super::{LibraryError, RubberEntry, RubberFit, Standing, WindowLaw, entry, hardness};
 use crate::rubber::{Law, Rubber};
 
 /// Stretch for which a law is meant where there is no muscle: that of the prototype
@@ -48,10 +48,10 @@ pub fn find_up_to(name: &str, stretch: f64) -> Result<Rubber, LibraryError> {
     let entry = entry(plain)?;
     let law = law.map(super::plain);
     let fit = entry.up_to(law.as_deref(), stretch).ok_or_else(|| {
-        let law: String = law.as_deref().unwrap_or("").chars().take(60).collect();
         LibraryError(format!(
-            "{} has no fit of the law \"{law}\"; it has {}",
+            "{} has no fit of the law \"{:.60}\"; it has {}",
             entry.name,
+            law.as_deref().unwrap_or(""),
             entry.laws().join(", ")
         ))
     })?;
@@ -120,40 +120,11 @@ fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
     ))
 }
 
-/// The laws that the data of a rubber, up to the stretch `reach` of a muscle, do not tell from the
-/// law that is recommended: that one and those of equal standing with it
-/// (`TensionFit::of_equal_standing` of the fit), but for its rubber. What a muscle pulls with one
-/// and with another differs by what nobody knows from these data. Empty for rubbers without a
-/// curve. Nothing is fitted.
-pub fn of_equal_standing(rubber: &Rubber, reach: f64) -> Vec<Rubber> {
-    let Some((entry, law)) = rubber.name.as_deref().and_then(exactly) else {
-        return vec![];
-    };
-    let stretch = COVERING * reach;
-    let Some(window) = entry.up_to(law, stretch).and_then(|fit| fit.window) else {
-        return vec![];
-    };
-    window
-        .laws
-        .iter()
-        .filter(|l| l.standing != Standing::Behind && l.law.name() != rubber.law.name())
-        .filter_map(|l| {
-            let name = Some(l.name.as_str());
-            Some(Rubber {
-                bulk: rubber.bulk,
-                ..entry.rubber(name, entry.up_to(name, stretch)?)
-            })
-        })
-        .collect()
-}
-
 /// A fit of a rubber.
-pub struct LibraryFit<'a> {
+pub struct LibraryFit {
     pub law: Law,
     /// Largest stretch of the data.
     pub fitted_to_stretch: Option<f64>,
-    /// Of a rubber with a curve.
-    pub window: Option<&'a Window>,
 }
 
 impl RubberEntry {
@@ -183,8 +154,8 @@ impl RubberEntry {
     /// The fit to data up to a stretch: that of the smallest range which covers it, and between the
     /// ends of two ranges constants between theirs, in proportion. Of a law that is linear in its
     /// constants the energy lies between the two. Beyond all data the fit to all.
-    pub(super) fn up_to(&self, law: Option<&str>, stretch: f64) -> Option<LibraryFit<'_>> {
-        let mut lower: Option<LibraryFit<'_>> = None;
+    pub(super) fn up_to(&self, law: Option<&str>, stretch: f64) -> Option<LibraryFit> {
+        let mut lower: Option<LibraryFit> = None;
         for mut fit in self.fits_of_law(law) {
             let end = fit.fitted_to_stretch;
             if let Some((end, (lower, start))) =
@@ -211,7 +182,7 @@ impl RubberEntry {
 
     /// The fits of a law, or those that the name alone means, from the smallest range to the
     /// widest.
-    pub(super) fn fits_of_law(&self, law: Option<&str>) -> impl Iterator<Item = LibraryFit<'_>> {
+    pub(super) fn fits_of_law(&self, law: Option<&str>) -> impl Iterator<Item = LibraryFit> {
         // Without a curve: the first law of the table, which for the silicones is the neo-Hookean
         // one.
         let published = law.or_else(|| self.published_default()).map(str::to_owned);
@@ -223,7 +194,6 @@ impl RubberEntry {
             .map(|f| LibraryFit {
                 law: f.law.clone(),
                 fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
-                window: None,
             });
         let name = match law {
             Some(law) => self.name_in_windows(|l| l.name == law || l.law.name() == law),
@@ -233,7 +203,6 @@ impl RubberEntry {
             Some(LibraryFit {
                 law: w.laws.iter().find(|l| Some(&l.name) == name)?.law.clone(),
                 fitted_to_stretch: Some(w.fitted_to_stretch),
-                window: Some(w),
             })
         });
         published.chain(fitted)
@@ -274,7 +243,7 @@ impl RubberEntry {
             .map(|strain| self.max_strain.map_or(strain, |max| strain.min(max)))
     }
 
-    pub(super) fn rubber(&self, law: Option<&str>, fit: LibraryFit<'_>) -> Rubber {
+    pub(super) fn rubber(&self, law: Option<&str>, fit: LibraryFit) -> Rubber {
         // Where the name alone always means this law it says enough.
         let named =
             law.filter(|law| !self.windows.is_empty() || self.published_default() != Some(*law));

@@ -146,7 +146,7 @@ fn silicones_known_by_a_table_of_fits_have_its_stress_at_100_percent() {
             .iter()
             .find(|w| w.fitted_to_stretch > 2.4)
             .unwrap();
-        let scatter = 3.0 * window.law(None).unwrap().rms_mpa;
+        let scatter = 3.0 * window.recommended().unwrap().rms_mpa;
         let rubber = find_up_to(&entry.name, window.fitted_to_stretch).unwrap();
         let off = rubber.law.uniaxial_stress_mpa(2.0) - at_100_percent(row);
         assert!(

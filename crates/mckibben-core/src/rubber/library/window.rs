@@ -55,13 +55,11 @@ pub enum Standing {
 }
 
 impl Window {
-    /// A law by its name, `yeoh` or `ogden-2`; `ogden` is the best of its numbers of terms. Without
-    /// a name the recommended one.
-    pub fn law(&self, name: Option<&str>) -> Option<&WindowLaw> {
-        self.laws.iter().find(|l| match name {
-            Some(name) => l.name == name || l.law.name() == name,
-            None => l.standing == Standing::Recommended,
-        })
+    /// The law that is recommended.
+    pub fn recommended(&self) -> Option<&WindowLaw> {
+        self.laws
+            .iter()
+            .find(|l| l.standing == Standing::Recommended)
     }
 }
 

@@ -21,6 +21,8 @@ enum Role {
 }
 
 /// The word of each role in the table, and its attributes in a description.
+const LOCAL: &str = "causality=\"local\" variability=\"continuous\" initial=\"calculated\"";
+
 const ROLES: [(&str, Role, &str); 8] = [
     (
         "input",
@@ -37,21 +39,9 @@ const ROLES: [(&str, Role, &str); 8] = [
         Tunable,
         "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"",
     ),
-    (
-        "state",
-        State,
-        "causality=\"local\" variability=\"continuous\" initial=\"calculated\"",
-    ),
-    (
-        "local",
-        Local,
-        "causality=\"local\" variability=\"continuous\" initial=\"calculated\"",
-    ),
-    (
-        "event",
-        Event,
-        "causality=\"local\" variability=\"continuous\" initial=\"calculated\"",
-    ),
+    ("state", State, LOCAL),
+    ("local", Local, LOCAL),
+    ("event", Event, LOCAL),
     (
         "output",
         Output,
