@@ -216,12 +216,15 @@ impl Stated {
                 format!("{missing} is missing; {NEEDS_STRANDS}"),
             ));
         }
-        if self.measures.get(&STRAND_STRENGTH).is_some() && strands.count == 0 {
+        let of_each = area.or(self.measures.get(&STRAND_STRENGTH));
+        if of_each.is_some() && strands.count == 0 {
+            let fields = [
+                "braid.strands",
+                "braid.strand_strength",
+                "braid.strand_area",
+            ];
             let message = "braid.strands is missing; the load is shared among them";
-            return Err(MuscleError::new(
-                ["braid.strands", "braid.strand_strength"],
-                message,
-            ));
+            return Err(MuscleError::new(fields, message));
         }
         if is_described {
             braid.stiffness = BraidStiffness::OfStrands;
