@@ -8571,7 +8571,7 @@ def identify(
     log_offset_s : s
         Seconds to add to the times of the log [found where the pull follows the pressure].
     free
-        Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [the modulus, and stiffness and friction if the data determine them].
+        Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [all constants, each with what measured muscles tell of it].
     fix
         Fix a parameter: NAME=VALUE.
     bounds

@@ -56,8 +56,8 @@ pub struct IdentifyRequest {
     /// Seconds to add to the times of the log [found where the pull follows the pressure]
     #[arg(long, hide_short_help = true)]
     pub log_offset_s: Option<Time>,
-    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [the modulus, and stiffness and
-    /// friction if the data determine them]
+    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [all constants, each
+    /// with what measured muscles tell of it]
     #[arg(
         long,
         value_name = "LIST",
