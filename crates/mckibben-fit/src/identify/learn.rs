@@ -39,7 +39,7 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
     let mut notes = advice::before(request, &counted)?;
     notes.extend(flipped);
     let experience = Experience::built_in();
-    let prior = prior(request, &base);
+    let prior = prior(request, &base, experience);
     let bounds = bounds(request, &base)?;
     let found = PosteriorRequest {
         muscle: &base,
@@ -262,8 +262,8 @@ fn bounds(request: &Request<'_>, base: &Muscle) -> Result<Vec<(Constant, (f64, f
 }
 
 /// What is known before: a constant that is fixed is known.
-fn prior(request: &Request<'_>, base: &Muscle) -> Prior {
-    let mut prior = Prior::of(base, Experience::built_in());
+fn prior(request: &Request<'_>, base: &Muscle, experience: &Experience) -> Prior {
+    let mut prior = Prior::of(base, experience);
     for shown in Shown::all(base) {
         let is_it = |(target, _): &(Target, f64)| {
             Some(*target) == shown.target
@@ -296,7 +296,12 @@ fn correlation(parameters: &[Identified], found: &Posterior) -> Vec<Vec<f64>> {
 
 /// A zero of the load cell, which shows in least squares: a prior has room for it.
 fn zero_of_load_cell(request: &Request<'_>, points: &[DataPoint]) -> Option<String> {
-    let request = Request { points, ..*request };
+    // Bounds of constants that least squares do not seek are no matter here.
+    let request = Request {
+        points,
+        bounds: &[],
+        ..*request
+    };
     let free = default_parameters(&request).ok()?;
     let found = identify(&Request {
         free: &free,

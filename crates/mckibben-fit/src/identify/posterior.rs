@@ -192,7 +192,9 @@ impl PosteriorRequest<'_> {
         });
         for &(constant, (low, high)) in self.bounds {
             let within = &mut out[constant as usize];
-            *within = (low.max(within.0), high.min(within.1));
+            let both = (low.max(within.0), high.min(within.1));
+            // Bounds beyond those of all muscles hold too.
+            *within = if both.0 <= both.1 { both } else { (low, high) };
         }
         out
     }
@@ -226,13 +228,7 @@ impl PosteriorRequest<'_> {
     ) -> Option<(Constants, DMatrix<f64>)> {
         let n = known.len();
         let root = self.covariance(known).cholesky()?;
-        let slope = |i: usize, c: usize| {
-            if in_model[c] {
-                known[i].1.slopes[c]
-            } else {
-                0.0
-            }
-        };
+        let slope = |i: usize, c: usize| f64::from(in_model[c]) * known[i].1.slopes[c];
         let j = DMatrix::from_fn(n, CONSTANTS, slope);
         let off = known
             .iter()
@@ -307,11 +303,7 @@ impl PosteriorRequest<'_> {
                 std::array::from_fn(|c| (next[c] - x[c]) / deviation[c].max(f64::MIN_POSITIVE));
             let small = step.iter().all(|s| s.abs() < SMALL);
             if !self.search || small {
-                let found = self.found(x, &bounds, &a, &known);
-                return Ok(found.map(|found| Posterior {
-                    rms_before_n,
-                    ..found
-                }));
+                return Ok(self.found(x, &bounds, &a, &known, rms_before_n));
             }
             // Of steps that shrink by a steady share, or go to and fro, the sum is taken at once.
             let dot = |other: &[f64; CONSTANTS]| -> f64 {
@@ -343,6 +335,7 @@ impl PosteriorRequest<'_> {
         bounds: &[(f64, f64); CONSTANTS],
         a: &DMatrix<f64>,
         known: &[(&DataPoint, &Row)],
+        rms_before_n: f64,
     ) -> Option<Posterior> {
         let inverse = a.clone().cholesky()?.inverse();
         Some(Posterior {
@@ -354,34 +347,11 @@ impl PosteriorRequest<'_> {
                 .map(|i| std::array::from_fn(|k| inverse[(i, k)]))
                 .collect(),
             prior: self.prior.clone(),
-            rms_before_n: 0.0,
+            rms_before_n,
             points: known
                 .iter()
                 .map(|(point, row)| (**point, row.predicted_n))
                 .collect(),
         })
-    }
-}
-
-impl Posterior {
-    /// Deviation of a constant after the points over that before; below 0.7 it was learnt.
-    pub fn left(&self, constant: Constant) -> f64 {
-        let i = constant as usize;
-        let before = self.prior.deviation[i];
-        if before > 0.0 {
-            self.covariance[i][i].sqrt() / before
-        } else {
-            1.0
-        }
-    }
-
-    /// rms of the points about the constants over their largest pull.
-    pub fn rms_of_largest(&self) -> f64 {
-        let largest = peak(self.points.iter().map(|p| p.0.at.force_n));
-        let off = self
-            .points
-            .iter()
-            .map(|(p, predicted_n)| p.at.force_n - predicted_n);
-        Errors::new(off).rms / largest
     }
 }

@@ -138,6 +138,13 @@ fn identity_a_constant_on_its_bound_is_one_that_is_fixed_there() {
             "{p:?} {other:?}"
         );
     }
+    // Bounds beyond what any muscle has hold too.
+    let far = identify_default(&Request {
+        bounds: &[(angle, (34.0, 36.0))],
+        ..free
+    });
+    let far_deg = far.unwrap().parameter(angle).unwrap().value;
+    assert!((34.0..=36.0).contains(&far_deg), "{far_deg}");
     let none = Target::Measure(&OUTER_DIAMETER);
     let refused = identify_default(&Request {
         bounds: &[(none, (10.0, 20.0))],
