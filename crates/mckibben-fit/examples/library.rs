@@ -9,7 +9,7 @@ use mckibben_core::{
 use mckibben_fem::elements::Elements;
 use mckibben_fit::{
     identify::{Request, identify},
-    validation::{built_in, held_out::fit_points},
+    validation::built_in,
 };
 use std::error::Error;
 
@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let case = sets.iter().find(|case| case.facts.name == name);
     let case = case.ok_or_else(|| format!("no measured muscle is named \"{name}\""))?;
     let fit = case.fit_of_library().ok_or("it has no fit")?;
-    let points = fit_points(case, fit);
+    let points = case.points_of(fit);
     let muscle = identify(&Request::new(&fit.muscle, &fit.free, &points, &build))?.with_bench();
     let bench = muscle.bench().ok_or("it has no bench")?.clone();
     let muscle = muscle.with_bench(Bench {

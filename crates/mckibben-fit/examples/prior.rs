@@ -1,12 +1,13 @@
 //! What the measured muscles tell of one that nobody measured, as `crates/mckibben-core/data/prior.json`
 //! keeps it: `cargo run --release -p mckibben-fit --example prior > FILE`; with the word `table` behind it what the ±
-//! covers where each family is left out, series by series.
+//! covers of points that are left out, series by series.
 
 use mckibben_core::{model::ForceModel, muscle::Muscle, progress::Silent};
 use mckibben_fem::elements::Elements;
 use mckibben_fit::validation::{
     built_in,
-    families::{self, Known, Way},
+    families::{self, Known},
+    left_out::{Way, left_out},
     residual::Fitter,
 };
 use std::error::Error;
@@ -19,11 +20,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         build: &build,
         progress: &Silent,
     };
-    let series = families::series(&built_in::muscles()?);
+    let sets = built_in::muscles()?;
+    let series = families::series(&sets);
     let known = families::known(&series, by);
     if std::env::args().any(|a| a == "table") {
         for way in Way::ALL {
-            print!("{}", families::left_out(&known, way, by));
+            print!("{}", left_out(way, &sets, &known, by));
         }
         return Ok(());
     }

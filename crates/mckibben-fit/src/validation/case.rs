@@ -5,7 +5,7 @@
 
 use crate::{
     identify::Parameter,
-    measured::DataPoint,
+    measured::{DataPoint, mean_of_data},
     rubber::{Form, Mode, TensionPoint},
     rubber_over_time::TimePoint,
 };
@@ -64,6 +64,15 @@ impl MuscleCase {
         } else {
             0.0
         }
+    }
+
+    /// The points that a fit is made to.
+    pub fn points_of(&self, fit: &CaseFit) -> Vec<DataPoint> {
+        if !fit.both_branches {
+            return mean_of_data(&self.points);
+        }
+        let single = self.points.iter().filter(|p| !p.at.direction().is_mean());
+        single.copied().collect()
     }
 }
 

@@ -42,19 +42,6 @@ pub(super) fn validated(
     }
 }
 
-/// The row of the share of some points that are covered: at least [`COVERAGE`], less what chance
-/// makes of so few.
-pub(super) fn share_row(
-    name: String,
-    source: &'static str,
-    errors: &ForceErrors,
-) -> VerificationRow {
-    let by_chance = 1.96 * (COVERAGE * (1.0 - COVERAGE) / errors.points.max(1) as f64).sqrt();
-    let error = errors.held.map(|share| f64::max(COVERAGE - share, 0.0));
-    let row = VerificationRow::new(name, source, COVERAGE, errors.held, by_chance);
-    validated(row, Measure::Share, error)
-}
-
 /// The rms error of a set's identified muscle at the means of the branches, beside its largest
 /// blocked force.
 fn rms(set: &'static MuscleCase, errors: &ForceErrors) -> VerificationRow {

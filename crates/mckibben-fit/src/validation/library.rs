@@ -10,7 +10,6 @@
 use super::{
     built_in::{IDENTIFIED, muscles, text_of, with_file},
     case::{CaseError, CaseFit, MuscleCase},
-    held_out::fit_points,
     residual::{ForceErrors, Residual, residuals},
 };
 use crate::{identify::Build, measured::DataPoint};
@@ -74,7 +73,7 @@ pub struct LibraryAgreement {
 pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> LibraryAgreement {
     let points = case
         .fit_of_library()
-        .map(|fit| fit_points(case, fit))
+        .map(|fit| case.points_of(fit))
         .unwrap_or_default();
     let digest = muscle.digest();
     let is_of_muscle = |p: &DataPoint| p.section.apply(muscle).is_ok_and(|m| m.digest() == digest);
@@ -111,7 +110,7 @@ mod tests {
     /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
     fn refit(case: &MuscleCase) -> (Muscle, Identification) {
         let fit = case.fit_of_library().unwrap();
-        let points = fit_points(case, fit);
+        let points = case.points_of(fit);
         let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
         let identify = if fit.free.is_empty() {
             identify_default

@@ -14,7 +14,6 @@ pub mod built_in;
 pub mod case;
 pub mod coverage;
 pub mod families;
-pub mod held_out;
 pub mod left_out;
 pub mod library;
 mod population;
@@ -69,13 +68,7 @@ pub fn cases(
         build: elements,
         progress: &CancelOnly(progress),
     };
-    for cases in [
-        coverage::cases,
-        held_out::cases,
-        left_out::cases,
-        pulses::cases,
-        families::cases,
-    ] {
+    for cases in [coverage::cases, left_out::cases, pulses::cases] {
         rows.extend(cases(&sets, by));
         progress.check()?;
     }

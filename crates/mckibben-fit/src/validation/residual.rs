@@ -203,9 +203,6 @@ pub struct ForceErrors {
     /// Largest blocked force of the points in N.
     #[serde(skip)]
     pub blocked_n: f64,
-    /// Mean ± over it.
-    #[serde(skip)]
-    pub half_width_of_blocked: f64,
 }
 
 impl ForceErrors {
@@ -213,8 +210,7 @@ impl ForceErrors {
         let list: Vec<&Residual> = list.collect();
         let errors = Errors::new(list.iter().map(|r| r.difference_n));
         let blocked_n = peak(list.iter().map(|r| r.blocked_n));
-        let widths: Vec<f64> = list.iter().filter_map(|r| Some(r.of_built_n?.1)).collect();
-        let judged = widths.len() as f64;
+        let judged = list.iter().filter(|r| r.of_built_n.is_some()).count() as f64;
         let held = list.iter().filter(|r| r.covered() == Some(true)).count();
         Self {
             points: errors.points,
@@ -228,7 +224,6 @@ impl ForceErrors {
             },
             held: (judged > 0.0).then(|| held as f64 / judged),
             blocked_n,
-            half_width_of_blocked: widths.iter().sum::<f64>() / (judged.max(1.0) * blocked_n),
         }
     }
 }

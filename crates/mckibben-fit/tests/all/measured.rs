@@ -14,7 +14,6 @@ use mckibben_fit::{
         built_in::{built_in, muscles},
         case::{CaseFit, MuscleCase},
         coverage::first_fit_residuals,
-        held_out,
         residual::{Fitter, ForceErrors, Residual},
     },
 };
@@ -179,7 +178,7 @@ fn the_uncertainty_of_ten_points_holds_the_others() {
         ("dmsp-20-300", "modulus, angle"),
     ] {
         let (set, fit) = case_and_fit(name, fit);
-        let points = held_out::fit_points(set, fit);
+        let points = set.points_of(fit);
         let top = points.iter().map(|p| p.at.pressure_mpa).fold(0.0, f64::max);
         let five = |pressure: f64| {
             let mut list = points.clone();
@@ -199,7 +198,7 @@ fn the_uncertainty_of_ten_points_holds_the_others() {
             build: &thick,
             progress: &Silent,
         };
-        let judged = fitter.judged(fit, &ten, &others).unwrap();
+        let judged = fitter.predicted(fit, &ten, &others).unwrap();
         let held = ForceErrors::new(judged.iter()).held;
         assert!(held.unwrap() >= 0.93, "{name}: {held:?}");
         let blocked = judged.iter().map(|p| p.blocked_n).fold(0.0, f64::max);

@@ -1,17 +1,13 @@
-//! What the ± covers where the family of a muscle is left out.
+//! Measured muscles by the families that they do not belong to.
 
-use super::{
-    super::{
-        coverage::validated,
-        residual::{Fitter, of_branch},
-    },
-    Known, Series, experience, known, posterior, prior_of, series,
-};
+use super::{Known, Series, experience, posterior, prior_of};
 use crate::{
     identify::{farthest_first, written_bench},
-    least_squares::Errors,
     measured::{DataPoint, Quantity},
-    validation::case::MuscleCase,
+    validation::{
+        left_out::{Judged, SeriesJudged},
+        residual::{Fitter, of_branch},
+    },
 };
 use mckibben_core::{
     analysis::{Evaluation, Options},
@@ -20,18 +16,7 @@ use mckibben_core::{
     model::Workspace,
     muscle::Muscle,
     threads,
-    verification::{Measure, VerificationRow},
 };
-use std::fmt;
-
-/// A measured point beside its prediction.
-#[derive(Debug, Clone, Copy)]
-pub struct Judged {
-    /// Measured less median, over the largest pull of the series.
-    pub off: f64,
-    /// Half of the interval over it.
-    pub half: f64,
-}
 
 /// The points of a series by a predictor of its muscle, or of one made from it.
 pub(super) fn judged(
@@ -68,39 +53,6 @@ pub(super) fn judged(
         })
     };
     Some(points.iter().filter_map(one).collect())
-}
-
-/// How the muscles of a table are known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Way {
-    /// By the other families alone.
-    Nothing,
-    /// By so many of its own points, and the other families.
-    OwnPoints(usize),
-}
-
-impl Way {
-    /// The ways of the table.
-    pub const ALL: [Self; 4] = [
-        Self::Nothing,
-        Self::OwnPoints(1),
-        Self::OwnPoints(3),
-        Self::OwnPoints(10),
-    ];
-
-    fn name(self) -> String {
-        match self {
-            Self::Nothing => "no own points".to_owned(),
-            Self::OwnPoints(1) => "1 own point".to_owned(),
-            Self::OwnPoints(n) => format!("{n} own points"),
-        }
-    }
-}
-
-/// What the ± covers, by series.
-pub struct Coverage {
-    pub way: Way,
-    pub series: Vec<(String, Vec<Judged>)>,
 }
 
 /// Points of a series that are spread over its pressures and contractions, from ε 0.03 on: `n` of
@@ -152,8 +104,8 @@ pub(super) fn after(
     Some((muscle, predictor))
 }
 
-/// Every series by the families that it does not belong to.
-pub fn left_out(known: &[Known<'_>], way: Way, by: Fitter<'_>) -> Coverage {
+/// Every series by the families that it does not belong to, and so many of its own points.
+pub fn left_out(known: &[Known<'_>], own_points: usize, by: Fitter<'_>) -> Vec<SeriesJudged> {
     let one = |of: &&Known<'_>| {
         let series = of.series;
         let others: Vec<&Known<'_>> = known
@@ -162,117 +114,20 @@ pub fn left_out(known: &[Known<'_>], way: Way, by: Fitter<'_>) -> Coverage {
             .collect();
         let experience = experience(&others);
         let prior = prior_of(series, &experience);
-        let list = match way {
-            Way::Nothing => {
-                let predictor = Predictor::about(&series.muscle, prior.centre, prior.covariance())?;
-                judged(series, &series.muscle, &predictor, &series.points, by)?
-            }
-            Way::OwnPoints(n) => {
-                let own = spread(&series.points, n);
-                let all = 0..series.points.len();
-                let (own, rest): (Vec<_>, Vec<_>) = all.partition(|i| own.contains(i));
-                let [fitted, rest] =
-                    [own, rest].map(|list| Vec::from_iter(list.iter().map(|&i| series.points[i])));
-                let (muscle, predictor) = after(series, &fitted, (&experience, &prior), by)?;
-                judged(series, &muscle, &predictor, &rest, by)?
-            }
+        let list = if own_points == 0 {
+            let predictor = Predictor::about(&series.muscle, prior.centre, prior.covariance())?;
+            judged(series, &series.muscle, &predictor, &series.points, by)?
+        } else {
+            let own = spread(&series.points, own_points);
+            let all = 0..series.points.len();
+            let (own, rest): (Vec<_>, Vec<_>) = all.partition(|i| own.contains(i));
+            let [fitted, rest] =
+                [own, rest].map(|list| Vec::from_iter(list.iter().map(|&i| series.points[i])));
+            let (muscle, predictor) = after(series, &fitted, (&experience, &prior), by)?;
+            judged(series, &muscle, &predictor, &rest, by)?
         };
         Some((series.name.clone(), list))
     };
     let list: Vec<&Known<'_>> = known.iter().collect();
-    Coverage {
-        way,
-        series: threads::map(&list, one).into_iter().flatten().collect(),
-    }
-}
-
-fn inside(list: &[Judged]) -> f64 {
-    let held = list.iter().filter(|j| j.off.abs() <= j.half).count();
-    held as f64 / list.len().max(1) as f64
-}
-
-/// What the differences from the medians, and the halves of the intervals, amount to.
-fn errors(list: &[Judged]) -> [Errors; 2] {
-    [|j: &Judged| j.off, |j: &Judged| j.half].map(|of| Errors::new(list.iter().map(of)))
-}
-
-impl Coverage {
-    fn all(&self) -> Vec<Judged> {
-        self.series
-            .iter()
-            .flat_map(|s| s.1.iter().copied())
-            .collect()
-    }
-
-    /// Share of the points inside, mean half-width and bias over the largest pull, and the share of
-    /// the worst series.
-    pub fn summary(&self) -> (f64, f64, f64, f64) {
-        let all = self.all();
-        let [off, half] = errors(&all);
-        let worst = self.series.iter().map(|s| inside(&s.1));
-        (
-            inside(&all),
-            half.mean,
-            // Below zero where the prediction is too strong.
-            off.mean,
-            worst.fold(1.0, f64::min),
-        )
-    }
-}
-
-/// The rows of each way: the share of the points inside, and that of the worst series.
-pub(in crate::validation) fn cases(
-    sets: &[&'static MuscleCase],
-    by: Fitter<'_>,
-) -> Vec<VerificationRow> {
-    let all = series(sets);
-    let known = known(&all, by);
-    Way::ALL
-    .into_iter()
-    .map(|way| {
-        let coverage = left_out(&known, way, by);
-        let (share, half, bias, worst) = coverage.summary();
-        let name = format!(
-            "families left out, {}: {} points of {} series within the ± ({:.1} % of the largest \
-             pull, bias {:+.1} %, worst series {:.0} %)",
-            way.name(),
-            coverage.all().len(),
-            coverage.series.len(),
-            100.0 * half,
-            100.0 * bias,
-            100.0 * worst
-        );
-        let row = VerificationRow::new(name, "all measured muscles", 0.95, Some(share), 0.0);
-        validated(row, Measure::Share, Some((0.95 - share).max(0.0)))
-    })
-    .collect()
-}
-
-impl fmt::Display for Coverage {
-    /// The summary, and series by series.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (share, half, bias, worst) = self.summary();
-        writeln!(
-            f,
-            "{}: inside {:.1} %, half-width {:.1} %, bias {:+.1} %, worst series {:.0} %",
-            self.way.name(),
-            100.0 * share,
-            100.0 * half,
-            100.0 * bias,
-            100.0 * worst
-        )?;
-        for (name, list) in &self.series {
-            let [off, half] = errors(list);
-            writeln!(
-                f,
-                "  {name}: {} points, inside {:.0} %, half-width {:.1} %, bias {:+.1} %, rms {:.1} %",
-                list.len(),
-                100.0 * inside(list),
-                100.0 * half.mean,
-                100.0 * off.mean,
-                100.0 * off.rms
-            )?;
-        }
-        Ok(())
-    }
+    threads::map(&list, one).into_iter().flatten().collect()
 }

@@ -11,9 +11,7 @@ mod left_out;
 mod promised;
 
 pub use experience::experience;
-pub use left_out::{Coverage, Judged, Way, left_out};
-
-pub(super) use left_out::cases;
+pub use left_out::left_out;
 
 use super::{case::MuscleCase, population::Told, residual::Fitter};
 use crate::{
