@@ -70,26 +70,15 @@ fn end_band(run: &MotionRun) -> Option<Series> {
         .and_then(|step| Some(step.time_s + step.settling_time_s?));
     let from = settled.unwrap_or(last).min(LAST * last);
     let in_the_end = |list: &[f64]| list.last().copied();
-    let (value, half) = match (
-        end.end_angle_uncertainty_deg,
-        end.end_contraction_uncertainty,
-    ) {
-        (Some(half), _) => {
-            let [angle, _] = motion.series.degrees()?;
-            (motion.equilibrium_angle_deg.or(in_the_end(&angle))?, half)
-        }
-        (None, Some(half)) => {
-            let last = motion
-                .series
-                .muscles
-                .first()
-                .and_then(|m| in_the_end(&m.contraction));
-            (motion.equilibrium_contraction.or(last)?, half)
-        }
-        (None, None) => return None,
+    let (low, high) = if let Some(half) = end.end_angle_uncertainty_deg {
+        let [angle, _] = motion.series.degrees()?;
+        let value = motion.equilibrium_angle_deg.or(in_the_end(&angle))?;
+        (value - half, value + half)
+    } else {
+        (
+            end.end_contraction_predicted_low?,
+            end.end_contraction_predicted_high?,
+        )
     };
-    Some(Series::band(&[
-        (from, value - half, value + half),
-        (last, value - half, value + half),
-    ]))
+    Some(Series::band(&[(from, low, high), (last, low, high)]))
 }

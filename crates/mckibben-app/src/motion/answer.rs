@@ -27,8 +27,14 @@ pub struct MotionRun {
 #[skip_serializing_none]
 #[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct EndUncertainty {
-    /// 95 % half-width of the contraction at which a muscle's load rests in the end; none on a
-    /// stop, of a controlled position, and where the command still changes.
+    /// The contraction at which the load rests in the end on a muscle that is built, by the median;
+    /// none on a stop, of a controlled position, and where the command still changes.
+    pub end_contraction_predicted: Option<f64>,
+    /// Lower end of its 95 % interval.
+    pub end_contraction_predicted_low: Option<f64>,
+    /// Upper end.
+    pub end_contraction_predicted_high: Option<f64>,
+    /// Half of what lies between.
     pub end_contraction_uncertainty: Option<f64>,
     /// 95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
     pub end_angle_uncertainty_deg: Option<f64>,

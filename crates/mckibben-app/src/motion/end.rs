@@ -181,6 +181,9 @@ impl Moved {
             .map(|b| b.answer)
             .min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
         Some(EndUncertainty {
+            end_contraction_predicted: nearest.predicted,
+            end_contraction_predicted_low: nearest.predicted_low,
+            end_contraction_predicted_high: nearest.predicted_high,
             end_contraction_uncertainty: Some(nearest.contraction_uncertainty?),
             parts: nearest.uncertainty_parts_n,
             ..EndUncertainty::default()

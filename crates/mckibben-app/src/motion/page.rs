@@ -4,6 +4,7 @@ use super::{MotionAnswer, MotionRun};
 use crate::{
     Units, number,
     print::{Csv, Page, Rows, Show, Table, sentences},
+    uncertainty::bounds,
     units::{DEGREES, JOULES, NORMAL_LITRES, PERCENT, Scale},
 };
 
@@ -62,11 +63,7 @@ impl MotionRun {
                     &DEGREES,
                     (angle_deg, end.end_angle_uncertainty_deg),
                 )
-                .quantity(
-                    "ends at",
-                    &PERCENT,
-                    (contraction, end.end_contraction_uncertainty),
-                )
+                .quantity("ends at", &PERCENT, contraction)
         } else {
             let is_at_rest = run.at_rest().map(|_| "no");
             Rows::default()
@@ -78,14 +75,19 @@ impl MotionRun {
                     &DEGREES,
                     (run.equilibrium_angle_deg, end.end_angle_uncertainty_deg),
                 )
-                .quantity(
-                    "its equilibrium",
-                    &PERCENT,
-                    (run.equilibrium_contraction, end.end_contraction_uncertainty),
-                )
+                .quantity("its equilibrium", &PERCENT, run.equilibrium_contraction)
+        };
+        let built = || {
+            let ends = [
+                end.end_contraction_predicted?,
+                end.end_contraction_predicted_low?,
+                end.end_contraction_predicted_high?,
+            ];
+            Some(bounds(ends, &PERCENT))
         };
         let pressure_mpa = muscle.and_then(|muscle| last(&muscle.pressure_mpa));
-        rows.quantity("with a pressure of", &u.pressure, pressure_mpa)
+        rows.text("as built", built())
+            .quantity("with a pressure of", &u.pressure, pressure_mpa)
             .text("uncertainty", self.uncertainty_in(u))
     }
 
