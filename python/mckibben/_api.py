@@ -57,6 +57,7 @@ __all__ = [
     "Case",
     "Characteristics",
     "CheckAnswer",
+    "ChoiceAnswer",
     "ClosestAnswer",
     "CoefficientRow",
     "CompareAnswer",
@@ -849,6 +850,8 @@ class CandidateAnswer(Record):
         Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
     tube
         Name of the tube as sold or cast that it has, where tubes were searched.
+    is_cast
+        Whether this tube is cast, not bought.
     model
         Name of the model that all its numbers come from.
     points
@@ -935,6 +938,7 @@ class CandidateAnswer(Record):
     rubber_mass_g: float | None = None
     mass_g: float | None = None
     tube: str | None = None
+    is_cast: bool | None = None
     liquid_volume_mm3: float | None = None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     least_burst_pressure_mpa: float | None = None
@@ -1214,6 +1218,48 @@ class CheckAnswer(Record):
     friction_presliding_mm: float | None = None
     characteristics: Characteristics | None = None
     muscle_file: str | None = None
+
+
+class ChoiceAnswer(Record):
+    """One of the choices of the decision.
+
+    Attributes
+    ----------
+    kind
+        What it is.
+    count
+        So many side by side.
+    parts
+        Tube and sleeve.
+    length_mm : mm
+        Length between the terminals, mm.
+    envelope_mm : mm
+        Diameter at the bulge of one, or of the circle around all of them, mm.
+    pressure_mpa : MPa
+        Pressure to set, MPa.
+    force_n : N
+        What is required of all of them at the point of the largest ±, N.
+    predicted_low_n : N
+        The 95 % interval of what they pull there, N.
+    predicted_high_n : N
+        Its upper end.
+    air_normal_litres : normal L
+        Air per stroke, normal litres.
+    liquid_volume_mm3 : mm3
+        Liquid per stroke, mm³.
+    """
+
+    kind: Literal["first", "bundle", "sure", "sold", "cast"]
+    count: int
+    parts: str
+    length_mm: float
+    pressure_mpa: float
+    force_n: float
+    envelope_mm: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    air_normal_litres: float | None = None
+    liquid_volume_mm3: float | None = None
 
 
 class ClosestAnswer(Record):
@@ -1580,9 +1626,15 @@ class Design(_record.Designed):
         Near misses, or the muscles that come closest.
     warnings
         Warnings about the best muscle; if nothing fits, whether burst was checked.
+    choices
+        One muscle, the slimmest bundle, what is sure, and one of the other make beside each other, where there are two or more.
+    other_make
+        Where the best muscle has a tube that is sold the best one that is cast, and vice versa.
+    slimmest_bundle
+        In place of one muscle: so many side by side, where the circle around them is smaller.
     to_be_sure
-        If none of the candidates is sure at a pressure that it may have: the best muscle whose lower end of the ± meets the requirement (`guaranteed`);
-        none where the same search finds none.
+        If none of the candidates is sure at a pressure that it may have: what is, one or several side by side, whose lower end of the ± meets the
+        requirement (`guaranteed`); none where the same search finds none.
     closest
         If nothing fits: the muscle that comes closest.
     bundle
@@ -1611,6 +1663,9 @@ class Design(_record.Designed):
     load: str | None = None
     assumptions: list[str] | None = None
     uncertainty_words: UncertaintyWords | None = None
+    choices: list[ChoiceAnswer] | None = None
+    other_make: CandidateAnswer | None = None
+    slimmest_bundle: CandidateAnswer | None = None
     to_be_sure: CandidateAnswer | None = None
     closest: ClosestAnswer | None = None
     bundle: BundleAnswer | None = None
@@ -4148,9 +4203,15 @@ class Motion(Record):
         The same while it is vented, Hz.
     events
         What happened: ends of stroke, slack, valve switching, reversals.
+    end_contraction_predicted
+        The contraction at which the load rests in the end on a muscle that is built, by the median; none on a stop, of a controlled position, and where
+        the command still changes.
+    end_contraction_predicted_low
+        Lower end of its 95 % interval.
+    end_contraction_predicted_high
+        Upper end.
     end_contraction_uncertainty
-        95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command
-        still changes.
+        Half of what lies between.
     end_angle_uncertainty_deg : deg
         95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
     uncertainty_text
@@ -4213,6 +4274,9 @@ class Motion(Record):
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
+    end_contraction_predicted: float | None = None
+    end_contraction_predicted_low: float | None = None
+    end_contraction_predicted_high: float | None = None
     end_contraction_uncertainty: float | None = None
     end_angle_uncertainty_deg: float | None = None
     uncertainty_text: str | None = None
@@ -4284,9 +4348,15 @@ class MotionRun(Record):
         The same while it is vented, Hz.
     events
         What happened: ends of stroke, slack, valve switching, reversals.
+    end_contraction_predicted
+        The contraction at which the load rests in the end on a muscle that is built, by the median; none on a stop, of a controlled position, and where
+        the command still changes.
+    end_contraction_predicted_low
+        Lower end of its 95 % interval.
+    end_contraction_predicted_high
+        Upper end.
     end_contraction_uncertainty
-        95 % half-width of the contraction at which a muscle's load rests in the end; none on a stop, of a controlled position, and where the command
-        still changes.
+        Half of what lies between.
     end_angle_uncertainty_deg : deg
         95 % half-width of the angle at which a joint rests in the end, likewise, degrees.
     uncertainty_text
@@ -4317,6 +4387,9 @@ class MotionRun(Record):
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
+    end_contraction_predicted: float | None = None
+    end_contraction_predicted_low: float | None = None
+    end_contraction_predicted_high: float | None = None
     end_contraction_uncertainty: float | None = None
     end_angle_uncertainty_deg: float | None = None
     uncertainty_text: str | None = None
@@ -8379,6 +8452,8 @@ def design(
     muscle: MuscleLike | None = None,
     with_: Sequence[str] | None = None,
     tubes: Sequence[str] | None = None,
+    sold: bool = False,
+    cast: bool = False,
     parts: FileLike | None = None,
     continuous: bool = False,
     outer_diameter_mm: Choice | None = None,
@@ -8466,6 +8541,10 @@ def design(
         Any key of a muscle file, such as terminals.seating=1.6mm; may be repeated.
     tubes
         Tubes as sold or cast (`mckibben parts list tubes`), or BORExOUTER, such as 8x12mm [all].
+    sold
+        Only tubes on sale.
+    cast
+        Only tubes that one casts.
     parts
         Tubes and sleeves of your own. A file with [[tube]] (name, inner, outer, rubber) and [[sleeve]] (name, least_diameter, largest_diameter in mm) in
         place of those of the catalogue.

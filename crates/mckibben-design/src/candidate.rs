@@ -55,6 +55,9 @@ pub struct Candidate {
     /// Name of the tube as sold or cast that it has, where tubes were searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tube: Option<String>,
+    /// Whether this tube is cast, not bought.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub is_cast: bool,
     /// Name of the model that all its numbers come from.
     pub model: String,
     /// What it is ranked by: smaller is better.
@@ -216,6 +219,7 @@ pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, Model
         from_thick_wall,
         points,
         tube: None,
+        is_cast: false,
         model: trial.model.info().name.to_string(),
         score: probe.score,
         muscle: muscle.clone(),

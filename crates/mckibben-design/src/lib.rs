@@ -22,6 +22,7 @@
 pub mod bought;
 pub mod bundle;
 mod candidate;
+mod choice;
 mod demand;
 mod joint;
 mod limits;
@@ -41,6 +42,7 @@ pub mod tubes;
 pub use bought::Bought;
 pub use bundle::{Bundle, BundlePoint};
 pub use candidate::{Candidate, CandidatePoint};
+pub use choice::{LARGEST_BUNDLE, Several};
 pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
 pub use joint::design_joint;
 pub use limits::{

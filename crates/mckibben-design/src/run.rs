@@ -1,20 +1,21 @@
 //! A design: searched with a fast model, settled with the one that is believed.
 
 use crate::{
-    Build, Candidate, Models, Reason, Rejected, Relaxation, Spec, SpecError,
+    Build, Candidate, Models, Objective, Reason, Rejected, Relaxation, Spec, SpecError,
     candidate::candidate,
-    limits::check::{Probe, Score, probe, probe_with},
+    choice::{EQUAL, Several, Sharing, order, ranked},
+    limits::check::{Probe, Score, fits, probe, probe_with},
     line::STEPS,
     relax::{Kind, Misses},
     search::{NEARLY, NEARLY_SHORT, Pick, SPARE, Search, SearchResult},
     trial::Trial,
 };
 use mckibben_core::{
+    analysis::bisect,
     progress::{Progress, Silent},
     threads,
-    units::Values,
+    units::{Values, tidy},
 };
-use std::cmp::Ordering;
 
 /// What a design found.
 #[derive(Debug, Clone)]
@@ -27,25 +28,35 @@ pub struct Outcome {
     pub looked_at: (usize, usize),
     /// Where nothing fits: the muscle that comes closest, and what would have to give.
     pub closest: Option<Closest>,
-    /// The muscles that fit or nearly do by the model of the search, those of the least score
-    /// first.
-    likely: Vec<(Score, Pick)>,
+    /// Where the candidates have tubes that are sold the best one that is cast, and vice versa.
+    pub other_make: Option<Candidate>,
+    /// What may take the place of one muscle, or is sure.
+    sharing: Sharing,
 }
 
 impl Outcome {
-    /// Where no candidate is sure to give what is wanted: the best muscle that is, by the lower end
-    /// of the ± (95 %).
+    /// In place of one muscle: the slimmest bundle of equal ones.
+    pub fn slimmest_bundle(
+        &self,
+        spec: &Spec,
+        models: Models<'_>,
+        progress: &dyn Progress,
+    ) -> Option<Several> {
+        self.sharing
+            .bundles
+            .settled(&searched(spec, models), models, progress)
+    }
+
+    /// Where no candidate is sure to give what is wanted: what is, by the lower end of the ± (95 %),
+    /// one muscle or several.
     pub fn to_be_sure(
         &self,
         spec: &Spec,
         models: Models<'_>,
         progress: &dyn Progress,
-    ) -> Option<Candidate> {
+    ) -> Option<Several> {
         let is_sure = |c: &Candidate| c.sure_pressure_mpa.is_some();
-        if spec.guaranteed.is_some()
-            || self.candidates.is_empty()
-            || self.candidates.iter().any(is_sure)
-        {
+        if spec.guaranteed.is_some() || self.candidates.iter().any(is_sure) {
             return None;
         }
         let sure = Spec {
@@ -53,11 +64,14 @@ impl Outcome {
             top: 1,
             ..searched(spec, models)
         };
-        if spec.tubes.is_empty() {
-            return design_with(&sure, models, progress).ok()?.candidates.pop();
+        if !spec.tubes.is_empty() {
+            return self.sharing.sure.settled(&sure, models, progress);
         }
-        // What is sure is among what fits, and no smaller.
-        settled(&Search::new(&sure, models, progress), models, &self.likely).pop()
+        let found = design_with(&sure, models, progress).ok()?;
+        Some(Several {
+            count: spec.count,
+            candidate: found.candidates.into_iter().next()?,
+        })
     }
 }
 
@@ -114,6 +128,9 @@ const RANK_SHORT: f64 = 0.2;
 /// Where none of those fits: so many that miss by more, the nearest first. The largest diameter of
 /// the two models differs by up to a tenth where little is contracted.
 const FARTHER: usize = 40;
+/// A tube that is sold comes before one that is cast as long as its muscle is at most so many times
+/// as large.
+const SOLD: f64 = 1.5;
 /// Muscles that are settled side by side.
 const CHUNK: usize = 4;
 /// Shares by which the two models' diameters may differ, tried one after the other.
@@ -150,7 +167,7 @@ pub fn design_with(
         score[0] -= score[0].abs() * if pick.is_short() { RANK_SHORT } else { RANK };
     }
     likely.sort_by(|a, b| order(&a.0, &b.0));
-    let mut candidates = settled(&search, models, &likely);
+    let (mut candidates, other_make) = settled_makes(&search, models, likely);
     if candidates.is_empty() && models.settle.is_some() {
         let farther = result
             .misses
@@ -160,7 +177,7 @@ pub fn design_with(
             .take(FARTHER)
             .map(|miss| ([f64::NEG_INFINITY; 2], miss.1))
             .collect();
-        candidates = settled(&search, models, &farther);
+        candidates = settled(&search, models, &farther, spec.top);
     }
     progress.check()?;
     let decides = models.decides();
@@ -203,7 +220,8 @@ pub fn design_with(
         rejected,
         looked_at: (result.looked_at, result.fitted),
         closest,
-        likely,
+        other_make,
+        sharing: result.sharing,
     })
 }
 
@@ -215,49 +233,107 @@ pub fn searched(spec: &Spec, models: Models<'_>) -> Spec {
     }
 }
 
-fn order(a: &Score, b: &Score) -> Ordering {
-    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
-}
-
-/// Of likely muscles, those of the least score first, the ones that hold by the model that decides,
-/// best first.
-fn settled(search: &Search<'_>, models: Models<'_>, likely: &[(Score, Pick)]) -> Vec<Candidate> {
+/// A muscle, where it holds by the model that decides.
+pub fn settled_one(search: &Search<'_>, models: Models<'_>, pick: Pick) -> Option<Candidate> {
     let spec = search.spec;
     let build = models.decides();
-    let one = |pick: &Pick| -> Option<Candidate> {
-        if search.progress.cancelled() {
-            return None;
-        }
-        let pick = if models.settle.is_some() {
-            corrected(search, build, *pick)?
-        } else {
-            *pick
-        };
-        let muscle = search.muscle(pick).ok()?;
-        if spec.guaranteed.is_some() && !search.is_near(pick, &muscle) {
-            return None;
-        }
-        let mut trial = Trial::new(spec, build, &muscle).ok()?;
-        let probe = probe_with(&mut trial, true).ok().filter(Probe::fits)?;
-        let tube = search.tube(pick).map(|part| part.name.clone());
-        candidate(trial, &probe)
-            .ok()
-            .map(|found| Candidate { tube, ..found })
+    if search.progress.cancelled() {
+        return None;
+    }
+    let pick = if models.settle.is_some() {
+        corrected(search, build, pick)?
+    } else {
+        pick
     };
+    let pick = shortened(search, build, pick);
+    let muscle = search.muscle(pick).ok()?;
+    if spec.guaranteed.is_some() && !search.is_near(pick, &muscle) {
+        return None;
+    }
+    let mut trial = Trial::new(spec, build, &muscle).ok()?;
+    let probe = probe_with(&mut trial, true).ok().filter(Probe::fits)?;
+    let tube = search.tube(pick);
+    Some(Candidate {
+        tube: tube.map(|part| part.name.clone()),
+        is_cast: tube.is_some_and(|part| part.is_cast),
+        ..candidate(trial, &probe).ok()?
+    })
+}
+
+/// What holds by the model that decides: tubes that are sold, then those that are cast, or vice
+/// versa; and the best of those that come second.
+fn settled_makes(
+    search: &Search<'_>,
+    models: Models<'_>,
+    likely: Vec<(Score, Pick)>,
+) -> (Vec<Candidate>, Option<Candidate>) {
+    let Spec { objective, top, .. } = *search.spec;
+    let by_size = !matches!(
+        objective,
+        Objective::Pressure | Objective::Air | Objective::Margin
+    );
+    let is_cast = |pick: Pick| by_size && search.tube(pick).is_some_and(|tube| tube.is_cast);
+    let (cast, sold): (Vec<_>, Vec<_>) = likely.into_iter().partition(|(_, pick)| is_cast(*pick));
+    let mut candidates = settled(search, models, &sold, top);
+    let mut others = settled(search, models, &cast, top);
+    let first = |list: &[Candidate]| list.first().map_or(f64::INFINITY, |c| c.score[0]);
+    if first(&candidates) > SOLD * first(&others) {
+        std::mem::swap(&mut candidates, &mut others);
+    }
+    let other = others.first().filter(|_| !candidates.is_empty()).cloned();
+    candidates.extend(others);
+    candidates.truncate(top);
+    (candidates, other)
+}
+
+/// Of likely muscles, those of the least score first, so many that hold by the model that decides,
+/// best first.
+fn settled(
+    search: &Search<'_>,
+    models: Models<'_>,
+    likely: &[(Score, Pick)],
+    top: usize,
+) -> Vec<Candidate> {
     let mut found: Vec<Candidate> = vec![];
     for some in likely.chunks(CHUNK) {
-        // None of those that are left is better than the last that is printed.
-        let last = found.get(spec.top - 1).map(|c| c.score[0]);
-        if last.is_some_and(|last| some[0].0[0] > last) {
+        // None of those that are left is better than the last that is printed, or equal to the
+        // first.
+        if let (Some(first), Some(last)) = (found.first(), found.get(top - 1))
+            && some[0].0[0] > last.score[0].max(EQUAL * first.score[0])
+        {
             break;
         }
         let picks: Vec<Pick> = some.iter().map(|(_, pick)| *pick).collect();
+        let one = |pick: &Pick| settled_one(search, models, *pick);
         found.extend(threads::map(&picks, one).into_iter().flatten());
         found.sort_by(|a, b| order(&a.score, &b.score));
         found.dedup_by(|a, b| a.muscle == b.muscle);
     }
-    found.truncate(spec.top);
+    let mut found = ranked(search.spec, found);
+    found.truncate(top);
     found
+}
+
+/// The shortest muscle that fits down to the next shorter one of the search, where that is what is
+/// ranked by.
+fn shortened(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Pick {
+    const RATIO: f64 = 0.8;
+    const HALVINGS: usize = 5;
+    let spec = search.spec;
+    let Some(Values::Interval(low, _)) = spec.length_mm else {
+        return pick;
+    };
+    if spec.objective != Objective::Length {
+        return pick;
+    }
+    let at = |length_mm: f64| pick.with_length(tidy(length_mm, 3));
+    let least_mm = low.max(RATIO * pick.length_mm());
+    let least_mm = least_mm.max(spec.least_slenderness * pick.d0);
+    let is_too_short = |length_mm: f64| {
+        let muscle = search.muscle(at(length_mm));
+        !muscle.is_ok_and(|muscle| fits(spec, build, &muscle))
+    };
+    at(bisect(least_mm, pick.length_mm(), HALVINGS, is_too_short).1)
 }
 
 /// The muscle with the diameter that the model which decides asks for.

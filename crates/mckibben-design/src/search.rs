@@ -7,7 +7,8 @@
 //! searched by the roots of the single limits ([`line`](super::line)).
 
 use crate::{
-    BraidChoice, Build, Models, Objective, SearchedMuscles, Spec, TubePart,
+    BraidChoice, Build, Demand, Lift, Models, Objective, SearchedMuscles, Spec, TubePart,
+    choice::Sharing,
     limits::check::{NO_SCORE, Score, probe_with},
     line::{self, Found, Merit, Sample},
     models::THICK_WALL,
@@ -17,7 +18,7 @@ use mckibben_core::{
     muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube},
     progress::Progress,
     threads,
-    units::Values,
+    units::{Values, tidy},
 };
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -43,6 +44,8 @@ const LEAST_BORE: f64 = 0.25;
 const WALLS: (usize, usize) = (10, 6);
 const ANGLES: (usize, usize) = (8, 6);
 const LENGTHS: (usize, usize) = (4, 4);
+/// Steps of the lengths for a stroke: of free sizes, and of tubes as sold.
+const STROKE_STEPS: (i32, i32) = (3, 6);
 
 /// A choice of rubber, braid and length; D0 and s are left.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,6 +71,15 @@ pub struct Pick {
 }
 
 impl Pick {
+    pub fn length_mm(&self) -> f64 {
+        self.choice.length_mm
+    }
+
+    pub fn with_length(mut self, length_mm: f64) -> Self {
+        self.choice.length_mm = length_mm;
+        self
+    }
+
     /// Whether its ends shape a good part of it.
     pub fn is_short(&self) -> bool {
         self.choice.length_mm < SHORT * self.d0
@@ -95,6 +107,8 @@ pub struct SearchResult {
     pub misses: Vec<(f64, Pick)>,
     /// Misses that may fit by the model that decides.
     pub near: Vec<(Score, Pick)>,
+    /// What may take the place of one muscle, or is sure.
+    pub sharing: Sharing,
     pub invalid: Option<MuscleError>,
     pub looked_at: usize,
     pub fitted: usize,
@@ -123,6 +137,8 @@ impl SearchResult {
     }
 
     fn add(&mut self, other: SearchResult) {
+        self.sharing.bundles.add(&other.sharing.bundles);
+        self.sharing.sure.add(&other.sharing.sure);
         self.looked_at += other.looked_at;
         self.fitted += other.fitted;
         for (score, pick) in other.fits {
@@ -301,12 +317,24 @@ impl<'a> Search<'a> {
                     return result;
                 }
             };
+            if length_mm < self.spec.least_slenderness * pick.d0 {
+                return result;
+            }
             // The infinitely long muscle pulls harder than a short one: where even it is far from
             // its limits, no better model computes it, and where the model of the search is not
             // good for it, the one that decides does, if it may be among the best.
             if !self.progress.cancelled() {
                 let mut screened = SearchResult::default();
-                let sample = self.sample(pick, THICK_WALL, &mut screened, true);
+                let mut trial = Trial::new(self.spec, THICK_WALL, &muscle);
+                let probe = trial.as_mut().ok().map(|trial| probe_with(trial, true));
+                let sample = Sample::new(pick.d0, probe.and_then(Result::ok));
+                screened.looked_at += 1;
+                screened.fitted += usize::from(sample.fits());
+                if let Ok(trial) = &mut trial {
+                    // Without an answer it takes no part.
+                    let _ = result.sharing.keep(pick, trial);
+                    screened.sharing = result.sharing.clone();
+                }
                 let missed = sample.violation();
                 let unsure = self.ranks(&muscle).1;
                 if missed.is_finite() && (missed > FAR || unsure > 0.0) {
@@ -453,11 +481,7 @@ impl<'a> Search<'a> {
             BraidChoice::Sleeves(list) => list.len(),
             BraidChoice::Angle(angles) => count(angles, ANGLES),
         };
-        let lengths = self
-            .spec
-            .length_mm
-            .as_ref()
-            .map_or(1, |v| count(v, LENGTHS));
+        let lengths = count(&self.lengths(), LENGTHS);
         if !self.spec.tubes.is_empty() {
             return braids * lengths;
         }
@@ -495,10 +519,35 @@ impl<'a> Search<'a> {
         self.gather(tried.into_iter().map(|t| t.1).chain(extra))
     }
 
+    /// The lengths that are looked at; those of which a stroke is a share in equal ratios.
+    fn lengths(&self) -> Values {
+        let by_stroke = matches!(
+            self.spec.wanted,
+            Demand::Load {
+                way: Lift::Stroke(_),
+                ..
+            }
+        );
+        match &self.spec.length_mm {
+            Some(Values::Interval(low, high)) if by_stroke && low < high => {
+                let steps = if self.spec.tubes.is_empty() {
+                    STROKE_STEPS.0
+                } else {
+                    STROKE_STEPS.1
+                };
+                let of = |i: i32| (high / low).powf(f64::from(i) / f64::from(steps));
+                let mut list: Vec<f64> = (0..=steps).map(|i| tidy(low * of(i), 2)).collect();
+                list.dedup();
+                Values::List(list)
+            }
+            Some(values) => values.clone(),
+            None => Values::List(vec![self.spec.base.length_mm()]),
+        }
+    }
+
     /// All muscles of one rubber, or of all tubes as sold.
     fn search_rubber(&self, rubber: usize) -> SearchResult {
-        let length = Values::List(vec![self.spec.base.length_mm()]);
-        let lengths = self.spec.length_mm.as_ref().unwrap_or(&length);
+        let lengths = &self.lengths();
         let braided = |braid: BraidRule| {
             self.axis(lengths, LENGTHS, &|length_mm| {
                 let choice = Choice {

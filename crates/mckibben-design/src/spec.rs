@@ -27,7 +27,8 @@ pub enum Objective {
     Air,
     /// Most pull to spare at the maximum pressure.
     Margin,
-    /// Smallest outer diameter at the operating points, then least mass.
+    /// Smallest outer diameter at the operating points; where the length is searched the least
+    /// space. Of muscles that are about equal the one that can be relied on.
     #[default]
     BulgedDiameter,
     /// Shortest between the terminals at rest.
@@ -52,6 +53,8 @@ pub struct Spec {
     pub wanted: Demand,
     /// Muscles side by side that share the requirement; `wanted` is that of one.
     pub count: u32,
+    /// Up to so many side by side may take the place of one; 1 where the number is stated.
+    pub most_side_by_side: u32,
     /// Distance in mm between the axes of neighbours; that of the largest envelope, or the bulged
     /// diameter, where there is none.
     pub pitch_mm: Option<f64>,
@@ -77,6 +80,8 @@ pub struct Spec {
     pub wall_mm: Values,
     /// Lengths between the terminals in mm; the base muscle's where there are none.
     pub length_mm: Option<Values>,
+    /// Least length over the outer diameter, where the length is searched freely.
+    pub least_slenderness: f64,
     /// Braid angles, or sleeves.
     pub braid: BraidChoice,
     /// Rubbers; empty means the base muscle's.
@@ -114,6 +119,7 @@ impl Spec {
         Self {
             wanted: points.into(),
             count: 1,
+            most_side_by_side: 1,
             pitch_mm: None,
             built: true,
             direction: Direction::Contraction,
@@ -126,6 +132,7 @@ impl Spec {
             braid: BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
             base,
             length_mm: None,
+            least_slenderness: 0.0,
             rubbers: vec![],
             limits: Limits::safe(),
             guaranteed: None,
@@ -140,7 +147,7 @@ impl Spec {
         let share = 1.0 / f64::from(count);
         let mut shared = Self {
             wanted: self.wanted.times(share),
-            count,
+            count: self.count * count,
             ..self.clone()
         };
         if let Some(volume_mm3) = &mut shared.limits.liquid_volume_mm3 {

@@ -1,7 +1,7 @@
 //! The main job as a whole: a specification that leaves some things open, and what is chosen.
 
 use crate::{
-    Bundle, Candidate, Models, Outcome, Relaxation, Spec, SpecError, bundle, design_joint,
+    Bundle, Models, Outcome, Relaxation, Several, Spec, SpecError, bundle, design_joint,
     design_with, other_parts::other_parts,
 };
 use mckibben_core::{
@@ -24,8 +24,6 @@ pub struct Open {
 pub struct Task {
     /// What is required, of one muscle where the number is open.
     pub spec: Spec,
-    /// The same with a longer muscle, where the length is open: tried where nothing fits.
-    pub longer: Option<Spec>,
     /// Radii in mm of the pulley of a joint.
     pub radius_mm: Option<Values>,
     /// What else is open.
@@ -39,12 +37,12 @@ pub struct Design {
     pub spec: Spec,
     /// The muscles.
     pub outcome: Outcome,
-    /// Whether the longer muscle was taken.
-    pub is_longer: bool,
     /// Whether several muscles share what no single one gives.
     pub is_shared: bool,
-    /// Where no candidate is sure: the best muscle that is.
-    pub to_be_sure: Option<Candidate>,
+    /// In place of one muscle: the slimmest bundle, where it is slimmer.
+    pub slimmest_bundle: Option<Several>,
+    /// Where no candidate is sure: what is.
+    pub to_be_sure: Option<Several>,
     /// What the muscles of a bundle do together, where their number is given or chosen.
     pub bundle: Option<Bundle>,
     /// Where nothing fits: what to change, what asks for least first.
@@ -62,17 +60,18 @@ impl Task {
     pub fn solve(&self, models: Models<'_>, progress: &dyn Progress) -> Result<Design, SpecError> {
         let quiet = &CancelOnly(progress);
         let (mut spec, mut outcome) = self.search(&self.spec, models, progress)?;
-        let longer = self.longer.as_ref().filter(|_| outcome.closest.is_some());
-        if let Some(longer) = longer {
-            (spec, outcome) = self.search(longer, models, progress)?;
-        }
-        let one = longer.unwrap_or(&self.spec);
+        let one = &self.spec;
         let shared = self.shared(one, (&spec, &outcome), models, quiet)?;
         let is_shared = shared.is_some();
+        let to_be_sure = outcome.to_be_sure(&spec, models, quiet);
+        let mut slimmest_bundle = None;
         if let Some(found) = shared {
             (spec, outcome) = found;
+        } else if let Some(first) = outcome.candidates.first() {
+            let is_slimmer = |several: &Several| several.size() < Several::one(first).size();
+            let bundle = outcome.slimmest_bundle(&spec, models, quiet);
+            slimmest_bundle = bundle.filter(is_slimmer);
         }
-        let to_be_sure = outcome.to_be_sure(&spec, models, quiet);
         progress.check()?;
         let winner = outcome.candidates.first();
         let bundle = winner
@@ -84,8 +83,8 @@ impl Task {
             changes
         });
         Ok(Design {
-            is_longer: longer.is_some(),
             is_shared,
+            slimmest_bundle,
             to_be_sure,
             bundle,
             relaxations: relaxations.unwrap_or_default(),
@@ -116,6 +115,13 @@ impl Task {
         progress: &dyn Progress,
     ) -> Result<Option<(Spec, Outcome)>, SpecError> {
         let closest = outcome.closest.as_ref().filter(|_| self.open.count);
+        if closest.is_some()
+            && let Some(bundle) = outcome.slimmest_bundle(searched, models, progress)
+        {
+            return self
+                .search(&one.shared_by(bundle.count), models, progress)
+                .map(Some);
+        }
         let share = closest.and_then(|closest| closest.largest_share(searched, models, progress));
         let counts = share
             .into_iter()

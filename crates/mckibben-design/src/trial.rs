@@ -162,15 +162,22 @@ impl<'a> Trial<'a> {
     /// The pressure at which the end of the 95 % interval of the pull is what is wanted at every
     /// point, up to the highest.
     pub fn sure_mpa(&mut self) -> Option<f64> {
-        let widths = self.half_widths.replace(self.half_widths.unwrap_or(1.0));
         let points = self.spec.points(self.muscle);
-        let mut need = |q: &OperatingPoint| {
-            let is_met = self.missed(self.highest_mpa, q).ok()? <= 0.0;
-            is_met.then(|| self.need(q).ok())?
+        let need = |trial: &mut Self, q: &OperatingPoint| {
+            let is_met = trial.missed(trial.highest_mpa, q).ok()? <= 0.0;
+            is_met.then(|| trial.need(q).ok())?
         };
-        let needs: Option<Vec<f64>> = points.iter().map(&mut need).collect();
-        self.half_widths = widths;
+        let needs: Option<Vec<f64>> =
+            self.guaranteed(|trial| points.iter().map(|q| need(trial, q)).collect());
         needs?.into_iter().reduce(f64::max)
+    }
+
+    /// What is asked of the lower end of its 95 % interval, or of the share that is guaranteed.
+    pub fn guaranteed<T>(&mut self, ask: impl FnOnce(&mut Self) -> T) -> T {
+        let widths = self.half_widths.replace(self.half_widths.unwrap_or(1.0));
+        let answer = ask(self);
+        self.half_widths = widths;
+        answer
     }
 
     fn pull_mpa(&mut self, point: &OperatingPoint) -> Result<f64> {

@@ -62,9 +62,17 @@ pub struct DesignAnswer {
     pub rejected: Vec<RejectedAnswer>,
     /// Warnings about the best muscle; if nothing fits, whether burst was checked.
     pub warnings: Vec<Warning>,
-    /// If none of the candidates is sure at a pressure that it may have: the best muscle whose
-    /// lower end of the ± meets the requirement (`guaranteed`); none where the same search finds
-    /// none.
+    /// One muscle, the slimmest bundle, what is sure, and one of the other make beside each other,
+    /// where there are two or more.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub choices: Vec<ChoiceAnswer>,
+    /// Where the best muscle has a tube that is sold the best one that is cast, and vice versa.
+    pub other_make: Option<CandidateAnswer>,
+    /// In place of one muscle: so many side by side, where the circle around them is smaller.
+    pub slimmest_bundle: Option<CandidateAnswer>,
+    /// If none of the candidates is sure at a pressure that it may have: what is, one or several
+    /// side by side, whose lower end of the ± meets the requirement (`guaranteed`); none where the
+    /// same search finds none.
     pub to_be_sure: Option<CandidateAnswer>,
     /// If nothing fits: the muscle that comes closest.
     pub closest: Option<ClosestAnswer>,
@@ -181,6 +189,50 @@ pub struct CandidateJoint {
     pub contraction_at_neutral: f64,
     /// Largest angle to either side, degrees.
     pub largest_angle_deg: f64,
+}
+
+/// One of the choices of the decision.
+#[skip_serializing_none]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct ChoiceAnswer {
+    /// What it is.
+    pub kind: ChoiceKind,
+    /// So many side by side.
+    pub count: u32,
+    /// Tube and sleeve.
+    pub parts: String,
+    /// Length between the terminals, mm.
+    pub length_mm: f64,
+    /// Diameter at the bulge of one, or of the circle around all of them, mm.
+    pub envelope_mm: Option<f64>,
+    /// Pressure to set, MPa.
+    pub pressure_mpa: f64,
+    /// What is required of all of them at the point of the largest ±, N.
+    pub force_n: f64,
+    /// The 95 % interval of what they pull there, N.
+    pub predicted_low_n: Option<f64>,
+    /// Its upper end.
+    pub predicted_high_n: Option<f64>,
+    /// Air per stroke, normal litres.
+    pub air_normal_litres: Option<f64>,
+    /// Liquid per stroke, mm³.
+    pub liquid_volume_mm3: Option<f64>,
+}
+
+/// What a choice is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ChoiceKind {
+    /// The first muscle, or as many of it as are required.
+    First,
+    /// The slimmest bundle.
+    Bundle,
+    /// What is sure.
+    Sure,
+    /// One whose tube is sold, where that of the first is cast.
+    Sold,
+    /// One whose tube is cast, where that of the first is sold.
+    Cast,
 }
 
 /// A muscle that does not fit.
@@ -302,7 +354,7 @@ fn braid_of(spec: &Spec) -> String {
 }
 
 impl CandidateAnswer {
-    pub(super) fn new(c: &Candidate, spec: &Spec) -> Self {
+    pub(super) fn new(c: &Candidate, spec: &Spec, count: u32) -> Self {
         Self {
             joint: match &spec.wanted {
                 Demand::Joint(joint) => Some(CandidateJoint {
@@ -312,7 +364,7 @@ impl CandidateAnswer {
                 }),
                 _ => None,
             },
-            count: spec.count,
+            count,
             muscle: (&c.muscle).into(),
             candidate: c.clone(),
             bulged_diameter_mm: c.bulged_diameter_mm(),

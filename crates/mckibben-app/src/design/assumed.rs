@@ -21,7 +21,7 @@ pub struct Stated {
     rubber: bool,
     braid: bool,
     /// What would state the length, where it is not stated.
-    length_by: Option<&'static str>,
+    pub length_by: Option<&'static str>,
     /// Whether the length is stated, to which a muscle as sold is cut.
     pub is_cut: bool,
     /// Whether a stroke sets the contraction.
@@ -33,25 +33,15 @@ impl Stated {
         let stroke = request.stroke_mm.is_some();
         let contraction = request.contraction.is_some();
         let has_file = request.file().is_some() || matches!(model, Model::Formula(_));
-        let length_by = match (stroke, contraction) {
-            _ if request.length_mm.is_some() || has_file => None,
-            (true, true) => None,
-            (true, false) => Some("`length_mm`"),
-            (false, _) => Some("`length_mm` or `stroke_mm`"),
-        };
+        let is_assumed = request.length_mm.is_none() && !has_file && !stroke;
         Self {
             supply: request.max_pressure_mpa.is_some(),
             rubber: !request.rubbers.is_empty() || has_file,
             braid: request.stiffness.is_some() || has_file,
-            length_by,
+            length_by: is_assumed.then_some("`length_mm` or `stroke_mm`"),
             is_cut: stroke || matches!(request.length_mm, Some(Choice::One(_))),
-            stroke_sets_contraction: stroke && !contraction,
+            stroke_sets_contraction: stroke && !contraction && !request.length_is_searched(),
         }
-    }
-
-    /// What would state the length, where it is an assumption: none of one that was chosen.
-    pub fn length_by(&self, found: &Design) -> Option<&'static str> {
-        self.length_by.filter(|_| !found.is_longer)
     }
 
     /// What was assumed, in sentences.
@@ -62,13 +52,6 @@ impl Stated {
             out.push(format!(
                 "{} equal muscles share what is required, because no single one does it (`count`)",
                 spec.count
-            ));
-        }
-        if found.is_longer {
-            let length_mm = number(spec.base.length_mm(), 4);
-            let because = "because of a shorter muscle the stroke is too large a share";
-            out.push(format!(
-                "the length L0 is {length_mm}\u{a0}mm, {because} (`length_mm`)"
             ));
         }
         if !self.supply {
@@ -83,7 +66,7 @@ impl Stated {
                  (`max_pressure_mpa`)"
             ));
         }
-        if self.length_by(found).is_some() {
+        if self.length_by.is_some() {
             let length_mm = number(spec.base.length_mm(), 5);
             let named = "(`length_mm`, or a muscle file)";
             out.push(format!(

@@ -1,7 +1,7 @@
 //! The decision: what to take, which pressure to set, what it pulls, what is sure, and what limits
 //! it.
 
-use super::CandidateAnswer;
+use super::answer::{ChoiceAnswer, ChoiceKind};
 use crate::{PressureLimits, Units, number, percent, uncertainty::interval, words::within};
 use mckibben_build::{proof_mpa, relief_mpa};
 use mckibben_core::{
@@ -10,51 +10,54 @@ use mckibben_core::{
     muscle::Direction,
     units::{Dimension, rounded, tidy},
 };
-use mckibben_design::{Candidate, CandidatePoint, Demand, Spec};
+use mckibben_design::{Candidate, CandidatePoint, Demand, Design, Several, bundle::envelope_ratio};
 
 /// Share of a pull by which that of a muscle that is built is no other one.
 const SAME: f64 = 1e-3;
 
 /// What muscles are chosen among, for the lines of the decision.
 pub struct Decision<'a> {
-    pub spec: &'a Spec,
+    pub found: &'a Design,
     /// What states their length, where it was assumed.
     pub length_by: Option<&'static str>,
-    pub candidates: &'a [Candidate],
-    /// Where none of them is sure: the best that is.
-    pub to_be_sure: Option<&'a CandidateAnswer>,
+    /// What to measure of the first, and the ± that is left.
+    pub measure: Option<String>,
 }
 
 impl Decision<'_> {
     /// The lines; none where nothing fits. Each begins with its verb.
     pub fn lines(&self) -> Vec<String> {
-        let Some(first) = self.candidates.first() else {
+        let Some(first) = self.found.outcome.candidates.first() else {
             return vec![];
         };
-        vec![
-            self.what_to_take(first),
-            pressures_to_set(first),
-            self.pulls(first),
-            self.sure(first),
-            limit(first),
-        ]
+        let measure = self.measure.as_ref().map(|what| format!("Measure {what}"));
+        let lines = [
+            Some(self.what_to_take(first)),
+            Some(pressures_to_set(first)),
+            Some(self.pulls(first)),
+            Some(self.sure(first)),
+            measure,
+            Some(limit(first)),
+        ];
+        lines.into_iter().flatten().collect()
     }
 
     fn what_to_take(&self, first: &Candidate) -> String {
-        let many = if self.spec.count > 1 {
-            format!("{} muscles side by side, each of ", self.spec.count)
+        let many = many(self.found.spec.count);
+        let none = if self.found.is_shared {
+            " (no single muscle does it)"
         } else {
-            String::new()
+            ""
         };
         let length = show(Dimension::Length, first.muscle.length_mm());
         let assumed = self
             .length_by
             .map_or_else(String::new, |by| format!(" (assumed: {by})"));
         let mut take = format!(
-            "Take {many}{}, {length} between the terminals{assumed}",
+            "Take {many}{}, {length} between the terminals{assumed}{none}",
             parts(first)
         );
-        if let Demand::Joint(joint) = &self.spec.wanted {
+        if let Demand::Joint(joint) = &self.found.spec.wanted {
             let radius = Units::default().show(Dimension::Length, joint.radius_mm);
             take += &format!(", on a pulley of radius {radius}");
             let width_mm = first.bulged_diameter_mm().unwrap_or(0.0);
@@ -82,7 +85,7 @@ impl Decision<'_> {
                     q.model_force_n,
                 ]
                 .map(|n| within(n, built.half_n()));
-                if self.spec.built {
+                if self.found.spec.built {
                     format!(
                         " ({low}\u{a0}N to {high}\u{a0}N, 95 %, as built; {model} alone \
                          {alone}\u{a0}N)"
@@ -107,9 +110,13 @@ impl Decision<'_> {
                 .largest(|q| q.liquid_volume_mm3)
                 .map(|mm3| format!("{} mL of liquid", number(1e-3 * mm3, 3))),
         ];
-        let each = if self.spec.count > 1 { "each " } else { "" };
-        let way = match self.spec.options().direction {
-            _ if self.spec.built => " while it shortens",
+        let each = if self.found.spec.count > 1 {
+            "each "
+        } else {
+            ""
+        };
+        let way = match self.found.spec.options().direction {
+            _ if self.found.spec.built => " while it shortens",
             Direction::Mean => "",
             Direction::Contraction => " while it shortens",
             Direction::Elongation => " while it lengthens",
@@ -123,20 +130,90 @@ impl Decision<'_> {
 
     fn sure(&self, first: &Candidate) -> String {
         let mpa = |p| show(Dimension::Pressure, p);
-        let share = percent(self.spec.guaranteed.unwrap_or(0.95));
-        if self.spec.guaranteed.is_some() {
+        let spec = &self.found.spec;
+        let share = percent(spec.guaranteed.unwrap_or(0.95));
+        if self.found.spec.guaranteed.is_some() {
             return format!("Sure to {share}: the lower end of the ± meets what is required");
         }
-        let sure = self
-            .candidates
-            .iter()
-            .find_map(|c| Some((c, c.sure_pressure_mpa?)));
-        let other = self.to_be_sure.map(|sure| &sure.candidate);
-        match sure.or(other.map(|c| (c, c.pressure_mpa))) {
-            Some((c, p)) if c.muscle == first.muscle => format!("Sure to {share} at {}", mpa(p)),
-            Some((c, p)) => format!("Sure to {share}: {} at {}", parts(c), mpa(p)),
-            None => format!("Sure to {share}: no muscle of this search"),
+        let candidates = self.found.outcome.candidates.iter();
+        let sure = candidates.filter_map(|c| Some((1, c, c.sure_pressure_mpa?)));
+        let several = self.found.to_be_sure.iter();
+        let other = several.map(|s| (s.count, &s.candidate, s.candidate.pressure_mpa));
+        match sure.chain(other).next() {
+            Some((_, c, p)) if c.muscle == first.muscle => format!("Sure to {share} at {}", mpa(p)),
+            Some((count, c, p)) => {
+                let length = show(Dimension::Length, c.muscle.length_mm());
+                let many = many(count);
+                format!(
+                    "Sure to {share}: {many}{}, {length}, at {}",
+                    parts(c),
+                    mpa(p)
+                )
+            }
+            None => format!("Sure to {share}: no muscle of this search, and no bundle of up to 7"),
         }
+    }
+
+    /// The choices, where there are two or more.
+    pub fn choices(&self) -> Vec<ChoiceAnswer> {
+        let Design { spec, outcome, .. } = self.found;
+        let several = |kind, several: &Option<Several>| {
+            let several = several.as_ref()?;
+            Some(choice(kind, several.count, &several.candidate))
+        };
+        let one = |kind, c: Option<&Candidate>| Some(choice(kind, spec.count, c?));
+        let other_make = match &outcome.other_make {
+            Some(c) if c.is_cast => ChoiceKind::Cast,
+            _ => ChoiceKind::Sold,
+        };
+        let all: Vec<ChoiceAnswer> = [
+            one(ChoiceKind::First, outcome.candidates.first()),
+            several(ChoiceKind::Bundle, &self.found.slimmest_bundle),
+            several(ChoiceKind::Sure, &self.found.to_be_sure),
+            one(other_make, outcome.other_make.as_ref()),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        if all.len() > 1 { all } else { vec![] }
+    }
+}
+
+/// What a choice is like.
+fn choice(kind: ChoiceKind, count: u32, c: &Candidate) -> ChoiceAnswer {
+    let many = f64::from(count);
+    let half = |q: &&CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
+    let point = c.points.iter().max_by(|a, b| half(a).total_cmp(&half(b)));
+    let built = point.and_then(|q| q.built);
+    ChoiceAnswer {
+        kind,
+        count,
+        parts: short_parts(c),
+        length_mm: c.muscle.length_mm(),
+        envelope_mm: c.bulged_diameter_mm().map(|mm| envelope_ratio(count) * mm),
+        pressure_mpa: c.pressure_mpa,
+        force_n: many * point.map_or(0.0, |q| q.response.force_n),
+        predicted_low_n: built.map(|built| many * built.predicted_low_n),
+        predicted_high_n: built.map(|built| many * built.predicted_high_n),
+        air_normal_litres: c.largest(|q| q.air_normal_litres).map(|l| many * l),
+        liquid_volume_mm3: c.largest(|q| q.liquid_volume_mm3).map(|v| many * v),
+    }
+}
+
+/// The names of tube and sleeve, or what there is in their place.
+fn short_parts(c: &Candidate) -> String {
+    match (&c.tube, &c.muscle.braid().sleeve) {
+        (Some(tube), Some(sleeve)) => format!("{tube} in {}", sleeve.name),
+        _ => parts(c),
+    }
+}
+
+/// How many side by side.
+fn many(count: u32) -> String {
+    if count > 1 {
+        format!("{count} muscles side by side, each of ")
+    } else {
+        String::new()
     }
 }
 

@@ -21,13 +21,14 @@ use answer::{muscle_file, not_checked, out_of_reach, touches};
 use decision::Decision;
 use mckibben_core::{
     analysis::Evaluation,
+    load::Load,
     model::{ForceModel, ModelError, Workspace},
     muscle::Muscle,
     progress::Progress,
     warning::Warning,
 };
 use mckibben_design::{
-    Build, Candidate, CandidatePoint, Design, Outcome, Spec,
+    Build, Candidate, CandidatePoint, Demand, Design, Outcome, Several, Spec,
     bought::{Product, bought},
 };
 use mckibben_fit::validation::library::{PREFIX, library};
@@ -47,7 +48,13 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     policy.model.bound(&task.spec.base)?;
     let found = policy.with_models(|models| task.solve(models, progress))?;
     let mut answer = answered(&search, &found)?;
-    answer.load = request.load.load.clone();
+    answer.load = match &found.spec.wanted {
+        Demand::Load {
+            load: Load::Force { force_n },
+            ..
+        } => Some(format!("force:{force_n}N")),
+        _ => request.load.load.clone(),
+    };
     if let (Some(unit), false) = (&request.figure, answer.candidates.is_empty()) {
         let decide = |m: &Muscle| policy.model.bound(m);
         answer.figure = Some(draw(&found.spec, &decide, &found.outcome, unit)?);
@@ -59,15 +66,23 @@ fn answered(search: &Search, found: &Design) -> Result<DesignAnswer> {
     let Search { policy, stated, .. } = search;
     let Design { spec, outcome, .. } = found;
     let candidates = outcome.candidates.iter();
-    let to_be_sure = found.to_be_sure.as_ref();
-    let to_be_sure = to_be_sure.map(|c| CandidateAnswer::new(c, spec));
-    let decision = Decision {
-        spec,
-        length_by: stated.length_by(found),
-        candidates: &outcome.candidates,
-        to_be_sure: to_be_sure.as_ref(),
+    let several = |several: &Option<Several>| {
+        let several = several.as_ref()?;
+        Some(CandidateAnswer::new(
+            &several.candidate,
+            spec,
+            several.count,
+        ))
     };
     let decide = |m: &Muscle| policy.model.bound(m);
+    let uncertainty_words = words(spec, &decide, outcome.candidates.first());
+    let decision = Decision {
+        found,
+        measure: uncertainty_words
+            .as_ref()
+            .and_then(|words| words.bench.clone()),
+        length_by: stated.length_by,
+    };
     Ok(DesignAnswer {
         decision: decision.lines(),
         model: policy.model.name().into(),
@@ -82,9 +97,15 @@ fn answered(search: &Search, found: &Design) -> Result<DesignAnswer> {
         fitting: outcome.looked_at.1,
         candidates: candidates
             .clone()
-            .map(|c| CandidateAnswer::new(c, spec))
+            .map(|c| CandidateAnswer::new(c, spec, spec.count))
             .collect(),
-        uncertainty_words: words(spec, &decide, outcome.candidates.first()),
+        choices: decision.choices(),
+        other_make: outcome
+            .other_make
+            .as_ref()
+            .map(|c| CandidateAnswer::new(c, spec, spec.count)),
+        slimmest_bundle: several(&found.slimmest_bundle),
+        uncertainty_words,
         rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
         warnings: warnings(found)?,
         closest: outcome.closest.as_ref().map(|closest| ClosestAnswer {
@@ -96,7 +117,7 @@ fn answered(search: &Search, found: &Design) -> Result<DesignAnswer> {
                 .collect(),
             hint: out_of_reach(spec),
         }),
-        to_be_sure,
+        to_be_sure: several(&found.to_be_sure),
         bundle: found.bundle.clone(),
         bought: as_sold(spec, stated.is_cut),
         figure: None,

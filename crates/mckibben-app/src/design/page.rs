@@ -2,7 +2,10 @@
 
 mod candidates;
 
-use super::{Bundle, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer};
+use super::{
+    Bundle, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
+    answer::{ChoiceAnswer, ChoiceKind},
+};
 use crate::{
     Units, number, percent,
     print::{Csv, Page, Rows, Show, Table, sentences},
@@ -71,6 +74,7 @@ impl DesignAnswer {
     /// The candidates with their ±, their bundle and their joint.
     fn found_onto(&self, page: &mut Page, u: &Units, is_full: bool, winner: Option<&str>) {
         page.gap();
+        self.choices_onto(page, u);
         self.candidates_onto(page, u, is_full);
         if let Some(words) = self.uncertainty_words.as_ref().filter(|_| is_full) {
             page.lines(
@@ -87,6 +91,27 @@ impl DesignAnswer {
         if let Some(joint) = first.and_then(|first| first.joint) {
             page.paragraph(joint.text(self.several(), winner, u));
         }
+    }
+
+    /// One muscle, the slimmest bundle, the sure and the cast one beside each other.
+    fn choices_onto(&self, page: &mut Page, u: &Units) {
+        let (length, force) = (u.length.digits(3), u.force.digits(2));
+        let pull = |c: &ChoiceAnswer| {
+            let ends = [c.predicted_low_n?, c.predicted_high_n?];
+            let [low, high] = ends.map(|n| force.to(n, 2));
+            Some(format!("{low} to {high}"))
+        };
+        let table = Table::of(&self.choices)
+            .text("choice", |c| c.kind.words(c.count))
+            .quantity("width", &length, |c| c.envelope_mm)
+            .quantity("L0", &length, |c| c.length_mm)
+            .quantity("set", &u.pressure.digits(3), |c| c.pressure_mpa)
+            .text("pulls (95 %)", pull)
+            .quantity("air", &NORMAL_LITRES.digits(2), |c| c.air_normal_litres)
+            .quantity("liquid", &u.volume.digits(2), |c| c.liquid_volume_mm3)
+            .text("parts", |c| &c.parts);
+        page.table(table);
+        page.gap();
     }
 
     /// How many muscles share what is required, where it is more than one.
@@ -210,6 +235,23 @@ fn bundle_onto(bundle: &Bundle, page: &mut Page, u: &Units) {
             .quantity("air", &NORMAL_LITRES.digits(3), |q| q.air_normal_litres)
             .quantity("liquid", &u.volume.digits(3), |q| q.liquid_volume_mm3),
     );
+}
+
+impl ChoiceKind {
+    /// Its name, with how many there are side by side.
+    fn words(self, count: u32) -> String {
+        let name = match self {
+            Self::First | Self::Bundle => "",
+            Self::Sure => "sure: ",
+            Self::Sold => "sold: ",
+            Self::Cast => "cast: ",
+        };
+        let many = match count {
+            1 => "one".to_owned(),
+            _ => format!("{count} side by side"),
+        };
+        name.to_owned() + &many
+    }
 }
 
 impl DemandAnswer {

@@ -24,7 +24,6 @@ impl RelaxationAnswer {
         let mut text = change.describe(spec, &|kind, value| Units::default().show(kind, value));
         if let Relaxation::Contraction { share, .. } = change
             && stated.stroke_sets_contraction
-            && !found.is_longer
         {
             let mm = (spec.base.length_mm() / share).ceil();
             text += &format!("; or keep the stroke with a length of {mm}\u{a0}mm");

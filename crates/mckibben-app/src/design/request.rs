@@ -153,6 +153,12 @@ pub struct DesignRequest {
         help_heading = "Muscle"
     )]
     pub tubes: Vec<String>,
+    /// Only tubes on sale
+    #[arg(long, help_heading = "Muscle")]
+    pub sold: bool,
+    /// Only tubes that one casts
+    #[arg(long, help_heading = "Muscle")]
+    pub cast: bool,
     /// Tubes and sleeves of your own
     ///
     /// A file with [[tube]] (name, inner, outer, rubber) and [[sleeve]] (name, least_diameter,
@@ -272,6 +278,8 @@ impl DesignRequest {
             let why = "it is the distance of neighbours in a `count` of two muscles or more";
             Problem::refuse_unused(&[("pitch_mm", self.pitch_mm.is_some())], why)?;
         }
+        let makes = [("sold", self.sold), ("cast", self.cast)];
+        Problem::refuse_several(&makes, "say which tubes are searched")?;
         if self.muscle.is_some() {
             let again = [("also_muscle", self.also_muscle.is_some())];
             Problem::refuse_unused(&again, "a muscle file is given already")?;

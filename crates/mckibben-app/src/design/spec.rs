@@ -14,6 +14,7 @@ use crate::{
 use mckibben_core::{
     answer::Options,
     extremes::peak,
+    load::Load,
     muscle::{
         Braid, Direction, Muscle, Tube,
         measures::{LENGTH, STRAND_MODULUS},
@@ -21,12 +22,13 @@ use mckibben_core::{
     rubber::library::stiffness_factor,
     sleeve::SleeveEntry,
     units::{
-        Values,
-        typed::{Angle, Choice, Length, Quantity, Ratio},
+        Values, tidy,
+        typed::{Angle, Choice, Length, Quantity},
     },
 };
 use mckibben_design::{
-    BraidChoice, Demand, JointDemand, Lift, Open, OperatingPoint, SUPPLY_SHARE, Spec, Task, bundle,
+    BraidChoice, Demand, JointDemand, LARGEST_BUNDLE, Lift, Open, OperatingPoint, SUPPLY_SHARE,
+    Spec, Task, bundle,
     tubes::{self, TubePart},
 };
 use std::borrow::Cow;
@@ -41,8 +43,11 @@ pub struct Search {
 /// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It
 /// bounds the radii of a joint's pulley.
 const LARGEST_CONTRACTION: f64 = 0.42;
-/// Contraction at which a muscle of a common braid still pulls with half of its blocked force.
-const USUAL_CONTRACTION: f64 = 0.15;
+/// Contractions that a stroke may be, where the length is searched: a quarter of the free one of a
+/// usual sleeve, and nearly all of it.
+const CONTRACTIONS: (f64, f64) = (0.065, 0.24);
+/// Least length over the outer diameter there: no muscle was measured that is shorter.
+const LEAST_SLENDERNESS: f64 = 4.0;
 /// The smallest radius that is searched, as a share of the largest.
 const SMALLEST_RADIUS: f64 = 0.1;
 
@@ -61,9 +66,11 @@ impl DesignRequest {
         let policy = ModelPolicy::choose(&self.model, extends)?;
         let range = policy.model.range();
         let tubes = match self.free_sizes(range.is_some(), extends) {
-            None => Some(self.tubes()?),
+            None => Some(self.tubes_of_make()?),
             Some(by) => {
                 let named = [
+                    ("sold", self.sold),
+                    ("cast", self.cast),
                     ("tubes", !self.tubes.is_empty()),
                     ("parts", self.parts.is_some()),
                 ];
@@ -85,6 +92,11 @@ impl DesignRequest {
         let spec = Spec {
             wanted,
             count: 1,
+            most_side_by_side: if self.count.is_none() && radius_mm.is_none() {
+                LARGEST_BUNDLE
+            } else {
+                1
+            },
             pitch_mm: self.pitch_mm.map(f64::from),
             built: self.model.name.is_none() && !extends,
             direction: self.branch(),
@@ -95,9 +107,11 @@ impl DesignRequest {
                 _ => 1.0,
             },
             liquid: self.liquid.named_supply()?,
-            length_mm: match &self.length_mm {
-                Some(Choice::One(_)) | None => None,
-                Some(choice) => Some(values(choice, "length_mm")?),
+            length_mm: self.lengths()?,
+            least_slenderness: if self.length_is_searched() && self.length_mm.is_none() {
+                LEAST_SLENDERNESS
+            } else {
+                0.0
             },
             limits: self.limits(&braid, &base)?,
             base,
@@ -112,10 +126,8 @@ impl DesignRequest {
             extrapolate: self.extrapolate,
         };
         self.check_branch(&spec)?;
-        let longer = self.longer(&spec)?;
         let task = Task {
             spec: spec.shared_by(count),
-            longer: longer.map(|longer| longer.shared_by(count)),
             radius_mm,
             open: Open {
                 count: self.count.is_none(),
@@ -154,28 +166,33 @@ impl DesignRequest {
         }
     }
 
-    /// Where the length is assumed, the muscle on which the stroke is a usual contraction, if that
-    /// is longer.
-    fn longer(&self, spec: &Spec) -> Result<Option<Spec>> {
-        let is_open = self.length_mm.is_none()
-            && self.file().is_none()
-            && self.contraction.is_none()
-            && self.points.is_empty();
-        let is_short =
-            |stroke: Length| stroke.0 > USUAL_CONTRACTION * Muscle::prototype().length_mm();
-        if !(is_open && self.stroke_mm.is_some_and(is_short)) {
-            return Ok(None);
-        }
-        let usual = Self {
-            contraction: Some(Ratio(USUAL_CONTRACTION)),
-            ..self.clone()
+    /// The lengths that are searched: those that are given, or those of which a stroke is a share
+    /// that a muscle contracts by.
+    fn lengths(&self) -> Result<Option<Values>> {
+        let Some(stroke) = self.stroke_mm.filter(|_| self.length_is_searched()) else {
+            return Ok(match &self.length_mm {
+                Some(Choice::One(_)) | None => None,
+                Some(choice) => Some(values(choice, "length_mm")?),
+            });
         };
-        let (base, wanted, _) = usual.demand()?;
-        Ok(Some(Spec {
-            base,
-            wanted,
-            ..spec.clone()
+        let length = |share: f64| tidy(stroke.0 / share, 2);
+        Ok(Some(match &self.length_mm {
+            Some(choice) => values(choice, "length_mm")?,
+            None => Values::Interval(length(CONTRACTIONS.1), length(CONTRACTIONS.0)),
         }))
+    }
+
+    /// Whether a stroke sets the contraction of muscles whose length is searched.
+    pub(super) fn length_is_searched(&self) -> bool {
+        let is_free = match &self.length_mm {
+            Some(choice) => !matches!(choice, Choice::One(_)),
+            None => {
+                self.file().is_none()
+                    && !matches!(Model::choose(&self.model), Ok(Model::Formula(_)))
+            }
+        };
+        let pushes = self.force_n.is_some_and(|force_n| force_n.0 < 0.0);
+        is_free && self.stroke_mm.is_some() && self.contraction.is_none() && !pushes
     }
 
     /// The muscle file.
@@ -269,7 +286,19 @@ impl DesignRequest {
             .map(|(by, _)| by)
     }
 
-    /// The tubes that are searched.
+    /// The tubes that are searched, of the make that is asked.
+    fn tubes_of_make(&self) -> Result<Vec<TubePart>> {
+        let mut tubes = self.tubes()?;
+        tubes.retain(|tube| !(self.sold && tube.is_cast || self.cast && !tube.is_cast));
+        if tubes.is_empty() {
+            let field = if self.sold { "sold" } else { "cast" };
+            let message = format!("`{field}` leaves none of the tubes that are named");
+            return Err(Problem::new(ProblemKind::Usage, message, "").in_field(field));
+        }
+        Ok(tubes)
+    }
+
+    /// The tubes that are named, or all.
     fn tubes(&self) -> Result<Vec<TubePart>> {
         let of_user = users_tubes(self.parts.as_ref())?;
         let all = match &of_user {
@@ -385,6 +414,13 @@ impl DesignRequest {
             return Ok((base, Demand::Load { load, way }, None));
         }
         let (base, points) = self.with_stroke(self.wanted()?)?;
+        if let (Some(stroke), Some(force_n)) = (self.stroke_mm, self.force_n)
+            && self.length_is_searched()
+        {
+            let load = Load::Force { force_n: force_n.0 };
+            let way = Lift::Stroke(stroke.0);
+            return Ok((base, Demand::Load { load, way }, None));
+        }
         Ok((base, points.into(), None))
     }
 
@@ -455,9 +491,9 @@ impl DesignRequest {
             |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
         let length_mm = match &self.length_mm {
             Some(Choice::One(length)) => Some(length.0),
-            Some(_) if self.stroke_mm.is_some() => {
+            Some(_) if self.stroke_mm.is_some() && !self.length_is_searched() => {
                 let message =
-                    "`stroke_mm` sets the length, or needs one: give one `length_mm`, or none";
+                    "`stroke_mm` and a contraction set the length: give one of the three less";
                 return Err(wrong(message.into(), "").in_field("length_mm"));
             }
             _ => None,

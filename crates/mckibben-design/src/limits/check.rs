@@ -1,7 +1,7 @@
 //! What a muscle is held against, each limit as a number that is at most zero where it is met.
 
 use super::{AT_POINTS, Limit, pressure::Below};
-use crate::{Build, Objective, OperatingPoint, Spec, trial::Trial};
+use crate::{Build, Objective, OperatingPoint, Spec, choice::size, trial::Trial};
 use mckibben_core::{
     model::{Response, Result},
     muscle::Muscle,
@@ -222,7 +222,10 @@ pub fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
         Objective::Diameter => [muscle.outer_diameter_mm(), largest],
         Objective::Pressure | Objective::Air => [largest, 0.0],
         Objective::Margin => [-margin.fold(f64::INFINITY, f64::min), 0.0],
-        Objective::BulgedDiameter => [largest, muscle.mass_g().unwrap_or(0.0)],
+        Objective::BulgedDiameter => [
+            size(largest, muscle.length_mm()),
+            muscle.mass_g().unwrap_or(0.0),
+        ],
         Objective::Length => [muscle.length_mm(), muscle.outer_diameter_mm()],
     };
     Ok(Probe { checks, score })

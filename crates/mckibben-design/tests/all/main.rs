@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod choice;
 mod design;
 mod design_grid;
 mod extensile;
