@@ -6544,7 +6544,8 @@ class Options(TypedDict, total=False):
     two_sided
         Give the negative force, not slack, where the muscle would have to push.
     direction
-        Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+        Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
+        muscle, or else estimated.
     mesh
         Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
         (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7679,7 +7680,8 @@ class MuscleCommands:
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+            Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
+            muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7859,7 +7861,8 @@ class MuscleCommands:
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+            Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
+            muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -7913,7 +7916,8 @@ class MuscleCommands:
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+            Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
+            muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -8028,7 +8032,8 @@ class MuscleCommands:
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
         direction
-            Branch of the friction hysteresis: contraction to lift, elongation to lower. The friction is that of the muscle, or else estimated.
+            Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
+            muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle

@@ -323,7 +323,7 @@ fn operating(
     let mut evaluation = Evaluation::new(model, &mut workspace, Options::default());
     let burst = burst_of(&choice, model)?;
     let allowed_mpa = burst.allowed().map(|a| a.mpa);
-    let pressure_mpa = given_mpa.unwrap_or(usual_mpa(&burst));
+    let pressure_mpa = given_mpa.unwrap_or(usual_mpa(&burst, muscle));
     borne(&burst, pressure_mpa, request.overpressure)?;
     evaluation.check_range(pressure_mpa, 0.0)?;
     let free = evaluation.free_contraction(pressure_mpa)?;

@@ -54,9 +54,9 @@ pub fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem
 /// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
 const USUAL_MPA: f64 = 0.25;
 
-/// The working pressure in MPa where none is given: that of the paper, or the allowed one where
-/// that is lower.
-pub fn usual_mpa(found: &Burst) -> f64 {
+/// The working pressure in MPa where none is given: that for which the muscle was designed, else
+/// that of the paper, or the allowed one where that is lower.
+pub fn usual_mpa(found: &Burst, muscle: &Muscle) -> f64 {
     // Down to a hundredth, which a regulator shows.
     let lower = |p: f64| {
         if p >= 0.01 {
@@ -65,9 +65,10 @@ pub fn usual_mpa(found: &Burst) -> f64 {
             p
         }
     };
-    found
-        .allowed()
-        .map_or(USUAL_MPA, |allowed| lower(allowed.mpa).min(USUAL_MPA))
+    muscle.pressure_to_set_mpa().unwrap_or_else(|| {
+        let allowed = found.allowed();
+        allowed.map_or(USUAL_MPA, |allowed| lower(allowed.mpa).min(USUAL_MPA))
+    })
 }
 
 /// What is handed out for a pressure that the muscle does not bear is refused: up to the allowed

@@ -147,7 +147,7 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
             ("mesh", model.mesh != MeshFields::default()),
             ("extrapolate", asking.extrapolate),
             ("two_sided", asking.two_sided),
-            ("direction", !asking.direction.is_mean()),
+            ("direction", asking.direction.is_some()),
         ];
         Problem::refuse_unused(&fields, "`only_data` evaluates no model")?;
         (
@@ -224,7 +224,7 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
     let burst = question.burst()?;
     let pressure_mpa = finite(
         "pressure_mpa",
-        pressure_mpa.unwrap_or_else(|| usual_mpa(&burst)),
+        pressure_mpa.unwrap_or_else(|| usual_mpa(&burst, &question.muscle)),
     )?;
     let mut model = question.evaluation();
     let point = model.point(pressure_mpa, 0.0)?;

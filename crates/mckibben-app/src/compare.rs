@@ -203,7 +203,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         ..AskFields::default()
     };
     if muscle.friction().is_some() || request.tables.data.is_empty() {
-        asking.direction = request.branch;
+        asking.direction = Some(request.branch);
     }
     let options = asking.options(&muscle)?;
     let models = request.chosen()?;

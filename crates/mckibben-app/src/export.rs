@@ -174,7 +174,7 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let burst = burst_of(&choice, model)?;
     let supply_mpa = request
         .pressure_mpa
-        .map_or_else(|| usual_mpa(&burst), f64::from);
+        .map_or_else(|| usual_mpa(&burst, &muscle), f64::from);
     borne(&burst, supply_mpa, request.overpressure)?;
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     Evaluation::new(model, &mut Workspace::new(), Options::default())
@@ -317,7 +317,9 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
         .iter()
         .map(|model| burst_of(&choice, *model))
         .collect::<Result<Vec<_>>>()?;
-    let usual = bursts.iter().map(usual_mpa).fold(f64::INFINITY, f64::min);
+    let of_each = bursts.iter().zip(joint.muscles());
+    let usual = of_each.map(|(burst, m)| usual_mpa(burst, &m.muscle));
+    let usual = usual.fold(f64::INFINITY, f64::min);
     let supply_mpa = request.pressure_mpa.map_or(usual, f64::from);
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     for (burst, model) in bursts.iter().zip(&models) {

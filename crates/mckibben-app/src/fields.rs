@@ -250,9 +250,10 @@ pub struct AskFields {
     /// Give the negative force, not slack, where the muscle would have to push
     #[arg(long, hide_short_help = true)]
     pub two_sided: bool,
-    /// Branch of the friction hysteresis: contraction to lift, elongation to lower
+    /// Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that
+    /// of the muscle file's job]
     ///
     /// The friction is that of the muscle, or else estimated.
-    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = flags::word::<Direction>(), default_value = "mean", hide_short_help = true)]
-    pub direction: Direction,
+    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = flags::word::<Direction>(), hide_short_help = true)]
+    pub direction: Option<Direction>,
 }

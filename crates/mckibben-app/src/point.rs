@@ -27,7 +27,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ForceRequest {
-    /// Gauge pressure
+    /// Gauge pressure [that of the muscle file's job, at its contraction]
     #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Contraction ratio ΔL/L0 [0]
@@ -65,7 +65,7 @@ pub struct PressureRequest {
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ContractionRequest {
-    /// Gauge pressure
+    /// Gauge pressure [that of the muscle file's job]
     #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Pull [0]
@@ -130,8 +130,16 @@ pub struct ModelAbout {
 /// F(P, ε).
 pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let pressure_mpa = given_mpa(request.pressure_mpa)?;
-    let contraction = question.ratio(&request.contraction)?;
+    let of_job = question
+        .muscle
+        .job()
+        .filter(|_| request.pressure_mpa.is_none());
+    let point = of_job.and_then(|job| job.points.first());
+    let contraction = match (&request.contraction, point) {
+        (None, Some(point)) => point.contraction.into(),
+        (given, _) => question.ratio(given)?,
+    };
+    let pressure_mpa = question.pressure_mpa(request.pressure_mpa)?;
     answered(question, PointQuantity::Force, request.both, |model| {
         Ok(model.answer(pressure_mpa, contraction)?)
     })
@@ -151,7 +159,7 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer> {
 /// ε(F, P).
 pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let pressure_mpa = given_mpa(request.pressure_mpa)?;
+    let pressure_mpa = question.pressure_mpa(request.pressure_mpa)?;
     let force_n = finite("force_n", request.force_n.unwrap_or_default())?;
     pull(force_n, question.options)?;
     let sought = PointQuantity::Contraction;
@@ -313,6 +321,12 @@ pub struct Question {
 }
 
 impl Question {
+    /// The pressure of a request, or the one for which the muscle was designed.
+    fn pressure_mpa(&self, given: Option<Pressure>) -> Result<f64> {
+        let of_job = self.muscle.pressure_to_set_mpa().map(Pressure);
+        given_mpa(given.or(of_job))
+    }
+
     /// A contraction ratio of its muscle; 0 where none is given.
     fn ratio(&self, contraction: &Option<Contraction>) -> Result<f64> {
         let length_mm = self.muscle.length_mm();
@@ -377,10 +391,11 @@ impl AskFields {
             two_sided,
             direction,
         } = self;
+        let of_job = muscle.job().and_then(|job| job.branch);
         let options = Options {
             extrapolate,
             two_sided,
-            direction,
+            direction: direction.or(of_job).unwrap_or_default(),
             friction_share: muscle.friction_share(),
         };
         check_branch(options, muscle)?;

@@ -17,6 +17,14 @@ pub type NotNegative<Q> = Bounded<Q, true>;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounded<Q, const MAY_BE_ZERO: bool>(Q);
 
+impl<Q: Quantity, const MAY_BE_ZERO: bool> Bounded<Q, MAY_BE_ZERO> {
+    /// Of a quantity within the bound.
+    pub fn new(quantity: Q) -> Option<Self> {
+        let value: f64 = quantity.into();
+        (value > 0.0 || MAY_BE_ZERO && value == 0.0).then_some(Self(quantity))
+    }
+}
+
 impl<Q: Quantity, const MAY_BE_ZERO: bool> From<Bounded<Q, MAY_BE_ZERO>> for f64 {
     fn from(bounded: Bounded<Q, MAY_BE_ZERO>) -> Self {
         bounded.0.into()
@@ -30,8 +38,8 @@ where
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let quantity = Q::deserialize(from)?;
         let (value, unit): (f64, _) = (quantity.into(), Q::DIMENSION.unit_inside().name);
-        if value > 0.0 || MAY_BE_ZERO && value == 0.0 {
-            return Ok(Self(quantity));
+        if let Some(bounded) = Self::new(quantity) {
+            return Ok(bounded);
         }
         let must = if MAY_BE_ZERO {
             "not be below zero"

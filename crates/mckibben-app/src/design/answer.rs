@@ -13,12 +13,13 @@ use mckibben_core::{
     analysis::Burst,
     extremes::peak,
     liquid::Liquid,
-    muscle::{Braid, BraidStiffness, file::to_toml},
+    muscle::{Braid, BraidStiffness, Job, JobPoint, Muscle, file::to_toml},
+    units::Positive,
     warning::Warning,
 };
 use mckibben_design::{
-    Bought, BraidChoice, Bundle, Candidate, Demand, Lift, Limit, Outcome, Rejected, Spec,
-    tubes::rubbers,
+    Bought, BraidChoice, Bundle, Candidate, CandidatePoint, Demand, Lift, Limit, Outcome, Rejected,
+    Spec, tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -261,15 +262,32 @@ pub struct ClosestAnswer {
     pub hint: Option<String>,
 }
 
-pub fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {
+/// The muscle of a candidate, which knows its job.
+pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile {
     let name = if place == 0 {
         "winner.toml".to_owned()
     } else {
         format!("candidate-{}.toml", place + 1)
     };
+    let mut points: Vec<&CandidatePoint> = candidate.points.iter().collect();
+    let needs_mpa = |q: &CandidatePoint| q.response.pressure_mpa;
+    points.sort_by(|a, b| needs_mpa(b).total_cmp(&needs_mpa(a)));
+    let point = |q: &&CandidatePoint| JobPoint {
+        force: q.wanted.force_n.into(),
+        contraction: q.wanted.contraction.into(),
+    };
+    let job = |pressure| Job {
+        pressure,
+        supply: Positive::new(spec.max_pressure_mpa.into()),
+        branch: Some(spec.options().direction),
+        points: points.iter().map(point).collect(),
+    };
+    let job = Positive::new(candidate.pressure_mpa.into()).map(job);
+    let muscle = candidate.muscle.clone();
+    let muscle = job.into_iter().fold(muscle, Muscle::with_job);
     TextFile {
         name,
-        text: to_toml(&candidate.muscle),
+        text: to_toml(&muscle),
     }
 }
 

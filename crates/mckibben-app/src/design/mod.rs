@@ -123,7 +123,7 @@ fn answered(search: &Search, found: &Design) -> Result<DesignAnswer> {
         figure: None,
         muscle_files: candidates
             .enumerate()
-            .map(|(i, c)| muscle_file(i, c))
+            .map(|(i, c)| muscle_file(i, c, spec))
             .collect(),
     })
 }

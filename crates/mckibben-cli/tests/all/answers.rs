@@ -55,6 +55,44 @@ fn a_design_is_of_parts_and_its_muscle_file_has_its_digits() {
     assert!(number(&answer["uncertainty_parts_n"], "braid") > 0.0);
 }
 
+/// An identity: what is asked of the file of a design without a pressure is asked of its job, and
+/// the pull is the one that was required.
+#[test]
+fn the_file_of_a_design_knows_its_pressure_its_branch_and_its_points() {
+    let dir = folder();
+    let design = json_in(dir.path(), "design --at 60N@10%,90N@3% -p 4bar -o w.toml");
+    let best = &design["candidates"][0];
+    let set_mpa = number(best, "pressure_mpa");
+    let force = json_in(dir.path(), "force w.toml");
+    let needs_mpa = |i: usize| number(&best["points"][i], "pressure_mpa");
+    let tightest = if needs_mpa(0) > needs_mpa(1) {
+        60.0
+    } else {
+        90.0
+    };
+    // The search knows the pressure to a millionth of the highest.
+    assert_close(number(&force, "predicted_n"), tightest, 1e-5);
+    assert_eq!(force["predicted_direction"], "contraction");
+    let contraction = json_in(dir.path(), &format!("contraction w.toml -F {tightest}N"));
+    let check = json_in(dir.path(), "check w.toml");
+    let built = json_in(dir.path(), "build w.toml -o build");
+    for (answer, key) in [
+        (&force, "pressure_mpa"),
+        (&contraction, "pressure_mpa"),
+        (&check["characteristics"], "pressure_mpa"),
+        (&built, "pressure_mpa"),
+    ] {
+        assert_close(number(answer, key), set_mpa, 1e-12);
+    }
+    // Told otherwise, it answers otherwise.
+    let mean = json_in(dir.path(), "force w.toml -p 2bar --branch mean");
+    assert_eq!(
+        (number(&mean, "pressure_mpa"), number(&mean, "contraction")),
+        (0.2, 0.0)
+    );
+    assert!(number(&mean, "force_n") > number(&force, "force_n"));
+}
+
 /// The lower end of the pull meets the requirement, and a larger share is wider.
 #[test]
 fn a_guaranteed_design_meets_the_requirement_with_the_lower_end_of_its_uncertainty() {

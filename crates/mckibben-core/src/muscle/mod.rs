@@ -12,6 +12,7 @@ mod ends;
 mod error;
 pub mod file;
 mod friction;
+mod job;
 mod kind;
 mod lay;
 pub mod measures;
@@ -37,6 +38,7 @@ pub use direction::Direction;
 pub use ends::{EndState, Ends};
 pub use error::MuscleError;
 pub use friction::Friction;
+pub use job::{Job, JobPoint};
 pub use kind::{LARGEST_ANGLE_DEG, MuscleKind};
 pub use lay::StrandLay;
 pub use measures::{Measure, Parts};
@@ -55,6 +57,8 @@ pub struct Muscle {
     parts: Parts,
     /// The bench that its constants come from; it may be that of another muscle.
     bench: Option<Arc<Bench>>,
+    /// What it was designed for.
+    job: Option<Arc<Job>>,
     /// The rubber at the temperature of the tube, where that is stated.
     warm: Option<Arc<Rubber>>,
 }
@@ -92,6 +96,7 @@ impl Muscle {
         let muscle = Self {
             parts,
             bench: None,
+            job: None,
             warm,
         };
         if let Some(value) = muscle.parts.terminals.cone_factor {
@@ -119,6 +124,7 @@ impl Muscle {
         Self {
             parts,
             bench: None,
+            job: None,
             warm: None,
         }
     }
@@ -169,9 +175,10 @@ impl Muscle {
         self
     }
 
-    /// The same muscle with the bench of another one, which it may have been made from.
+    /// The same muscle with the bench and the job of another one, which it may have been made from.
     pub fn with_bench_of(mut self, other: &Self) -> Self {
         self.bench.clone_from(&other.bench);
+        self.job.clone_from(&other.job);
         self
     }
 

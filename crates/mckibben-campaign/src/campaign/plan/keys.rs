@@ -3,7 +3,7 @@
 use super::axis::{Axis, Variable, variables};
 use mckibben_core::{
     muscle::{
-        Bench,
+        Bench, Job,
         file::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, Table},
     },
     units::{
@@ -41,6 +41,8 @@ pub struct PlanKeys {
     model: OfModels,
     /// What a bench says of this muscle; `identify` writes it
     identified: Option<Bench>,
+    /// What it was designed for; `design` writes it
+    job: Option<Job>,
     /// How the muscles are sampled
     #[serde(default)]
     pub(super) sampling: OfSampling,
@@ -65,6 +67,7 @@ impl PlanKeys {
             friction: self.friction,
             model: self.model,
             identified: self.identified,
+            job: self.job,
             name: self.name,
             notes: self.notes,
         };

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     muscle::{
-        Bench, BraidStiffness, EndFactor, EndsMade, Muscle, MuscleError, Stated,
+        Bench, BraidStiffness, EndFactor, EndsMade, Job, Muscle, MuscleError, Stated,
         measures::{CONE_FACTOR, MeasureValues, OUTER_DIAMETER, WALL},
     },
     sleeve::{Sleeve, library},
@@ -35,6 +35,8 @@ pub struct MuscleFile {
     pub model: OfModels,
     /// What a bench says of this muscle; `identify` writes it
     pub identified: Option<Bench>,
+    /// What it was designed for; `design` writes it
+    pub job: Option<Job>,
     /// Name, for people
     pub name: Option<String>,
     /// Notes, for people
@@ -160,6 +162,7 @@ impl MuscleFile {
             friction,
             model,
             identified,
+            job,
             ..
         } = self;
         let sleeve = braid.other.sleeve(source)?;
@@ -211,11 +214,14 @@ impl MuscleFile {
         if let Some(bench) = &identified {
             bench::check(bench, source)?;
         }
-        let muscle = Muscle::from_parts(parts).map_err(located)?;
-        Ok(match identified {
-            Some(bench) => muscle.with_bench(bench),
-            None => muscle,
-        })
+        let mut muscle = Muscle::from_parts(parts).map_err(located)?;
+        if let Some(bench) = identified {
+            muscle = muscle.with_bench(bench);
+        }
+        if let Some(job) = job {
+            muscle = muscle.with_job(job);
+        }
+        Ok(muscle)
     }
 }
 

@@ -3,8 +3,8 @@
 use super::text::{Text, list, number, percent, quantity, text};
 use crate::{
     muscle::{
-        Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, OwnPoint,
-        Rubber, Strands,
+        Bench, Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Job, JobPoint, Measure, Muscle,
+        OwnPoint, Rubber, Strands,
         measures::{STRANDS_FACTOR, STRENGTH_FACTOR, of_section},
     },
     rubber::{
@@ -12,7 +12,7 @@ use crate::{
         over_time::{Branch, OgdenRoxburgh},
     },
     sleeve::{self, Sleeve, SleeveShape},
-    units::Dimension,
+    units::{Dimension, Positive, typed::Pressure},
 };
 
 /// The text of a muscle file. Reading it gives the same muscle to the last bit, save that a
@@ -67,6 +67,9 @@ pub fn to_toml(muscle: &Muscle) -> String {
             out.table(&format!("model.{model}"));
             out.stated(key, value, comment);
         }
+    }
+    if let Some(job) = muscle.job() {
+        out.job(job);
     }
     if let Some(bench) = muscle.bench() {
         out.bench(bench);
@@ -172,6 +175,21 @@ impl Text {
             series.map(|series| list(&series.branches, branch)),
             "shares of the stress that relax, and their time constants",
         );
+    }
+
+    fn job(&mut self, job: &Job) {
+        let pressure = |p: Positive<Pressure>| quantity(p.into(), "MPa");
+        self.table("job");
+        self.key("pressure", &pressure(job.pressure), "to set");
+        self.stated("supply", job.supply.map(pressure), "");
+        let branch = job.branch.map(|branch| text(branch.name()));
+        self.stated("branch", branch, "of the friction hysteresis");
+        let point = |q: &JobPoint| {
+            let force = quantity(q.force.into(), "N");
+            let contraction = number(q.contraction.into());
+            format!("{{ force = {force}, contraction = {contraction} }}")
+        };
+        self.key("points", &list(&job.points, point), "required of it");
     }
 
     fn bench(&mut self, bench: &Bench) {

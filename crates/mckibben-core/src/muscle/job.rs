@@ -1,0 +1,54 @@
+//! What a muscle was designed for: the table `[job]` of its file.
+
+use super::{Direction, Muscle};
+use crate::units::{
+    Positive,
+    typed::{Force, Pressure, Ratio},
+};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::sync::Arc;
+
+/// What a muscle was designed for: `force`, `check`, `build` and `export` ask for its pressure and
+/// its branch where nothing else is asked.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Job {
+    /// Pressure to set
+    pub pressure: Positive<Pressure>,
+    /// Pressure that the supply gives
+    pub supply: Option<Positive<Pressure>>,
+    /// Branch on which it works
+    pub branch: Option<Direction>,
+    /// Pulls at contractions that are required of it, first the one that takes the pressure
+    #[serde(default)]
+    pub points: Vec<JobPoint>,
+}
+
+/// A pull at a contraction.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JobPoint {
+    /// Pull
+    pub force: Force,
+    /// Contraction ratio
+    pub contraction: Ratio,
+}
+
+impl Muscle {
+    /// What it was designed for, where its file says so.
+    pub fn job(&self) -> Option<&Job> {
+        self.job.as_deref()
+    }
+
+    /// The same muscle, designed for a job.
+    pub fn with_job(mut self, job: Job) -> Self {
+        self.job = Some(Arc::new(job));
+        self
+    }
+
+    /// The pressure to set in MPa, where it was designed for one.
+    pub fn pressure_to_set_mpa(&self) -> Option<f64> {
+        Some(self.job()?.pressure.into())
+    }
+}
