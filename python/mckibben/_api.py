@@ -1227,6 +1227,8 @@ class ChoiceAnswer(Record):
     ----------
     kind
         What it is.
+    name
+        The same in words, with how many there are side by side.
     count
         So many side by side.
     parts
@@ -1250,6 +1252,7 @@ class ChoiceAnswer(Record):
     """
 
     kind: Literal["first", "bundle", "sure", "sold", "cast"]
+    name: str
     count: int
     parts: str
     length_mm: float
@@ -1302,7 +1305,14 @@ class ClosestAnswer(Record):
     sleeve: str | None = None
     misses_by: float | None = None
     limit: (
-        Literal["force", "bulged_diameter", "max_stretch", "buckling", "liquid_volume"]
+        Literal[
+            "force",
+            "bulged_diameter",
+            "pulley",
+            "max_stretch",
+            "buckling",
+            "liquid_volume",
+        ]
         | None
     ) = None
 
@@ -5036,7 +5046,14 @@ class RejectedAnswer(Record):
     sleeve: str | None = None
     misses_by: float | None = None
     limit: (
-        Literal["force", "bulged_diameter", "max_stretch", "buckling", "liquid_volume"]
+        Literal[
+            "force",
+            "bulged_diameter",
+            "pulley",
+            "max_stretch",
+            "buckling",
+            "liquid_volume",
+        ]
         | None
     ) = None
 

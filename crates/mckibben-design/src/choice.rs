@@ -1,17 +1,19 @@
 //! Which of the muscles that do is chosen.
 //!
 //! What is sold comes before what is cast, unless it is half as large again. Then the one that takes
-//! the least space, where those within 5 % of the smallest are equal; of these the one whose pull is known best, with more in
-//! reserve, in a sleeve that is neither closed nor open as far as it goes, and of the least mass.
+//! the least space, where those within 5 % of the smallest are equal; of these the one whose pull
+//! is known best, with more in reserve, in a sleeve that is neither closed nor open as far as it
+//! goes, and of the least mass.
 
 use crate::{
-    Candidate, Models, Objective, Spec,
+    Candidate, Limit, Models, Objective, Spec,
     bundle::envelope_ratio,
-    run::settled_one,
+    limits::check::Probe,
+    run::Settled,
     search::{Pick, Search},
     trial::Trial,
 };
-use mckibben_core::{extremes::peak, model::Result, progress::Progress, threads};
+use mckibben_core::{model::Result, progress::Progress, threads};
 use std::cmp::Ordering;
 
 /// Muscles whose size is at most so many times that of the smallest are equal.
@@ -77,44 +79,39 @@ impl Shares {
             (share.count..=most).find_map(|count| {
                 let shared = spec.shared_by(count);
                 let search = Search::new(&shared, models, progress);
-                let candidate = settled_one(&search, models, share.pick)?;
-                Some(Several {
-                    count: shared.count,
-                    candidate,
-                })
+                Some((count, Settled::new(&search, models, share.pick)?))
             })
         };
-        let mut found: Vec<Several> = vec![];
+        let size = |(count, one): &(u32, Settled)| envelope_ratio(spec.count * count) * one.size();
+        let mut found: Vec<(u32, Settled)> = vec![];
         for some in self.0[..self.0.len().min(SETTLED)].chunks(CHUNK) {
-            let least = found
-                .iter()
-                .map(Several::size)
-                .fold(f64::INFINITY, f64::min);
+            let least = found.iter().map(size).fold(f64::INFINITY, f64::min);
             if some[0].size > EQUAL * least || progress.cancelled() {
                 break;
             }
             found.extend(threads::map(some, one).into_iter().flatten());
         }
-        chosen(found, Several::size, |s| &s.candidate)
-            .into_iter()
-            .next()
+        let (count, best) = chosen(found, size, |s| &s.1).into_iter().next()?;
+        let shared = spec.shared_by(count);
+        Some(Several {
+            count: shared.count,
+            candidate: best.candidate(&Search::new(&shared, models, progress), models)?,
+        })
     }
 }
 
 impl Several {
-    /// One muscle.
-    pub fn one(candidate: &Candidate) -> Self {
-        Self {
-            count: 1,
-            candidate: candidate.clone(),
-        }
-    }
-
     /// What they are ranked by.
     pub fn size(&self) -> f64 {
         let c = &self.candidate;
         let largest_mm = c.bulged_diameter_mm().unwrap_or(0.0);
         envelope_ratio(self.count) * size(largest_mm, c.muscle.length_mm())
+    }
+}
+
+impl Settled {
+    fn size(&self) -> f64 {
+        size(self.bulged_mm, self.muscle.length_mm())
     }
 }
 
@@ -127,9 +124,16 @@ pub struct Sharing {
 
 impl Sharing {
     /// Keeps a muscle, where so few share what is required as may.
-    pub fn keep(&mut self, pick: Pick, trial: &mut Trial<'_>) -> Result<()> {
+    pub fn keep(&mut self, pick: Pick, trial: &mut Trial<'_>, probe: &Probe) -> Result<()> {
         let most = f64::from(trial.spec.most_side_by_side);
-        let [share, sure] = trial.shares(1.0 / most)?;
+        let pulls = probe.checks.iter().filter(|c| c.limit == Limit::Force);
+        let share = pulls
+            .map(|c| c.value / c.bound)
+            .fold(f64::INFINITY, f64::min);
+        if share * most < 1.0 {
+            return Ok(());
+        }
+        let sure = trial.guaranteed(Trial::share)?;
         let one = trial.size()?;
         let kept = |shares: &mut Shares, share: f64, least: f64| {
             let count = (1.0 / share).ceil();
@@ -146,23 +150,13 @@ impl Sharing {
 }
 
 impl Trial<'_> {
-    /// The least share of what is required that one muscle gives at its highest pressure, and that
-    /// its lower end of the ± gives; the second is none where the first is below `least`.
-    fn shares(&mut self, least: f64) -> Result<[f64; 2]> {
-        let points = self.spec.points(self.muscle);
-        let highest_mpa = self.highest_mpa;
-        let smallest = |trial: &mut Self| -> Result<f64> {
-            let mut smallest = f64::INFINITY;
-            for q in points.iter() {
-                smallest = smallest.min(trial.sure_n(highest_mpa, q.contraction)? / q.force_n);
-            }
-            Ok(smallest)
-        };
-        let share = smallest(self)?;
-        if share < least {
-            return Ok([share, 0.0]);
+    /// The least share of what is required that it gives at its highest pressure.
+    fn share(&mut self) -> Result<f64> {
+        let mut least = f64::INFINITY;
+        for q in self.spec.points(self.muscle).iter() {
+            least = least.min(self.sure_n(self.highest_mpa, q.contraction)? / q.force_n);
         }
-        Ok([share, self.guaranteed(smallest)?])
+        Ok(least)
     }
 
     /// What it is ranked by, at its highest pressure.
@@ -181,8 +175,8 @@ pub fn size(bulged_diameter_mm: f64, length_mm: f64) -> f64 {
     bulged_diameter_mm * length_mm.sqrt()
 }
 
-/// Candidates as people choose them.
-pub fn ranked(spec: &Spec, mut list: Vec<Candidate>) -> Vec<Candidate> {
+/// Muscles as people choose them.
+pub fn ranked(spec: &Spec, mut list: Vec<Settled>) -> Vec<Settled> {
     if spec.objective == Objective::BulgedDiameter {
         return chosen(list, |c| c.score[0], |c| c);
     }
@@ -195,18 +189,14 @@ pub fn order(a: &[f64; 2], b: &[f64; 2]) -> Ordering {
 }
 
 /// The smallest of them with those that are equal to it, the best of these first; and so on.
-fn chosen<T>(
-    mut list: Vec<T>,
-    size: impl Fn(&T) -> f64,
-    candidate: impl Fn(&T) -> &Candidate,
-) -> Vec<T> {
+fn chosen<T>(mut list: Vec<T>, size: impl Fn(&T) -> f64, one: impl Fn(&T) -> &Settled) -> Vec<T> {
     list.sort_by(|a, b| size(a).total_cmp(&size(b)));
     let mut rest = &mut list[..];
     while let Some(first) = rest.first() {
         let least = size(first);
         let equal = rest.partition_point(|c| size(c) <= EQUAL * least).max(1);
         let (group, larger) = rest.split_at_mut(equal);
-        group.sort_by(|a, b| order(&preference(candidate(a)), &preference(candidate(b))));
+        group.sort_by(|a, b| order(&preference(one(a)), &preference(one(b))));
         rest = larger;
     }
     list
@@ -214,26 +204,21 @@ fn chosen<T>(
 
 /// The smaller the better: what is not known of the pull, what is missing in reserve and whether
 /// the sleeve is at its end, in steps; then the mass.
-fn preference(c: &Candidate) -> [f64; 2] {
-    let width = c
-        .points
-        .iter()
-        .filter_map(|q| Some(q.uncertainty_n? / q.wanted.force_n.abs()));
-    let width = (peak(width) / WIDTH_STEP).floor();
+fn preference(c: &Settled) -> [f64; 2] {
+    let width = (c.half_width / WIDTH_STEP).floor();
     let missing = ((RESERVE - c.margin.min(RESERVE)) / RESERVE_STEP).ceil();
-    let at_end = f64::from(u8::from(is_at_end(c)));
     // The reserve has fewer than ten steps.
-    [
-        100.0 * width + 10.0 * missing + at_end,
-        c.muscle.mass_g().unwrap_or(0.0),
-    ]
+    let steps = 100.0 * width + 10.0 * missing + f64::from(u8::from(c.is_at_end()));
+    [steps, c.muscle.mass_g().unwrap_or(0.0)]
 }
 
-/// Whether the sleeve is closed on its tube, or opens at the bulge, as far as it goes.
-pub fn is_at_end(c: &Candidate) -> bool {
-    c.muscle.braid().sleeve.as_ref().is_some_and(|sleeve| {
-        c.muscle.outer_diameter_mm() < AT_END * sleeve.least_mm
-            || c.bulged_diameter_mm()
-                .is_some_and(|mm| AT_END * mm > sleeve.largest_mm)
-    })
+impl Settled {
+    /// Whether the sleeve is closed on its tube, or opens at the bulge, as far as it goes.
+    fn is_at_end(&self) -> bool {
+        let sleeve = self.muscle.braid().sleeve.as_ref();
+        sleeve.is_some_and(|sleeve| {
+            self.muscle.outer_diameter_mm() < AT_END * sleeve.least_mm
+                || AT_END * self.bulged_mm > sleeve.largest_mm
+        })
+    }
 }

@@ -72,6 +72,8 @@ pub struct JointDemand {
     pub largest_angle_deg: f64,
     /// Radius r of the pulley in mm.
     pub radius_mm: f64,
+    /// Whether the two muscles lie beside each other, 2 r apart, and so must have room there.
+    pub beside: bool,
 }
 
 impl JointDemand {
@@ -289,6 +291,7 @@ mod tests {
             ],
             largest_angle_deg: 60.0,
             radius_mm: 25.0,
+            beside: false,
         };
         let demand = Demand::Joint(joint);
         let points = demand.points(250.0);
@@ -357,6 +360,7 @@ mod tests {
             torques,
             largest_angle_deg: 30.0,
             radius_mm: 20.0,
+            beside: false,
         };
         assert!((seventh(Demand::Joint(joint)) - 100.0).abs() < 1e-12);
     }
@@ -372,6 +376,7 @@ mod tests {
                 torques,
                 largest_angle_deg: most,
                 radius_mm: radius,
+                beside: false,
             })
             .check(250.0)
         };

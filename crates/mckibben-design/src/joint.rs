@@ -78,7 +78,9 @@ pub fn design_joint(
         match spec.check() {
             _ if progress.cancelled() => (Merit::NONE, vec![]),
             Ok(()) => {
-                let result = Search::new(&spec, models, quiet).run();
+                let mut search = Search::new(&spec, models, quiet);
+                search.shares = false;
+                let result = search.run();
                 let fits = result.fits.iter().take(BEST).map(|fit| fit.1);
                 let near = fits
                     .chain(result.misses.iter().take(BEST).map(|miss| miss.1))

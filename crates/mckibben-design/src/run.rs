@@ -12,6 +12,7 @@ use crate::{
 };
 use mckibben_core::{
     analysis::bisect,
+    muscle::Muscle,
     progress::{Progress, Silent},
     threads,
     units::{Values, tidy},
@@ -233,31 +234,67 @@ pub fn searched(spec: &Spec, models: Models<'_>) -> Spec {
     }
 }
 
-/// A muscle, where it holds by the model that decides.
-pub fn settled_one(search: &Search<'_>, models: Models<'_>, pick: Pick) -> Option<Candidate> {
-    let spec = search.spec;
-    let build = models.decides();
-    if search.progress.cancelled() {
-        return None;
+/// A muscle that holds by the model that decides, with what it is chosen by.
+#[derive(Debug, Clone)]
+pub struct Settled {
+    pick: Pick,
+    pub muscle: Muscle,
+    pub score: Score,
+    /// Largest outer diameter over the points in mm.
+    pub bulged_mm: f64,
+    /// Least pull to spare over the points, as a share of what is wanted.
+    pub margin: f64,
+    /// Largest half-width of the 95 % interval over the points, likewise.
+    pub half_width: f64,
+}
+
+impl Settled {
+    /// A muscle, where it holds.
+    pub fn new(search: &Search<'_>, models: Models<'_>, pick: Pick) -> Option<Self> {
+        let spec = search.spec;
+        let build = models.decides();
+        if search.progress.cancelled() {
+            return None;
+        }
+        let pick = if models.settle.is_some() {
+            corrected(search, build, pick)?
+        } else {
+            pick
+        };
+        let pick = shortened(search, build, pick);
+        let muscle = search.muscle(pick).ok()?;
+        if spec.guaranteed.is_some() && !search.is_near(pick, &muscle) {
+            return None;
+        }
+        let mut trial = Trial::new(spec, build, &muscle).ok()?;
+        let probe = probe_with(&mut trial, true).ok().filter(Probe::fits)?;
+        let mut half_width = 0.0_f64;
+        for q in spec.points(&muscle).iter() {
+            let needed_mpa = trial.need(q).ok()?;
+            let built = trial.predicted(needed_mpa, q.contraction);
+            half_width = half_width.max(built.map_or(0.0, |b| b.half_n() / q.force_n.abs()));
+        }
+        Some(Self {
+            pick,
+            score: probe.score,
+            bulged_mm: probe.bulged_mm,
+            margin: 1.0 / (1.0 - probe.least_to_spare()) - 1.0,
+            half_width,
+            muscle,
+        })
     }
-    let pick = if models.settle.is_some() {
-        corrected(search, build, pick)?
-    } else {
-        pick
-    };
-    let pick = shortened(search, build, pick);
-    let muscle = search.muscle(pick).ok()?;
-    if spec.guaranteed.is_some() && !search.is_near(pick, &muscle) {
-        return None;
+
+    /// All that is known of it.
+    pub fn candidate(&self, search: &Search<'_>, models: Models<'_>) -> Option<Candidate> {
+        let mut trial = Trial::new(search.spec, models.decides(), &self.muscle).ok()?;
+        let probe = probe_with(&mut trial, true).ok()?;
+        let tube = search.tube(self.pick);
+        Some(Candidate {
+            tube: tube.map(|part| part.name.clone()),
+            is_cast: tube.is_some_and(|part| part.is_cast),
+            ..candidate(trial, &probe).ok()?
+        })
     }
-    let mut trial = Trial::new(spec, build, &muscle).ok()?;
-    let probe = probe_with(&mut trial, true).ok().filter(Probe::fits)?;
-    let tube = search.tube(pick);
-    Some(Candidate {
-        tube: tube.map(|part| part.name.clone()),
-        is_cast: tube.is_some_and(|part| part.is_cast),
-        ..candidate(trial, &probe).ok()?
-    })
 }
 
 /// What holds by the model that decides: tubes that are sold, then those that are cast, or vice
@@ -294,7 +331,7 @@ fn settled(
     likely: &[(Score, Pick)],
     top: usize,
 ) -> Vec<Candidate> {
-    let mut found: Vec<Candidate> = vec![];
+    let mut found: Vec<Settled> = vec![];
     for some in likely.chunks(CHUNK) {
         // None of those that are left is better than the last that is printed, or equal to the
         // first.
@@ -303,15 +340,15 @@ fn settled(
         {
             break;
         }
-        let picks: Vec<Pick> = some.iter().map(|(_, pick)| *pick).collect();
-        let one = |pick: &Pick| settled_one(search, models, *pick);
-        found.extend(threads::map(&picks, one).into_iter().flatten());
+        let one = |(_, pick): &(Score, Pick)| Settled::new(search, models, *pick);
+        found.extend(threads::map(some, one).into_iter().flatten());
         found.sort_by(|a, b| order(&a.score, &b.score));
         found.dedup_by(|a, b| a.muscle == b.muscle);
     }
     let mut found = ranked(search.spec, found);
     found.truncate(top);
-    found
+    let whole = |one: &Settled| one.candidate(search, models);
+    threads::map(&found, whole).into_iter().flatten().collect()
 }
 
 /// The shortest muscle that fits down to the next shorter one of the search, where that is what is

@@ -98,6 +98,8 @@ pub struct Search<'a> {
     is_good: Option<SearchedMuscles>,
     /// Golden sections towards the best score of a line.
     pub steps: usize,
+    /// Whether what may take the place of one muscle, or is sure, is kept as well.
+    pub shares: bool,
 }
 
 /// What some of the muscles gave: the best that fit, and those that missed by least.
@@ -179,6 +181,7 @@ impl<'a> Search<'a> {
             done: AtomicUsize::new(0),
             is_good,
             steps,
+            shares: true,
         }
     }
 
@@ -327,17 +330,18 @@ impl<'a> Search<'a> {
                 let mut screened = SearchResult::default();
                 let mut trial = Trial::new(self.spec, THICK_WALL, &muscle);
                 let probe = trial.as_mut().ok().map(|trial| probe_with(trial, true));
-                let sample = Sample::new(pick.d0, probe.and_then(Result::ok));
-                screened.looked_at += 1;
-                screened.fitted += usize::from(sample.fits());
-                if let Ok(trial) = &mut trial {
+                let probe = probe.and_then(Result::ok);
+                if let (Ok(trial), Some(probe), true) = (&mut trial, &probe, self.shares) {
                     // Without an answer it takes no part.
-                    let _ = result.sharing.keep(pick, trial);
+                    let _ = result.sharing.keep(pick, trial, probe);
                     screened.sharing = result.sharing.clone();
                 }
+                let sample = Sample::new(pick.d0, probe);
+                screened.looked_at += 1;
+                screened.fitted += usize::from(sample.fits());
                 let missed = sample.violation();
                 let unsure = self.ranks(&muscle).1;
-                if missed.is_finite() && (missed > FAR || unsure > 0.0) {
+                if unsure > 0.0 || missed > FAR && missed.is_finite() {
                     if missed <= FAR {
                         SearchResult::keep(&mut screened.near, sample.score, pick);
                         screened.fitted = 0;

@@ -68,7 +68,11 @@ impl Task {
         if let Some(found) = shared {
             (spec, outcome) = found;
         } else if let Some(first) = outcome.candidates.first() {
-            let is_slimmer = |several: &Several| several.size() < Several::one(first).size();
+            let one = Several {
+                count: 1,
+                candidate: first.clone(),
+            };
+            let is_slimmer = |several: &Several| several.size() < one.size();
             let bundle = outcome.slimmest_bundle(&spec, models, quiet);
             slimmest_bundle = bundle.filter(is_slimmer);
         }

@@ -157,7 +157,6 @@ function head(answer, ask) {
   const sentences = [
     words?.built && `As built ${words.built}.`,
     words?.text && `${words.text}.`,
-    words?.bench && `To measure: ${words.bench}.`,
   ].filter(Boolean);
   return [
     heading(size),
@@ -173,6 +172,25 @@ function head(answer, ask) {
       ),
     sentences.length > 0 && remark(inWords(sentences.join(" "))),
   ];
+}
+
+/** What stands beside the first muscle. @param {Design["answer"]} answer */
+function choices({ choices = [] }) {
+  const rows = choices.map((c) => [
+    c.name,
+    show("length", c.envelope_mm, 3),
+    show("length", c.length_mm),
+    show("pressure", c.pressure_mpa, 3),
+    `${show("force", c.predicted_low_n, 2)} to ${show("force", c.predicted_high_n, 2)}`,
+    c.parts,
+  ]);
+  return (
+    rows.length > 0 &&
+    table(["choice", "width", "L0", "set", "pulls (95 %)", "parts"], rows, {
+      text: [0, 5],
+      label: "One muscle, and what could take its place",
+    })
+  );
 }
 
 /** Where it is asked at several points. @param {Candidate} best */
@@ -231,6 +249,7 @@ export function foundView(answer, prices, { open, ask }) {
     `by ${answer.model}. Click one to show it. Guaranteed at: the lower end meets the requirement there.`;
   return there([
     ...head(answer, ask),
+    choices(answer),
     warnings(answer.warnings),
     table(["", ...list.map(([name]) => name)], rows, {
       text,

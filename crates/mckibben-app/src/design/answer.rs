@@ -198,6 +198,8 @@ pub struct CandidateJoint {
 pub struct ChoiceAnswer {
     /// What it is.
     pub kind: ChoiceKind,
+    /// The same in words, with how many there are side by side.
+    pub name: String,
     /// So many side by side.
     pub count: u32,
     /// Tube and sleeve.

@@ -61,9 +61,8 @@ impl Decision<'_> {
             let radius = Units::default().show(Dimension::Length, joint.radius_mm);
             take += &format!(", on a pulley of radius {radius}");
             let width_mm = first.bulged_diameter_mm().unwrap_or(0.0);
-            if 2.0 * joint.radius_mm < width_mm {
-                take += ", which is narrower than a muscle: the two lie beside each other along \
-                    its axis";
+            if 4.0 * joint.radius_mm < width_mm + first.muscle.outer_diameter_mm() {
+                take += ", on which the two muscles have no room beside each other";
             }
         }
         take
@@ -142,15 +141,26 @@ impl Decision<'_> {
         match sure.chain(other).next() {
             Some((_, c, p)) if c.muscle == first.muscle => format!("Sure to {share} at {}", mpa(p)),
             Some((count, c, p)) => {
-                let length = show(Dimension::Length, c.muscle.length_mm());
-                let many = many(count);
+                let sure = choice(ChoiceKind::Sure, count, c);
+                let [circle, length] = [sure.envelope_mm.unwrap_or(0.0), sure.length_mm]
+                    .map(|mm| show(Dimension::Length, mm));
+                let width = if count > 1 {
+                    format!("in a circle of {circle}")
+                } else {
+                    format!("{circle} wide")
+                };
                 format!(
-                    "Sure to {share}: {many}{}, {length}, at {}",
+                    "Sure to {share}: {}{}, {length} long, {width}, at {}",
+                    many(count),
                     parts(c),
                     mpa(p)
                 )
             }
-            None => format!("Sure to {share}: no muscle of this search, and no bundle of up to 7"),
+            None if spec.most_side_by_side > 1 => format!(
+                "Sure to {share}: no muscle of this search, and no bundle of up to {}",
+                spec.most_side_by_side
+            ),
+            None => format!("Sure to {share}: no muscle of this search"),
         }
     }
 
@@ -185,8 +195,19 @@ fn choice(kind: ChoiceKind, count: u32, c: &Candidate) -> ChoiceAnswer {
     let half = |q: &&CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
     let point = c.points.iter().max_by(|a, b| half(a).total_cmp(&half(b)));
     let built = point.and_then(|q| q.built);
+    let is = match kind {
+        ChoiceKind::First | ChoiceKind::Bundle => "",
+        ChoiceKind::Sure => "sure: ",
+        ChoiceKind::Sold => "sold: ",
+        ChoiceKind::Cast => "cast: ",
+    };
+    let together = match count {
+        1 => "one".to_owned(),
+        _ => format!("{count} side by side"),
+    };
     ChoiceAnswer {
         kind,
+        name: is.to_owned() + &together,
         count,
         parts: short_parts(c),
         length_mm: c.muscle.length_mm(),

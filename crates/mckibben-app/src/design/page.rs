@@ -4,7 +4,7 @@ mod candidates;
 
 use super::{
     Bundle, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
-    answer::{ChoiceAnswer, ChoiceKind},
+    answer::ChoiceAnswer,
 };
 use crate::{
     Units, number, percent,
@@ -102,7 +102,7 @@ impl DesignAnswer {
             Some(format!("{low} to {high}"))
         };
         let table = Table::of(&self.choices)
-            .text("choice", |c| c.kind.words(c.count))
+            .text("choice", |c| &c.name)
             .quantity("width", &length, |c| c.envelope_mm)
             .quantity("L0", &length, |c| c.length_mm)
             .quantity("set", &u.pressure.digits(3), |c| c.pressure_mpa)
@@ -235,23 +235,6 @@ fn bundle_onto(bundle: &Bundle, page: &mut Page, u: &Units) {
             .quantity("air", &NORMAL_LITRES.digits(3), |q| q.air_normal_litres)
             .quantity("liquid", &u.volume.digits(3), |q| q.liquid_volume_mm3),
     );
-}
-
-impl ChoiceKind {
-    /// Its name, with how many there are side by side.
-    fn words(self, count: u32) -> String {
-        let name = match self {
-            Self::First | Self::Bundle => "",
-            Self::Sure => "sure: ",
-            Self::Sold => "sold: ",
-            Self::Cast => "cast: ",
-        };
-        let many = match count {
-            1 => "one".to_owned(),
-            _ => format!("{count} side by side"),
-        };
-        name.to_owned() + &many
-    }
 }
 
 impl DemandAnswer {

@@ -452,6 +452,8 @@ impl DesignRequest {
                 torques,
                 largest_angle_deg,
                 radius_mm: radius.bounds().1,
+                // Who gives a radius knows where the muscles lie.
+                beside: self.radius_mm.is_none(),
             },
             radius,
         ))

@@ -51,17 +51,16 @@ fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
             proof_mpa < least.as_f64().unwrap() && proof_mpa > 1.2 * set_mpa,
             "{set}"
         );
-        // A pulley that is narrower than a muscle holds both only beside each other.
+        // A radius that is searched has room for both muscles, and 4 mm for clamps and cords.
         if job["torques"].is_array() {
-            let width = best["bulged_diameter_mm"].as_f64().unwrap();
-            let take = lines[0];
-            let radius = take.split("radius ").nth(1).unwrap();
-            let radius: f64 = radius.split('\u{a0}').next().unwrap().parse().unwrap();
-            assert_eq!(
-                take.contains("beside each other"),
-                2.0 * radius < width,
-                "{take}"
+            let mm = |key: &str| best[key].as_f64().unwrap();
+            let radius_mm = best["joint"]["radius_mm"].as_f64().unwrap();
+            let both_mm = 0.5 * (mm("bulged_diameter_mm") + mm("outer_diameter_mm"));
+            assert!(
+                2.0 * radius_mm >= both_mm + 4.0 - 1e-9,
+                "{radius_mm} {both_mm}"
             );
+            assert!(!lines[0].contains("no room"), "{}", lines[0]);
         }
     }
 }

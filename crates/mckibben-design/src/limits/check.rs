@@ -78,6 +78,8 @@ pub struct Probe {
     pub checks: Vec<Check>,
     /// What the muscles are ranked by, where every limit is met.
     pub score: Score,
+    /// Largest outer diameter at the points in mm, where it was ranked.
+    pub bulged_mm: f64,
 }
 
 impl Probe {
@@ -91,6 +93,13 @@ impl Probe {
     /// The shares by which limits are missed, summed.
     pub fn miss(&self) -> f64 {
         self.checks.iter().map(|c| c.excess().max(0.0)).sum()
+    }
+
+    /// The least pull that is wanted over that which there is, subtracted from 1.
+    pub fn least_to_spare(&self) -> f64 {
+        let pulls = self.checks.iter().filter(|c| c.limit == Limit::Force);
+        let spare = pulls.map(|c| 1.0 - c.bound / c.value);
+        spare.fold(f64::INFINITY, f64::min)
     }
 
     /// Whether every limit is met.
@@ -181,7 +190,7 @@ pub fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
         .collect::<Result<Vec<Check>>>()?;
     let is_strong = |check: &Check| check.excess() <= 0.0;
     let all_strong = checks.iter().all(is_strong);
-    let mut largest = 0.0_f64;
+    let (mut largest, mut bulged_mm) = (0.0_f64, 0.0_f64);
     for (i, point) in points.iter().enumerate() {
         let mut at = AtPoint {
             is_strong: is_strong(&checks[i]),
@@ -202,6 +211,9 @@ pub fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
                 pressure_mpa: 0.0,
                 by: None,
             }));
+        }
+        if scored && all_strong {
+            bulged_mm = bulged_mm.max(at.response()?.bulged_diameter_mm.unwrap_or(0.0));
         }
         largest = largest.max(match spec.objective {
             _ if !scored => 0.0,
@@ -228,7 +240,11 @@ pub fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
         ],
         Objective::Length => [muscle.length_mm(), muscle.outer_diameter_mm()],
     };
-    Ok(Probe { checks, score })
+    Ok(Probe {
+        checks,
+        score,
+        bulged_mm,
+    })
 }
 
 /// Whether a muscle meets a specification by a model.

@@ -6,7 +6,7 @@
 pub mod check;
 pub mod pressure;
 
-use crate::{Relaxation, Spec, bundle::envelope_ratio};
+use crate::{Demand, Relaxation, Spec, bundle::envelope_ratio};
 use check::{AtPoint, Show, round};
 pub use mckibben_core::analysis::SAFETY;
 use mckibben_core::{
@@ -85,6 +85,8 @@ pub enum Limit {
     Force,
     /// The largest outer diameter at the operating points.
     BulgedDiameter,
+    /// The room of two muscles beside each other on the pulley of a joint.
+    Pulley,
     /// The largest stretch of the rubber at the operating points.
     MaxStretch,
     /// The push at which the muscle buckles as a column, at the operating points.
@@ -105,6 +107,9 @@ impl Limit {
     }
 }
 
+/// Room in mm between two muscles beside each other, for cords and clamps.
+const ROOM_MM: f64 = 4.0;
+
 /// A number at an operating point; `None` where nothing is limited or the model does not know it.
 type NumberAt = fn(&mut AtPoint<'_, '_>) -> Result<Option<f64>>;
 
@@ -124,7 +129,7 @@ pub struct LimitAtPoints {
 }
 
 /// The limits at the operating points.
-pub static AT_POINTS: [LimitAtPoints; 4] = [
+pub static AT_POINTS: [LimitAtPoints; 5] = [
     LimitAtPoints {
         limit: Limit::Buckling,
         name: "the load at which it buckles",
@@ -183,6 +188,27 @@ pub static AT_POINTS: [LimitAtPoints; 4] = [
             let value_mm = (10.0 * value_mm).round() / 10.0;
             let [bulged, limit] = [value_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
             format!("bulged diameter {bulged}, at most {limit} allowed")
+        },
+        allow: |bulged_diameter_mm| Relaxation::MaxBulgedDiameter { bulged_diameter_mm },
+    },
+    LimitAtPoints {
+        limit: Limit::Pulley,
+        name: "the room beside each other on the pulley",
+        // One is as wide as at the point, the other one as at rest.
+        bound: |at| match &at.spec().wanted {
+            Demand::Joint(joint) if joint.beside => {
+                let rest_mm = at.trial.muscle.outer_diameter_mm();
+                Ok(Some(
+                    (4.0 * joint.radius_mm - 2.0 * ROOM_MM - rest_mm).max(f64::MIN_POSITIVE),
+                ))
+            }
+            _ => Ok(None),
+        },
+        value: |at| Ok(at.response()?.bulged_diameter_mm),
+        missed: |value_mm, bound_mm, show| {
+            let value_mm = (10.0 * value_mm).round() / 10.0;
+            let [bulged, limit] = [value_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
+            format!("bulged diameter {bulged}, and the pulley has room for {limit}")
         },
         allow: |bulged_diameter_mm| Relaxation::MaxBulgedDiameter { bulged_diameter_mm },
     },

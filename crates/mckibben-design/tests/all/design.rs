@@ -481,6 +481,7 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
         torques: torques.clone(),
         largest_angle_deg: 60.0,
         radius_mm: 20.0,
+        beside: false,
     };
     let spec = Spec {
         wanted: Demand::Joint(joint),
