@@ -65,6 +65,7 @@ __all__ = [
     "Curve",
     "Cut",
     "Cycle",
+    "CycleAnswer",
     "DemandAnswer",
     "Derived",
     "Design",
@@ -1541,6 +1542,30 @@ class Cycle(Record):
     efficiency: float | None = None
 
 
+class CycleAnswer(Record):
+    """The air that a motion back and forth takes, and the valve.
+
+    Attributes
+    ----------
+    frequency_hz : Hz
+        Strokes a second.
+    air_normal_litres_per_min
+        Air of all muscles, normal litres a minute.
+    sonic_conductance_l_per_s_bar : L/(s bar)
+        Sonic conductance of the valve of each muscle, at least, with which it rises within a quarter of the period, L/(s bar).
+    valve
+        The smallest valve of the catalogue that has it.
+    reason
+        Why there is none.
+    """
+
+    frequency_hz: float
+    air_normal_litres_per_min: float | None = None
+    sonic_conductance_l_per_s_bar: float | None = None
+    valve: str | None = None
+    reason: str | None = None
+
+
 class DemandAnswer(Record):
     """What the muscle must do.
 
@@ -1642,6 +1667,8 @@ class Design(_record.Designed):
         Where the best muscle has a tube that is sold the best one that is cast, and vice versa.
     slimmest_bundle
         In place of one muscle: so many side by side, where the circle around them is smaller.
+    cycle
+        With `cycle_hz`: the air and the valve of the best muscle.
     to_be_sure
         If none of the candidates is sure at a pressure that it may have: what is, one or several side by side, whose lower end of the ± meets the
         requirement (`guaranteed`); none where the same search finds none.
@@ -1676,6 +1703,7 @@ class Design(_record.Designed):
     choices: list[ChoiceAnswer] | None = None
     other_make: CandidateAnswer | None = None
     slimmest_bundle: CandidateAnswer | None = None
+    cycle: CycleAnswer | None = None
     to_be_sure: CandidateAnswer | None = None
     closest: ClosestAnswer | None = None
     bundle: BundleAnswer | None = None
@@ -8451,6 +8479,7 @@ def design(
     torques: Sequence[Mapping[str, Plain]] | None = None,
     largest_angle_deg: Number | None = None,
     stroke_mm: Number | None = None,
+    cycle_hz: Number | None = None,
     max_pressure_mpa: Number | None = None,
     liquid: str | None = None,
     gas_share: Number | None = None,
@@ -8519,6 +8548,8 @@ def design(
         Largest angle of the joint to either side of the neutral angle [the largest of `torques`].
     stroke_mm : mm
         Stroke. With a contraction it sets the length, with a length the contraction.
+    cycle_hz : Hz
+        Strokes a second: the air a minute and the valve that they need are said.
     max_pressure_mpa : MPa
         Pressure that the supply can give [6bar]. Each muscle is used up to it or up to its own allowed pressure, whichever is lower; the answer says
         which pressure to set.

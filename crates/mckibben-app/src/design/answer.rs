@@ -1,6 +1,7 @@
 //! What a design answers with.
 
 use super::{
+    cycle::CycleAnswer,
     remedies::RelaxationAnswer,
     request::{OperatingPoint, TorqueWanted},
 };
@@ -71,6 +72,8 @@ pub struct DesignAnswer {
     pub other_make: Option<CandidateAnswer>,
     /// In place of one muscle: so many side by side, where the circle around them is smaller.
     pub slimmest_bundle: Option<CandidateAnswer>,
+    /// With `cycle_hz`: the air and the valve of the best muscle.
+    pub cycle: Option<CycleAnswer>,
     /// If none of the candidates is sure at a pressure that it may have: what is, one or several
     /// side by side, whose lower end of the ± meets the requirement (`guaranteed`); none where the
     /// same search finds none.

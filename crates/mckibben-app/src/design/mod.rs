@@ -2,6 +2,7 @@
 
 mod answer;
 mod assumed;
+mod cycle;
 mod decision;
 mod page;
 mod policy;
@@ -55,6 +56,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         } => Some(format!("force:{force_n}N")),
         _ => request.load.load.clone(),
     };
+    if let Some(winner) = found.outcome.candidates.first() {
+        answer.cycle = request.cycle_of(winner, &found.spec, progress)?;
+        answer
+            .decision
+            .extend(answer.cycle.as_ref().map(|cycle| cycle.line()));
+    }
     if let (Some(unit), false) = (&request.figure, answer.candidates.is_empty()) {
         let decide = |m: &Muscle| policy.model.bound(m);
         answer.figure = Some(draw(&found.spec, &decide, &found.outcome, unit)?);
@@ -117,6 +124,7 @@ fn answered(search: &Search, found: &Design) -> Result<DesignAnswer> {
                 .collect(),
             hint: out_of_reach(spec),
         }),
+        cycle: None,
         to_be_sure: several(&found.to_be_sure),
         bundle: found.bundle.clone(),
         bought: as_sold(spec, stated.is_cut),

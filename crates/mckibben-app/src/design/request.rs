@@ -10,7 +10,7 @@ use crate::{
 use mckibben_core::units::{QuantityError, typed};
 use mckibben_core::{
     muscle::{Direction, Muscle},
-    units::typed::{Angle, Choice, Force, Length, Pressure, Ratio, Volume},
+    units::typed::{Angle, Choice, Force, Frequency, Length, Pressure, Ratio, Volume},
     warning::strand_strength_n,
 };
 use mckibben_design::{BraidChoice, Limits, SAFETY, VALIDATED_STRAND_STRAIN};
@@ -48,6 +48,9 @@ pub struct DesignRequest {
     /// Stroke. With a contraction it sets the length, with a length the contraction
     #[arg(long)]
     pub stroke_mm: Option<Length>,
+    /// Strokes a second: the air a minute and the valve that they need are said
+    #[arg(long = "cycle", value_name = "FREQUENCY")]
+    pub cycle_hz: Option<Frequency>,
     /// Pressure that the supply can give [6bar]
     ///
     /// Each muscle is used up to it or up to its own allowed pressure, whichever is lower; the

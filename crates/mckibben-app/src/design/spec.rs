@@ -472,13 +472,16 @@ impl DesignRequest {
                 })
                 .collect();
         }
-        let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
+        let force_n = given("force_n", self.force_n, "a force, such as 300 N");
+        let force_n = force_n.map_err(|problem| {
+            problem.with_hint("or give what it lifts (`load`), or turns (`torques`)")
+        })?;
         match (self.contraction, self.stroke_mm) {
             (Some(e), _) => Ok(vec![(force_n, Some(ratio(e.0)?))]),
             (None, Some(_)) => Ok(vec![(force_n, None)]),
             (None, None) => Err(
                 Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
-                    .with_hint("or give `stroke_mm`, such as 40 mm, with `length_mm`"),
+                    .with_hint("or give `stroke_mm`, such as 40 mm"),
             ),
         }
     }

@@ -93,6 +93,41 @@ fn the_file_of_a_design_knows_its_pressure_its_branch_and_its_points() {
     assert!(number(&mean, "force_n") > number(&force, "force_n"));
 }
 
+/// An identity: with the valve of `--cycle` the motion of the same muscle and mass rises within a
+/// quarter of the period, with a smaller one it does not; the air is that of so many strokes.
+#[test]
+fn the_valve_of_a_cycle_is_the_smallest_that_is_quick_enough() {
+    let dir = folder();
+    let design = json_in(
+        dir.path(),
+        "design -F 80N --stroke 5mm -p 6bar --cycle 4Hz -o w.toml",
+    );
+    let cycle = &design["cycle"];
+    let air = number(&design["candidates"][0], "air_normal_litres");
+    assert_close(
+        number(cycle, "air_normal_litres_per_min"),
+        240.0 * air,
+        1e-12,
+    );
+    let conductance = number(cycle, "sonic_conductance_l_per_s_bar");
+    let set_mpa = number(&design["candidates"][0], "pressure_mpa");
+    let rise_s = |share: f64| {
+        let valve = format!("--valve '{} L/(s bar)'", share * conductance);
+        let mass_kg = 80.0 / 9.80665;
+        let line = format!(
+            "motion --muscle w.toml -p {set_mpa} --load mass:{mass_kg}kg --supply 6bar {valve} \
+             --until 0.5s"
+        );
+        number(&json_in(dir.path(), &line), "rise_time_s")
+    };
+    assert!(
+        rise_s(1.0) <= 0.0625 * 1.001 && rise_s(0.95) > 0.0625,
+        "{} {}",
+        rise_s(1.0),
+        rise_s(0.95)
+    );
+}
+
 /// The lower end of the pull meets the requirement, and a larger share is wider.
 #[test]
 fn a_guaranteed_design_meets_the_requirement_with_the_lower_end_of_its_uncertainty() {
