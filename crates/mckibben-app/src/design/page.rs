@@ -265,36 +265,47 @@ impl DemandAnswer {
 }
 
 impl CandidateJoint {
+    /// Contraction of both at the neutral angle in percent: not below the length at rest at the
+    /// largest angle.
+    fn neutral(&self) -> String {
+        number(
+            rounded(100.0 * self.contraction_at_neutral, 5, f64::ceil),
+            5,
+        )
+    }
+
+    /// The joint file of two muscles whose file it lies beside.
+    pub fn file(&self, muscle_file: &str) -> String {
+        let radius_mm = number(self.radius_mm, 5);
+        let angle = number(self.largest_angle_deg, 4);
+        let neutral = self.neutral();
+        let name = muscle_file.replace('\\', "\\\\").replace('"', "\\\"");
+        let muscle = |i: u8| {
+            format!("\n[muscle_{i}]\nfile = \"{name}\"\ncontraction_at_neutral = \"{neutral}%\"\n")
+        };
+        format!(
+            "[joint]\nradius = \"{radius_mm} mm\"\nrange = \"-{angle}..{angle} deg\"\n{}{}",
+            muscle(1),
+            muscle(2)
+        )
+    }
+
     /// The pulley between the muscles, and the joint file that goes with them. A joint file names
     /// its muscles relative to itself: it goes beside them.
     fn text(&self, several: Option<u32>, winner: Option<&str>, u: &Units) -> String {
         let share = several.map(|count| format!(" (its torque is that of one of {count})"));
         let share = share.unwrap_or_default();
         let radius = u.length.show(self.radius_mm);
-        let radius_mm = number(self.radius_mm, 5);
-        let angle = number(self.largest_angle_deg, 4);
-        // Not below its length at rest at the largest angle.
-        let neutral = number(
-            rounded(100.0 * self.contraction_at_neutral, 5, f64::ceil),
-            5,
-        );
+        let neutral = self.neutral();
         let place = match winner {
             Some(_) => "beside the muscle file",
             None => "with the muscle in winner.toml (-o winner.toml)",
         };
-        let name = winner
-            .unwrap_or("winner.toml")
-            .replace('\\', "\\\\")
-            .replace('"', "\\\"");
-        let muscle = |i: u8| {
-            format!("[muscle_{i}]\nfile = \"{name}\"\ncontraction_at_neutral = \"{neutral}%\"\n")
-        };
+        let file = self.file(winner.unwrap_or("winner.toml"));
         format!(
             "The first muscle on a pulley of radius {radius}, both muscles contracted by {neutral} % \
-             at the neutral angle. As a joint file{share}, {place}:\n\n[joint]\nradius = \
-             \"{radius_mm} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
-            muscle(1),
-            muscle(2).trim_end()
+             at the neutral angle. As a joint file{share}, {place}:\n\n{}",
+            file.trim_end()
         )
     }
 }

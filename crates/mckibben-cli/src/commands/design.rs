@@ -29,7 +29,7 @@ pub struct Design {
     units: ShownUnits,
     #[command(flatten)]
     plot: Plot,
-    /// Write the best muscle as a muscle file
+    /// Write the best muscle as a muscle file; of a joint its joint file beside it, NAME-joint.toml
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     output: Option<PathBuf>,
 }
@@ -47,11 +47,23 @@ impl Design {
         }
         let name = target.and_then(Path::file_name);
         let name = name.map(|name| path_on_one_line(Path::new(name)));
+        let joint = answer.candidates.first().and_then(|best| best.joint);
+        let mut written = None;
+        if let (Some(joint), Some(target), Some(name)) = (joint, target, &name) {
+            let stem = target.file_stem().unwrap_or_default().to_string_lossy();
+            let beside = target.with_file_name(format!("{stem}-joint.toml"));
+            save(Some(&beside), joint.file(name).as_bytes())?;
+            written = Some(format!(", its joint in {}", path_on_one_line(&beside)));
+        }
         let page = |u: &_| answer.page_with(u, self.all, name.as_deref());
         print_page(&answer, format, page, None)?;
         if let (Some(path), Some(_), Format::Text) = (target, winner, format) {
             emit(
-                format!("\nThe winner is in {}.\n", path_on_one_line(path)),
+                format!(
+                    "\nThe winner is in {}{}.\n",
+                    path_on_one_line(path),
+                    written.unwrap_or_default()
+                ),
                 None,
             )?;
         }

@@ -195,6 +195,16 @@ impl Sleeve {
         })
     }
 
+    /// n of a mass in g of one metre of the sleeve, closed to its least diameter: m = n ρ A/cosθ. The
+    /// product n A, and with it stiffness and strength, are then right whatever A is.
+    pub(crate) fn strands_of_mass(&self, grams: f64, density_kg_per_m3: f64) -> Option<u32> {
+        let angle_deg = self.shape.helix.angle_deg(self.shape.least_mm)?;
+        // mm² times kg/m³ are mg/m.
+        let grams_of_one = 1e-3 * density_kg_per_m3 * self.strand_area_mm2()?;
+        let pairs = (0.5 * grams * angle_deg.to_radians().cos() / grams_of_one).round();
+        (1.0..1e6).contains(&pairs).then_some(2 * pairs as u32)
+    }
+
     /// What is not known and its stiffness needs: keys of a muscle file.
     pub fn missing(&self) -> Vec<&'static str> {
         let area = self.strand_area_mm2();

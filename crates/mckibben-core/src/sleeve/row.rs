@@ -13,6 +13,7 @@ use crate::{
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::f64::consts::PI;
 
 /// An angle at a diameter, as stated.
 const OF_ANGLE: &str = "the angle that its source states at a diameter";
@@ -52,6 +53,12 @@ pub struct SleeveRow {
     least_diameter: Option<Positive<Length>>,
     /// Diameter to which it opens
     largest_diameter: Option<Positive<Length>>,
+    /// Its width laid flat, closed as far as it goes, in place of the diameter
+    least_flat_width: Option<Positive<Length>>,
+    /// Its width laid flat, opened as far as it goes
+    largest_flat_width: Option<Positive<Length>>,
+    /// Mass of a metre of the closed sleeve in g, in place of the number of strands
+    grams_per_metre: Option<Positive<f64>>,
     /// Number of strands, both families together
     strands: Option<Count>,
     /// Filaments of a strand, side by side
@@ -148,8 +155,12 @@ impl SleeveRow {
         let modulus_of = materials.iter().find(|m| m.name == like);
         let mm = |length: Option<Positive<Length>>| length.map(f64::from);
         let nominal_mm = mm(self.nominal_diameter).or(size.map(|s| s.0));
-        let least = mm(self.least_diameter).or(size.map(|s| s.1));
-        let largest = mm(self.largest_diameter).or(size.map(|s| s.2));
+        // Half of the circumference.
+        let flat = |width| mm(width).map(|w| 2.0 * w / PI);
+        let least = mm(self.least_diameter).or(flat(self.least_flat_width));
+        let least = least.or(size.map(|s| s.1));
+        let largest = mm(self.largest_diameter).or(flat(self.largest_flat_width));
+        let largest = largest.or(size.map(|s| s.2));
         let strands = self.strands.map(|count| count.0);
         let filaments = self.filaments.map_or(1, |count| count.0);
         let strand_diameter_mm = mm(self.strand_diameter);
@@ -192,12 +203,19 @@ impl SleeveRow {
             count_factor: size.map_or(stated.count_factor, |_| ESTIMATE_FACTOR),
             ..stated
         };
+        let mut sleeve = match modulus_of {
+            Some(material) => estimated(stated.clone(), material, self.factor.map(f64::from)),
+            None => stated.clone(),
+        };
+        if let (Some(grams), None) = (self.grams_per_metre, strands) {
+            let density = modulus_of.and_then(|material| material.density_kg_per_m3);
+            let density = density.ok_or("`grams_per_metre` needs a material of known density")?;
+            let counted = sleeve.strands_of_mass(f64::from(grams), density);
+            sleeve.strands = Some(counted.ok_or("`grams_per_metre` gives no number of strands")?);
+        }
         Ok(SleeveEntry {
             modulus_of: modulus_of.filter(|_| stated.strand_modulus_mpa.is_none()),
-            sleeve: match modulus_of {
-                Some(material) => estimated(stated, material, self.factor.map(f64::from)),
-                None => stated,
-            },
+            sleeve,
             aliases: self.aliases.clone(),
             title,
             material: material.to_owned(),

@@ -355,3 +355,34 @@ fn the_papers_braid_beyond_its_diameters_is_a_warning() {
         .with_braid(whole().on(10.0).unwrap());
     assert!(named.unwrap().warnings().is_empty());
 }
+
+/// By hand: a sleeve that closes to 30 and opens to 90 mm lies at 18.4° at its least diameter; 716
+/// strands of PET (1380 kg/m³) of 0.25 mm have 716 · 0.0491 mm² · 1380 kg/m³ / cos 18.4° = 51.1 g/m.
+/// Half of the mass is half of the strands. A flat width of 15 mm is a diameter of 30 mm/π.
+#[test]
+fn by_hand_the_mass_of_a_metre_gives_the_number_of_strands() {
+    let sleeve = |keys: &str| {
+        let text = format!("[[sleeve]]\nname = \"mine\"\n{keys}");
+        library::read(&text).unwrap().remove(0).sleeve
+    };
+    let range = "least_diameter = 30\nlargest_diameter = 90\n";
+    let count = |grams: f64| {
+        let strands = sleeve(&format!("{range}grams_per_metre = {grams}")).strands;
+        f64::from(strands.unwrap())
+    };
+    assert!((count(51.1) / 716.0 - 1.0).abs() < 5e-3, "{}", count(51.1));
+    assert!(
+        (count(25.55) / 358.0 - 1.0).abs() < 7e-3,
+        "{}",
+        count(25.55)
+    );
+    let flat = sleeve("least_flat_width = 15\nlargest_flat_width = \"40 mm\"");
+    assert!(close(flat.shape.least_mm, 30.0 / PI) && close(flat.shape.largest_mm, 80.0 / PI));
+    let unknown = format!("[[sleeve]]\nname = \"n\"\nmaterial = \"x\"\n{range}grams_per_metre = 5");
+    assert!(
+        library::read(&unknown)
+            .unwrap_err()
+            .to_string()
+            .contains("known density")
+    );
+}
