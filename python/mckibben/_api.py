@@ -1549,7 +1549,7 @@ class CycleAnswer(Record):
     ----------
     frequency_hz : Hz
         Strokes a second.
-    air_normal_litres_per_min
+    air_normal_litres_per_min : normal L/min
         Air of all muscles, normal litres a minute.
     sonic_conductance_l_per_s_bar : L/(s bar)
         Sonic conductance of the valve of each muscle, at least, with which it rises within a quarter of the period, L/(s bar).

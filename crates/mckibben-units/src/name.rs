@@ -18,6 +18,7 @@ const ANSWERED: &[(&str, &str)] = &[
     ("g", "g"),
     ("normal_litres", "normal L"),
     ("normal_litres_per_cycle", "normal L"),
+    ("normal_litres_per_min", "normal L/min"),
 ];
 
 /// Names without a unit at their end that are a quantity all the same, as whole names or as the
