@@ -282,7 +282,8 @@ impl<'a> Search<'a> {
                 }
             }
             Values::Interval(low, high) => {
-                let range = (*low, *high);
+                let slender = self.spec.least_slenderness.max(f64::MIN_POSITIVE);
+                let range = (*low, high.min(choice.length_mm / slender));
                 let steps = self.steps;
                 let (fit, miss) =
                     self.best_diameter_within(pick(*high), range, self.build, steps, &mut result);
@@ -300,9 +301,16 @@ impl<'a> Search<'a> {
     /// All tubes as sold, for one braid and length.
     fn tubes(&self, braid: BraidRule, length_mm: f64) -> SearchResult {
         let all: Vec<usize> = (0..self.spec.tubes.len()).collect();
+        // In place of lengths that its ends do not allow a tube has the shortest that they do.
+        let (.., longest_mm) = self.lengths().bounds();
         let one = |&i: &usize| {
             let mut result = SearchResult::default();
             let part = &self.spec.tubes[i];
+            let least_mm = self.spec.least_slenderness * part.outer_diameter_mm;
+            if length_mm < least_mm && length_mm < longest_mm {
+                return result;
+            }
+            let length_mm = length_mm.max(least_mm);
             let pick = Pick {
                 choice: Choice {
                     rubber: i,
@@ -320,9 +328,6 @@ impl<'a> Search<'a> {
                     return result;
                 }
             };
-            if length_mm < self.spec.least_slenderness * pick.d0 {
-                return result;
-            }
             // The infinitely long muscle pulls harder than a short one: where even it is far from
             // its limits, no better model computes it, and where the model of the search is not
             // good for it, the one that decides does, if it may be among the best.

@@ -107,7 +107,7 @@ impl DesignRequest {
                 _ => 1.0,
             },
             liquid: self.liquid.named_supply()?,
-            length_mm: self.lengths()?,
+            length_mm: self.lengths(tubes.is_some())?,
             least_slenderness: if self.length_is_searched() && self.length_mm.is_none() {
                 LEAST_SLENDERNESS
             } else {
@@ -168,7 +168,7 @@ impl DesignRequest {
 
     /// The lengths that are searched: those that are given, or those of which a stroke is a share
     /// that a muscle contracts by.
-    fn lengths(&self) -> Result<Option<Values>> {
+    fn lengths(&self, as_sold: bool) -> Result<Option<Values>> {
         let Some(stroke) = self.stroke_mm.filter(|_| self.length_is_searched()) else {
             return Ok(match &self.length_mm {
                 Some(Choice::One(_)) | None => None,
@@ -178,6 +178,11 @@ impl DesignRequest {
         let length = |share: f64| tidy(stroke.0 / share, 2);
         Ok(Some(match &self.length_mm {
             Some(choice) => values(choice, "length_mm")?,
+            // Of free sizes no tube says which length its ends allow.
+            None if !as_sold => Values::Interval(
+                length(CONTRACTIONS.1),
+                length(CONTRACTIONS.0).max(Muscle::prototype().length_mm()),
+            ),
             None => Values::Interval(length(CONTRACTIONS.1), length(CONTRACTIONS.0)),
         }))
     }
@@ -187,8 +192,8 @@ impl DesignRequest {
         let is_free = match &self.length_mm {
             Some(choice) => !matches!(choice, Choice::One(_)),
             None => {
-                self.file().is_none()
-                    && !matches!(Model::choose(&self.model), Ok(Model::Formula(_)))
+                let has_range = |model: Model| model.range().is_some();
+                self.file().is_none() && !Model::choose(&self.model).is_ok_and(has_range)
             }
         };
         let pushes = self.force_n.is_some_and(|force_n| force_n.0 < 0.0);
