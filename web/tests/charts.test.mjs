@@ -561,16 +561,20 @@ inBrowser(({ name, open, blank, url }) => {
   test("a dimension line that is dragged changes the number", async () => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
-    const handle =
-      /** @type {{ x: number, y: number, width: number, height: number }} */ (
-        await page.locator(".dimensions circle").first().boundingBox()
-      );
-    const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.mouse.move(x + 2, y - 12, { steps: 4 });
-    await page.mouse.up();
+    // Until the first answer is drawn the handle may move away below the pointer.
     await soon(async () => {
+      const handle =
+        /** @type {{ x: number, y: number, width: number, height: number }} */ (
+          await page.locator(".dimensions circle").first().boundingBox()
+        );
+      const [x, y] = [
+        handle.x + handle.width / 2,
+        handle.y + handle.height / 2,
+      ];
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 2, y - 12, { steps: 4 });
+      await page.mouse.up();
       const D = Number(
         await page
           .getByRole("textbox", { name: "Outer diameter" })
