@@ -6,7 +6,7 @@
 //! goes, and of the least mass.
 
 use crate::{
-    Candidate, Limit, Models, Objective, Spec,
+    Candidate, Models, Objective, Spec,
     bundle::envelope_ratio,
     limits::check::Probe,
     run::Settled,
@@ -126,10 +126,7 @@ impl Sharing {
     /// Keeps a muscle, where so few share what is required as may.
     pub fn keep(&mut self, pick: Pick, trial: &mut Trial<'_>, probe: &Probe) -> Result<()> {
         let most = f64::from(trial.spec.most_side_by_side);
-        let pulls = probe.checks.iter().filter(|c| c.limit == Limit::Force);
-        let share = pulls
-            .map(|c| c.value / c.bound)
-            .fold(f64::INFINITY, f64::min);
+        let share = probe.share();
         if share * most < 1.0 {
             return Ok(());
         }

@@ -261,14 +261,9 @@ impl Miss<'_> {
     /// The change of a kind.
     fn change(&self, kind: Kind, trial: &mut Trial<'_>, probe: &Probe) -> Option<Change> {
         let wanted = &self.spec.wanted;
-        let points = self.spec.points(self.muscle);
         let (ask, change) = match kind {
             Kind::Pull => {
-                let shares = points
-                    .iter()
-                    .zip(&probe.checks)
-                    .map(|(q, check)| check.value / q.force_n);
-                let share = shares.reduce(f64::min).filter(|share| *share > 0.0)?;
+                let share = Some(probe.share()).filter(|share| *share > 0.0)?;
                 let share = three_digits(share * wanted.size(), false) / wanted.size();
                 let points = wanted
                     .times(share)

@@ -57,7 +57,8 @@ impl Outcome {
         progress: &dyn Progress,
     ) -> Option<Several> {
         let is_sure = |c: &Candidate| c.sure_pressure_mpa.is_some();
-        if spec.guaranteed.is_some() || self.candidates.iter().any(is_sure) {
+        let nothing_fits = spec.tubes.is_empty() && self.candidates.is_empty();
+        if spec.guaranteed.is_some() || nothing_fits || self.candidates.iter().any(is_sure) {
             return None;
         }
         let sure = Spec {
@@ -278,7 +279,7 @@ impl Settled {
             pick,
             score: probe.score,
             bulged_mm: probe.bulged_mm,
-            margin: 1.0 / (1.0 - probe.least_to_spare()) - 1.0,
+            margin: probe.share() - 1.0,
             half_width,
             muscle,
         })

@@ -332,27 +332,23 @@ impl<'a> Search<'a> {
             // its limits, no better model computes it, and where the model of the search is not
             // good for it, the one that decides does, if it may be among the best.
             if !self.progress.cancelled() {
-                let mut screened = SearchResult::default();
                 let mut trial = Trial::new(self.spec, THICK_WALL, &muscle);
                 let probe = trial.as_mut().ok().map(|trial| probe_with(trial, true));
                 let probe = probe.and_then(Result::ok);
                 if let (Ok(trial), Some(probe), true) = (&mut trial, &probe, self.shares) {
                     // Without an answer it takes no part.
                     let _ = result.sharing.keep(pick, trial, probe);
-                    screened.sharing = result.sharing.clone();
                 }
                 let sample = Sample::new(pick.d0, probe);
-                screened.looked_at += 1;
-                screened.fitted += usize::from(sample.fits());
                 let missed = sample.violation();
                 let unsure = self.ranks(&muscle).1;
                 if unsure > 0.0 || missed > FAR && missed.is_finite() {
+                    result.looked_at = 1;
                     if missed <= FAR {
-                        SearchResult::keep(&mut screened.near, sample.score, pick);
-                        screened.fitted = 0;
+                        SearchResult::keep(&mut result.near, sample.score, pick);
                     }
-                    SearchResult::keep(&mut screened.misses, missed + unsure, pick);
-                    return screened;
+                    SearchResult::keep(&mut result.misses, missed + unsure, pick);
+                    return result;
                 }
             }
             self.try_one(pick, self.build, &mut result);

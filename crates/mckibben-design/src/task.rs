@@ -63,10 +63,11 @@ impl Task {
         let one = &self.spec;
         let shared = self.shared(one, (&spec, &outcome), models, quiet)?;
         let is_shared = shared.is_some();
-        let to_be_sure = outcome.to_be_sure(&spec, models, quiet);
+        let mut to_be_sure = outcome.to_be_sure(&spec, models, quiet);
         let mut slimmest_bundle = None;
         if let Some(found) = shared {
             (spec, outcome) = found;
+            to_be_sure = to_be_sure.or_else(|| outcome.to_be_sure(&spec, models, quiet));
         } else if let Some(first) = outcome.candidates.first() {
             let one = Several {
                 count: 1,

@@ -14,7 +14,7 @@ use mckibben_core::{
     analysis::Burst,
     extremes::peak,
     liquid::Liquid,
-    muscle::{Braid, BraidStiffness, Job, JobPoint, Muscle, file::to_toml},
+    muscle::{Braid, BraidStiffness, Job, JobPoint, file::to_toml},
     units::Positive,
     warning::Warning,
 };
@@ -287,9 +287,10 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
         branch: Some(spec.options().direction),
         points: points.iter().map(point).collect(),
     };
-    let job = Positive::new(candidate.pressure_mpa.into()).map(job);
-    let muscle = candidate.muscle.clone();
-    let muscle = job.into_iter().fold(muscle, Muscle::with_job);
+    let mut muscle = candidate.muscle.clone();
+    if let Some(pressure) = Positive::new(candidate.pressure_mpa.into()) {
+        muscle = muscle.with_job(job(pressure));
+    }
     TextFile {
         name,
         text: to_toml(&muscle),

@@ -9,7 +9,7 @@ use mckibben_core::{
     units::typed::{Pressure, Time},
 };
 use mckibben_design::{Candidate, Demand, Spec};
-use mckibben_motion::valves;
+use mckibben_motion::{NamedValve, valves};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -79,17 +79,18 @@ impl DesignRequest {
             Err(problem) if problem.kind == ProblemKind::Cancelled => return Err(problem),
             Err(problem) => (None, Some(problem.message)),
         };
-        let mut enough: Vec<_> = valves().iter().collect();
-        enough.retain(|v| needed.is_some_and(|c| v.supply.conductance_l_per_s_bar >= c));
-        let size = |v: &&mckibben_motion::NamedValve| v.supply.conductance_l_per_s_bar;
-        enough.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        let size = |v: &&NamedValve| v.supply.conductance_l_per_s_bar;
+        let enough = valves()
+            .iter()
+            .filter(|v| needed.is_some_and(|c| size(v) >= c));
+        let valve = enough.min_by(|a, b| size(a).total_cmp(&size(b)));
         let stroke = winner.largest(|q| q.air_normal_litres);
         Ok(Some(CycleAnswer {
             frequency_hz,
             air_normal_litres_per_min: stroke
                 .map(|litres| 60.0 * frequency_hz * litres * f64::from(spec.count)),
             sonic_conductance_l_per_s_bar: needed,
-            valve: enough.first().map(|v| v.name.clone()),
+            valve: valve.map(|v| v.name.clone()),
             reason,
         }))
     }

@@ -156,7 +156,7 @@ impl Decision<'_> {
                     mpa(p)
                 )
             }
-            None if spec.most_side_by_side > 1 => format!(
+            None if spec.most_side_by_side > 1 && !spec.tubes.is_empty() => format!(
                 "Sure to {share}: no muscle of this search, and no bundle of up to {}",
                 spec.most_side_by_side
             ),

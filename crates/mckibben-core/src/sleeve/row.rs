@@ -204,8 +204,8 @@ impl SleeveRow {
             ..stated
         };
         let mut sleeve = match modulus_of {
-            Some(material) => estimated(stated.clone(), material, self.factor.map(f64::from)),
-            None => stated.clone(),
+            Some(material) => estimated(stated, material, self.factor.map(f64::from)),
+            None => stated,
         };
         if let (Some(grams), None) = (self.grams_per_metre, strands) {
             let density = modulus_of.and_then(|material| material.density_kg_per_m3);
@@ -214,7 +214,7 @@ impl SleeveRow {
             sleeve.strands = Some(counted.ok_or("`grams_per_metre` gives no number of strands")?);
         }
         Ok(SleeveEntry {
-            modulus_of: modulus_of.filter(|_| stated.strand_modulus_mpa.is_none()),
+            modulus_of: modulus_of.filter(|_| self.strand_modulus.is_none()),
             sleeve,
             aliases: self.aliases.clone(),
             title,

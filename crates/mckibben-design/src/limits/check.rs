@@ -95,17 +95,22 @@ impl Probe {
         self.checks.iter().map(|c| c.excess().max(0.0)).sum()
     }
 
-    /// The least pull that is wanted over that which there is, subtracted from 1.
-    pub fn least_to_spare(&self) -> f64 {
-        let pulls = self.checks.iter().filter(|c| c.limit == Limit::Force);
-        let spare = pulls.map(|c| 1.0 - c.bound / c.value);
-        spare.fold(f64::INFINITY, f64::min)
+    /// The least share of what is wanted that it pulls at its highest pressure.
+    pub fn share(&self) -> f64 {
+        least_share(&self.checks)
     }
 
     /// Whether every limit is met.
     pub fn fits(&self) -> bool {
         self.checks.iter().all(|c| c.excess() <= 0.0)
     }
+}
+
+fn least_share(checks: &[Check]) -> f64 {
+    let pulls = checks.iter().filter(|c| c.limit == Limit::Force);
+    pulls
+        .map(|c| c.value / c.bound)
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// A muscle at one of the operating points.
@@ -225,15 +230,11 @@ pub fn probe_with(trial: &mut Trial<'_>, scored: bool) -> Result<Probe> {
             Objective::Margin | Objective::Length => 0.0,
         });
     }
-    let margin = points
-        .iter()
-        .zip(&checks)
-        .map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         _ if !scored => NO_SCORE,
         Objective::Diameter => [muscle.outer_diameter_mm(), largest],
         Objective::Pressure | Objective::Air => [largest, 0.0],
-        Objective::Margin => [-margin.fold(f64::INFINITY, f64::min), 0.0],
+        Objective::Margin => [1.0 - least_share(&checks), 0.0],
         Objective::BulgedDiameter => [
             size(largest, muscle.length_mm()),
             muscle.mass_g().unwrap_or(0.0),
