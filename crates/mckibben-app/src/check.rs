@@ -12,12 +12,12 @@ use crate::{
     number, percent, said_of, usual_mpa,
 };
 use mckibben_core::{
-    analysis::{Burst, FailurePressure},
+    analysis::{Burst, FailureMode, FailurePressure},
     built::Left,
     extremes::{ends, peak},
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
-    units::typed::Pressure,
+    units::{Dimension, tidy, typed::Pressure},
     warning::{Warning, is_of_burst},
 };
 use mckibben_fit::validation::built_in::muscles;
@@ -306,7 +306,26 @@ fn findings_of(
             outside(muscle, values.pressure_mpa)?,
         ));
     let measurements = values.uncertainty_words.measurements.iter();
-    Ok(findings.chain(measurements.map(measure)).collect())
+    Ok(findings
+        .chain(measurements.map(measure))
+        .chain(of(FindingKind::Measure, sleeve(burst)))
+        .collect())
+}
+
+/// What of a sleeve with estimated strands comes first.
+fn sleeve(burst: &Burst) -> Vec<String> {
+    let ends = burst.least().zip(burst.first());
+    let ends = ends.filter(|(least, first)| least.1 < first.1);
+    let text = |((_, least_mpa), (_, first_mpa)): ((FailureMode, f64), (FailureMode, f64))| {
+        let [least, first] = [least_mpa, first_mpa]
+            .map(|mpa| Units::default().show(Dimension::Pressure, tidy(mpa, 3)));
+        format!(
+            "of the sleeve first the least and the largest diameter to which it closes and opens: \
+             they set the angle, and so the pull; then its mass per metre: it sets the number of \
+             strands, and so the burst pressure, which lies between {least} and {first}"
+        )
+    };
+    ends.map(text).into_iter().collect()
 }
 
 fn implausible(muscle: &Muscle, burst: &Burst, values: &Characteristics) -> Vec<String> {

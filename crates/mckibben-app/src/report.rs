@@ -268,7 +268,7 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
         format!("The ±: {}", point.background.about.uncertainty_basis),
     ];
     if shown.muscle.terminals().insertion_mm.is_none() {
-        let cut = number(shown.muscle.terminals().insertion_mm(), 4);
+        let cut = number(shown.muscle.insertion_mm(), 4);
         list.push(format!(
             "The clamped length on each plug is not stated; the cut lengths assume {cut} mm."
         ));

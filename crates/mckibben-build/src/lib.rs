@@ -59,11 +59,15 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
         bytes(
             "drawing.pdf",
             "the same for printing, A4",
-            drawing.to_pdf()?,
+            mckibben_report::to_pdf(std::slice::from_ref(&drawing), "drawing")?,
         ),
         text("plugs.svg", "drawing of both plugs", plugs.to_svg()?),
         #[cfg(feature = "pdf")]
-        bytes("plugs.pdf", "the same for printing, A4", plugs.to_pdf()?),
+        bytes(
+            "plugs.pdf",
+            "the same for printing, A4",
+            mckibben_report::to_pdf(std::slice::from_ref(&plugs), "plugs")?,
+        ),
         bytes(
             "air-plug.stl",
             "plug with the air passage, for the printer",

@@ -60,7 +60,7 @@ impl Plan {
     const LEAST_INSERTION_MM: f64 = 3.0;
 
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
-        let length_mm = muscle.terminals().insertion_mm();
+        let length_mm = muscle.insertion_mm();
         let least_mm = Self::LEAST_INSERTION_MM;
         Refused::unless(length_mm >= least_mm, ["insertion_mm"], || {
             format!(

@@ -74,7 +74,7 @@ impl Stem {
         tie_mm: f64,
         foot_mm: f64,
     ) -> Self {
-        let length_mm = ends.insertion_mm();
+        let length_mm = ends.insertion_mm(bore_mm);
         let (share, least, most) = INTERFERENCE;
         let usual_mm = bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
         let diameter_mm = ends.plug_diameter_mm.unwrap_or(usual_mm);

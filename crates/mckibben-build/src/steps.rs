@@ -65,7 +65,7 @@ fn cut_list(plan: &Plan) -> Values {
             String::new(),
         ),
         ("cut_outer", mm(cut.tube_outer_diameter_mm)),
-        ("insertion", mm(plan.muscle.terminals().insertion_mm())),
+        ("insertion", mm(plan.muscle.insertion_mm())),
         if stretch == 1.0 {
             ("slack", String::new())
         } else {

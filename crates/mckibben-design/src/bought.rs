@@ -1,7 +1,7 @@
 //! Would a muscle as sold do? Those of the library that have a product, held against the
 //! specification.
 //!
-//! Such a muscle does where its pull less its ± (95 %, or the share that is guaranteed) meets every
+//! Nobody tries such a muscle before it is bought: it does where its pull less its ± (95 %, or the share that is guaranteed) meets every
 //! operating point by finite elements, at the supply's pressure or the highest of its bench where
 //! that is lower, and where bulged diameter and liquid volume meet the limits of the specification.
 //! Its length is the one that the specification states, since such muscles are cut to length; else

@@ -28,9 +28,7 @@ const AT_END: f64 = 1.03;
 
 /// Muscles that are chosen among for a bundle where one is asked.
 pub const LARGEST_BUNDLE: u32 = 7;
-/// Muscles that are kept for that, are settled at most, and are settled side by side.
-const KEPT: usize = 200;
-const SETTLED: usize = 24;
+/// Muscles that are settled side by side.
 const CHUNK: usize = 4;
 
 /// Several equal muscles side by side.
@@ -57,10 +55,7 @@ pub struct Shares(Vec<Share>);
 impl Shares {
     fn keep(&mut self, share: Share) {
         let at = self.0.partition_point(|s| s.size <= share.size);
-        if at < KEPT {
-            self.0.insert(at, share);
-            self.0.truncate(KEPT);
-        }
+        self.0.insert(at, share);
     }
 
     pub fn add(&mut self, other: &Self) {
@@ -75,16 +70,24 @@ impl Shares {
         progress: &dyn Progress,
     ) -> Option<Several> {
         let one = |share: &Share| {
-            let most = share.count.max(spec.most_side_by_side.min(share.count + 1));
-            (share.count..=most).find_map(|count| {
-                let shared = spec.shared_by(count);
+            let shared = |count: u32| spec.shared_by(count);
+            // The model that decides may ask for more of them.
+            let alone = shared(1);
+            let muscle = Search::new(&alone, models, progress)
+                .muscle(share.pick)
+                .ok()?;
+            let mut trial = Trial::new(&alone, models.decides(), &muscle).ok()?;
+            let part = trial.share().ok().filter(|part| *part > 0.0)?;
+            let least = ((1.0 / part).ceil() as u32).max(share.count);
+            (least..=spec.most_side_by_side.min(least + 1)).find_map(|count| {
+                let shared = shared(count);
                 let search = Search::new(&shared, models, progress);
                 Some((count, Settled::new(&search, models, share.pick)?))
             })
         };
         let size = |(count, one): &(u32, Settled)| envelope_ratio(spec.count * count) * one.size();
         let mut found: Vec<(u32, Settled)> = vec![];
-        for some in self.0[..self.0.len().min(SETTLED)].chunks(CHUNK) {
+        for some in self.0.chunks(CHUNK) {
             let least = found.iter().map(size).fold(f64::INFINITY, f64::min);
             if some[0].size > EQUAL * least || progress.cancelled() {
                 break;

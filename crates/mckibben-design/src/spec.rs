@@ -2,7 +2,7 @@
 
 use crate::{Demand, Limits, OperatingPoint, TubePart};
 use mckibben_core::{
-    analysis::{Options, bisect},
+    analysis::{LEAST_SAFETY, Options, PROVED, bisect},
     cancel::Cancelled,
     liquid::LiquidSupply,
     muscle::{Braid, BraidStiffness, Direction, Muscle, MuscleError, Rubber},
@@ -240,6 +240,22 @@ impl Spec {
                 };
                 return Err(SpecError::Refused(format!(
                     "{name} is {value}; it must be above zero, the smaller end first"
+                )));
+            }
+        }
+        let factors = [
+            ("the safety factor", self.limits.burst_margin, LEAST_SAFETY),
+            (
+                "the safety factor of the tube",
+                self.limits.tube_margin,
+                PROVED,
+            ),
+        ];
+        for (name, factor, least) in factors {
+            if let Some(factor) = factor.filter(|factor| *factor < least) {
+                return Err(SpecError::Refused(format!(
+                    "{name} is {factor}; give {least} or more, so that the muscle can be tested \
+                     above the pressure that is set, or 0 to leave failures out"
                 )));
             }
         }

@@ -29,6 +29,10 @@ pub enum Part {
     Text(String),
     /// Sentences, one below the other.
     List(Vec<String>),
+    /// What people must heed, in a frame.
+    Stop(Vec<String>),
+    /// Work in its order, each step with a box to tick.
+    Steps(Vec<String>),
     Table {
         /// Its head; empty for pairs of names and values.
         head: Vec<String>,
@@ -95,13 +99,8 @@ impl Part {
         let _ = match self {
             Self::Heading(text) => writeln!(out, "<h2>{}</h2>", escape(text)),
             Self::Text(text) => writeln!(out, "<p>{}</p>", escape(text)),
-            Self::List(list) => {
-                let items: String = list
-                    .iter()
-                    .map(|text| format!("<li>{}</li>", escape(text)))
-                    .collect();
-                writeln!(out, "<ul>{items}</ul>")
-            }
+            Self::List(list) | Self::Stop(list) => writeln!(out, "<ul>{}</ul>", items(list)),
+            Self::Steps(steps) => writeln!(out, "<ol>{}</ol>", items(steps)),
             Self::Table { head, rows } => writeln!(out, "{}", table(head, rows)),
             Self::Figure(figure) => writeln!(out, "<figure>{}</figure>", figure.to_svg()?),
             Self::Drawing(svg) => writeln!(out, "<figure class=\"drawing\">{svg}</figure>"),
@@ -118,6 +117,11 @@ impl Part {
         };
         Ok(())
     }
+}
+
+fn items(list: &[String]) -> String {
+    let item = |text: &String| format!("<li>{}</li>", escape(text));
+    list.iter().map(item).collect()
 }
 
 fn title_block(fields: &[(String, String)]) -> String {

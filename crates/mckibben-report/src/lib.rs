@@ -23,6 +23,7 @@ mod legend;
 mod line_labels;
 #[cfg(feature = "png")]
 mod outlines;
+mod pages;
 mod palette;
 #[cfg(feature = "png")]
 mod pdf;
@@ -42,4 +43,6 @@ pub use document::{Document, Part};
 pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
+#[cfg(feature = "png")]
+pub use sheet::to_pdf;
 pub use sheet::{Anchor, Pen, Sheet};

@@ -23,12 +23,30 @@ const POINTS: f32 = 0.75;
 impl Figure {
     /// The figure as a PDF page of its size.
     pub fn to_pdf(&self) -> Result<Vec<u8>> {
-        render(&self.to_svg()?, &self.title)
+        render(&[self.to_svg()?], &self.title)
     }
 }
 
-/// A drawing as a PDF page of its size.
-pub fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
+/// Drawings as the pages of a PDF, each of its size.
+pub fn render(svgs: &[String], title: &str) -> Result<Vec<u8>> {
+    let [info, catalog, pages] = [1, 2, 3].map(Ref::new);
+    let sheets = (0..svgs.len()).map(|i| Ref::new(4 + 2 * i as i32));
+    let mut pdf = Pdf::new();
+    pdf.document_info(info)
+        .producer(TextStr("mckibben figure"))
+        .title(TextStr(title));
+    pdf.catalog(catalog).pages(pages);
+    pdf.pages(pages)
+        .kids(sheets.clone())
+        .count(svgs.len() as i32);
+    for (svg, sheet) in svgs.iter().zip(sheets) {
+        page(&mut pdf, svg, (pages, sheet))?;
+    }
+    Ok(pdf.finish())
+}
+
+/// A drawing as one page of many; its content is the object behind it.
+fn page(pdf: &mut Pdf, svg: &str, (pages, sheet): (Ref, Ref)) -> Result<()> {
     let tree = tree(svg)?;
     let width = tree.size().width() * POINTS;
     let height = tree.size().height() * POINTS;
@@ -46,13 +64,7 @@ pub fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
         .write_all(&drawn.content.finish())
         .and_then(|()| stream.finish())
         .map_err(FigureError::image)?;
-    let [info, catalog, pages, sheet, body] = [1, 2, 3, 4, 5].map(Ref::new);
-    let mut pdf = Pdf::new();
-    pdf.document_info(info)
-        .producer(TextStr("mckibben figure"))
-        .title(TextStr(title));
-    pdf.catalog(catalog).pages(pages);
-    pdf.pages(pages).kids([sheet]).count(1);
+    let body = Ref::new(sheet.get() + 1);
     let mut page = pdf.page(sheet);
     page.parent(pages)
         .media_box(Rect::new(0.0, 0.0, rounded(width), rounded(height)))
@@ -69,7 +81,7 @@ pub fn render(svg: &str, title: &str) -> Result<Vec<u8>> {
     drop(resources);
     drop(page);
     pdf.stream(body, &content).filter(Filter::FlateDecode);
-    Ok(pdf.finish())
+    Ok(())
 }
 
 /// The content of a page, and the pairs of opacities (fill, stroke) in it.

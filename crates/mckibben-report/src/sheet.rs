@@ -15,7 +15,7 @@ use crate::{
 use std::fmt::Write as _;
 
 /// Height of the capitals of the embedded font, as a share of its size.
-const CAPITALS: f64 = 0.729;
+pub const CAPITALS: f64 = 0.729;
 
 /// A sheet with a drawing on it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -168,9 +168,32 @@ impl Sheet {
         Ok(format!("{head}{}</svg>\n", self.drawn))
     }
 
-    /// The drawing as a PDF page of the sheet's size.
-    #[cfg(feature = "png")]
-    pub fn to_pdf(&self) -> Result<Vec<u8>> {
-        crate::pdf::render(&self.to_svg()?, &self.title)
+    /// Another drawing as SVG with its upper left corner at a place, in a width and a height.
+    pub fn embed(&mut self, svg: &str, at: [f64; 2], size_mm: [f64; 2]) {
+        let (x, y) = self.place(at);
+        let [x, y, w, h] = [x, y, size_mm[0] * PER_MM, size_mm[1] * PER_MM].map(n);
+        let rest = svg.split_once("viewBox").map_or("", |parts| parts.1);
+        let _ = write!(
+            self.drawn,
+            "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" overflow=\"visible\" \
+             viewBox{rest}"
+        );
     }
+}
+
+/// Width and height in mm of a drawing as SVG.
+pub fn size_mm(svg: &str) -> [f64; 2] {
+    ["width=\"", "height=\""].map(|name| {
+        let value = svg
+            .split_once(name)
+            .and_then(|parts| parts.1.split_once("mm"));
+        value.and_then(|v| v.0.parse().ok()).unwrap_or(100.0)
+    })
+}
+
+/// Sheets as the pages of a PDF.
+#[cfg(feature = "png")]
+pub fn to_pdf(sheets: &[Sheet], title: &str) -> Result<Vec<u8>> {
+    let pages: Vec<String> = sheets.iter().map(Sheet::to_svg).collect::<Result<_>>()?;
+    crate::pdf::render(&pages, title)
 }

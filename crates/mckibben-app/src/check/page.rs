@@ -203,7 +203,7 @@ impl CheckAnswer {
             Some(_) => "",
         };
         let tube = mm(sheet.tube_cut_mm);
-        let clamp = mm(m.terminals().insertion_mm());
+        let clamp = mm(m.insertion_mm());
         let (braid, angle) = (mm(sheet.braid_cut_mm), number(m.braid().angle_deg, 4));
         let strands = sheet
             .strands

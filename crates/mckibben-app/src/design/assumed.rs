@@ -2,13 +2,13 @@
 //! keep muscles from fitting.
 
 use super::request::DesignRequest;
-use crate::{Model, Units, words::number};
+use crate::{Model, Units, percent, words::number};
 use mckibben_core::{
     muscle::{Braid, Muscle},
     units::{Dimension, tidy, typed::Choice},
 };
 use mckibben_design::{
-    BraidChoice, Candidate, Design,
+    BraidChoice, Candidate, Demand, Design, Lift,
     tubes::{LEAST_CAST_WALL_MM, rubbers},
 };
 
@@ -71,6 +71,24 @@ impl Stated {
             let named = "(`length_mm`, or a muscle file)";
             out.push(format!(
                 "the length L0 is {length_mm}\u{a0}mm, because none is given {named}"
+            ));
+        }
+        if let (
+            Demand::Load {
+                way: Lift::Stroke(stroke_mm),
+                ..
+            },
+            Some(lengths),
+        ) = (&spec.wanted, &spec.length_mm)
+        {
+            let (low_mm, high_mm) = lengths.bounds();
+            let shares = [low_mm, high_mm].map(|mm| percent(tidy(stroke_mm / mm, 2)));
+            let [low, high] =
+                [low_mm, high_mm].map(|mm| Units::default().show(Dimension::Length, tidy(mm, 3)));
+            out.push(format!(
+                "the length is searched from {low} to {high}, of which the stroke is {} to {} \
+                 (`length_mm`; `objective` for the shortest)",
+                shares[0], shares[1]
             ));
         }
         out.extend(found.outcome.candidates.first().and_then(friction));

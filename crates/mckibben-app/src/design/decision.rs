@@ -69,11 +69,18 @@ impl Decision<'_> {
     }
 
     fn pulls(&self, first: &Candidate) -> String {
+        let many = first.points.len() > 1;
         let point = |q: &CandidatePoint| {
+            let pressure = show(Dimension::Pressure, q.response.pressure_mpa);
             let wanted = format!(
-                "{} at {}",
-                show(Dimension::Force, q.response.force_n),
-                percent(q.wanted.contraction)
+                "{} at {}{}",
+                Units::default().show(Dimension::Force, tidy(q.response.force_n, 4)),
+                percent(q.wanted.contraction),
+                if many {
+                    format!(" and {pressure}")
+                } else {
+                    String::new()
+                }
             );
             let force = &Units::default().force;
             let built = q.built.map(|built| {
@@ -156,6 +163,9 @@ impl Decision<'_> {
                     mpa(p)
                 )
             }
+            None if matches!(spec.wanted, Demand::Joint(_)) => {
+                format!("Sure to {share}: no single muscle on a side")
+            }
             None if spec.most_side_by_side > 1 && !spec.tubes.is_empty() => format!(
                 "Sure to {share}: no muscle of this search, and no bundle of up to {}",
                 spec.most_side_by_side
@@ -192,8 +202,7 @@ impl Decision<'_> {
 /// What a choice is like.
 fn choice(kind: ChoiceKind, count: u32, c: &Candidate) -> ChoiceAnswer {
     let many = f64::from(count);
-    let half = |q: &&CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
-    let point = c.points.iter().max_by(|a, b| half(a).total_cmp(&half(b)));
+    let point = c.points.first();
     let built = point.and_then(|q| q.built);
     let is = match kind {
         ChoiceKind::First | ChoiceKind::Bundle => "",
@@ -283,10 +292,14 @@ fn pressures_to_set(first: &Candidate) -> String {
     });
     let test = limits.least_burst_pressure_mpa.map(|least_mpa| {
         let proof_mpa = proof_mpa(set_mpa, Some(least_mpa));
-        format!(
-            "; test with water at {} before use",
-            show_mpa(tidy(proof_mpa, 3))
-        )
+        if proof_mpa > set_mpa {
+            format!(
+                "; test with water at {} before use",
+                show_mpa(tidy(proof_mpa, 3))
+            )
+        } else {
+            format!("; it may fail at {}", show_mpa(tidy(least_mpa, 3)))
+        }
     });
     let (why, test) = (why.unwrap_or_default(), test.unwrap_or_default());
     format!("Set {set}, relief valve at {relief}{test}{why}")

@@ -50,7 +50,7 @@ impl DesignAnswer {
         page.lines(
             self.assumptions
                 .iter()
-                .map(|text| format!("Assumed: {text}.")),
+                .map(|text| format!("Assumed: {}.", u.sentence(text))),
         );
         self.bought_onto(&mut page, u);
         let near = self
@@ -101,12 +101,18 @@ impl DesignAnswer {
             let [low, high] = ends.map(|n| force.to(n, 2));
             Some(format!("{low} to {high}"))
         };
+        let pulls = match &self.wanted {
+            DemandAnswer::Points { points } if points.len() > 1 => {
+                format!("pulls at {} (95 %)", percent(points[0].contraction))
+            }
+            _ => "pulls (95 %)".into(),
+        };
         let table = Table::of(&self.choices)
             .text("choice", |c| &c.name)
             .quantity("width", &length, |c| c.envelope_mm)
             .quantity("L0", &length, |c| c.length_mm)
             .quantity("set", &u.pressure.digits(3), |c| c.pressure_mpa)
-            .text("pulls (95 %)", pull)
+            .text(&pulls, pull)
             .quantity("air", &NORMAL_LITRES.digits(2), |c| c.air_normal_litres)
             .quantity("liquid", &u.volume.digits(2), |c| c.liquid_volume_mm3)
             .text("parts", |c| &c.parts);

@@ -67,12 +67,15 @@ pub struct DesignRequest {
     /// 99%, widens the ± accordingly.
     #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "95%")]
     pub guaranteed: Option<Ratio>,
-    /// Equal muscles side by side that share the requirement, 1 to 1000 [1, or as few as do]
+    /// Equal muscles side by side that share the requirement, 1 to 1000 [1; where no single one
+    /// does, the slimmest bundle of up to 7]
     ///
     /// The candidates are one of them; the bundle of the best one is shown below.
     #[arg(long, alias = "bundle", value_name = "N")]
     pub count: Option<u32>,
     /// Quantity to rank by
+    ///
+    /// A tube on sale comes before one that is cast, unless the muscle is half as large again.
     #[arg(long, value_parser = flags::word::<ObjectiveWord>(), default_value = "bulged-diameter")]
     pub objective: ObjectiveWord,
     /// Largest outer diameter at the operating points; of a bundle that of each of its muscles
@@ -92,7 +95,7 @@ pub struct DesignRequest {
     pub max_liquid_volume_mm3: Option<Volume>,
     /// Safety factor of strands and clamps: failure pressure over allowed pressure [4]
     ///
-    /// 0 for none. The strength of the strands must be known.
+    /// 2 or more, or 0 for none. The strength of the strands must be known.
     #[arg(
         long = "safety",
         alias = "min-burst-margin",
@@ -100,7 +103,8 @@ pub struct DesignRequest {
         help_heading = "Limits"
     )]
     pub min_burst_margin: Option<f64>,
-    /// Safety factor of the tube, which leaks where it fails [half of that of the strands]
+    /// Safety factor of the tube, which leaks where it fails [half of that of the strands,
+    /// at least 1.5]
     #[arg(
         long = "safety-tube",
         value_name = "FACTOR",

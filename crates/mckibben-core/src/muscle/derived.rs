@@ -101,14 +101,19 @@ impl Muscle {
         )
     }
 
+    /// Length of tube and braid clamped on each plug, in mm.
+    pub fn insertion_mm(&self) -> f64 {
+        self.terminals().insertion_mm(self.inner_diameter_mm())
+    }
+
     /// What a workshop needs.
     pub fn build_sheet(&self) -> BuildSheet {
-        let cut = self.length_mm() + 2.0 * self.terminals().insertion_mm();
+        let cut = self.length_mm() + 2.0 * self.insertion_mm();
         let ro = self.tube().outer_radius_mm();
         let ri = self.tube().inner_radius_mm();
         let stretch = self.tube().prestretch;
         // What is clamped has the section of before.
-        let tube_cut_mm = self.length_mm() / stretch + 2.0 * self.terminals().insertion_mm();
+        let tube_cut_mm = self.length_mm() / stretch + 2.0 * self.insertion_mm();
         BuildSheet {
             tube_cut_mm,
             braid_cut_mm: cut,

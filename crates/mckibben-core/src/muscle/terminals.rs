@@ -134,15 +134,18 @@ pub struct Terminals {
 }
 
 impl Terminals {
-    /// What is assumed where no insertion is stated, in mm.
-    pub const ASSUMED_INSERTION_MM: f64 = 20.0;
+    /// Where no insertion is stated: so many bores, at least and at most so many mm. A choice.
+    const ASSUMED_INSERTION: (f64, f64, f64) = (1.25, 12.0, 60.0);
 
     /// A plug over the bore of its tube: below no clamp closes, above no tube is drawn on.
     pub const PLUG_OF_BORE: (f64, f64) = (0.5, 2.0);
 
-    /// Length of tube and braid clamped on each plug, in mm; only lengthens the cut.
-    pub fn insertion_mm(&self) -> f64 {
-        self.insertion_mm.unwrap_or(Self::ASSUMED_INSERTION_MM)
+    /// Length of tube and braid clamped on each plug, in mm, for a tube of a bore in mm; only
+    /// lengthens the cut.
+    pub fn insertion_mm(&self, bore_mm: f64) -> f64 {
+        let (bores, least, most) = Self::ASSUMED_INSERTION;
+        self.insertion_mm
+            .unwrap_or_else(|| (bores * bore_mm).clamp(least, most).round())
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {

@@ -7,7 +7,7 @@ use crate::{
     trial::Trial,
 };
 use mckibben_core::{
-    analysis::{FailureMode, FailurePressure, NoBurst, PROVED, RELIEF, bisect},
+    analysis::{FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROVED, RELIEF, bisect},
     model::{ModelError, Result},
     units::Dimension,
 };
@@ -145,6 +145,9 @@ impl PressureLimit {
                     )
                 });
                 let burst_margin = three_digits(margins.reduce(f64::min)?, false);
+                if burst_margin < LEAST_SAFETY {
+                    return None;
+                }
                 let change = Relaxation::MinBurstMargin { burst_margin };
                 ((limits.burst_margin? / burst_margin).ln(), change)
             }

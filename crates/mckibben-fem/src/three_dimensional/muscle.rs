@@ -64,7 +64,7 @@ impl MuscleMesh {
             )));
         }
         // How far the plug reaches into the tube is the muscle's to say.
-        let insertion = muscle.terminals().insertion_mm();
+        let insertion = muscle.insertion_mm();
         let stated =
             |p: &Plug| p.insertion_mm.is_some() || muscle.terminals().insertion_mm.is_some();
         let insertion_assumed = spec.plug.as_ref().is_some_and(|p| !stated(p));

@@ -14,6 +14,10 @@ pub const SAFETY: f64 = 4.0;
 /// them.
 pub const PROVED: f64 = 1.5;
 
+/// The least safety factor of strands and clamps that may be asked for; the tube then has
+/// [`PROVED`]. With less there is no room for a proof test above the pressure that is set.
+pub const LEAST_SAFETY: f64 = 2.0;
+
 /// The load at which a muscle that extends buckles over the allowed push: half of [`SAFETY`], as of
 /// the tube, since what buckles bends and flies apart in no case.
 pub const BUCKLING: f64 = 2.0;
@@ -75,12 +79,15 @@ impl Default for Safety {
 }
 
 impl Safety {
-    /// A factor of strands and clamps; the tube has the half of it ([`FailureMode::share`]) where
-    /// none is given.
+    /// A factor of strands and clamps; the tube has the half of it ([`FailureMode::share`]), and
+    /// [`PROVED`] at least, where none is given.
     pub fn new(strands: f64, tube: Option<f64>) -> Self {
         Self {
             strands,
-            tube: tube.unwrap_or(FailureMode::Mesh.share() * strands),
+            tube: tube.unwrap_or(match strands {
+                0.0 => 0.0,
+                strands => (FailureMode::Mesh.share() * strands).max(PROVED),
+            }),
         }
     }
 

@@ -24,7 +24,8 @@ mod radii;
 pub mod strands;
 
 pub use failure::{
-    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, NoBurst, PROVED, RELIEF, SAFETY, Safety,
+    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROVED, RELIEF,
+    SAFETY, Safety,
 };
 
 use super::error::Result;

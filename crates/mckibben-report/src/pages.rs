@@ -1,0 +1,262 @@
+//! A report on paper: A4 pages with headings, paragraphs, steps, tables, figures and drawings.
+
+use crate::{
+    document::{Document, Part},
+    figure::Result,
+    font::Metrics,
+    rect::PER_MM,
+    sheet::{Anchor, CAPITALS, Pen, Sheet},
+};
+
+/// A4 upright and its margins (left with room for binding), in mm.
+const PAPER_MM: [f64; 2] = [210.0, 297.0];
+const LEFT_MM: f64 = 20.0;
+const RIGHT_MM: f64 = 195.0;
+const TOP_MM: f64 = 277.0;
+const BOTTOM_MM: f64 = 18.0;
+/// Heights of capitals in mm (ISO 3098: at least 1.8).
+const TEXT_MM: f64 = 2.1;
+const HEADING_MM: f64 = 2.9;
+const TITLE_MM: f64 = 4.0;
+/// From one line of a text to the next, over the height of its capitals.
+const LEADING: f64 = 2.0;
+/// Between columns of a table.
+const GUTTER_MM: f64 = 4.0;
+/// Largest height of a figure.
+const FIGURE_MM: f64 = 115.0;
+/// Side of a box to tick.
+const BOX_MM: f64 = 3.2;
+
+/// Pages that are filled from above.
+struct Pages<'a> {
+    title: &'a str,
+    metrics: Metrics,
+    done: Vec<Sheet>,
+    sheet: Sheet,
+    /// Where the next line begins.
+    y: f64,
+}
+
+impl Document {
+    /// The report on sheets of paper, without bodies and texts of files.
+    pub fn sheets(&self) -> Result<Vec<Sheet>> {
+        let mut pages = Pages {
+            title: &self.title,
+            metrics: Metrics::new()?,
+            done: vec![],
+            sheet: empty(&self.title),
+            y: TOP_MM,
+        };
+        pages.text(&self.title, LEFT_MM, TITLE_MM);
+        pages.y -= 2.0;
+        if !self.title_block.is_empty() {
+            pages.title_block(&self.title_block);
+        }
+        pages.text(&self.lead, LEFT_MM, TEXT_MM);
+        for part in &self.parts {
+            pages.part(part)?;
+        }
+        pages.y -= 3.0;
+        pages.text(&self.footer, LEFT_MM, 1.8);
+        Ok(pages.numbered())
+    }
+
+    /// The report as a PDF of A4 pages.
+    #[cfg(feature = "png")]
+    pub fn to_pdf(&self) -> Result<Vec<u8>> {
+        crate::sheet::to_pdf(&self.sheets()?, &self.title)
+    }
+}
+
+fn empty(title: &str) -> Sheet {
+    Sheet::new(title.into(), PAPER_MM[0], PAPER_MM[1])
+}
+
+impl Pages<'_> {
+    /// Begins a new page where this one has less room than a height in mm.
+    fn room(&mut self, height_mm: f64) {
+        if self.y - height_mm < BOTTOM_MM && self.y < TOP_MM {
+            let full = std::mem::replace(&mut self.sheet, empty(self.title));
+            self.done.push(full);
+            self.y = TOP_MM;
+        }
+    }
+
+    /// The lines of a text in a width of mm.
+    fn lines(&self, text: &str, height_mm: f64, width_mm: f64) -> Vec<String> {
+        let size = height_mm * PER_MM / CAPITALS;
+        self.metrics.wrap(text, size, width_mm * PER_MM)
+    }
+
+    /// Width in mm of a text of a table.
+    fn width_mm(&self, text: &str) -> f64 {
+        self.metrics.width(text, TEXT_MM * PER_MM / CAPITALS) / PER_MM
+    }
+
+    fn text(&mut self, text: &str, x: f64, height_mm: f64) {
+        for line in self.lines(text, height_mm, RIGHT_MM - x) {
+            self.room(LEADING * height_mm);
+            self.y -= LEADING * height_mm;
+            let at = [x, self.y];
+            self.sheet.text(at, height_mm, Anchor::Start, line);
+        }
+    }
+
+    fn part(&mut self, part: &Part) -> Result<()> {
+        match part {
+            Part::Heading(text) => {
+                // With at least two lines behind it.
+                self.room(22.0);
+                self.y -= 4.0;
+                self.text(text, LEFT_MM, HEADING_MM);
+                self.y -= 1.2;
+                self.rule(Pen::Thin);
+            }
+            Part::Text(text) => {
+                self.y -= 1.0;
+                self.text(text, LEFT_MM, TEXT_MM);
+            }
+            Part::List(list) => list.iter().for_each(|text| self.item("–", text)),
+            Part::Stop(list) => self.stop(list),
+            Part::Steps(steps) => {
+                for (i, step) in steps.iter().enumerate() {
+                    let lines = self.lines(step, TEXT_MM, RIGHT_MM - LEFT_MM - 16.0).len();
+                    self.room(LEADING * TEXT_MM * lines as f64 + 1.0);
+                    let [x, y] = [LEFT_MM, self.y - 1.0 - LEADING * TEXT_MM - 0.5];
+                    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+                    let corners = corners.map(|[a, b]| [x + BOX_MM * a, y + BOX_MM * b]);
+                    self.sheet.outline(Pen::Thin, corners);
+                    self.item(&format!("      {}", i + 1), step);
+                }
+            }
+            Part::Table { head, rows } => self.table(head, rows),
+            Part::Figure(figure) => self.picture(&figure.to_svg()?),
+            Part::Drawing(svg) => self.picture(svg),
+            // What is read on a screen.
+            Part::Code(_) | Part::Body(_) => {}
+        }
+        Ok(())
+    }
+
+    fn rule(&mut self, pen: Pen) {
+        let y = self.y;
+        self.sheet.line(pen, [[LEFT_MM, y], [RIGHT_MM, y]]);
+    }
+
+    /// A text behind a mark.
+    fn item(&mut self, mark: &str, text: &str) {
+        self.y -= 1.0;
+        self.room(LEADING * TEXT_MM);
+        let y = self.y - LEADING * TEXT_MM;
+        let x = LEFT_MM + self.width_mm(mark) + 2.5;
+        self.sheet.text([LEFT_MM, y], TEXT_MM, Anchor::Start, mark);
+        self.text(text, x, TEXT_MM);
+    }
+
+    /// Sentences in a frame.
+    fn stop(&mut self, list: &[String]) {
+        let count: usize = list
+            .iter()
+            .map(|text| self.lines(text, TEXT_MM, RIGHT_MM - LEFT_MM - 12.0).len())
+            .sum();
+        self.room(LEADING * TEXT_MM * count as f64 + list.len() as f64 + 6.0);
+        self.y -= 2.0;
+        let top = self.y;
+        list.iter().for_each(|text| self.item("  !", text));
+        self.y -= 2.5;
+        let [left, right] = [LEFT_MM, RIGHT_MM];
+        let corners = [[left, top], [right, top], [right, self.y], [left, self.y]];
+        self.sheet.outline(Pen::Outline, corners);
+        self.y -= 1.0;
+    }
+
+    fn title_block(&mut self, fields: &[(String, String)]) {
+        let width = (RIGHT_MM - LEFT_MM) / 4.0;
+        for row in fields.chunks(4) {
+            self.rule(Pen::Thin);
+            for (i, (name, text)) in row.iter().enumerate() {
+                let x = LEFT_MM + width * i as f64 + 1.0;
+                let at = [x, self.y - 3.0];
+                self.sheet.text(at, 1.8, Anchor::Start, name);
+                let shown = self.lines(text, TEXT_MM, width - 2.0);
+                let shown = shown.into_iter().next().unwrap_or_default();
+                self.sheet
+                    .text([x, self.y - 7.5], TEXT_MM, Anchor::Start, shown);
+            }
+            self.y -= 9.0;
+        }
+        self.rule(Pen::Thin);
+        self.y -= 2.0;
+    }
+
+    /// Widths of columns in mm: as wide as their texts, the widest narrower where all have no room.
+    fn columns(&self, head: &[String], rows: &[Vec<String>]) -> Vec<f64> {
+        let all = || rows.iter().map(Vec::as_slice).chain([head]);
+        let count = all().map(<[String]>::len).max().unwrap_or(0);
+        let widest = |i: usize| {
+            let cells = all().filter_map(|row| row.get(i));
+            cells
+                .map(|text| self.width_mm(text))
+                .fold(GUTTER_MM, f64::max)
+        };
+        let mut widths: Vec<f64> = (0..count).map(widest).collect();
+        let room = RIGHT_MM - LEFT_MM - GUTTER_MM * count.saturating_sub(1) as f64;
+        let total = |widths: &[f64]| widths.iter().sum::<f64>();
+        let mut most = room;
+        while total(&widths) > room && most > 5.0 {
+            most -= 2.0;
+            widths.iter_mut().for_each(|w| *w = w.min(most));
+        }
+        widths
+    }
+
+    fn table(&mut self, head: &[String], rows: &[Vec<String>]) {
+        self.y -= 1.5;
+        let widths = self.columns(head, rows);
+        let head = (!head.is_empty()).then(|| head.to_vec());
+        for (i, row) in head.iter().chain(rows).enumerate() {
+            let cells: Vec<Vec<String>> = row
+                .iter()
+                .zip(&widths)
+                .map(|(text, width)| self.lines(text, TEXT_MM, *width))
+                .collect();
+            let tall = cells.iter().map(Vec::len).max().unwrap_or(1).max(1);
+            self.room(LEADING * TEXT_MM * tall as f64 + 1.4);
+            let mut x = LEFT_MM;
+            for (lines, width) in cells.iter().zip(&widths) {
+                for (k, line) in lines.iter().enumerate() {
+                    let y = self.y - LEADING * TEXT_MM * (k + 1) as f64;
+                    self.sheet.text([x, y], TEXT_MM, Anchor::Start, line);
+                }
+                x += width + GUTTER_MM;
+            }
+            self.y -= LEADING * TEXT_MM * tall as f64 + 1.4;
+            let is_head = i == 0 && head.is_some();
+            self.rule(if is_head { Pen::Outline } else { Pen::Thin });
+        }
+        self.y -= 1.0;
+    }
+
+    /// A picture as wide as the text, or as high as a figure may be.
+    fn picture(&mut self, svg: &str) {
+        let [width, height] = crate::sheet::size_mm(svg);
+        let scale = ((RIGHT_MM - LEFT_MM) / width).min(FIGURE_MM / height);
+        self.room(scale * height + 3.0);
+        self.y -= 3.0 + scale * height;
+        let at = [LEFT_MM, self.y + scale * height];
+        self.sheet.embed(svg, at, [scale * width, scale * height]);
+    }
+
+    /// All pages with their numbers.
+    fn numbered(mut self) -> Vec<Sheet> {
+        self.done.push(self.sheet);
+        let count = self.done.len();
+        for (i, sheet) in self.done.iter_mut().enumerate() {
+            let number = format!("page {} of {count}", i + 1);
+            let short: String = self.title.chars().take(80).collect();
+            sheet.text([LEFT_MM, 10.0], 1.8, Anchor::Start, short);
+            sheet.text([RIGHT_MM, 10.0], 1.8, Anchor::End, number);
+        }
+        self.done
+    }
+}
