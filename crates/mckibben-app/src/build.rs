@@ -15,7 +15,8 @@ use crate::{
 };
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use mckibben_build::{
-    BuildPart, Content, Cut, File, Operating, Plan, Safety, TestPoint, ToMeasure, Wishes, proof_mpa,
+    BuildPart, Content, Cut, File, Operating, Plan, Proof, PullAt, Safety, Shown, TestPoint,
+    ToMeasure, Wishes, proof_mpa,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation},
@@ -24,8 +25,12 @@ use mckibben_core::{
     cancel,
     extremes::peak,
     model::Workspace,
+    muscle::EndsMade,
     progress::Progress,
-    units::typed::{Length, Pressure},
+    units::{
+        Dimension,
+        typed::{Length, Pressure},
+    },
 };
 use mckibben_report::Document;
 use schemars::JsonSchema;
@@ -42,13 +47,16 @@ pub struct BuildRequest {
     /// pressure
     #[arg(long)]
     pub overpressure: bool,
-    /// Fitting of the air: m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m5; g1/8 from
-    /// 15 mm]
+    /// Fitting of the air: m3, m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m3; m5
+    /// from 8 mm, g1/8 from 15 mm]
     ///
-    /// Push-in fittings have these threads.
+    /// Push-in fittings and barbs are sold with these threads.
     #[arg(long)]
     pub fitting: Option<String>,
-    /// Bolt of the eye [by the load of the end]
+    /// Filled with a liquid: a bleed port, and a leak test with the liquid
+    #[arg(long)]
+    pub liquid: bool,
+    /// Bolts of both heads [by the load of an end]
     #[arg(long, value_name = "DIAMETER", value_parser = flags::bolt)]
     pub bolt_mm: Option<Length>,
     /// Diameter of the sleeve as it comes off the roll [nominal diameter]
@@ -88,13 +96,21 @@ pub struct BuildAnswer {
     pub bulged_diameter_mm: f64,
     /// Load of an end, N: the blocked force, and the pressure on the bore.
     pub end_load_n: f64,
+    /// The same at the pressure of the proof test, with the length held, N.
+    pub proof_end_load_n: f64,
+    /// How the ends hold tube and sleeve.
+    pub ends: EndsMade,
+    /// What they hold at least by estimate, N; none where no estimate is known.
+    pub ends_hold_n: Option<f64>,
+    /// Distance between the inner faces of both heads at rest, mm: what a ruler reaches.
+    pub heads_distance_mm: f64,
     /// Diameter over tube and sleeve on a plug, mm: what a clamp closes on.
     pub clamped_diameter_mm: f64,
-    /// Inner diameter of a crimped ferrule, mm.
-    pub crimp_diameter_mm: f64,
     /// Diameter of the plugs' stem, mm.
     pub plug_diameter_mm: f64,
-    /// Bolt of the eye, mm.
+    /// Side of the plugs' square heads, mm.
+    pub head_side_mm: f64,
+    /// Bolts of the heads, mm.
     pub bolt_mm: f64,
     /// Pressures of the tests, and the energy of the air.
     #[serde(flatten)]
@@ -141,8 +157,11 @@ impl Show for BuildAnswer {
                 .quantity("sleeve on the tube", &length, sleeve.mounted_mm)
                 .quantity("sleeve to cut", &length, sleeve.relaxed_mm)
                 .quantity("at its diameter of", &length, sleeve.relaxed_diameter_mm)
+                .quantity("between the heads", &length, self.heads_distance_mm)
+                .text("ends", self.ends.name())
+                .quantity("load of an end", &u.force.digits(3), self.end_load_n)
                 .quantity("plugs", &length, self.plug_diameter_mm)
-                .quantity("bolt", &length, self.bolt_mm)
+                .quantity("bolts", &length, self.bolt_mm)
                 .quantity("burst pressure", &u.pressure, limits.burst_pressure_mpa)
                 .quantity("allowed pressure", &u.pressure, limits.allowed_pressure_mpa)
                 .quantity(
@@ -150,12 +169,23 @@ impl Show for BuildAnswer {
                     &u.pressure,
                     safety.proof_pressure_mpa,
                 )
-                .quantity("energy of the air", &JOULES.digits(2), safety.air_energy_j),
+                .quantity(
+                    "load of an end in it, length held",
+                    &u.force.digits(3),
+                    self.proof_end_load_n,
+                )
+                .quantity("energy of the air", &JOULES.digits(2), safety.air_energy_j)
+                .quantity(
+                    "energy of rubber and strands, at most",
+                    &JOULES.digits(2),
+                    safety.wall_energy_j,
+                ),
         );
         page.gap();
         page.table(
             Table::of(&self.parts)
                 .text("part", |part| &part.part)
+                .text("size", |part| &part.size)
                 .text("amount", |part| &part.amount)
                 .text("sold as", |part| part.sold_as.as_ref())
                 .text("mass [g]", |part| Some(number(part.mass_g?, 3))),
@@ -168,8 +198,8 @@ impl Show for BuildAnswer {
     }
 }
 
-/// The file of the report.
-pub const REPORT: &str = "report.html";
+/// The files of the report: as a page, and for printing.
+pub const REPORT: [&str; 2] = ["report.html", "report.pdf"];
 
 /// A file that a command makes.
 #[serde_with_macros::skip_serializing_none]
@@ -219,7 +249,8 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     if !request.report {
         Problem::refuse_unused(&fields, "it is part of the report, and `report` is not set")?;
     }
-    let (plan, burst) = planned(request)?;
+    let (mut plan, burst) = planned(request)?;
+    plan.expected = expected(&plan)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
     let files = mckibben_build::files(&plan)
         .map_err(|e| ProblemKind::Internal.problem(format!("the drawing cannot be drawn: {e}")))?;
@@ -233,11 +264,11 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         .then(|| report(request, (&plan, &burst), progress))
         .transpose()?;
     if let Some(document) = &document {
-        let html = document
-            .to_html("")
-            .map_err(|e| ProblemKind::Plot.problem(e))?;
-        let about = "all that is known of the muscle, for reading and printing";
-        files.push(File::text(REPORT, about, html).into());
+        let about = "all that is known of the muscle";
+        let wrong = |e| ProblemKind::Plot.problem(e);
+        files.push(File::text(REPORT[0], about, document.to_html("").map_err(wrong)?).into());
+        #[cfg(feature = "files")]
+        files.push(File::bytes(REPORT[1], about, document.to_pdf().map_err(wrong)?).into());
     }
     let outside = not_measured(&plan.muscle, plan.safety.pressure_mpa)?;
     let warnings = said.iter().chain(&outside).map(ToString::to_string);
@@ -247,9 +278,13 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         free_contraction: plan.operating.free_contraction,
         bulged_diameter_mm: plan.operating.bulged_diameter_mm,
         end_load_n: plan.end_load_n,
+        proof_end_load_n: plan.proof_load_n,
+        ends: plan.ends.made,
+        ends_hold_n: plan.ends.holds_n.map(|holds| holds[0]),
+        heads_distance_mm: plan.faces_mm(0.0),
         clamped_diameter_mm: plan.clamped_diameter_mm,
-        crimp_diameter_mm: plan.crimp_diameter_mm,
         plug_diameter_mm: plan.air_plug.stem.diameter_mm,
+        head_side_mm: plan.air_plug.side_mm,
         bolt_mm: plan.eye_plug.bolt_mm,
         safety: plan.safety,
         mass_g: plan.mass_g(),
@@ -298,6 +333,13 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
             "sleeve_diameter_mm",
             request.sleeve_diameter_mm.map(f64::from),
         )?,
+        liquid: request.liquid,
+        shown: Shown {
+            pressure: request.units.pressure.unit(Dimension::Pressure),
+            force: request.units.force.unit(Dimension::Force),
+            length: request.units.length.unit(Dimension::Length),
+        },
+        title_block: request.title_block.fields(),
     };
     let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa.map(f64::from))?;
     let (operating, burst) = operating(request, &muscle, pressure_mpa)?;
@@ -308,6 +350,54 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
             .in_field(field)
     })?;
     Ok((plan, burst))
+}
+
+/// What the muscle was designed for at the pressure of its job, or half of its free contraction.
+fn pulls(evaluation: &mut Evaluation<'_>, pressure_mpa: f64, half: f64) -> Result<Vec<PullAt>> {
+    let job = evaluation.model.muscle().job();
+    let job = job.filter(|job| f64::from(job.pressure) == pressure_mpa);
+    let wanted: Vec<(f64, Option<f64>)> = match job.map(|job| &job.points[..]) {
+        Some(points @ [_, ..]) => points
+            .iter()
+            .map(|point| (point.contraction.into(), Some(point.force.into())))
+            .collect(),
+        _ => vec![(half, None)],
+    };
+    let one = |(contraction, required_n)| {
+        let point = evaluation.point(pressure_mpa, contraction)?;
+        Ok(PullAt {
+            pressure_mpa,
+            contraction,
+            required_n,
+            force_n: point.response.force_n,
+            built: point.built,
+        })
+    };
+    wanted.into_iter().map(one).collect()
+}
+
+/// What is expected at the points of the first test, on their branches.
+fn expected(plan: &Plan) -> Result<Vec<PullAt>> {
+    let choice = Model::choose(&ModelFields::default())?;
+    let model = choice.bound(&plan.muscle)?;
+    let one = |point: &TestPoint| {
+        cancel::check()?;
+        let options = Options {
+            direction: point.branch,
+            ..Options::default()
+        };
+        let mut workspace = Workspace::new();
+        let mut evaluation = Evaluation::new(&*model, &mut workspace, options);
+        let answer = evaluation.point(point.pressure_mpa, point.contraction)?;
+        Ok(PullAt {
+            pressure_mpa: point.pressure_mpa,
+            contraction: point.contraction,
+            required_n: None,
+            force_n: answer.response.force_n,
+            built: answer.built,
+        })
+    };
+    plan.test.iter().map(one).collect()
 }
 
 /// What `fe` finds of the muscle.
@@ -334,6 +424,7 @@ fn operating(
         cancel::check()?;
     }
     let blocked_force_n = evaluation.force_n(pressure_mpa, 0.0)?;
+    let pulls = pulls(&mut evaluation, pressure_mpa, 0.5 * free)?;
     let point = evaluation.point(pressure_mpa, 0.5 * free)?;
     let words = UncertaintyWords::of(&point, &mut evaluation);
     let left: Vec<Left> = words.worth().copied().collect();
@@ -363,23 +454,30 @@ fn operating(
         .unwrap_or_else(|| muscle.rest_volume_mm3());
     let proof_mpa = proof_mpa(pressure_mpa, burst.first().map(|f| f.1));
     // A muscle whose free state at the proof pressure is not found stores at least what its cavity
-    // at the working pressure does.
+    // at the working pressure does; one that has no blocked state there pulls in proportion.
     let at_proof = evaluation
         .free_contraction(proof_mpa)
         .and_then(|free| evaluation.cavity_mm3(proof_mpa, free))
         .ok();
+    let held_n = evaluation.force_n(proof_mpa, 0.0).ok();
+    let proof = Proof {
+        pressure_mpa: proof_mpa,
+        blocked_force_n: held_n.unwrap_or(blocked_force_n * proof_mpa / pressure_mpa),
+        volume_mm3: at_proof.unwrap_or(volume_mm3),
+    };
     let operating = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
-        pressure_unit: request.units.pressure.unit(),
         blocked_force_n,
         free_contraction: free,
         bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),
         volume_mm3,
-        proof: (proof_mpa, at_proof.unwrap_or(volume_mm3)),
+        proof,
         contour_mm,
         burst: burst.first().map(|(by, burst_mpa)| (burst_mpa, by)),
+        least_burst_mpa: PressureLimits::from(&burst).least_burst_pressure_mpa,
         allowed_mpa,
+        pulls,
         free_contractions,
         to_measure,
     };

@@ -1,15 +1,15 @@
 //! The report of `build`: all that is known of a muscle, as one document.
 
 use crate::{
-    BuildRequest, CheckAnswer, CheckRequest, CompareRequest, CurveRequest, ForceRequest,
-    NameOrFile, PointAnswer, Result, ShapeRequest, Units, check, compare, curve, flags::Args,
-    force, number, percent, print::Rows, ratio, shape, words::fixed,
+    BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer, Result,
+    ShapeRequest, Units, check, curve, flags::Args, force, number, percent, print::Rows, ratio,
+    shape, words::fixed,
 };
-use mckibben_build::{Plan, TestPoint, drawing_svg};
+use mckibben_build::{Plan, drawing_svg};
 use mckibben_core::{
-    analysis::{Burst, FailurePressure, SAFETY},
+    analysis::{Burst, FailureMode, FailurePressure, SAFETY},
     curve::Test,
-    muscle::{Direction, file::to_toml},
+    muscle::file::to_toml,
     progress::Progress,
     warning::is_of_burst,
 };
@@ -41,7 +41,7 @@ pub struct TitleBlock {
 
 impl TitleBlock {
     /// Its fields, with those that are signed by hand.
-    fn fields(&self) -> Vec<(String, String)> {
+    pub(crate) fn fields(&self) -> Vec<(String, String)> {
         let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
         let fields = [
             ("muscle", self.name.as_deref()),
@@ -58,9 +58,6 @@ impl TitleBlock {
         fields.map(field).to_vec()
     }
 }
-
-/// Models that are compared.
-const MODELS: [&str; 4] = ["fe", "universal", "thick-wall", "ideal"];
 
 /// A report of a muscle whose plan is made, by `fe`.
 pub fn report(
@@ -118,15 +115,9 @@ pub fn report(
         );
     }
     step(4)?;
-    parts.extend(models(request, pressure_mpa, progress)?);
-    for (heading, rows) in shown.sheets(units) {
-        parts.extend([Part::Heading(heading.into()), table(rows)]);
-    }
     parts.extend(limits(&shown, &point));
-    parts.extend(test_sheet(plan, units));
     let file = to_toml(&shown.muscle);
     let hash = mckibben_campaign::sha256(file.as_bytes());
-    parts.extend([Part::Heading("Muscle file".into()), Part::Code(file)]);
     let version = env!("CARGO_PKG_VERSION");
     Ok(Document {
         title: format!("McKibben muscle: {}", shown.summary.line(units)),
@@ -219,45 +210,6 @@ fn curves(
     Ok(curve(&wanted, progress)?.figure)
 }
 
-/// What other models say.
-fn models(request: &BuildRequest, pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<Part>> {
-    let wanted = CompareRequest {
-        models: MODELS.map(NameOrFile::from).to_vec(),
-        muscle: request.muscle.clone(),
-        pressures_mpa: Some(vec![0.5 * pressure_mpa, pressure_mpa].into()),
-        extrapolate: true,
-        figure: Some(request.units.clone()),
-        ..CompareRequest::default()
-    };
-    let answer = compare(&wanted, progress)?;
-    let force = &request.units.force;
-    let shown = |v: Option<f64>| {
-        v.map_or_else(
-            || "–".to_owned(),
-            |v| format!("{} {}", force.to(v, 2), force.name),
-        )
-    };
-    let rows = answer
-        .models
-        .iter()
-        .filter(|m| m.errors.model != answer.reference)
-        .map(|m| {
-            vec![
-                m.errors.model.clone(),
-                shown(m.errors.rms_n),
-                shown(m.errors.max_n),
-            ]
-        })
-        .collect();
-    let mut parts = vec![
-        Part::Heading("Other models".into()),
-        Part::Text(format!("Their differences from {}.", answer.reference)),
-        grid(&["model", "rms", "largest"], rows),
-    ];
-    parts.extend(answer.figure.map(|f| Part::Figure(Box::new(f))));
-    Ok(parts)
-}
-
 fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
     let mut list =
         vec![
@@ -299,6 +251,9 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
                     (pressure, fixed(mpa / working_mpa, 1))
                 }
                 FailurePressure::None => ("at no pressure".into(), "–".into()),
+                FailurePressure::Unknown(_) if mode == FailureMode::Ends => {
+                    (format!("NOT INCLUDED: {}", plan.ends_hold()), "–".into())
+                }
                 FailurePressure::Unknown(why) => (
                     format!("not known: {}", units.sentence(&why.to_string())),
                     "–".into(),
@@ -323,48 +278,9 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
         Part::Heading("Margins of safety".into()),
         Part::Text(format!(
             "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly \
-             rising pressure; proof test with water at {proof}. The air holds {energy} J."
+             rising pressure; proof test with water at {proof}, with the length held. The air holds \
+             {energy} J."
         )),
         grid(&["failure", "factor", "required", "pressure"], rows),
-    ]
-}
-
-/// The points of the first test, with a column to fill in.
-fn test_sheet(plan: &Plan, units: &Units) -> Vec<Part> {
-    let length_mm = plan.muscle.length_mm();
-    let row = |(i, point): (usize, &TestPoint)| {
-        let branch = if point.branch == Direction::Elongation {
-            "falling"
-        } else {
-            "rising"
-        };
-        vec![
-            (i + 1).to_string(),
-            units.length.show(length_mm * (1.0 - point.contraction)),
-            percent(point.contraction),
-            units.pressure.show(point.pressure_mpa),
-            branch.into(),
-            String::new(),
-        ]
-    };
-    let rows = plan.test.iter().enumerate().map(row).collect();
-    let pull = format!("measured pull [{}]", units.force.name);
-    let head = [
-        "no.",
-        "distance of the clamps",
-        "contraction",
-        "pressure",
-        "pressure is",
-        &pull,
-    ];
-    vec![
-        Part::Heading("Bench test".into()),
-        Part::Text(
-            "Set the distance, then the pressure, row by row and without going back; write the \
-             pull down. `mckibben build` writes the same rows as test.csv, which `mckibben \
-             identify` reads."
-                .into(),
-        ),
-        grid(&head, rows),
     ]
 }

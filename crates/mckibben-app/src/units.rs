@@ -69,9 +69,8 @@ impl Scale {
         }
     }
 
-    /// The unit of a pressure.
-    pub(crate) fn unit(&self) -> Unit {
-        let kind = Dimension::Pressure;
+    /// The unit of a kind of quantity.
+    pub(crate) fn unit(&self, kind: Dimension) -> Unit {
         kind.unit(&self.name).unwrap_or(kind.unit_inside())
     }
 

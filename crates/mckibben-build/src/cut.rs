@@ -24,7 +24,7 @@ pub struct Cut {
 /// = π D/ℓ.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct SleeveCut {
-    /// Length in mm of the mounted sleeve, on the tube, with what is clamped.
+    /// Length in mm of the mounted sleeve, on the tube, with what is clamped and what is trimmed.
     pub mounted_mm: f64,
     /// S, length in mm of one strand over the whole cut.
     #[serde(skip)]
@@ -55,11 +55,18 @@ pub struct SleeveLength {
 
 /// Diameters in the table of the sleeve.
 const ROWS: usize = 5;
+/// What is cut off each end of the sleeve once it is clamped, in mm: cut ends fray (a choice).
+pub const TRIM_MM: f64 = 10.0;
 
 impl Cut {
-    /// The cut of a muscle, whose sleeve has `relaxed_diameter_mm` as it comes off the roll.
-    pub(crate) fn new(muscle: &Muscle, relaxed_diameter_mm: Option<f64>) -> Self {
+    /// The cut of a muscle, whose sleeve has `relaxed_diameter_mm` as it comes off the roll, and of
+    /// whose tube a length in mm lies on each plug.
+    pub(crate) fn new(muscle: &Muscle, relaxed_diameter_mm: Option<f64>, on_plug_mm: f64) -> Self {
         let sheet = muscle.build_sheet();
+        let beyond_mm = 2.0 * (muscle.insertion_mm() - on_plug_mm);
+        let tube_mm = sheet.tube_cut_mm - beyond_mm;
+        let mounted_mm = sheet.braid_cut_mm + 2.0 * TRIM_MM;
+        let strand_mm = mounted_mm / muscle.braid().angle_rad().cos();
         // A stretched tube is thinner by √λp all over.
         let thicker = muscle.tube().prestretch.sqrt();
         let outer_mm = muscle.outer_diameter_mm();
@@ -68,7 +75,7 @@ impl Cut {
         let helix = Helix::at(on_mm, braid.angle_deg);
         let at = |diameter: f64| {
             let angle = helix?.angle_deg(diameter)?;
-            Some(sheet.strand_cut_mm * angle.to_radians().cos())
+            Some(strand_mm * angle.to_radians().cos())
         };
         let entry = braid
             .sleeve
@@ -84,7 +91,11 @@ impl Cut {
             .map_or((0.6 * on_mm, 1.2 * on_mm), |s| (s.least_mm, s.largest_mm));
         // As far as muscles of it go, and no further than it opens.
         let low = ends.0.min(on_mm);
-        let high = ends.1.min(1.5 * on_mm).max(on_mm);
+        let high = ends
+            .1
+            .min(1.5 * on_mm)
+            .max(on_mm)
+            .max(relaxed.unwrap_or(0.0));
         let step = |i: usize| low + (high - low) * i as f64 / (ROWS - 1) as f64;
         let tenth = |d: f64| (10.0 * d).round() / 10.0;
         let rows = (0..ROWS).map(|i| tenth(step(i))).filter_map(|d| {
@@ -94,13 +105,13 @@ impl Cut {
             })
         });
         Self {
-            tube_mm: sheet.tube_cut_mm,
+            tube_mm,
             tube_outer_diameter_mm: outer_mm * thicker,
             tube_wall_mm: muscle.wall_mm() * thicker,
-            rubber_mm3: sheet.rubber_volume_mm3,
+            rubber_mm3: sheet.rubber_volume_mm3 * tube_mm / sheet.tube_cut_mm,
             sleeve: SleeveCut {
-                mounted_mm: sheet.braid_cut_mm,
-                strand_mm: sheet.strand_cut_mm,
+                mounted_mm,
+                strand_mm,
                 strands: sheet.strands,
                 strand_area_mm2: braid.strands.and_then(|s| s.area_mm2),
                 relaxed_diameter_mm: relaxed,

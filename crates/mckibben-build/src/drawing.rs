@@ -2,12 +2,11 @@
 //! cross-section; parts and title block on A4.
 
 use crate::{
-    Clamps, Fitting, Plan,
-    frame::{self, FRAME_MM, TITLE_MM, largest, ratio},
-    text::{mm, percent, significant, trimmed},
-    view::{View, diameter},
+    Plan,
+    frame::{self, FRAME_MM, TITLE_MM, Title, largest, ratio},
+    text::{mm, percent, trimmed},
+    view::View,
 };
-use mckibben_core::extremes::peak;
 use mckibben_report::{Anchor, Pen, Sheet};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -19,36 +18,34 @@ const ROOM_MM: (f64, f64) = (245.0, 60.0);
 const SECTION_MM: f64 = 38.0;
 
 /// Measures that both views need, in mm.
-struct Body<'a> {
-    plan: &'a Plan,
+pub struct Body<'a> {
+    pub plan: &'a Plan,
     /// Half of the free length.
-    half: f64,
+    pub half: f64,
     /// The same to the end of the clamped length.
-    end: f64,
+    pub end: f64,
     /// Radius over the clamped sleeve, the free one, and clamps or collar.
-    clamped: f64,
-    sleeve: f64,
-    widest: f64,
+    pub clamped: f64,
+    pub sleeve: f64,
+    pub widest: f64,
     /// From the ends of the free length to the ends of the plugs.
     left: f64,
     right: f64,
 }
 
 impl<'a> Body<'a> {
-    fn new(plan: &'a Plan) -> Self {
-        let head = peak(plan.air_plug.head().iter().map(|p| p[0]));
-        let collar = 0.5 * plan.eye_plug.stem.collar_diameter_mm;
+    pub fn new(plan: &'a Plan) -> Self {
         let half = 0.5 * plan.muscle.length_mm();
         let clamped = 0.5 * plan.clamped_diameter_mm;
         Self {
             plan,
             half,
-            end: half + plan.air_plug.stem.length_mm,
+            end: half + plan.muscle.insertion_mm(),
             clamped,
             sleeve: 0.5 * plan.over_sleeve_mm,
-            widest: (clamped + 1.5).max(collar).max(head),
-            left: plan.air_plug.length_mm(),
-            right: plan.eye_plug.length_mm(),
+            widest: (clamped + 1.5).max(0.5 * plan.air_plug.widest_mm()),
+            left: plan.air_plug.length_mm - plan.air_plug.stem.datum_mm,
+            right: plan.eye_plug.length_mm - plan.eye_plug.stem.datum_mm,
         }
     }
 
@@ -69,7 +66,14 @@ pub fn on_paper(plan: &Plan) -> Sheet {
     let body = Body::new(plan);
     let scale = body.scale();
     let section_scale = largest(|s| s * plan.over_sleeve_mm <= SECTION_MM);
-    let mut sheet = frame::sheet(plan, "McKibben muscle", 1, scale);
+    let title = Title {
+        what: "McKibben muscle",
+        material: "see parts",
+        mass_g: plan.mass_g(),
+        number: (1, 3),
+        scale,
+    };
+    let mut sheet = frame::sheet(plan, &title);
     let [left, bottom, right, top] = FRAME_MM;
     // The ends of both plugs have the same distance from the frame.
     let x = 0.5 * (left + right) + 0.5 * scale * (body.left - body.right);
@@ -115,35 +119,17 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     let Body {
         plan, half, end, ..
     } = *body;
+    let outer = body.clamped;
     let ro = 0.5 * plan.muscle.outer_diameter_mm();
     let ri = 0.5 * plan.muscle.inner_diameter_mm();
-    let inner = 0.5 * plan.air_plug.stem.diameter_mm;
-    let wall = plan.cut.tube_wall_mm;
-    let outer = body.clamped;
     axis(v, half + body.left, half + body.right);
     v.cut((-half, half), (ri, ro), true);
     v.cut((-half, half), (ro, body.sleeve), false);
     for side in [-1.0, 1.0] {
-        let a = side * half;
-        let b = side * end;
-        let x = (a.min(b), a.max(b));
-        v.cut(x, (inner, inner + wall), true);
-        v.cut(x, (inner + wall, outer), false);
+        on_plug(body, v, side);
     }
-    let plug = |profile: Vec<[f64; 2]>, side: f64| -> Vec<[f64; 2]> {
-        profile
-            .into_iter()
-            .map(|[r, z]| [side * (half + z), r])
-            .collect()
-    };
-    let air = plug(plan.air_plug.profile(), -1.0);
-    let mut eye = plan.eye_plug.stem.profile();
-    eye.extend([[0.0, plan.eye_plug.stem.top_mm()], [0.0, 0.0]]);
-    let eye = plug(eye, 1.0);
-    for section in [air, eye] {
-        v.outline(Pen::Outline, &section);
-        v.hatch(&[section], false);
-    }
+    v.plug(&plan.air_plug, -half, -1.0, false);
+    v.plug(&plan.eye_plug, half, 1.0, false);
     clamps(body, v, true);
     // From outside.
     v.line(Pen::Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
@@ -159,7 +145,6 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     }
     strands(body, v);
     clamps(body, v, false);
-    heads(body, v, 0.0, true);
     measures_at_rest(body, v, (ri, ro));
     label(v, body.widest, 15.5, "At rest, without pressure");
 }
@@ -173,24 +158,23 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
         clamped: outer,
         ..
     } = *body;
-    let stem = &plan.air_plug.stem;
     let row = v.scale * body.widest + 5.0;
-    let clamped = mm(stem.length_mm);
+    let bare = |mm: f64| plan.shown.bare(mm);
     v.across(
         (-half, half),
         (ro, ro),
         row,
-        &format!("L₀ {}", mm(2.0 * half)),
+        &format!("L₀ {}", bare(2.0 * half)),
     );
+    let clamped = bare(end - half);
     v.across((-end, -half), (outer, ro), row, &clamped);
     v.across((half, end), (ro, outer), row, &clamped);
-    let left = half + body.left;
-    let right = half + body.right;
+    let faces = bare(plan.faces_mm(0.0));
     v.across(
-        (-left, right),
-        (0.0, 0.0),
+        (-end, end),
+        (outer, outer),
         row + 7.0,
-        &format!("({})", mm(left + right)),
+        &format!("between the heads {faces}"),
     );
     // The plane of the section.
     let plane = 0.5 * half;
@@ -203,22 +187,15 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
             .text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Anchor::Middle, "A");
     }
     let low = v.origin[1] - v.scale * body.widest - 6.5;
-    let groove = stem
-        .groove_starts_mm()
-        .first()
-        .map_or(0.5 * stem.length_mm, |g| g + 1.0);
+    let band = plan.air_plug.stem.bands_mm.first();
+    let band = band.map_or(half, |b| half + b[0] - plan.air_plug.stem.datum_mm + 1.0);
+    let head = 0.4 * plan.air_plug.widest_mm();
     let targets = [
-        ([-half - 0.5 * body.left, -0.3 * stem.collar_diameter_mm], 3),
-        ([-half - groove, -outer - 0.5], 5),
+        ([-end - 2.0, -head], 3),
+        ([-band, -outer - 0.5], 5),
         ([-0.45 * half, 0.5 * (ri + ro)], 1),
         ([-0.15 * half, -0.7 * body.sleeve], 2),
-        (
-            [
-                half + plan.eye_plug.stem.top_mm() + 0.3,
-                -0.35 * plan.eye_plug.width_mm,
-            ],
-            4,
-        ),
+        ([end + 2.0, -head], 4),
     ];
     for (to, number) in targets {
         let beside = match number {
@@ -231,42 +208,21 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
     }
 }
 
-/// Collars, boss or barb, and eye from outside, below the axis or on both sides; the right end
-/// moved by `shift`.
-fn heads(body: &Body<'_>, v: &mut View<'_>, shift: f64, below_only: bool) {
-    let half = body.half;
-    let stem = &body.plan.air_plug.stem;
-    let collar = 0.5 * stem.collar_diameter_mm;
-    let from = body.end;
-    let top = half + stem.top_mm();
-    let sides: &[f64] = if below_only { &[-1.0] } else { &[-1.0, 1.0] };
-    let head = body.plan.air_plug.head();
-    for sign in sides {
-        for [a, b] in [[-from, -top], [from - shift, top - shift]] {
-            v.line(
-                Pen::Outline,
-                &[[a, 0.0], [a, sign * collar], [b, sign * collar], [b, 0.0]],
-            );
-        }
-        let outer = if matches!(body.plan.air_plug.fitting, Fitting::Barb { .. }) {
-            4
-        } else {
-            2
-        };
-        let outside: Vec<[f64; 2]> = head
-            .iter()
-            .take(outer)
-            .map(|[r, z]| [-(half + z), sign * r])
-            .collect();
-        let last = outside.last().map(|p| [p[0], 0.0]);
-        let points: Vec<[f64; 2]> = [[-top, sign * collar]]
-            .into_iter()
-            .chain(outside)
-            .chain(last)
-            .collect();
-        v.line(Pen::Outline, &points);
-    }
-    v.eye(&body.plan.eye_plug, top - shift, 0.75);
+/// Tube and sleeve on a plug, in section.
+pub fn on_plug(body: &Body<'_>, v: &mut View<'_>, side: f64) {
+    let (plan, stem) = (body.plan, &body.plan.air_plug.stem);
+    let inner = 0.5 * stem.diameter_mm;
+    let wall = plan.cut.tube_wall_mm;
+    let along = |to: f64| {
+        let (a, b) = (side * body.half, side * to);
+        (a.min(b), a.max(b))
+    };
+    v.cut(
+        along(body.half + stem.tube_mm()),
+        (inner, inner + wall),
+        true,
+    );
+    v.cut(along(body.end), (inner + wall, body.clamped), false);
 }
 
 fn axis(v: &mut View<'_>, left: f64, right: f64) {
@@ -274,20 +230,13 @@ fn axis(v: &mut View<'_>, left: f64, right: f64) {
     v.line(Pen::Axis, &[[-left - beyond, 0.0], [right + beyond, 0.0]]);
 }
 
-/// Ties in their grooves, or ferrules, on one side of the axis.
-fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
-    let (plan, stem) = (body.plan, &body.plan.air_plug.stem);
+/// Ties, clamps and ferrules on one side of the axis.
+pub fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
+    let stem = &body.plan.air_plug.stem;
     let outer = body.clamped;
-    let bands: Vec<(f64, f64)> = match plan.clamps {
-        Clamps::Ties { width_mm, .. } => {
-            let start = |s: f64| s + 0.5 * (stem.groove_width_mm - width_mm);
-            stem.groove_starts_mm()
-                .into_iter()
-                .map(|s| (start(s), start(s) + width_mm))
-                .collect()
-        }
-        Clamps::Crimped => vec![(0.1 * stem.length_mm, 0.9 * stem.length_mm)],
-    };
+    let ferrule = stem.shoulder_mm.map(|s| [s[1] + 1.0, stem.length_mm - 1.0]);
+    let bands = stem.bands_mm.iter().copied().chain(ferrule);
+    let bands = bands.map(|[from, to]| (from - stem.datum_mm, to - stem.datum_mm));
     for (from, to) in bands {
         for side in [-1.0, 1.0] {
             let a = side * (body.half + from);
@@ -375,12 +324,13 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
             .collect();
         v.line(Pen::Outline, &all);
     }
-    heads(body, v, stroke, false);
+    v.head(&plan.air_plug, -half, -1.0, &[-1.0, 1.0]);
+    v.head(&plan.eye_plug, half - stroke, 1.0, &[-1.0, 1.0]);
     let widest = 0.5 * operating.bulged_diameter_mm + thickness;
     v.inside(
         middle + 0.35 * half,
         (-widest, widest),
-        &diameter(2.0 * widest),
+        &format!("⌀{}", mm((2.0 * widest).round())),
     );
     let row = -(v.scale * widest.max(body.widest) + 6.0);
     let clamp = -body.clamped;
@@ -388,17 +338,17 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
         (-half, half - stroke),
         (clamp, clamp),
         row,
-        &trimmed(2.0 * half - stroke, 1),
+        &plan.shown.bare(2.0 * half - stroke),
     );
     v.across(
         (half - stroke, half),
         (clamp, 0.0),
         row,
-        &format!("stroke {}", trimmed(stroke, 1)),
+        &format!("stroke {}", plan.shown.bare(stroke.round())),
     );
     let text = format!(
         "At {} without load: contracted by {}",
-        operating.pressure(operating.pressure_mpa),
+        plan.shown.pressure(operating.pressure_mpa),
         percent(operating.free_contraction)
     );
     label(v, widest.max(body.widest), 3.0, &text);
@@ -435,7 +385,7 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
             (-0.5 * d, 0.5 * d),
             0.0,
             column + 8.0 + 7.0 * i as f64,
-            &diameter(d),
+            &format!("⌀{}", plan.shown.bare(d)),
         );
     }
     let [x, y] = v.on_sheet(0.0, 0.5 * over);
@@ -450,38 +400,32 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
     let safety = &plan.safety;
     let x = 104.0;
     let mut y = LOWER_MM - 6.0;
-    let known = |value: Option<f64>| {
-        value.map_or_else(|| "not known".into(), |p| operating.pressure_alone(p))
-    };
     let strands = plan
         .cut
         .sleeve
         .strands
         .map_or_else(|| "not stated".into(), |n| n.to_string());
+    let pressure = |p: f64| plan.shown.short_pressure(p);
+    let known = |value: Option<f64>| value.map_or_else(|| "not known".into(), pressure);
     let rows = [
-        format!("Braid angle θ₀ {}°", mm(muscle.braid().angle_deg)),
-        format!("Strands {strands}"),
-        format!("Tube to cut {} mm", mm(plan.cut.tube_mm)),
+        format!("Braid angle θ₀ {}°", trimmed(muscle.braid().angle_deg, 1)),
+        format!("Strands {strands}{}", plan.estimate()),
+        format!("Tube to cut {}", plan.shown.length(plan.cut.tube_mm)),
+        format!("Working pressure {}", pressure(safety.pressure_mpa)),
         format!(
-            "Working pressure {}",
-            operating.pressure_alone(safety.pressure_mpa)
-        ),
-        format!(
-            "Blocked force {} N",
-            significant(operating.blocked_force_n, 3)
+            "Blocked force {}",
+            plan.shown.force(operating.blocked_force_n)
         ),
         format!("Free contraction {}", percent(operating.free_contraction)),
         format!("Burst pressure {}", known(operating.burst.map(|b| b.0))),
         format!("Allowed pressure {}", known(operating.allowed_mpa)),
-        format!(
-            "Proof test {}, water",
-            operating.pressure_alone(safety.proof_pressure_mpa)
-        ),
+        "without the ends: prove them".into(),
+        format!("Proof test {}, water", pressure(safety.proof_pressure_mpa)),
         format!("Numbers by model {}", operating.model),
     ];
     for row in rows {
         sheet.text([x, y], 2.3, Anchor::Start, row);
-        y -= 5.2;
+        y -= 4.8;
     }
 }
 
@@ -505,7 +449,7 @@ fn parts(plan: &Plan, sheet: &mut Sheet) {
             [left + 9.5, y + 1.3],
             height,
             Anchor::Start,
-            shortened(&part.part, room),
+            shortened(&format!("{}, {}", part.part, part.size), room),
         );
         sheet.text([right - 1.5, y + 1.3], height, Anchor::End, amount);
         y += row;

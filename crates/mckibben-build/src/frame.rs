@@ -2,7 +2,7 @@
 
 use crate::{
     Plan,
-    text::{mm, significant, trimmed},
+    text::{significant, trimmed},
 };
 use mckibben_report::{Anchor, Pen, Sheet};
 
@@ -33,14 +33,25 @@ pub fn ratio(scale: f64) -> String {
     }
 }
 
-/// An empty sheet of the two of a build, with frame and title block.
-pub fn sheet(plan: &Plan, what: &str, number: u32, scale: f64) -> Sheet {
+/// What a sheet shows.
+pub struct Title<'a> {
+    pub what: &'a str,
+    pub material: &'a str,
+    pub mass_g: f64,
+    /// Number of the sheet, and of all.
+    pub number: (usize, usize),
+    pub scale: f64,
+}
+
+/// An empty sheet with frame and title block.
+pub fn sheet(plan: &Plan, title: &Title<'_>) -> Sheet {
     let size = format!(
-        "⌀{} × {} mm",
-        mm(plan.muscle.outer_diameter_mm()),
-        mm(plan.muscle.length_mm())
+        "⌀{} × {} {}",
+        plan.shown.bare(plan.muscle.outer_diameter_mm()),
+        plan.shown.bare(plan.muscle.length_mm()),
+        plan.shown.length.name
     );
-    let mut sheet = Sheet::new(format!("{what} {size}"), PAPER_MM.0, PAPER_MM.1);
+    let mut sheet = Sheet::new(format!("{} {size}", title.what), PAPER_MM.0, PAPER_MM.1);
     let [left, bottom, right, top] = FRAME_MM;
     sheet.outline(
         Pen::Outline,
@@ -51,30 +62,61 @@ pub fn sheet(plan: &Plan, what: &str, number: u32, scale: f64) -> Sheet {
         Pen::Outline,
         [[left, bottom], [right, bottom], [right, top], [left, top]],
     );
-    let rows = [bottom + 8.0, bottom + 16.0];
-    rows.iter()
-        .for_each(|y| sheet.line(Pen::Thin, [[left, *y], [right, *y]]));
-    let columns = [left + 30.0, left + 70.0, left + 105.0];
-    columns
-        .iter()
-        .for_each(|x| sheet.line(Pen::Thin, [[*x, bottom], [*x, rows[1]]]));
-    sheet.text([left + 3.0, top - 6.5], 4.0, Anchor::Start, what);
-    sheet.text([left + 3.0, top - 12.0], 3.0, Anchor::Start, size);
-    let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
-    let mass = format!("{} g", significant(plan.mass_g(), 3));
+    let rows = [bottom, bottom + 8.0, bottom + 16.0];
+    let columns = [left, left + 32.0, left + 68.0, left + 104.0];
+    for y in &rows[1..] {
+        sheet.line(Pen::Thin, [[left, *y], [right, *y]]);
+    }
+    for x in &columns[1..] {
+        sheet.line(Pen::Thin, [[*x, bottom], [*x, rows[2]]]);
+    }
+    let given = |name: &str| {
+        let field = plan.title_block.iter().find(|(field, _)| field == name);
+        field.map_or("", |(_, text)| text)
+    };
+    let name = match given("muscle") {
+        "" => String::new(),
+        name => format!(": {name}"),
+    };
+    sheet.text(
+        [left + 3.0, top - 6.0],
+        3.5,
+        Anchor::Start,
+        format!("{}{name}", title.what),
+    );
+    sheet.text([left + 3.0, top - 12.0], 2.5, Anchor::Start, size);
+    projection(&mut sheet, [right - 18.0, top - 7.0]);
+    let unit = plan.shown.length.name;
     let cells = [
-        (left, rows[0], "scale", ratio(scale)),
-        (columns[0], rows[0], "lengths", "mm, ±0.5".into()),
-        (columns[1], rows[0], "mass (known parts)", mass),
-        (columns[2], rows[0], "sheet", format!("{number}/2")),
-        (left, bottom, "format", "A4".into()),
-        (columns[0], bottom, "drawn by", version.into()),
-        (columns[1], bottom, "checked", String::new()),
-        (columns[2], bottom, "date", String::new()),
+        ("scale", ratio(title.scale)),
+        ("material", title.material.into()),
+        ("mass", format!("{} g", significant(title.mass_g, 3))),
+        ("sheet", format!("{}/{}", title.number.0, title.number.1)),
+        (
+            "document, revision",
+            format!("{} {}", given("document no."), given("revision")),
+        ),
+        ("tolerances", format!("{unit}, ISO 2768-m")),
+        (
+            "drawn by",
+            concat!("mckibben ", env!("CARGO_PKG_VERSION")).into(),
+        ),
+        ("date", given("date").into()),
     ];
-    for (x, y, head, text) in cells {
-        sheet.text([x + 1.0, y + 5.6], 1.6, Anchor::Start, head);
-        sheet.text([x + 1.5, y + 1.5], 2.5, Anchor::Start, text);
+    for (i, (head, text)) in cells.into_iter().enumerate() {
+        let (x, y) = (columns[i % 4], rows[1 - i / 4]);
+        sheet.text([x + 1.0, y + 5.4], 1.8, Anchor::Start, head);
+        sheet.text([x + 1.5, y + 1.5], 2.2, Anchor::Start, text);
     }
     sheet
+}
+
+/// The symbol of the first-angle projection (ISO 5456-2).
+fn projection(sheet: &mut Sheet, [x, y]: [f64; 2]) {
+    let cone = [[0.0, -1.25], [6.0, -2.5], [6.0, 2.5], [0.0, 1.25]];
+    sheet.outline(Pen::Thin, cone.map(|[a, b]| [x + a, y + b]));
+    for radius in [1.25, 2.5] {
+        sheet.circle(Pen::Thin, [x + 12.0, y], radius);
+    }
+    sheet.line(Pen::Axis, [[x - 1.5, y], [x + 15.5, y]]);
 }

@@ -1,6 +1,6 @@
-//! From a muscle to what a workshop needs: a drawing (SVG, PDF), two plugs (STL), a cut list, a
-//! bill of materials, steps with the numbers of this muscle, and a sheet for its first test, which
-//! `identify` reads back.
+//! From a muscle to what a workshop needs: drawings of the muscle and of its plugs, the plugs as
+//! bodies, a mould for a cast tube, a bill of materials, a build sheet with steps to tick, a test
+//! record, and a sheet for its first test, which `identify` reads back.
 //!
 //! [`Plan::new`] makes all numbers from the muscle and from the results of a model ([`Operating`]);
 //! [`files`] writes them down. A choice of practice that no source states is a constant with a
@@ -10,89 +10,133 @@
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
-mod clamps;
+mod build_sheet;
 mod cut;
 mod drawing;
+mod ends;
+mod fitting;
 mod frame;
 mod material;
 mod mesh;
+mod mould;
 mod plan;
 mod plug;
 mod plug_drawing;
+mod readme;
+mod record;
 mod safety;
-mod steps;
+mod shown;
+mod sketch;
+mod stem;
 mod test_points;
 mod text;
 mod view;
 
-pub use clamps::Clamps;
 pub use cut::{Cut, SleeveCut, SleeveLength};
-pub use plug::{AirPlug, EyePlug, Fitting, Stem, UnknownFitting};
-
-/// The program, in the first line of a file.
-const MARK: &str = "mckibben build";
+pub use ends::Ends;
+pub use fitting::{Fitting, Thread, UnknownFitting};
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{Plan, Wishes};
-pub use safety::{Operating, Safety, ToMeasure, highest_mpa, proof_mpa, relief_mpa};
+pub use plug::{Material, Plug, Port};
+pub use safety::{Operating, Proof, PullAt, Safety, ToMeasure, highest_mpa, proof_mpa, relief_mpa};
+pub use shown::Shown;
+pub use stem::Stem;
 pub use test_points::TestPoint;
 
 pub use mckibben_io::files::{Content, File};
-use mckibben_report::FigureError;
+pub use mckibben_report::FigureError;
+
+use mckibben_report::{Document, Sheet};
+
+/// The program, in the first line of a file.
+const MARK: &str = "mckibben build";
 
 /// The drawing of the muscle as SVG.
 pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
     drawing::on_paper(plan).to_svg()
 }
 
-/// All files: the steps first, which link to the others.
+/// All files, the first page first, which links to the others.
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
-    let drawing = drawing::on_paper(plan);
-    let plugs = plug_drawing::on_paper(plan);
-    let text = File::text;
-    let bytes = File::bytes;
-    let air = plan.air_plug.mesh();
-    let eye = plan.eye_plug.mesh();
+    let sheets = [
+        drawing::on_paper(plan),
+        plug_drawing::on_paper(plan, "Air plug", &plan.air_plug, 2),
+        plug_drawing::on_paper(plan, "Eye plug", &plan.eye_plug, 3),
+    ];
+    let bill = material::csv(&plan.parts).map_err(|e| FigureError::Drawing(e.to_string()))?;
     let mut out = vec![
-        text("drawing.svg", "drawing of the muscle", drawing.to_svg()?),
-        #[cfg(feature = "pdf")]
-        bytes(
-            "drawing.pdf",
-            "the same for printing, A4",
-            mckibben_report::to_pdf(std::slice::from_ref(&drawing), "drawing")?,
-        ),
-        text("plugs.svg", "drawing of both plugs", plugs.to_svg()?),
-        #[cfg(feature = "pdf")]
-        bytes(
-            "plugs.pdf",
-            "the same for printing, A4",
-            mckibben_report::to_pdf(std::slice::from_ref(&plugs), "plugs")?,
-        ),
-        bytes(
-            "air-plug.stl",
-            "plug with the air passage, for the printer",
-            air.to_stl(MARK),
-        ),
-        bytes(
-            "eye-plug.stl",
-            "closed plug with the eye, for the printer",
-            eye.to_stl(MARK),
-        ),
-        text(
+        document(
+            "build-sheet",
+            "tools, cut list, steps to tick",
+            &build_sheet::document(plan)?,
+        )?,
+        File::text("bom.csv", "what to buy", bill),
+    ];
+    out.extend(drawings(&sheets)?);
+    if plan.air_plug.is_printed() {
+        for (name, plug) in [
+            ("air-plug.stl", &plan.air_plug),
+            ("eye-plug.stl", &plan.eye_plug),
+        ] {
+            let about = "plug as it lies on the printer";
+            out.push(File::bytes(name, about, plug.printed().to_stl(MARK)));
+        }
+    }
+    if material::tube_of(&plan.muscle, &plan.cut).is_some_and(|tube| tube.is_cast) {
+        let cap = mould::cap(&plan.cut).to_stl(MARK);
+        out.push(File::bytes("mould-cap.stl", "cap of the mould, twice", cap));
+    }
+    out.extend([
+        document(
+            "test-record",
+            "proof, leak and first test",
+            &record::document(plan),
+        )?,
+        File::text(
             "test.csv",
-            "what to measure, and the sheet for it; `identify` reads it",
+            "the sheet of the first test for `identify`",
             test_points::csv(plan),
         ),
-        text(
+        File::text(
             "muscle.toml",
             "the muscle itself",
             mckibben_core::muscle::file::to_toml(&plan.muscle),
         ),
-    ];
-    let readme = steps::markdown(plan, &out);
-    out.insert(
-        0,
-        text("README.md", "cut list, bill of materials, steps", readme),
-    );
+    ]);
+    let readme = readme::markdown(plan, &out);
+    out.insert(0, File::text("README.md", "where to begin", readme));
     Ok(out)
+}
+
+/// A document as PDF, or as a page where there is no PDF.
+fn document(name: &str, about: &'static str, document: &Document) -> Result<File, FigureError> {
+    #[cfg(feature = "pdf")]
+    return Ok(File::bytes(
+        format!("{name}.pdf"),
+        about,
+        document.to_pdf()?,
+    ));
+    #[cfg(not(feature = "pdf"))]
+    return Ok(File::text(
+        format!("{name}.html"),
+        about,
+        document.to_html("")?,
+    ));
+}
+
+/// The drawings: one PDF, or each as SVG where there is no PDF.
+fn drawings(sheets: &[Sheet]) -> Result<Vec<File>, FigureError> {
+    #[cfg(feature = "pdf")]
+    {
+        let about = "the muscle, and a sheet for each plug";
+        let pdf = mckibben_report::to_pdf(sheets, "McKibben muscle")?;
+        Ok(vec![File::bytes("drawing.pdf", about, pdf)])
+    }
+    #[cfg(not(feature = "pdf"))]
+    {
+        let names = ["drawing.svg", "air-plug.svg", "eye-plug.svg"];
+        let file = |(name, sheet): (&str, &Sheet)| Ok(File::text(name, "drawing", sheet.to_svg()?));
+        names.into_iter().zip(sheets).map(file).collect()
+    }
 }

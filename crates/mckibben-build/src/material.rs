@@ -1,16 +1,50 @@
 //! The bill of materials.
 
 use crate::{
-    Clamps, Cut, Fitting, Plan, SleeveCut,
-    text::{mm, trimmed},
+    Cut, Plan, SleeveCut,
+    plug::Plug,
+    text::{mm, significant},
 };
-use mckibben_core::{muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves};
+use mckibben_core::{
+    clean,
+    muscle::{EndsMade, Muscle},
+    rubber::library as rubbers,
+    sleeve::library as sleeves,
+};
 use mckibben_design::tubes::{self, TubePart};
 
-/// Density of printed plugs in g/mm³: solid PETG, 1.27 g/cm³ (PLA has 1.24).
-const PRINTED_G_PER_MM3: f64 = 1.27e-3;
 /// Tolerance of equal diameters of part and muscle, in mm.
 const SAME_MM: f64 = 0.011;
+/// Wall in mm of the tube that a ferrule is cut from (a choice).
+const FERRULE_WALL_MM: f64 = 1.5;
+/// What is used up: what, how much, what for.
+pub const CONSUMABLES: [[&str; 3]; 5] = [
+    [
+        "isopropyl alcohol",
+        "a little",
+        "to push the tube on; it dries",
+    ],
+    [
+        "epoxy resin or thin cyanoacrylate",
+        "a little",
+        "to seal printed plugs",
+    ],
+    [
+        "adhesive tape",
+        "0.5 m",
+        "to mark, and to cut a sleeve that does not melt",
+    ],
+    [
+        "thread seal tape",
+        "0.2 m",
+        "for a thread without a seal of its own",
+    ],
+    [
+        "safety glasses, water, hand pump with gauge",
+        "1",
+        "for the proof test",
+    ],
+];
 
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
@@ -20,8 +54,12 @@ pub struct BuildPart {
     pub number: u32,
     /// What it is.
     pub part: String,
+    /// Its size and standard.
+    pub size: String,
     /// How much of it.
     pub amount: String,
+    /// How much more to have at hand.
+    pub spare: String,
     /// Name as sold, where it is of the catalogue.
     pub sold_as: Option<String>,
     /// Mass in g, where it is known.
@@ -33,7 +71,7 @@ pub struct BuildPart {
 }
 
 /// The tube of the catalogue that has the muscle's diameters and rubber.
-fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
+pub fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
     let name = muscle.tube().rubber.name.as_deref()?;
     let same = |a: f64, b: f64| (a - b).abs() < SAME_MM;
     tubes::catalogue().ok()?.iter().find(|t| {
@@ -43,83 +81,109 @@ fn tube_of(muscle: &Muscle, cut: &Cut) -> Option<&'static TubePart> {
     })
 }
 
-pub fn bill(plan: &Plan) -> Vec<BuildPart> {
-    let Plan {
-        muscle,
-        cut,
-        air_plug,
-        eye_plug,
-        ..
-    } = plan;
-    let tube = tube_of(muscle, cut);
-    let rubber = muscle.tube().rubber.name.as_deref();
+/// Density of the rubber in kg/m³, where it is known.
+pub fn density_kg_per_m3(muscle: &Muscle) -> Option<f64> {
     let of_rubber = || {
-        rubber
-            .and_then(|n| rubbers::entry(n).ok())
-            .and_then(|e| e.density_kg_per_m3)
+        let name = muscle.tube().rubber.name.as_deref()?;
+        rubbers::entry(name).ok()?.density_kg_per_m3
     };
-    let density = muscle.tube().density_kg_per_m3.or_else(of_rubber);
-    let bore = cut.tube_outer_diameter_mm - 2.0 * cut.tube_wall_mm;
-    let what = if tube.is_some_and(|t| t.is_cast) {
-        "cast tube"
-    } else {
-        "tube"
-    };
-    let first = BuildPart {
-        number: 1,
-        part: format!(
-            "{what}, bore {} mm, outer diameter {} mm{}",
-            mm(bore),
-            mm(cut.tube_outer_diameter_mm),
-            rubber.map_or_else(String::new, |name| format!(", rubber {name}"))
-        ),
-        amount: format!("{} mm", mm(cut.tube_mm)),
-        sold_as: tube.map(|t| t.name.clone()),
-        mass_g: density.map(|d| 1e-6 * d * cut.rubber_mm3),
-        price: tube.and_then(|t| t.price.clone()),
-        source: tube.map(|t| t.source.clone()),
-    };
-    let clamp = match plan.clamps {
-        Clamps::Ties { width_mm, .. } => format!("cable tie, {} mm wide", mm(width_mm)),
-        Clamps::Crimped => "crimped ferrule or hose clamp".into(),
-    };
-    let bought = |number, part: String, amount: &str| BuildPart {
-        number,
-        part,
-        amount: amount.into(),
-        ..BuildPart::default()
-    };
-    let printed = plan.is_printed();
-    let plug = |number, part: &str, volume_mm3: f64| BuildPart {
-        mass_g: printed.then_some(PRINTED_G_PER_MM3 * volume_mm3),
-        ..bought(
-            number,
-            part.into(),
-            if printed {
-                "1, printed solid"
-            } else {
-                "1, turned from metal"
-            },
-        )
-    };
-    let fitting = match air_plug.fitting {
-        Fitting::Barb { bore_mm } => {
-            format!("hose with a bore of {} mm, and a clamp for it", mm(bore_mm))
-        }
-        thread => format!("push-in fitting with thread {thread}, with its seal"),
-    };
-    vec![
-        first,
-        sleeve(muscle, &cut.sleeve),
-        plug(3, "air plug (air-plug.stl)", air_plug.mesh().volume_mm3()),
-        plug(4, "eye plug (eye-plug.stl)", eye_plug.mesh().volume_mm3()),
-        bought(5, clamp, &plan.clamps.amount()),
-        bought(6, fitting, "1"),
-        bought(7, format!("bolt M{}", mm(eye_plug.bolt_mm)), "1"),
-    ]
+    muscle.tube().density_kg_per_m3.or_else(of_rubber)
 }
 
-fn sleeve(muscle: &Muscle, cut: &SleeveCut) -> BuildPart {
+pub fn bill(plan: &Plan) -> Vec<BuildPart> {
+    let bought = |number, part: &str, size: String, count: usize| BuildPart {
+        number,
+        part: part.into(),
+        size,
+        amount: count.to_string(),
+        spare: "1".into(),
+        ..BuildPart::default()
+    };
+    let plug = |number, name: &str, plug: &Plug| BuildPart {
+        mass_g: Some(plug.mass_g()),
+        spare: "–".into(),
+        ..bought(number, name, plug.material.name.into(), 1)
+    };
+    let ends = &plan.ends;
+    let clamps = 2 * ends.at_each_end;
+    let clamp = match ends.made {
+        EndsMade::Tied => BuildPart {
+            spare: clamps.to_string(),
+            ..bought(
+                5,
+                "cable tie",
+                format!("{} mm wide, PA 66", mm(ends.band_mm)),
+                clamps,
+            )
+        },
+        EndsMade::Clamped | EndsMade::Crimped => {
+            let band = mm(ends.band_mm);
+            let around = significant(plan.clamped_diameter_mm, 3);
+            let size = format!("DIN 3017-1, band {band} mm, for a diameter of {around} mm");
+            bought(5, "hose clamp with worm drive", size, clamps)
+        }
+    };
+    let bolt = &plan.air_plug;
+    let size = format!(
+        "M{} × {} mm, class 8.8",
+        mm(bolt.bolt_mm),
+        (1.6 * bolt.side_mm).ceil()
+    );
+    let fitting = plan.air_plug.port.map(|port| port.fitting);
+    let fitting = fitting.map_or_else(String::new, |fitting| fitting.part());
+    let mut parts = vec![
+        tube(plan),
+        sleeve(plan, &plan.cut.sleeve),
+        plug(3, "air plug", &plan.air_plug),
+        plug(4, "eye plug", &plan.eye_plug),
+        clamp,
+        bought(6, &fitting, "for the working pressure".into(), 1),
+        bought(7, "bolt with nut", size, 2),
+    ];
+    if let Some(mm_) = plan.ferrule_mm {
+        let size = format!(
+            "steel tube EN 10305, bore {} mm, wall {} mm, {} mm long",
+            mm((mm_ + 0.3).ceil()),
+            mm(FERRULE_WALL_MM),
+            mm((plan.muscle.insertion_mm() - plan.air_plug.stem.tube_mm() - 2.0).floor())
+        );
+        parts.push(bought(8, "ferrule", size, 2));
+    }
+    if plan.liquid {
+        let size = plan
+            .air_plug
+            .port
+            .map_or_else(String::new, |p| p.fitting.to_string());
+        parts.push(bought(9, "bleed screw with seal", size, 1));
+    }
+    parts
+}
+
+fn tube(plan: &Plan) -> BuildPart {
+    let (muscle, cut) = (&plan.muscle, &plan.cut);
+    let tube = tube_of(muscle, cut);
+    let rubber = muscle.tube().rubber.name.as_deref();
+    let what = match tube {
+        Some(tube) if tube.is_cast => "cast tube",
+        _ => "tube",
+    };
+    let outer = cut.tube_outer_diameter_mm;
+    let bore = outer - 2.0 * cut.tube_wall_mm;
+    BuildPart {
+        number: 1,
+        part: rubber.map_or_else(|| what.into(), |name| format!("{what} of {name}")),
+        size: format!("bore {} mm, outer diameter {} mm", mm(bore), mm(outer)),
+        amount: plan.shown.length(cut.tube_mm),
+        spare: plan.shown.length(cut.tube_mm),
+        sold_as: tube.map(|t| t.name.clone()),
+        mass_g: density_kg_per_m3(muscle).map(|d| 1e-6 * d * cut.rubber_mm3),
+        price: tube.and_then(|t| t.price.clone()),
+        source: tube.map(|t| t.source.clone()),
+    }
+}
+
+fn sleeve(plan: &Plan, cut: &SleeveCut) -> BuildPart {
+    let muscle = &plan.muscle;
     let shape = muscle.braid().sleeve.as_ref();
     let entry = shape.and_then(|s| sleeves::entry(&s.name).ok());
     let density = entry
@@ -129,31 +193,55 @@ fn sleeve(muscle: &Muscle, cut: &SleeveCut) -> BuildPart {
         .strands
         .zip(cut.strand_area_mm2)
         .map(|(n, area)| f64::from(n) * area * cut.strand_mm);
-    let angle = mm(muscle.braid().angle_deg);
+    let shown = |mm: f64| plan.shown.length(mm);
     let amount = match (cut.relaxed_mm, cut.relaxed_diameter_mm) {
         (Some(length), Some(diameter)) => {
-            format!("{} mm at ⌀ {} mm", trimmed(length, 1), mm(diameter))
+            format!("{} at a diameter of {}", shown(length), shown(diameter))
         }
-        _ => format!("{} mm on the tube", mm(cut.mounted_mm)),
+        _ => format!("{} on the tube", shown(cut.mounted_mm)),
     };
     let strands = cut
         .strands
-        .map_or_else(String::new, |n| format!(", {n} strands"));
+        .map_or_else(String::new, |n| format!(", {n} strands{}", plan.estimate()));
+    let angle = mm(muscle.braid().angle_deg);
+    let on = mm(muscle.outer_diameter_mm());
     BuildPart {
         number: 2,
-        part: match entry {
-            Some(entry) => format!("{}{strands}", entry.title),
-            None => {
-                format!(
-                    "braided sleeve, {angle}° on {} mm{strands}",
-                    mm(muscle.outer_diameter_mm())
-                )
-            }
-        },
+        part: entry.map_or_else(|| "braided sleeve".into(), |entry| entry.title.clone()),
+        size: format!("{angle}° on {on} mm{strands}"),
+        spare: shown(cut.relaxed_mm.unwrap_or(cut.mounted_mm)),
         amount,
         sold_as: shape.map(|s| s.name.clone()),
         mass_g: volume.zip(density).map(|(v, d)| 1e-6 * d * v),
         price: entry.and_then(|e| e.price.clone()),
         source: entry.map(|e| e.source.clone()),
     }
+}
+
+/// The bill as a table for spreadsheets.
+pub fn csv(parts: &[BuildPart]) -> Result<String, csv::Error> {
+    let mut out = csv::Writer::from_writer(vec![]);
+    out.write_record([
+        "number", "part", "size", "amount", "spare", "sold as", "mass (g)", "price", "source",
+    ])?;
+    for part in parts {
+        let (sold_as, price, source) = (&part.sold_as, &part.price, &part.source);
+        let texts = [
+            &part.part,
+            &part.size,
+            &part.amount,
+            &part.spare,
+            sold_as.as_deref().unwrap_or("by dimension"),
+            &part.mass_g.map_or_else(String::new, |g| significant(g, 3)),
+            price.as_deref().unwrap_or_default(),
+            source.as_deref().unwrap_or_default(),
+        ];
+        let cells = texts.map(|text| clean::cell(&clean::line(text)).into_owned());
+        out.write_record([part.number.to_string()].iter().chain(&cells))?;
+    }
+    for [part, amount, about] in CONSUMABLES {
+        out.write_record(["", part, about, amount, "", "consumable", "", "", ""])?;
+    }
+    let bytes = out.into_inner().map_err(|e| e.into_error())?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

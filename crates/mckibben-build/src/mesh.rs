@@ -33,11 +33,39 @@ impl Mesh {
     /// The surface between two rings of as many corners; its outer side is to the right of the way
     /// from `a` to `b` as a section shows it with the axis on the left.
     pub(crate) fn band(&mut self, a: &[usize], b: &[usize]) {
-        for i in 0..a.len() {
-            let j = (i + 1) % a.len();
+        let closed = |ring: &[usize]| -> Ring { ring.iter().chain(&ring[..1]).copied().collect() };
+        self.strip(&closed(a), &closed(b));
+    }
+
+    /// The surface between two lines of as many corners, likewise.
+    pub(crate) fn strip(&mut self, a: &[usize], b: &[usize]) {
+        for (a, b) in a.windows(2).zip(b.windows(2)) {
             self.triangles
-                .extend([[a[i], a[j], b[i]], [b[i], a[j], b[j]]]);
+                .extend([[a[0], a[1], b[0]], [b[0], a[1], b[1]]]);
         }
+    }
+
+    /// A flat convex face. `flat` gives a corner's place as seen from outside.
+    pub(crate) fn polygon(&mut self, outline: &[usize], flat: impl Fn([f64; 3]) -> [f64; 2]) {
+        let outline = self.turned(outline, &flat);
+        for pair in outline[1..].windows(2) {
+            self.triangles.push([outline[0], pair[0], pair[1]]);
+        }
+    }
+
+    /// A loop that runs counter-clockwise as seen from outside.
+    fn turned(&self, outline: &[usize], flat: &impl Fn([f64; 3]) -> [f64; 2]) -> Ring {
+        let at = |i: usize| flat(self.corners[outline[i % outline.len()]]);
+        let cross = |i: usize| {
+            let ([a, b], [c, d]) = (at(i), at(i + 1));
+            a * d - b * c
+        };
+        let area: f64 = (0..outline.len()).map(cross).sum();
+        let mut ring = outline.to_vec();
+        if area < 0.0 {
+            ring.reverse();
+        }
+        ring
     }
 
     /// Bands between rings at radii and heights, one after another.
@@ -49,9 +77,8 @@ impl Mesh {
         Some((rings.first()?.clone(), rings.last()?.clone()))
     }
 
-    /// A flat face between two loops, the inner of which it leaves open. Both run counter-clockwise
-    /// as seen from outside, and each ray from `centre` meets each of them once. `flat` gives a
-    /// corner's place in the face.
+    /// A face between two loops, the inner of which it leaves open; each ray from `centre` meets
+    /// each of them once. `flat` gives a corner's place in the face as seen from outside.
     pub(crate) fn face(
         &mut self,
         outer: &[usize],
@@ -74,8 +101,8 @@ impl Mesh {
                 .map(|(i, corner)| (angle(&corner) + turn(i), corner))
                 .collect()
         };
-        let outer = sorted(outer);
-        let inner = sorted(inner);
+        let outer = sorted(&self.turned(outer, &flat));
+        let inner = sorted(&self.turned(inner, &flat));
         let mut i = 0;
         let mut j = 0;
         while i + 1 < outer.len() || j + 1 < inner.len() {

@@ -1,28 +1,41 @@
 //! All numbers of a build.
 
 use crate::{
-    AirPlug, BuildPart, Clamps, Cut, EyePlug, Fitting, Operating, Safety, Stem, TestPoint,
-    clamps::Tie, material, plug, test_points,
+    BuildPart, Cut, Fitting, Operating, PullAt, Safety, TestPoint,
+    ends::{Clamped, Ends, SQUEEZE},
+    material,
+    plug::{ALUMINIUM, PETG, Plug},
+    shown::Shown,
+    stem::Stem,
+    test_points,
+    text::significant,
 };
 use mckibben_core::{
     analysis::{BUCKLING, burst::ends::clamp_load_n},
     model::Response,
-    muscle::Muscle,
+    muscle::{EndsMade, Muscle, Terminals},
     refused::Refused,
+    rubber::RubberLaw,
     sleeve::library,
     warning::buckling_load_n,
 };
 use std::f64::consts::PI;
 
 /// Choices of the builder.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Wishes {
     /// The connection of the hose.
     pub fitting: Option<Fitting>,
-    /// Bolt of the eye in mm.
+    /// Bolts of the heads in mm.
     pub bolt_mm: Option<f64>,
     /// Diameter in mm of the sleeve as it comes off the roll.
     pub sleeve_diameter_mm: Option<f64>,
+    /// The muscle is filled with a liquid.
+    pub liquid: bool,
+    /// The units of all files.
+    pub shown: Shown,
+    /// Title block of all sheets: names of fields and texts.
+    pub title_block: Vec<(String, String)>,
 }
 
 /// All numbers of a build.
@@ -31,116 +44,120 @@ pub struct Plan {
     pub muscle: Muscle,
     /// Its results by a model.
     pub operating: Operating,
+    pub liquid: bool,
+    pub shown: Shown,
+    pub title_block: Vec<(String, String)>,
     pub cut: Cut,
     /// Diameter over the sleeve in mm: two strands cross on each side.
     pub over_sleeve_mm: f64,
-    /// Diameter over tube and sleeve on a plug in mm, on which a clamp closes.
+    /// Diameter in mm over tube and sleeve on a plug, on which a clamp closes.
     pub clamped_diameter_mm: f64,
-    /// Inner diameter in mm of a crimped ferrule: the wall is pressed to three quarters of its
-    /// thickness (a choice).
-    pub crimp_diameter_mm: f64,
+    /// Of a ferrule: diameter in mm over the sleeve on its shoulder, before it is pressed.
+    pub ferrule_mm: Option<f64>,
     /// The load of an end in N: the blocked force and the pressure on the bore.
     pub end_load_n: f64,
-    /// The holding force of one tie in N, by estimate.
-    pub tie_holds_n: f64,
-    pub clamps: Clamps,
+    /// The same at the pressure of the proof test.
+    pub proof_load_n: f64,
+    pub ends: Ends,
     /// The plug with the air passage.
-    pub air_plug: AirPlug,
-    pub eye_plug: EyePlug,
+    pub air_plug: Plug,
+    pub eye_plug: Plug,
     /// Pressures of the tests.
     pub safety: Safety,
     /// The bill of materials.
     pub parts: Vec<BuildPart>,
     /// The points of the first test.
     pub test: Vec<TestPoint>,
+    /// What is expected at each of them.
+    pub expected: Vec<PullAt>,
 }
 
-impl Plan {
-    /// Least length in mm on a plug.
-    const LEAST_INSERTION_MM: f64 = 3.0;
+/// Least length in mm on a plug.
+const LEAST_INSERTION_MM: f64 = 3.0;
+/// Largest load in N of a printed plug, and its least bore in mm (choices).
+const PRINTED_TO_N: f64 = 300.0;
+const PRINTED_FROM_MM: f64 = 4.0;
 
+impl Plan {
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
-        let length_mm = muscle.insertion_mm();
-        let least_mm = Self::LEAST_INSERTION_MM;
-        Refused::unless(length_mm >= least_mm, ["insertion_mm"], || {
-            format!(
-                "a length of {length_mm}\u{a0}mm on each plug holds no clamp; state `insertion_mm` \
-                 of at least {least_mm}\u{a0}mm ([terminals] of the muscle file)"
-            )
-        })?;
-        let bolt_fits = wishes
-            .bolt_mm
-            .is_none_or(|bolt_mm| (2.0..=64.0).contains(&bolt_mm));
-        Refused::unless(bolt_fits, ["bolt_mm"], || {
-            let bolt_mm = wishes.bolt_mm.unwrap_or_default();
-            format!("a bolt of {bolt_mm} mm does not fit; give a diameter from 2 to 64 mm")
-        })?;
-        let cut = Cut::new(&muscle, wishes.sleeve_diameter_mm);
-        let diameter_mm = wishes.sleeve_diameter_mm.or(cut.sleeve.relaxed_diameter_mm);
-        Refused::unless(
-            cut.sleeve.relaxed_diameter_mm == diameter_mm,
-            ["sleeve_diameter_mm"],
-            || {
-                format!(
-                    "a sleeve of {}\u{a0}mm cannot be pulled over this tube: its strands allow \
-                     diameters up to {:.1}\u{a0}mm",
-                    diameter_mm.unwrap_or_default(),
-                    muscle.strand_length_per_turn_mm() / PI
-                )
-            },
-        )?;
-        let strand_mm = cut
-            .sleeve
-            .strand_area_mm2
-            .map(|area| (4.0 * area / PI).sqrt());
-        let sleeve_mm = if muscle.braid().thickness_mm > 0.0 {
-            muscle.braid().thickness_mm
-        } else {
-            2.0 * strand_mm.unwrap_or(0.25)
-        };
+        checked(&muscle, wishes)?;
+        let load = |force_n: f64, p: f64| clamp_load_n(&muscle, force_n.max(0.0), p);
+        let end_load_n = load(operating.blocked_force_n, operating.pressure_mpa);
+        let proof_load_n = load(
+            operating.proof.blocked_force_n,
+            operating.proof.pressure_mpa,
+        );
+        let cut = Cut::new(&muscle, wishes.sleeve_diameter_mm, 0.0);
+        let sleeve_mm = sleeve_mm(&muscle, &cut);
+        let wall_mm = cut.tube_wall_mm;
+        let bore_mm = cut.tube_outer_diameter_mm - 2.0 * wall_mm;
         let over_sleeve_mm = muscle.outer_diameter_mm() + 2.0 * sleeve_mm;
-        let bore_mm = cut.tube_outer_diameter_mm - 2.0 * cut.tube_wall_mm;
-        let end_load_n = clamp_load_n(
-            &muscle,
-            operating.blocked_force_n.max(0.0),
-            operating.pressure_mpa,
-        );
-        let bolt_mm = wishes.bolt_mm.unwrap_or_else(|| plug::bolt_mm(end_load_n));
-        let tie = Tie::around(bore_mm);
-        let foot_mm = plug::foot_mm(bolt_mm);
-        let stem = Stem::new(
-            muscle.terminals(),
+        let tube = Clamped {
             bore_mm,
-            over_sleeve_mm,
-            tie.width_mm,
-            foot_mm,
-        );
+            wall_mm,
+            mu_mpa: muscle.tube().rubber.law.shear_modulus_mpa(),
+            diameter_mm: over_sleeve_mm,
+        };
+        let ends = Ends::new(end_load_n, tube, muscle.terminals().made);
+        let muscle = inserted(&muscle, &ends)?;
+        let insertion_mm = muscle.insertion_mm();
+        let plug_mm = muscle.terminals().plug_diameter_mm;
+        let stem = Stem::new(&ends, plug_mm, [bore_mm, wall_mm], insertion_mm);
+        let cut = Cut::new(&muscle, wishes.sleeve_diameter_mm, stem.tube_mm());
+        refuse_narrow(&muscle, &cut, wishes)?;
         let fitting = wishes
             .fitting
             .unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
+        let clamped_diameter_mm = stem.diameter_mm + 2.0 * (wall_mm + sleeve_mm);
+        let plug = |material, fitting| {
+            let sizes = (clamped_diameter_mm.max(over_sleeve_mm), end_load_n);
+            Plug::new((stem.clone(), material), sizes, fitting, wishes.bolt_mm)
+        };
+        let printed = plug(PETG, Some(fitting));
+        let may_be_printed = ends.made != EndsMade::Crimped
+            && end_load_n <= PRINTED_TO_N
+            && bore_mm >= PRINTED_FROM_MM
+            && printed.bears(end_load_n);
+        let material = if may_be_printed { PETG } else { ALUMINIUM };
+        let shoulder = stem.shoulder_mm;
         let mut plan = Self {
-            clamped_diameter_mm: stem.diameter_mm + 2.0 * (cut.tube_wall_mm + sleeve_mm),
-            crimp_diameter_mm: stem.diameter_mm + 2.0 * (0.75 * cut.tube_wall_mm + sleeve_mm),
+            clamped_diameter_mm,
+            ferrule_mm: shoulder.map(|s| s[0] + 2.0 * sleeve_mm),
             over_sleeve_mm,
             cut,
             end_load_n,
-            tie_holds_n: tie.holds_n(),
-            clamps: Clamps::for_load(tie, stem.grooves, end_load_n),
-            air_plug: AirPlug::new(stem, fitting),
-            eye_plug: EyePlug::new(stem, bolt_mm),
-            safety: Safety::new(&operating),
+            proof_load_n,
+            ends,
+            // A liquid leaves no air behind: a second port bleeds it.
+            eye_plug: plug(material, wishes.liquid.then_some(fitting)),
+            air_plug: plug(material, Some(fitting)),
+            safety: Safety::new(&operating, muscle.rest_volume_mm3()),
             parts: vec![],
             test: test_points::points(&operating),
+            expected: vec![],
             muscle,
             operating,
+            liquid: wishes.liquid,
+            shown: wishes.shown,
+            title_block: wishes.title_block.clone(),
         };
         plan.parts = material::bill(&plan);
         Ok(plan)
     }
 
-    /// Whether a printed air plug bears the load of its end; else both plugs are turned from metal.
-    pub fn is_printed(&self) -> bool {
-        self.air_plug.is_printed(self.end_load_n)
+    /// Distance in mm between the inner faces of both heads at a contraction: what a ruler reaches.
+    pub fn faces_mm(&self, contraction: f64) -> f64 {
+        self.muscle.length_mm() * (1.0 - contraction) + 2.0 * self.muscle.insertion_mm()
+    }
+
+    /// Diameter in mm to which a clamp squeezes the end.
+    pub fn squeezed_mm(&self) -> f64 {
+        self.clamped_diameter_mm - 2.0 * SQUEEZE * self.cut.tube_wall_mm
+    }
+
+    /// What fills the muscle.
+    pub fn medium(&self) -> &'static str {
+        if self.liquid { "liquid" } else { "air" }
     }
 
     /// Whether the strands are known to be of aramid.
@@ -152,6 +169,15 @@ impl Plan {
                 .map_or(&*shape.name, |e| &e.material)
                 .contains("aramid")
         })
+    }
+
+    /// What stands behind numbers of strands that are estimated.
+    pub fn estimate(&self) -> &'static str {
+        if self.muscle.braid().stiffness_factor > 1.0 {
+            " (estimate)"
+        } else {
+            ""
+        }
     }
 
     /// Mass in g of the parts whose mass is known.
@@ -183,41 +209,127 @@ impl Plan {
         buckling_load_n(&self.muscle, &at_rest)
     }
 
+    /// What the ends hold, in words.
+    pub fn ends_hold(&self) -> String {
+        let load = format!("each must hold {}", self.shown.force(self.end_load_n));
+        let holds = match self.ends.holds_n {
+            None => "no estimate of what they hold is known".into(),
+            Some([low, high]) if low == high => {
+                format!("by estimate they hold {}", self.shown.force(low))
+            }
+            Some([low, high]) => format!(
+                "by estimate they hold {} if the rubber flows out under the clamp, and {} if it \
+                 does not",
+                self.shown.force(low),
+                self.shown.force(high)
+            ),
+        };
+        format!("{load}; {holds}")
+    }
+
     /// Warnings, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let mut out = vec![];
-        let bore_mm = self.air_plug.stem.bore_mm();
-        if bore_mm < 4.0 {
+        if self.muscle.terminals().pull_off_n.is_none() {
             out.push(format!(
-                "a plug for a bore of {}\u{a0}mm is too thin for most printers; a turned plug, or \
-                 a needle with a knot of thread, takes its place",
-                crate::text::mm(bore_mm)
+                "burst and allowed pressure do NOT INCLUDE the ends: {}; prove both with the length \
+                 held, under {}",
+                self.ends_hold(),
+                self.shown.force(self.proof_load_n)
             ));
         }
-        if !self.is_printed() {
+        if self.ends.made == EndsMade::Tied && self.ends.bear(self.end_load_n) == Some(false) {
+            out.push(
+                "the ties hold less than four times the load of an end; clamp or crimp them \
+                 (`made` in [terminals] of the muscle file)"
+                    .into(),
+            );
+        }
+        if !self.air_plug.bears(self.end_load_n) {
             out.push(format!(
-                "the stem of the air plug carries {} MPa; printed layers are taken to bear {} MPa \
-                 across: turn both plugs from metal, or take wider ones",
-                crate::text::significant(self.air_plug.stress_mpa(self.end_load_n), 2),
-                crate::plug::PRINTED_MPA
+                "the plugs carry {} MPa and their bolts press with {} MPa, more than {} is given \
+                 here: take a wider tube, a thicker bolt, or lower the pressure",
+                significant(self.air_plug.stress_mpa(self.end_load_n), 2),
+                significant(self.air_plug.bearing_mpa(self.end_load_n), 2),
+                self.air_plug.material.name
             ));
         }
         if let Some(bears_n) = self.buckling_n() {
             let [push, bears, allowed] =
                 [-self.operating.blocked_force_n, bears_n, bears_n / BUCKLING]
-                    .map(|n| crate::text::significant(n.max(0.0), 2));
+                    .map(|n| self.shown.force(n.max(0.0)));
             out.push(format!(
-                "the muscle pushes with up to {push}\u{a0}N, and its wall alone buckles at \
-                 {bears}\u{a0}N: guide it in a tube, or keep the push below {allowed}\u{a0}N"
-            ));
-        }
-        if self.clamps == Clamps::Crimped {
-            out.push(format!(
-                "each end must hold about {}\u{a0}N, more than cable ties do by estimate: crimp a \
-                 ferrule, or clamp with a hose clamp",
-                crate::text::significant(self.end_load_n, 2)
+                "the muscle pushes with up to {push}, and its wall alone buckles at {bears}: guide \
+                 it in a tube, or keep the push below {allowed}"
             ));
         }
         out
+    }
+}
+
+fn checked(muscle: &Muscle, wishes: &Wishes) -> Result<(), Refused> {
+    let length_mm = muscle.insertion_mm();
+    Refused::unless(length_mm >= LEAST_INSERTION_MM, ["insertion_mm"], || {
+        format!(
+            "a length of {length_mm}\u{a0}mm on each plug holds no clamp; state `insertion_mm` of \
+             at least {LEAST_INSERTION_MM}\u{a0}mm ([terminals] of the muscle file)"
+        )
+    })?;
+    let bolt_mm = wishes.bolt_mm.unwrap_or(6.0);
+    Refused::unless((2.0..=64.0).contains(&bolt_mm), ["bolt_mm"], || {
+        format!("a bolt of {bolt_mm} mm does not fit; give a diameter from 2 to 64 mm")
+    })
+}
+
+/// The muscle with the length on its plugs that its ends need, stated, so that every file says the
+/// same.
+fn inserted(muscle: &Muscle, ends: &Ends) -> Result<Muscle, Refused> {
+    let (least_mm, stated) = (ends.least_mm(), muscle.terminals().insertion_mm);
+    let length_mm = muscle.insertion_mm();
+    Refused::unless(
+        stated.is_none() || length_mm >= least_mm,
+        ["insertion_mm"],
+        || {
+            format!(
+                "a length of {length_mm}\u{a0}mm on each plug has no room for {} ends; state \
+                 `insertion_mm` of at least {least_mm}\u{a0}mm ([terminals] of the muscle file)",
+                ends.made.name()
+            )
+        },
+    )?;
+    let terminals = Terminals {
+        insertion_mm: Some(length_mm.max(least_mm.ceil())),
+        ..muscle.terminals().clone()
+    };
+    muscle
+        .with_terminals(terminals)
+        .map_err(|error| Refused::new(["insertion_mm"], error.to_string()))
+}
+
+/// A sleeve must go over the tube at its diameter.
+fn refuse_narrow(muscle: &Muscle, cut: &Cut, wishes: &Wishes) -> Result<(), Refused> {
+    let relaxed_mm = cut.sleeve.relaxed_diameter_mm;
+    let diameter_mm = wishes.sleeve_diameter_mm.or(relaxed_mm);
+    Refused::unless(relaxed_mm == diameter_mm, ["sleeve_diameter_mm"], || {
+        format!(
+            "a sleeve of {}\u{a0}mm cannot be pulled over this tube: its strands allow diameters up \
+             to {:.1}\u{a0}mm",
+            diameter_mm.unwrap_or_default(),
+            muscle.strand_length_per_turn_mm() / PI
+        )
+    })
+}
+
+/// Thickness in mm of the sleeve where two strands cross.
+fn sleeve_mm(muscle: &Muscle, cut: &Cut) -> f64 {
+    let strand_mm = cut
+        .sleeve
+        .strand_area_mm2
+        .map(|area| (4.0 * area / PI).sqrt());
+    let stated = muscle.braid().thickness_mm;
+    if stated > 0.0 {
+        stated
+    } else {
+        2.0 * strand_mm.unwrap_or(0.25)
     }
 }

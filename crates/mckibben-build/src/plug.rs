@@ -1,34 +1,15 @@
-//! The plugs: a stem with grooves for clamps, a collar, and a fitting for the air or an eye for a
-//! bolt.
+//! A plug: its stem in the tube, and a square head with a hole for a bolt across it and, where it
+//! has one, the thread of a fitting in one of its flats, so that both ends carry the load.
 
 use crate::{
-    Mesh,
-    mesh::{FACETS, Ring},
+    fitting::Fitting,
+    mesh::{FACETS, Mesh, Ring},
+    stem::Stem,
 };
-use mckibben_core::muscle::Terminals;
-use std::{
-    f64::consts::{PI, TAU},
-    fmt,
-    str::FromStr,
-};
-use thiserror::Error;
+use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
 
-/// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice:
-/// sellers of barbs say only that a barb is "a little larger" than the bore.
-const INTERFERENCE: (f64, f64, f64) = (0.05, 0.2, 1.5);
-/// A groove is so much wider than a cable tie, in mm: room for the sleeve.
-const GROOVE_ROOM_MM: f64 = 1.0;
-/// Depth of a groove as a share of the stem, at most in mm. A choice.
-const GROOVE_DEPTH: (f64, f64) = (0.06, 1.5);
-/// Least length between grooves and at both ends of the stem, in mm.
-const LAND_MM: f64 = 2.0;
-/// Thickness of the collar in mm, and how far it is wider than the sleeve. A choice.
-const COLLAR_MM: (f64, f64) = (3.0, 1.5);
-/// Bearing pressure that the eye of a printed plug may carry, in MPa. A choice, about a third of
-/// what solid PETG yields at.
-const BEARING_MPA: f64 = 15.0;
 /// Bolts and their holes (ISO 273, medium), in mm.
-const BOLTS_MM: [(f64, f64); 9] = [
+const BOLTS_MM: [(f64, f64); 15] = [
     (3.0, 3.4),
     (4.0, 4.5),
     (5.0, 5.5),
@@ -38,436 +19,353 @@ const BOLTS_MM: [(f64, f64); 9] = [
     (12.0, 13.5),
     (16.0, 17.5),
     (20.0, 22.0),
+    (24.0, 26.0),
+    (30.0, 33.0),
+    (36.0, 39.0),
+    (42.0, 45.0),
+    (48.0, 52.0),
+    (64.0, 70.0),
 ];
+/// Square bars as they are sold (EN 754-4), in mm.
+const BARS_MM: [f64; 18] = [
+    8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0,
+    120.0, 160.0,
+];
+/// Shear in MPa that a steel bolt of class 8.8 is given across both its sections: a choice, about a
+/// quarter of what it bears.
+const BOLT_SHEAR_MPA: f64 = 100.0;
+/// Least wall in mm.
+const WALL_MM: f64 = 1.0;
+/// Thickness of the collar of a turned plug, and how far it is wider than what is clamped, in mm.
+const COLLAR_MM: (f64, f64) = (5.0, 1.5);
 
-/// Tension in MPa that a printed plug is taken to bear across its layers, from one to the next: a
-/// choice.
-pub const PRINTED_MPA: f64 = 10.0;
-
-/// The stem of both plugs.
+/// What a plug is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stem {
-    /// Diameter in mm: the bore and the interference.
-    pub diameter_mm: f64,
-    /// How much wider it is than the bore, in mm.
-    pub interference_mm: f64,
-    /// Length in the tube in mm.
-    pub length_mm: f64,
-    pub grooves: usize,
-    /// Width of a groove in mm.
-    pub groove_width_mm: f64,
-    /// Depth of a groove in mm.
-    pub groove_depth_mm: f64,
-    /// Diameter of the collar in mm.
-    pub collar_diameter_mm: f64,
-    /// Thickness of the collar in mm.
-    pub collar_mm: f64,
+pub struct Material {
+    pub name: &'static str,
+    /// Tension that it is given, MPa.
+    pub tension_mpa: f64,
+    /// Pressure of a bolt on the wall of its hole, MPa.
+    pub bearing_mpa: f64,
+    /// g/mm³.
+    pub density: f64,
 }
 
-impl Stem {
-    /// The stem for a bore, under a sleeve of an outer diameter, for ties of a width; the collar
-    /// has room for a foot.
-    pub(crate) fn new(
-        ends: &Terminals,
-        bore_mm: f64,
-        outer_mm: f64,
-        tie_mm: f64,
-        foot_mm: f64,
-    ) -> Self {
-        let length_mm = ends.insertion_mm(bore_mm);
-        let (share, least, most) = INTERFERENCE;
-        let usual_mm = bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
-        let diameter_mm = ends.plug_diameter_mm.unwrap_or(usual_mm);
-        let groove_width_mm = tie_mm + GROOVE_ROOM_MM;
-        let fits = |n: f64| length_mm >= n * groove_width_mm + (n + 1.0) * LAND_MM;
-        Self {
-            diameter_mm,
-            interference_mm: diameter_mm - bore_mm,
-            length_mm,
-            // Builders: two narrow ties hold where a wide one leaked.
-            grooves: [2, 1]
-                .into_iter()
-                .find(|n| fits(f64::from(*n)))
-                .unwrap_or(0) as usize,
-            groove_width_mm,
-            groove_depth_mm: (GROOVE_DEPTH.0 * diameter_mm).min(GROOVE_DEPTH.1),
-            collar_diameter_mm: (outer_mm + 2.0 * COLLAR_MM.1).max(foot_mm + 1.0),
-            collar_mm: COLLAR_MM.0,
-        }
-    }
+/// Printed PETG, pulled across its layers. Printed upright and solid it bore less than 1/2.43 of
+/// the tension that it bore along them (Amza et al. 2021 \[amza2021\]), of 47 to 52 MPa about 20
+/// MPa: a quarter of it is given, for notches and creep. The bearing pressure is a choice.
+pub const PETG: Material = Material {
+    name: "PETG, printed solid",
+    tension_mpa: 5.0,
+    bearing_mpa: 10.0,
+    density: 1.27e-3,
+};
+/// Aluminium EN AW-6082 T6 yields at 250 MPa (EN 755-2): a quarter of it is given.
+pub const ALUMINIUM: Material = Material {
+    name: "aluminium EN AW-6082",
+    tension_mpa: 60.0,
+    bearing_mpa: 60.0,
+    density: 2.7e-3,
+};
 
-    /// Bore of the tube that it is for, in mm.
-    pub(crate) fn bore_mm(&self) -> f64 {
-        self.diameter_mm - self.interference_mm
-    }
-
-    /// How exact its diameter must be, in mm: a quarter of the interference, to which the tolerance
-    /// of lengths would be as large.
-    pub fn tolerance_mm(&self) -> f64 {
-        (0.25 * self.interference_mm.abs()).max(0.05)
-    }
-
-    /// Distance of the inner end of each groove from the inner end of the stem, in mm.
-    pub fn groove_starts_mm(&self) -> Vec<f64> {
-        let lands = self.grooves as f64 + 1.0;
-        let land = (self.length_mm - self.grooves as f64 * self.groove_width_mm) / lands;
-        (0..self.grooves)
-            .map(|i| land + i as f64 * (land + self.groove_width_mm))
-            .collect()
-    }
-
-    /// Length of the bevel of the inner end in mm, and the radius there.
-    pub(crate) fn bevel_mm(&self) -> (f64, f64) {
-        let bevel = (0.1 * self.length_mm)
-            .min(0.2 * self.diameter_mm)
-            .min(0.5 * LAND_MM);
-        (bevel, 0.5 * self.diameter_mm - 0.5 * bevel)
-    }
-
-    /// Radii and heights from the inner end to the outer edge of the collar.
-    pub fn profile(&self) -> Vec<[f64; 2]> {
-        let radius = 0.5 * self.diameter_mm;
-        let depth = self.groove_depth_mm;
-        let width = self.groove_width_mm;
-        let (bevel, tip) = self.bevel_mm();
-        let mut out = vec![[tip, 0.0], [radius, bevel]];
-        for start in self.groove_starts_mm() {
-            let end = start + width;
-            out.extend([
-                [radius, start],
-                [radius - depth, start + depth],
-                [radius - depth, end - depth],
-                [radius, end],
-            ]);
-        }
-        let collar = 0.5 * self.collar_diameter_mm;
-        out.extend([
-            [radius, self.length_mm],
-            [collar, self.length_mm],
-            [collar, self.top_mm()],
-        ]);
-        out
-    }
-
-    /// Height of the collar's outer face above the inner end, in mm.
-    pub fn top_mm(&self) -> f64 {
-        self.length_mm + self.collar_mm
-    }
-}
-
-/// The plug with the air passage.
+/// The thread of a fitting in a flat of the head.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AirPlug {
-    pub stem: Stem,
-    /// The connection of the hose.
+pub struct Port {
     pub fitting: Fitting,
-    /// Diameter of the passage in mm.
+    /// Height of its axis above the inner end of the stem, in mm.
+    pub height_mm: f64,
+    /// Hole for the tap, and how deep it is from the flat, in mm.
+    pub hole_mm: f64,
+    pub depth_mm: f64,
+    /// Length of the thread in mm.
+    pub thread_mm: f64,
+    /// Diameter of the passage along the axis, in mm.
     pub passage_mm: f64,
 }
 
-impl AirPlug {
-    pub(crate) fn new(stem: Stem, fitting: Fitting) -> Self {
-        let root = stem.diameter_mm - 2.0 * stem.groove_depth_mm;
-        let hole = match fitting {
-            Fitting::Barb { bore_mm } => 0.55 * bore_mm,
-            _ => fitting.thread_mm().map_or(4.0, |t| 0.8 * t.0),
-        };
-        // Two thirds of the stem are its wall.
+/// A plug.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plug {
+    pub stem: Stem,
+    pub material: Material,
+    /// Side of the square head in mm.
+    pub side_mm: f64,
+    /// Diameter of a collar below the head in mm, where the head is narrower than the stem.
+    pub collar_mm: Option<f64>,
+    /// Height of the head in mm, and of its end.
+    pub foot_mm: f64,
+    pub length_mm: f64,
+    /// The bolt in mm, 6 is M6, its hole, and the height of its axis above the inner end.
+    pub bolt_mm: f64,
+    pub hole_mm: f64,
+    pub eye_mm: f64,
+    pub port: Option<Port>,
+}
+
+/// Hole of a bolt in mm.
+fn hole_mm(bolt_mm: f64) -> f64 {
+    let known = BOLTS_MM.iter().find(|b| b.0 == bolt_mm);
+    known.map_or(1.1 * bolt_mm, |b| b.1)
+}
+
+impl Plug {
+    /// The plug of a material for a load in N on a muscle of an outer diameter over its sleeve, with
+    /// a given bolt or the one that the load needs.
+    pub(crate) fn new(
+        (stem, material): (Stem, Material),
+        (outer_mm, load_n): (f64, f64),
+        fitting: Option<Fitting>,
+        bolt_mm: Option<f64>,
+    ) -> Self {
+        let with = |bolt_mm: f64| Self::with_bolt((&stem, material), outer_mm, fitting, bolt_mm);
+        let bears = |plug: &Self| plug.bears(load_n);
+        let all = BOLTS_MM.iter().map(|b| b.0);
+        let largest = BOLTS_MM[BOLTS_MM.len() - 1].0;
+        let mut usual = all.map(with);
+        match bolt_mm {
+            Some(mm) => with(mm),
+            None => usual.find(bears).unwrap_or_else(|| with(largest)),
+        }
+    }
+
+    fn with_bolt(
+        (stem, material): (&Stem, Material),
+        outer_mm: f64,
+        fitting: Option<Fitting>,
+        bolt_mm: f64,
+    ) -> Self {
+        let hole_mm = hole_mm(bolt_mm);
+        let flat_mm = fitting.map_or(0.0, |f| f.thread.sizes_mm().2);
+        let needed_mm = (flat_mm + 1.0).max(2.2 * hole_mm);
+        let widest_mm = stem.widest_mm().max(outer_mm);
+        let bar = BARS_MM.into_iter().find(|bar| *bar >= needed_mm);
+        let collar_mm = widest_mm + 2.0 * COLLAR_MM.1;
+        let turned = bar.filter(|bar| material != PETG && SQRT_2 * bar <= collar_mm);
+        // The end of a printed head is its foot on the printer, so that nothing overhangs.
+        let side_mm = turned.unwrap_or(needed_mm.max(widest_mm + 2.0).ceil());
+        let collar_mm = turned.map(|_| collar_mm);
+        let foot_mm = stem.length_mm + collar_mm.map_or(0.0, |_| COLLAR_MM.0);
+        let port = fitting.map(|fitting| Port::new(fitting, stem, foot_mm, side_mm));
+        let above_mm = port.map_or(foot_mm, |p| p.height_mm + 0.5 * p.hole_mm);
+        let eye_mm = above_mm + 0.5 * hole_mm + 3.0_f64.max(0.5 * hole_mm);
         Self {
-            stem,
-            fitting,
-            passage_mm: (root / 3.0).min(4.0).min(hole),
+            stem: stem.clone(),
+            material,
+            side_mm,
+            collar_mm,
+            foot_mm,
+            length_mm: (eye_mm + 1.5 * hole_mm).ceil(),
+            bolt_mm,
+            hole_mm,
+            eye_mm,
+            port,
         }
     }
 
-    /// Whether printed layers bear a load in N of its end.
-    pub(crate) fn is_printed(&self, load_n: f64) -> bool {
-        self.stress_mpa(load_n) <= PRINTED_MPA
+    /// Whether stem, head and bolt bear a load in N.
+    pub(crate) fn bears(&self, load_n: f64) -> bool {
+        let shear_mpa = 2.0 * load_n / (PI * self.bolt_mm * self.bolt_mm);
+        self.stress_mpa(load_n) <= self.material.tension_mpa
+            && self.bearing_mpa(load_n) <= self.material.bearing_mpa
+            && shear_mpa <= BOLT_SHEAR_MPA
     }
 
-    /// Tension in MPa in the thinnest section of the stem, around the passage, at a load in N.
-    pub(crate) fn stress_mpa(&self, load_n: f64) -> f64 {
-        let depth_mm = if self.stem.grooves > 0 {
-            self.stem.groove_depth_mm
-        } else {
-            0.0
+    /// The largest tension in MPa at a load in N: in the stem around its passage, and in the head
+    /// beside its holes.
+    pub fn stress_mpa(&self, load_n: f64) -> f64 {
+        let root = self.stem.root_mm();
+        let side = self.side_mm;
+        let passage = self.port.map_or(0.0, |p| p.passage_mm);
+        let stem = 0.25 * PI * (root * root - passage * passage);
+        let eye = side * (side - self.hole_mm);
+        let port = self
+            .port
+            .map_or(eye, |p| side * side - p.hole_mm * p.depth_mm);
+        load_n / stem.min(eye).min(port)
+    }
+
+    /// Pressure in MPa of the bolt on its hole at a load in N.
+    pub fn bearing_mpa(&self, load_n: f64) -> f64 {
+        load_n / (self.bolt_mm * self.side_mm)
+    }
+
+    /// The largest diameter or side in mm.
+    pub(crate) fn widest_mm(&self) -> f64 {
+        let collar_mm = self.collar_mm.unwrap_or(0.0);
+        self.stem.widest_mm().max(self.side_mm).max(collar_mm)
+    }
+
+    /// How exact the stem must be, in mm: what a printer holds, or a lathe with ease.
+    pub fn tolerance_mm(&self) -> f64 {
+        if self.is_printed() { 0.15 } else { 0.05 }
+    }
+
+    pub fn is_printed(&self) -> bool {
+        self.material == PETG
+    }
+
+    pub fn mass_g(&self) -> f64 {
+        self.material.density * self.mesh().volume_mm3()
+    }
+
+    /// The hole of the bolt from its centre: along the axis and across. A printed one has a roof of
+    /// 45° towards the stem, which is up on the printer.
+    fn eye(&self) -> Vec<[f64; 2]> {
+        let r = 0.5 * self.hole_mm;
+        let at = |i: usize| {
+            let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
+            let is_roof = self.is_printed() && cos < -FRAC_PI_4.cos() - 1e-9;
+            // On the line from the end of the roof to its ridge.
+            let scale = if is_roof {
+                SQRT_2 / (sin.abs() + cos.abs())
+            } else {
+                1.0
+            };
+            [r * scale * cos, r * scale * sin]
         };
-        let root_mm = self.stem.diameter_mm - 2.0 * depth_mm;
-        4.0 * load_n / (PI * (root_mm * root_mm - self.passage_mm * self.passage_mm))
+        (0..FACETS).map(at).collect()
     }
 
-    /// Radii and heights above the edge of the collar: outside up, and down to the passage.
-    pub(crate) fn head(&self) -> Vec<[f64; 2]> {
-        let top = self.stem.top_mm();
-        let hole = 0.5 * self.passage_mm;
-        match (self.fitting, self.fitting.thread_mm()) {
-            (_, Some((drill, depth, boss))) => {
-                let end = top + depth;
-                let cone = (0.5 * drill - hole).min(self.stem.collar_mm);
-                vec![
-                    [0.5 * boss, top],
-                    [0.5 * boss, end],
-                    [0.5 * drill, end],
-                    [0.5 * drill, top],
-                    [hole, top - cone],
-                ]
-            }
-            (Fitting::Barb { bore_mm }, _) => {
-                // One sharp barb with a cylinder behind it holds better than several.
-                let neck = 0.5 * bore_mm;
-                let edge = 0.6 * bore_mm;
-                let tip = 0.45 * bore_mm;
-                let start = top + 1.5 * bore_mm;
-                let end = top + 2.5 * bore_mm;
-                vec![
-                    [neck, top],
-                    [neck, start],
-                    [edge, start],
-                    [tip, end],
-                    [hole, end],
-                ]
-            }
-            // Threads are above.
-            _ => vec![],
+    /// Radii and heights from the inner end to the head.
+    fn turned(&self) -> Vec<[f64; 2]> {
+        let mut out = self.stem.profile.clone();
+        if let Some(collar_mm) = self.collar_mm {
+            let radius = 0.5 * collar_mm;
+            out.extend([[radius, self.stem.length_mm], [radius, self.foot_mm]]);
         }
-    }
-
-    /// Whole length in mm.
-    pub fn length_mm(&self) -> f64 {
-        self.head()
-            .iter()
-            .map(|p| p[1])
-            .fold(self.stem.top_mm(), f64::max)
-    }
-
-    /// The whole section, closed.
-    pub fn profile(&self) -> Vec<[f64; 2]> {
-        let mut out = self.stem.profile();
-        out.extend(self.head());
-        out.push([0.5 * self.passage_mm, 0.0]);
-        out.push(out[0]);
-        // A boss may be exactly as wide as the collar.
-        out.dedup();
         out
     }
 
+    /// The section through axis and port: the outline, and what is hollow in it.
+    pub fn section(&self) -> (Vec<[f64; 2]>, Vec<Vec<[f64; 2]>>) {
+        let half = 0.5 * self.side_mm;
+        let mut side: Vec<[f64; 2]> = self.turned().iter().map(|[r, z]| [*z, *r]).collect();
+        side.extend([[self.foot_mm, half], [self.length_mm, half]]);
+        let mirrored = side.iter().rev().map(|[x, y]| [*x, -y]);
+        let outline = side.iter().copied().chain(mirrored).collect();
+        let eye = self.eye().into_iter().map(|[z, y]| [self.eye_mm + z, y]);
+        let port = self.port.map(|port| {
+            let (p, r, h) = (0.5 * port.passage_mm, 0.5 * port.hole_mm, port.height_mm);
+            let floor = half - port.depth_mm;
+            vec![
+                [0.0, p],
+                [h - r, p],
+                [h - r, half],
+                [h + r, half],
+                [h + r, floor],
+                [h - r, floor],
+                [h - r, -p],
+                [0.0, -p],
+            ]
+        });
+        (outline, [eye.collect()].into_iter().chain(port).collect())
+    }
+
+    /// The surface, with the inner end of the stem at z = 0.
     pub fn mesh(&self) -> Mesh {
         let mut mesh = Mesh::default();
-        let mut profile = self.profile();
-        profile.pop();
-        if let Some((first, last)) = mesh.bands(&profile) {
-            mesh.band(&last, &first);
-        }
-        mesh
-    }
-}
-
-/// The closed plug with an eye for a bolt.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EyePlug {
-    pub stem: Stem,
-    /// The bolt in mm: 6 is M6.
-    pub bolt_mm: f64,
-    /// Hole of the eye in mm.
-    pub hole_mm: f64,
-    /// Thickness of the eye in mm.
-    pub thickness_mm: f64,
-    /// Width of the eye in mm.
-    pub width_mm: f64,
-    /// Distance of the hole's centre from the collar in mm.
-    pub centre_mm: f64,
-}
-
-/// Hole of a bolt, thickness and width of its eye, distance of its centre, in mm.
-fn eye_mm(bolt_mm: f64) -> (f64, f64, f64, f64) {
-    let hole = BOLTS_MM
-        .iter()
-        .find(|b| b.0 == bolt_mm)
-        .map_or(1.1 * bolt_mm, |b| b.1);
-    (hole, bolt_mm.max(4.0), 2.5 * hole, 1.5 * hole)
-}
-
-/// The bolt in mm that a pull in N needs at [`BEARING_MPA`] in an eye as thick as the bolt: d =
-/// √(F/p), the next standard one.
-pub fn bolt_mm(pull_n: f64) -> f64 {
-    let least = (pull_n.max(0.0) / BEARING_MPA).sqrt();
-    BOLTS_MM
-        .iter()
-        .map(|b| b.0)
-        .find(|d| *d >= least)
-        .unwrap_or((least / 4.0).ceil() * 4.0)
-}
-
-/// Diameter in mm that an eye for a bolt needs on the collar.
-pub fn foot_mm(bolt_mm: f64) -> f64 {
-    let (_, thickness, width, _) = eye_mm(bolt_mm);
-    width.hypot(thickness)
-}
-
-impl EyePlug {
-    pub(crate) fn new(stem: Stem, bolt_mm: f64) -> Self {
-        let (hole_mm, thickness_mm, width_mm, centre_mm) = eye_mm(bolt_mm);
-        Self {
-            stem,
-            bolt_mm,
-            hole_mm,
-            thickness_mm,
-            width_mm,
-            centre_mm,
-        }
-    }
-
-    /// Whole length in mm.
-    pub fn length_mm(&self) -> f64 {
-        self.stem.top_mm() + self.centre_mm + 0.5 * self.width_mm
-    }
-
-    /// Outline of the eye from its foot, and its hole, both about the hole's centre and
-    /// counter-clockwise.
-    pub(crate) fn eye(&self) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
-        let w = 0.5 * self.width_mm;
-        let h = self.centre_mm;
-        let arc = |i: usize| PI * i as f64 / (FACETS / 2) as f64;
-        let mut outline = vec![[-w, 0.0], [w, 0.0]];
-        outline.extend((0..=FACETS / 2).map(|i| [w * arc(i).cos(), h + w * arc(i).sin()]));
-        let turn = |i: usize| TAU * i as f64 / FACETS as f64;
-        let hole = 0.5 * self.hole_mm;
-        let around = (0..FACETS).map(|i| [hole * turn(i).cos(), h + hole * turn(i).sin()]);
-        (outline, around.collect())
-    }
-
-    pub fn mesh(&self) -> Mesh {
-        let mut mesh = Mesh::default();
-        let top = self.stem.top_mm();
-        let t = 0.5 * self.thickness_mm;
-        let Some((first, last)) = mesh.bands(&self.stem.profile()) else {
+        let Some((tip, root)) = mesh.bands(&self.turned()) else {
             return mesh;
         };
-        let end = mesh.corner([0.0, 0.0, 0.0]);
-        for i in 0..first.len() {
-            mesh.triangles
-                .push([end, first[(i + 1) % first.len()], first[i]]);
-        }
-        let (outline, hole) = self.eye();
-        let mut side = |points: &[[f64; 2]], y: f64| -> Ring {
-            points
-                .iter()
-                .map(|[x, z]| mesh.corner([*x, y, top + z]))
-                .collect()
+        let half = 0.5 * self.side_mm;
+        let square = |mesh: &mut Mesh, z: f64| -> Ring {
+            [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
+                .map(|[x, y]| mesh.corner([half * x, half * y, z]))
+                .into()
         };
-        let front = side(&outline, -t);
-        let back = side(&outline, t);
-        let front_hole = side(&hole, -t);
-        let back_hole = side(&hole, t);
-        let centre = self.centre_mm + top;
-        mesh.face(&front, &front_hole, |[x, _, z]| [x, z], [0.0, centre]);
-        let turned = |ring: &[usize]| ring.iter().rev().copied().collect::<Ring>();
-        mesh.face(
-            &turned(&back),
-            &turned(&back_hole),
-            |[x, _, z]| [-x, z],
-            [0.0, centre],
-        );
-        for i in 1..front.len() {
-            let j = (i + 1) % front.len();
-            mesh.triangles
-                .extend([[front[i], back[i], front[j]], [front[j], back[i], back[j]]]);
+        let low = square(&mut mesh, self.foot_mm);
+        let high = square(&mut mesh, self.length_mm);
+        let flat = |k: usize| vec![low[k], low[(k + 1) % 4], high[(k + 1) % 4], high[k]];
+        match self.collar_mm {
+            Some(_) => mesh.face(&root, &low, |[x, y, _]| [x, y], [0.0; 2]),
+            None => mesh.face(&low, &root, |[x, y, _]| [y, x], [0.0; 2]),
         }
-        // The wall of the hole.
-        mesh.band(&front_hole, &back_hole);
-        let foot = [front[0], front[1], back[1], back[0]];
-        mesh.face(&last, &foot, |[x, y, _]| [x, y], [0.0, 0.0]);
+        mesh.polygon(&high, |[x, y, _]| [x, y]);
+        // The hole of the bolt, from flat to flat.
+        let eye = self.eye();
+        let side = |mesh: &mut Mesh, x: f64| -> Ring {
+            let corner = |[z, y]: &[f64; 2]| mesh.corner([x, *y, self.eye_mm + z]);
+            eye.iter().map(corner).collect()
+        };
+        let left = side(&mut mesh, -half);
+        let right = side(&mut mesh, half);
+        mesh.face(&flat(1), &left, |[_, y, z]| [z, y], [self.eye_mm, 0.0]);
+        mesh.face(&flat(3), &right, |[_, y, z]| [y, z], [0.0, self.eye_mm]);
+        mesh.band(&left, &right);
+        mesh.polygon(&flat(2), |[x, _, z]| [x, z]);
+        match self.port {
+            Some(port) => port.bore(&mut mesh, &flat(0), &tip, half),
+            None => {
+                mesh.polygon(&flat(0), |[x, _, z]| [z, x]);
+                mesh.polygon(&tip, |[x, y, _]| [y, x]);
+            }
+        }
+        mesh
+    }
+
+    /// The surface as it stands on the printer: on the end of its head.
+    pub fn printed(&self) -> Mesh {
+        let mut mesh = self.mesh();
+        for [_, y, z] in &mut mesh.corners {
+            (*y, *z) = (-*y, self.length_mm - *z);
+        }
         mesh
     }
 }
 
-/// The connection of the hose. A push-in fitting is screwed into one of the threads.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Fitting {
-    /// M5 × 0.8.
-    M5,
-    /// G1/8 (ISO 228-1).
-    G18,
-    /// G1/4 (ISO 228-1).
-    G14,
-    /// A barb for a hose of this bore, in mm.
-    Barb {
-        /// Bore of the hose in mm.
-        bore_mm: f64,
-    },
-}
-
-/// A word that names no fitting.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error(
-    "\"{0}\" is not a fitting; expected m5, g1/8 or g1/4 (a thread), or barb:4 (a barb for a hose \
-     with a bore of 4 mm, from 1 to 25)"
-)]
-pub struct UnknownFitting(String);
-
-impl Fitting {
-    /// Hoses for which a barb can be made, in mm.
-    const HOSES_MM: (f64, f64) = (1.0, 25.0);
-    /// Below this outer diameter of the tube in mm the thread M5 is chosen, above it G1/8. A
-    /// choice: the boss is then about as wide as the muscle.
-    const SMALL_MM: f64 = 15.0;
-
-    /// The default for a tube of an outer diameter.
-    pub(crate) fn usual(outer_diameter_mm: f64) -> Self {
-        if outer_diameter_mm < Self::SMALL_MM {
-            Self::M5
-        } else {
-            Self::G18
+impl Port {
+    fn new(fitting: Fitting, stem: &Stem, foot_mm: f64, side_mm: f64) -> Self {
+        let (hole_mm, thread_mm, flat_mm) = fitting.thread.sizes_mm();
+        let root_mm = stem.root_mm();
+        // Two thirds of the stem are its wall.
+        let passage_mm = (root_mm / 3.0).min(4.0).min(0.8 * hole_mm);
+        Self {
+            fitting,
+            height_mm: foot_mm + 0.5 * flat_mm.max(hole_mm + 4.0),
+            hole_mm,
+            depth_mm: (0.5 * (side_mm + passage_mm) + WALL_MM).max(thread_mm + 1.0),
+            thread_mm,
+            passage_mm,
         }
     }
 
-    /// Diameter of the hole for the tap (ISO 2306), depth of the thread, diameter of the boss
-    /// around it, in mm; none for a barb. Depth and boss are choices: about as long as the threads
-    /// of fittings on sale, and a wall of 0.35 to 0.7 of the thread.
-    pub(crate) fn thread_mm(self) -> Option<(f64, f64, f64)> {
-        THREADS
-            .iter()
-            .find(|thread| thread.0 == self)
-            .map(|thread| thread.2)
-    }
-}
-
-/// The threads: name, and drill, depth and boss in mm.
-const THREADS: [(Fitting, &str, (f64, f64, f64)); 3] = [
-    (Fitting::M5, "M5", (4.2, 6.0, 12.0)),
-    (Fitting::G18, "G1/8", (8.8, 9.0, 18.0)),
-    (Fitting::G14, "G1/4", (11.8, 12.0, 23.0)),
-];
-
-impl fmt::Display for Fitting {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self, THREADS.iter().find(|thread| thread.0 == *self)) {
-            (Self::Barb { bore_mm }, _) => write!(f, "barb for a hose with a bore of {bore_mm} mm"),
-            (_, thread) => f.write_str(thread.map_or("", |thread| thread.1)),
-        }
-    }
-}
-
-impl FromStr for Fitting {
-    type Err = UnknownFitting;
-
-    fn from_str(text: &str) -> Result<Self, UnknownFitting> {
-        let word: String = text.chars().take(40).collect();
-        let plain = word.trim().to_lowercase();
-        if let Some(thread) = THREADS
-            .iter()
-            .find(|thread| thread.1.eq_ignore_ascii_case(&plain))
-        {
-            return Ok(thread.0);
-        }
-        let bore = plain
-            .strip_prefix("barb:")
-            .map(|bore| bore.trim_end_matches("mm").trim().parse());
-        match bore {
-            Some(Ok(bore_mm)) if (Self::HOSES_MM.0..=Self::HOSES_MM.1).contains(&bore_mm) => {
-                Ok(Self::Barb { bore_mm })
-            }
-            _ => Err(UnknownFitting(word)),
-        }
+    /// The hole of the thread in a flat, the passage from the tip of the stem, and where they meet.
+    fn bore(&self, mesh: &mut Mesh, flat: &[usize], tip: &[usize], half: f64) {
+        let (r, p, height) = (0.5 * self.hole_mm, 0.5 * self.passage_mm, self.height_mm);
+        let mut around = |y: f64| -> Ring {
+            let corner = |i: usize| {
+                let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
+                mesh.corner([r * sin, y, height + r * cos])
+            };
+            (0..FACETS).map(corner).collect()
+        };
+        let mouth = around(half);
+        let floor = around(half - self.depth_mm);
+        mesh.face(flat, &mouth, |[x, _, z]| [z, x], [height, 0.0]);
+        mesh.polygon(&floor, |[x, _, z]| [z, x]);
+        // The passage ends on the wall of the hole.
+        let below = mesh.ring([p, 0.0]);
+        let above: Ring = (0..FACETS)
+            .map(|i| {
+                let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
+                let x = p * cos;
+                mesh.corner([x, p * sin, height - (r * r - x * x).sqrt()])
+            })
+            .collect();
+        mesh.band(&below, tip);
+        mesh.band(&above, &below);
+        // The wall of the hole: a part about the passage, and the rest.
+        let reach = ((p / r).asin() / TAU * FACETS as f64).ceil() as usize + 4;
+        let middle = FACETS / 2;
+        let (from, to) = (middle - reach, middle + reach);
+        let part: Ring = (from..=to)
+            .map(|i| mouth[i])
+            .chain((from..=to).rev().map(|i| floor[i]))
+            .collect();
+        let unrolled = |[x, y, z]: [f64; 3]| [y, r * (-x).atan2(height - z)];
+        mesh.face(&part, &above, unrolled, [0.0; 2]);
+        let rest =
+            |ring: &[usize]| -> Ring { (to..=from + FACETS).map(|i| ring[i % FACETS]).collect() };
+        mesh.strip(&rest(&mouth), &rest(&floor));
     }
 }

@@ -1,215 +1,165 @@
-//! The drawing of the plugs: both in section, with their measures.
+//! The drawings of the plugs: a sheet for each, with its section, its end and its measures.
 
 use crate::{
-    Fitting, Plan, Stem,
-    frame::{self, FRAME_MM, largest},
-    text::mm,
-    view::{SMALL_MM, View, diameter},
+    Plan,
+    frame::{self, FRAME_MM, Title, largest},
+    plug::Plug,
+    text::{mm, trimmed},
+    view::View,
 };
 use mckibben_report::{Anchor, Pen, Sheet};
 
-/// Room for both plugs side by side, and for the higher one, in mm.
-const ROOM_MM: (f64, f64) = (165.0, 70.0);
+/// Room for the section, and for its height with that of the end beside it, in mm.
+const ROOM_MM: (f64, f64) = (150.0, 80.0);
+const NOTES_MM: f64 = 2.3;
 
-/// The drawing on paper; all bodies have one scale.
-pub fn on_paper(plan: &Plan) -> Sheet {
-    let air = &plan.air_plug;
-    let eye = &plan.eye_plug;
-    let head = air
-        .head()
-        .iter()
-        .map(|p| 2.0 * p[0])
-        .fold(air.stem.collar_diameter_mm, f64::max);
-    let scale =
-        largest(|s| s * (air.length_mm() + eye.length_mm()) <= ROOM_MM.0 && s * head <= ROOM_MM.1);
-    let mut sheet = frame::sheet(plan, "Plugs of the muscle", 2, scale);
+/// The sheet of a plug.
+pub fn on_paper(plan: &Plan, what: &str, plug: &Plug, number: usize) -> Sheet {
+    let wide = plug.widest_mm();
+    let scale = largest(|s| s * plug.length_mm <= ROOM_MM.0 && s * wide <= ROOM_MM.1);
+    let title = Title {
+        what,
+        material: plug.material.name,
+        mass_g: plug.mass_g(),
+        number: (number, 3),
+        scale,
+    };
+    let mut sheet = frame::sheet(plan, &title);
     let [left, _, right, top] = FRAME_MM;
-    let widths = [scale * air.length_mm(), scale * eye.length_mm()];
-    let y = 0.5 * (top + 66.0) - 4.0;
-    let gap = (right - left - widths[0] - widths[1]) / 3.0;
-    let places = [left + gap, left + 2.0 * gap + widths[0]];
-
-    let plugs = ["3  air plug", "4  eye plug"]
-        .into_iter()
-        .zip([air_plug, eye_plug]);
-    for (x, (name, draw)) in places.into_iter().zip(plugs) {
-        let mut view = View {
-            sheet: &mut sheet,
-            origin: [x, y],
-            scale,
-        };
-        let about = draw(plan, &mut view);
-        names(&mut view, head, &[name, &about]);
-    }
-    let stem = &air.stem;
-    let notes = [
-        format!(
-            "Stem: bore {} and {}",
-            mm(stem.bore_mm()),
-            mm(stem.interference_mm)
-        ),
-        format!(
-            "Grooves {} wide, {} deep, sides at 45°",
-            mm(stem.groove_width_mm),
-            mm(stem.groove_depth_mm)
-        ),
-        if plan.is_printed() {
-            "Print solid; seal the surface"
-        } else {
-            "Turn from metal"
-        }
-        .into(),
-    ];
-    for (i, note) in notes.iter().enumerate() {
-        sheet.text(
-            [left + 6.0, 34.0 - 5.2 * i as f64],
-            SMALL_MM,
-            Anchor::Start,
-            note,
-        );
+    let y = 0.5 * (top + 60.0);
+    let mut view = View {
+        sheet: &mut sheet,
+        origin: [left + 40.0, y],
+        scale,
+    };
+    section(plan, plug, &mut view);
+    let mut end = View {
+        sheet: &mut sheet,
+        origin: [right - 14.0 - 0.5 * scale * wide, y],
+        scale,
+    };
+    from_the_stem(plan, plug, &mut end);
+    for (i, note) in notes(plan, plug).iter().enumerate() {
+        let at = [left + 6.0, 52.0 - 4.8 * i as f64];
+        sheet.text(at, NOTES_MM, Anchor::Start, note);
     }
     sheet
 }
 
-/// Draws the air plug, and says what it has.
-fn air_plug(plan: &Plan, v: &mut View<'_>) -> String {
-    let air = &plan.air_plug;
-    for sign in [-1.0, 1.0] {
-        let section = across(air.profile(), sign);
-        v.outline(Pen::Outline, &section);
-        v.hatch(&[section], sign > 0.0);
-    }
-    // Edges that one sees behind the section.
-    let mut behind = vec![0.0, air.length_mm()];
-    behind.extend(air.head().iter().skip(2).map(|p| p[1]));
-    for x in behind {
-        let inner = if x == 0.0 {
-            0.5 * air.passage_mm
-        } else {
-            hole_at(plan, x)
-        };
-        v.line(Pen::Outline, &[[x, -inner], [x, inner]]);
-    }
-    stem(v, &air.stem, air.length_mm());
-    let passage = diameter(air.passage_mm);
-    match (air.fitting, air.fitting.thread_mm()) {
-        (thread, Some((drill, depth, boss))) => {
-            format!(
-                "{thread}: hole {}, {} deep; boss {}; passage {passage}",
-                diameter(drill),
-                mm(depth),
-                diameter(boss),
-            )
-        }
-        (Fitting::Barb { bore_mm }, _) => {
-            format!(
-                "barb {} for a hose with a bore of {}; passage {passage}",
-                diameter(1.2 * bore_mm),
-                mm(bore_mm),
-            )
-        }
-        // Threads are above.
-        _ => String::new(),
-    }
-}
-
-/// Draws the eye plug, and says what it has.
-fn eye_plug(plan: &Plan, v: &mut View<'_>) -> String {
-    let eye = &plan.eye_plug;
-    let top = eye.stem.top_mm();
-    let mut all = across(eye.stem.profile(), 1.0);
-    all.extend(across(eye.stem.profile(), -1.0).into_iter().rev());
-    v.outline(Pen::Outline, &all);
-    v.hatch(&[all], true);
-    v.eye(eye, top, 0.7);
-    stem(v, &eye.stem, eye.length_mm());
-    let half = 0.5 * eye.stem.collar_diameter_mm;
-    v.across(
-        (top, top + eye.centre_mm),
-        (-half, -0.5 * eye.width_mm),
-        -(v.scale * half + 6.0),
-        &mm(eye.centre_mm),
-    );
-    format!(
-        "eye for M{}: hole {}, {} wide, {} thick",
-        mm(eye.bolt_mm),
-        diameter(eye.hole_mm),
-        mm(eye.width_mm),
-        mm(eye.thickness_mm)
-    )
-}
-
-/// A profile of radius and height on one side of the horizontal axis of the sheet.
-fn across(profile: Vec<[f64; 2]>, sign: f64) -> Vec<[f64; 2]> {
-    profile.into_iter().map(|[r, z]| [z, sign * r]).collect()
-}
-
-/// Radius of the hole of the air plug at the edges of its section, in mm.
-fn hole_at(plan: &Plan, x: f64) -> f64 {
-    let air = &plan.air_plug;
-    let inner = air
-        .head()
-        .into_iter()
-        .skip(2)
-        .filter(|p| p[1] == x)
-        .map(|p| p[0]);
-    match air.fitting.thread_mm() {
-        Some(_) => inner.fold(0.5 * air.passage_mm, f64::max),
-        None => 0.5 * air.passage_mm,
-    }
-}
-
-/// The axis of a plug, and the measures of its stem.
-fn stem(v: &mut View<'_>, stem: &Stem, length_mm: f64) {
-    let half = 0.5 * stem.diameter_mm;
-    let collar = 0.5 * stem.collar_diameter_mm;
+fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
+    let stem = &plug.stem;
+    let bare = |mm: f64| plan.shown.bare(mm);
+    v.plug(plug, stem.datum_mm, 1.0, true);
     let beyond = 4.0 / v.scale;
-    v.line(Pen::Axis, &[[-beyond, 0.0], [length_mm + beyond, 0.0]]);
-    let above = v.scale * collar + 6.0;
+    v.line(Pen::Axis, &[[-beyond, 0.0], [plug.length_mm + beyond, 0.0]]);
+    let (half, radius) = (0.5 * plug.widest_mm(), 0.5 * stem.diameter_mm);
+    let above = v.scale * half + 6.0;
     v.across(
         (0.0, stem.length_mm),
-        (half, collar),
+        (radius, half),
         above,
-        &mm(stem.length_mm),
+        &bare(stem.length_mm),
     );
     v.across(
-        (stem.length_mm, stem.top_mm()),
-        (collar, collar),
-        above,
-        &mm(stem.collar_mm),
+        (0.0, plug.eye_mm),
+        (radius, 0.0),
+        above + 7.0,
+        &bare(plug.eye_mm),
     );
-    v.across((0.0, length_mm), (half, 0.0), above + 7.0, &mm(length_mm));
-    let fit = format!(
-        "{} ±{}",
-        diameter(stem.diameter_mm),
-        mm(stem.tolerance_mm())
+    v.across(
+        (0.0, plug.length_mm),
+        (radius, half),
+        above + 14.0,
+        &bare(plug.length_mm),
     );
-    v.beside((-half, half), stem.bevel_mm().0, -9.0, &fit);
-    for (i, start) in stem.groove_starts_mm().into_iter().enumerate() {
+    if let Some(port) = plug.port {
         v.across(
-            (0.0, start),
-            (-half, -half),
-            -above - 6.0 * i as f64,
-            &mm(start),
+            (0.0, port.height_mm),
+            (-radius, 0.0),
+            -above,
+            &bare(port.height_mm),
         );
     }
-    v.beside(
-        (-collar, collar),
-        stem.length_mm,
-        -17.0,
-        &diameter(stem.collar_diameter_mm),
+    let fit = format!(
+        "⌀{} ±{}",
+        bare(stem.diameter_mm),
+        bare_2(plug.tolerance_mm())
     );
+    v.beside((-radius, radius), 0.0, -9.0, &fit);
+    for (i, band) in stem.bands_mm.iter().enumerate() {
+        let row = -above - 7.0 * (i + 1) as f64;
+        let text = format!("seat {}", bare(band[1] - band[0]));
+        v.across((band[0], band[1]), (-radius, -radius), row, &text);
+    }
+    if let Some([diameter, from]) = stem.shoulder_mm {
+        let row = -above - 7.0 * (stem.bands_mm.len() + 1) as f64;
+        let text = format!("shoulder ⌀{}", bare(diameter));
+        v.across((from, stem.length_mm), (-0.5 * diameter, -half), row, &text);
+    }
 }
 
-/// The names of a view, below it.
-fn names(v: &mut View<'_>, height_mm: f64, lines: &[&str]) {
-    let y = v.origin[1] - 0.5 * v.scale * height_mm - 24.0;
-    for (i, line) in lines.iter().enumerate() {
-        v.sheet.text(
-            [v.origin[0], y - 5.0 * i as f64],
-            3.0 - 0.5 * i as f64,
-            Anchor::Start,
-            *line,
-        );
+/// The plug as seen from its stem.
+fn from_the_stem(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
+    let half = 0.5 * plug.side_mm;
+    v.outline(
+        Pen::Outline,
+        &[[-half, -half], [half, -half], [half, half], [-half, half]],
+    );
+    v.circle(Pen::Outline, plug.stem.widest_mm());
+    if let Some(port) = plug.port {
+        v.circle(Pen::Outline, port.passage_mm);
     }
+    let reach = half + 2.5 / v.scale;
+    v.line(Pen::Axis, &[[-reach, 0.0], [reach, 0.0]]);
+    v.line(Pen::Axis, &[[0.0, -reach], [0.0, reach]]);
+    let text = format!("□{}", plan.shown.bare(plug.side_mm));
+    let row = 0.5 * v.scale * plug.widest_mm() + 6.0;
+    v.across((-half, half), (half, half), row, &text);
+    if let Some(collar) = plug.collar_mm {
+        v.circle(Pen::Outline, collar);
+        let text = format!("⌀{}", plan.shown.bare(collar));
+        v.across((-0.5 * collar, 0.5 * collar), (0.0, 0.0), row + 7.0, &text);
+    }
+}
+
+fn bare_2(value: f64) -> String {
+    trimmed(value, 2)
+}
+
+fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
+    let stem = &plug.stem;
+    let bare = |mm: f64| plan.shown.bare(mm);
+    let port = plug.port.map(|port| {
+        let (thread, deep) = (port.fitting, bare(port.thread_mm));
+        format!(
+            "{thread}: drill {} to {}, thread {deep} deep; passage {}",
+            mm(port.hole_mm),
+            bare(port.depth_mm),
+            bare(port.passage_mm)
+        )
+    });
+    let made = if plug.is_printed() {
+        "Print on the end of the head, solid; seal the surface of the stem with epoxy resin"
+    } else {
+        "Turn from square bar; stem Ra 1.6, all else Ra 3.2; corner at the head R 0.8; break edges 0.2"
+    };
+    [
+        Some(format!(
+            "Hole for M{}: {} (ISO 273 medium), across the flats beside the port",
+            mm(plug.bolt_mm),
+            mm(plug.hole_mm)
+        )),
+        port,
+        Some(format!(
+            "Stem: bore {} and {}",
+            bare(stem.bore_mm()),
+            bare_2(stem.interference_mm)
+        )),
+        stem.shoulder_mm
+            .map(|_| "Shoulder with ribs every 3, 0.4 deep, sides 45°".into()),
+        Some(made.into()),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }

@@ -1,10 +1,9 @@
 //! Pressures of the tests and the energy of the air.
 
-use crate::text::significant;
 use mckibben_core::{
     analysis::{ATMOSPHERE_MPA, FailureMode, RELIEF},
-    built::Left,
-    units::{Unit, rounded},
+    built::{Built, Left},
+    units::rounded,
 };
 
 /// Results of a model for the muscle.
@@ -13,8 +12,6 @@ pub struct Operating {
     pub model: String,
     /// Working pressure in MPa.
     pub pressure_mpa: f64,
-    /// The unit in which people read pressures.
-    pub pressure_unit: Unit,
     /// Blocked force there in N.
     pub blocked_force_n: f64,
     pub free_contraction: f64,
@@ -22,18 +19,46 @@ pub struct Operating {
     pub bulged_diameter_mm: f64,
     /// Cavity in mm³ there.
     pub volume_mm3: f64,
-    /// Pressure of the proof test in MPa, and the cavity in mm³ there.
-    pub proof: (f64, f64),
+    /// The same muscle at the pressure of the proof test.
+    pub proof: Proof,
     /// Its outer contour from the middle (z = 0) to a clamp: z and radius in mm.
     pub contour_mm: Vec<[f64; 2]>,
     /// Burst pressure in MPa, where it is known, and how the muscle fails there.
     pub burst: Option<(f64, FailureMode)>,
+    /// The least that it may be in MPa, where it rests on estimates.
+    pub least_burst_mpa: Option<f64>,
     /// Largest allowed pressure in MPa, where it is known.
     pub allowed_mpa: Option<f64>,
+    /// What it is for, or half of its free contraction: pulls at contractions.
+    pub pulls: Vec<PullAt>,
     /// Free contractions at the pressures of the test sheet: pressure in MPa, contraction.
     pub free_contractions: Vec<(f64, f64)>,
     /// What to measure, where its pull has a ±.
     pub to_measure: Option<ToMeasure>,
+}
+
+/// A muscle under the pressure of the proof test.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Proof {
+    /// MPa.
+    pub pressure_mpa: f64,
+    /// Blocked force in N.
+    pub blocked_force_n: f64,
+    /// Cavity in mm³ of the muscle that contracts freely.
+    pub volume_mm3: f64,
+}
+
+/// A pull of the muscle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PullAt {
+    pub pressure_mpa: f64,
+    pub contraction: f64,
+    /// What is required of it in N, where it was designed for this.
+    pub required_n: Option<f64>,
+    /// By the model.
+    pub force_n: f64,
+    /// Of a muscle that is built.
+    pub built: Option<Built>,
 }
 
 /// Measurements that leave less of the ± of a pull at the working pressure.
@@ -45,29 +70,6 @@ pub struct ToMeasure {
     pub uncertainty_n: f64,
     /// What each leaves of it, the best first.
     pub left: Vec<Left>,
-}
-
-impl Operating {
-    /// A pressure as people read it: `2.5 bar`; `0.25 MPa (2.5 bar)` in the default unit.
-    pub(crate) fn pressure(&self, mpa: f64) -> String {
-        let bar = format!(" ({} bar)", significant(10.0 * mpa, 3));
-        self.pressure_alone(mpa)
-            + if self.pressure_unit.name == "MPa" {
-                &bar
-            } else {
-                ""
-            }
-    }
-
-    /// The same where there is little room.
-    pub(crate) fn pressure_alone(&self, mpa: f64) -> String {
-        let (by, over) = self.pressure_unit.outside();
-        format!(
-            "{} {}",
-            significant(mpa * by / over, 3),
-            self.pressure_unit.name
-        )
-    }
 }
 
 /// Proof over working pressure: a choice, half of the ratio of burst to working pressure of hoses
@@ -89,6 +91,9 @@ pub struct Safety {
     pub leak_pressure_mpa: f64,
     /// Energy of the air at the working pressure, J, at most: p V ln(p/p₀).
     pub air_energy_j: f64,
+    /// Energy that rubber and strands store at most at the working pressure, J: P times what the
+    /// cavity grows.
+    pub wall_energy_j: f64,
     /// Energy that air would have at the proof pressure, J.
     #[serde(skip)]
     pub air_energy_at_proof_j: f64,
@@ -96,13 +101,19 @@ pub struct Safety {
 
 impl Safety {
     /// The tests of a muscle.
-    pub(crate) fn new(operating: &Operating) -> Self {
+    pub(crate) fn new(operating: &Operating, rest_mm3: f64) -> Self {
         Self {
             pressure_mpa: operating.pressure_mpa,
-            proof_pressure_mpa: operating.proof.0,
+            proof_pressure_mpa: operating.proof.pressure_mpa,
             leak_pressure_mpa: operating.pressure_mpa,
             air_energy_j: energy_j(operating.pressure_mpa, operating.volume_mm3),
-            air_energy_at_proof_j: energy_j(operating.proof.0, operating.proof.1),
+            wall_energy_j: 1e-3
+                * operating.pressure_mpa
+                * (operating.volume_mm3 - rest_mm3).max(0.0),
+            air_energy_at_proof_j: energy_j(
+                operating.proof.pressure_mpa,
+                operating.proof.volume_mm3,
+            ),
         }
     }
 }

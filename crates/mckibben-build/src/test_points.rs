@@ -2,7 +2,7 @@
 
 use crate::{
     Operating, Plan,
-    text::{mm, percent, significant, trimmed},
+    text::{mm, percent, significant_n, trimmed},
 };
 use mckibben_core::{built::Measurement, muscle::Direction};
 
@@ -67,26 +67,26 @@ const BLANK_ROWS: usize = 4;
 
 /// What is worth measuring, a comment each, and the rows for its reading beside those of the test.
 fn to_measure(plan: &Plan) -> (String, String) {
-    let operating = &plan.operating;
+    let (operating, shown) = (&plan.operating, &plan.shown);
     let (mut text, mut rows) = Default::default();
     let Some(to_measure) = &operating.to_measure else {
         return (text, rows);
     };
     text += &format!(
-        "# At {} and {} the pull has a ± of {} N (95 %). What leaves less of it, the best first:\n",
-        operating.pressure(operating.pressure_mpa),
+        "# At {} and {} the pull has a ± of {} (95 %). What leaves less of it, the best first:\n",
+        shown.pressure(operating.pressure_mpa),
         percent(to_measure.contraction),
-        significant(to_measure.uncertainty_n, 2)
+        shown.force(significant_n(to_measure.uncertainty_n))
     );
     let p = trimmed(operating.pressure_mpa, 5);
     for left in &to_measure.left {
         let (what, minutes) = left.measurement.words();
-        let half = significant(left.uncertainty_n, 2);
+        let half = shown.force(significant_n(left.uncertainty_n));
         let mut place = "";
         match left.measurement {
             Measurement::HungLoad => rows += ",,,contraction,pressure,\n",
             Measurement::OnePull => {
-                let distance = trimmed(0.95 * plan.muscle.length_mm(), 1);
+                let distance = trimmed(plan.faces_mm(0.05), 1);
                 rows += &format!("{p},0.05,,contraction,force,{distance}\n");
             }
             Measurement::FreeContraction => rows += &format!("{p},,0,contraction,contraction,\n"),
@@ -95,7 +95,7 @@ fn to_measure(plan: &Plan) -> (String, String) {
             // The rows of the test.
             Measurement::TenPulls => {}
         }
-        text += &format!("# - {what}: ± {half} N ({minutes} min){place}\n");
+        text += &format!("# - {what}: ± {half} ({minutes} min){place}\n");
     }
     (text, rows)
 }
@@ -112,18 +112,19 @@ pub fn csv(plan: &Plan) -> String {
         mm(length_mm)
     );
     out += &format!(
-        "# Rows with a distance: set it between the clamps, then the pressure, row by row, without \
-         going back: contraction is while the pressure rises,\n# elongation while it falls. The \
-         pressure stays at or below {}.\n",
-        plan.operating.pressure(plan.operating.pressure_mpa)
+        "# Rows with a distance: set it between the inner faces of both heads ({} mm at rest), then \
+         the pressure, row by row,\n# without going back: contraction is while the pressure rises, \
+         elongation while it falls. The pressure stays at or below {}.\n",
+        mm(plan.faces_mm(0.0)),
+        plan.shown.pressure(plan.operating.pressure_mpa)
     );
     out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
-        pressure_mpa,contraction,force_n,branch,measured,distance between the clamps (mm)\n";
+        pressure_mpa,contraction,force_n,branch,measured,distance between the heads (mm)\n";
     out += &rows;
     for point in &plan.test {
         let p = trimmed(point.pressure_mpa, 5);
         let e = trimmed(point.contraction, 4);
-        let distance = trimmed(length_mm * (1.0 - point.contraction), 1);
+        let distance = trimmed(plan.faces_mm(point.contraction), 1);
         out += &format!("{p},{e},,{},force,{distance}\n", point.branch);
     }
     out + &",,,,force,\n".repeat(BLANK_ROWS)

@@ -21,3 +21,8 @@ pub fn significant(value: f64, digits: i32) -> String {
 pub fn percent(ratio: f64) -> String {
     format!("{} %", trimmed(100.0 * ratio, 1))
 }
+
+/// A half-width to two digits.
+pub fn significant_n(value: f64) -> f64 {
+    significant(value, 2).parse().unwrap_or(value)
+}

@@ -1,6 +1,6 @@
 //! Tools of a drawing: a view at a scale, dimensions, hatches.
 
-use crate::{EyePlug, text::mm};
+use crate::plug::Plug;
 use mckibben_core::extremes::ends;
 use mckibben_report::{Anchor, Pen, Sheet};
 
@@ -50,26 +50,49 @@ impl View<'_> {
             .circle(pen, self.origin, 0.5 * diameter * self.scale);
     }
 
-    /// The eye of a plug from its foot on, with the hole and the axis of the bolt, which reaches
-    /// beyond by a share of the width.
-    pub fn eye(&mut self, eye: &EyePlug, foot: f64, reach: f64) {
-        let (outline, _) = eye.eye();
-        let tab: Vec<[f64; 2]> = outline
-            .iter()
-            .skip(1)
-            .chain(outline.first())
-            .map(|[x, z]| [foot + z, *x])
-            .collect();
-        self.line(Pen::Outline, &tab);
-        let x = foot + eye.centre_mm;
-        self.sheet.circle(
-            Pen::Outline,
-            self.on_sheet(x, 0.0),
-            0.5 * eye.hole_mm * self.scale,
-        );
+    /// A plug whose free length ends at `datum` of the body, with its head away from the middle:
+    /// in section above the axis and from outside below it, or all in section.
+    pub fn plug(&mut self, plug: &Plug, datum: f64, side: f64, below_too: bool) {
+        let place = |loop_: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
+            let at = |[z, y]: [f64; 2]| [datum + side * (z - plug.stem.datum_mm), y];
+            let kept = if below_too { loop_ } else { above(&loop_) };
+            kept.into_iter().map(at).collect()
+        };
+        let (outline, hollows) = plug.section();
+        let loops: Vec<Vec<[f64; 2]>> = [outline].into_iter().chain(hollows).map(place).collect();
+        for edge in &loops {
+            self.outline(Pen::Outline, edge);
+        }
+        self.hatch(&loops, false);
+        if !below_too {
+            self.head(plug, datum, side, &[-1.0]);
+        }
+    }
+
+    /// The head of a plug from outside, below the axis or on both sides.
+    pub fn head(&mut self, plug: &Plug, datum: f64, side: f64, sides: &[f64]) {
+        let at = |z: f64| datum + side * (z - plug.stem.datum_mm);
+        let [stem, foot, end] = [plug.stem.length_mm, plug.foot_mm, plug.length_mm].map(at);
+        for sign in sides {
+            let [collar, head] =
+                [plug.collar_mm.unwrap_or(plug.side_mm), plug.side_mm].map(|d| 0.5 * sign * d);
+            let edge = [
+                [stem, 0.0],
+                [stem, collar],
+                [foot, collar],
+                [foot, head],
+                [end, head],
+                [end, 0.0],
+            ];
+            self.line(Pen::Outline, &edge);
+        }
+        let eye = self.on_sheet(at(plug.eye_mm), 0.0);
+        let radius = 0.5 * plug.hole_mm * self.scale;
+        self.sheet.circle(Pen::Outline, eye, radius);
+        let x = at(plug.eye_mm);
         self.line(
             Pen::Axis,
-            &[[x, -reach * eye.width_mm], [x, reach * eye.width_mm]],
+            &[[x, -0.8 * plug.hole_mm], [x, 0.8 * plug.hole_mm]],
         );
     }
 
@@ -182,6 +205,22 @@ impl View<'_> {
     }
 }
 
+/// What of a loop lies above the axis.
+fn above(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut out = vec![];
+    for (i, a) in points.iter().enumerate() {
+        let b = points[(i + 1) % points.len()];
+        if a[1] >= 0.0 {
+            out.push(*a);
+        }
+        if (a[1] < 0.0) != (b[1] < 0.0) {
+            let t = a[1] / (a[1] - b[1]);
+            out.push([a[0] + t * (b[0] - a[0]), 0.0]);
+        }
+    }
+    out
+}
+
 /// A dimension line with arrows and its text: above a horizontal one, to the left of an upright
 /// one. Where arrows have no room inside they point from outside.
 fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
@@ -227,9 +266,4 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
 /// The approximate width of a text, in mm.
 pub fn width_of(text: &str) -> f64 {
     0.75 * SMALL_MM * text.chars().count() as f64
-}
-
-/// A diameter as it is written.
-pub fn diameter(value: f64) -> String {
-    format!("⌀{}", mm(value))
 }

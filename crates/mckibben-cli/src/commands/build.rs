@@ -1,7 +1,5 @@
 //! `build`: a folder with all that a workshop needs, or its report alone.
 
-mod pdf;
-
 use crate::{
     Bar, Format, Problem, check_ending,
     cli::examples,
@@ -10,7 +8,7 @@ use crate::{
     path_on_one_line, save, save_all,
 };
 use mckibben_app::{BuildRequest, REPORT, build, print::Page};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The folder for a workshop.
 #[derive(clap::Args)]
@@ -27,7 +25,7 @@ pub struct Build {
     /// Folder for the files; without it only the numbers are printed
     #[arg(short, long, value_name = "DIR", help_heading = "Output")]
     output: Option<PathBuf>,
-    /// Write the report alone: FILE.html, or FILE.pdf, which needs an installed Chromium
+    /// Write the report alone: FILE.html, whose muscle turns, or FILE.pdf
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     report: Option<PathBuf>,
 }
@@ -37,21 +35,22 @@ impl Build {
         let folder = self.output.as_deref();
         let target = self.report.as_deref();
         check_ending(target, &["html", "htm", "pdf"])?;
-        let is_pdf = target.and_then(ending).is_some_and(|end| end == "pdf");
-        let browser = is_pdf.then(pdf::browser).transpose()?;
         self.request.report = folder.is_some() || target.is_some();
         self.request.units = display_units::units();
         let mut answer = build(&self.request, &Bar::new("parts"))?;
         if let Some(document) = answer.document.take() {
             // With the view that the reader turns.
             let page = document.to_html(&mckibben_web::viewer())?.into_bytes();
-            match browser {
-                Some(browser) => save(target, &pdf::printed(browser, &document.to_html("")?)?)?,
-                None => save(target, &page)?,
+            for file in &mut answer.files {
+                if file.name == REPORT[0] {
+                    file.content.clone_from(&page);
+                }
+                if target.and_then(ending) == ending(Path::new(&file.name))
+                    && REPORT.contains(&&*file.name)
+                {
+                    save(target, &file.content)?;
+                }
             }
-            let file = answer.files.iter_mut().find(|file| file.name == REPORT);
-            file.into_iter()
-                .for_each(|file| file.content.clone_from(&page));
         }
         folder.map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
         let add = |page: &mut Page| {

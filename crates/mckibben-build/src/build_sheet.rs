@@ -1,0 +1,367 @@
+//! The build sheet: tools, cut list, steps to tick, as-built values.
+
+use crate::{
+    Plan, SleeveLength,
+    cut::TRIM_MM,
+    material::{CONSUMABLES, density_kg_per_m3, tube_of},
+    sketch,
+    text::{mm, percent, significant},
+};
+use mckibben_core::muscle::EndsMade;
+use mckibben_report::{Document, FigureError, Part};
+
+/// More rubber than the tube holds, for what stays in cup and syringe (a choice).
+const SPILL: f64 = 1.2;
+/// Length in mm by which the rod of a mould is longer than its pipe, and the pipe than the tube.
+const MOULD_BEYOND_MM: f64 = 40.0;
+
+impl Plan {
+    /// The title of all papers.
+    pub(crate) fn title(&self) -> String {
+        format!(
+            "McKibben muscle {} × {}",
+            self.shown.bare(self.muscle.outer_diameter_mm()),
+            self.shown.length(self.muscle.length_mm())
+        )
+    }
+}
+
+fn heading(text: &str) -> Part {
+    Part::Heading(text.into())
+}
+
+/// A table with a head.
+pub fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
+    Part::Table {
+        head: head.iter().map(|&name| name.to_owned()).collect(),
+        rows,
+    }
+}
+
+/// The sheet.
+pub fn document(plan: &Plan) -> Result<Document, FigureError> {
+    let mut parts = vec![Part::Stop(plan.stops()), heading("Tools and consumables")];
+    parts.push(Part::List(tools(plan)));
+    parts.push(heading("Cut list"));
+    parts.extend(cut_list(plan));
+    parts.extend([heading("Plugs"), Part::Steps(plugs(plan))]);
+    if tube_of(&plan.muscle, &plan.cut).is_some_and(|tube| tube.is_cast) {
+        parts.extend([heading("Casting the tube"), Part::Steps(casting(plan))]);
+    }
+    parts.extend([
+        heading("Assembly"),
+        Part::Drawing(sketch::end(plan)?),
+        Part::Steps(assembly(plan)),
+        heading("Proof and leak test"),
+        Part::Drawing(sketch::frame(plan)?),
+        Part::Steps(tests(plan)),
+        heading("As built"),
+        as_built(plan),
+    ]);
+    Ok(Document {
+        title: format!("Build sheet: {}", plan.title()),
+        title_block: plan.title_block.clone(),
+        lead: plan.verdict().join(" "),
+        parts,
+        footer: "A choice or an estimate is marked where it is not measured; sources are in \
+                 bom.csv and in the documentation."
+            .into(),
+    })
+}
+
+fn tools(plan: &Plan) -> Vec<String> {
+    let clamp = match plan.ends.made {
+        EndsMade::Tied => "pliers for cable ties".to_owned(),
+        EndsMade::Clamped => "screwdriver for hose clamps".into(),
+        EndsMade::Crimped => "screwdriver for hose clamps; crimping press for the ferrules".into(),
+    };
+    let drill = plan.air_plug.port.map(|port| {
+        let (thread, hole) = (port.fitting, mm(port.hole_mm));
+        format!("tap {thread}, drill {hole} mm")
+    });
+    let rule = "calliper, steel rule, scissors, marker, load cell or spring scale".to_owned();
+    let used = CONSUMABLES
+        .iter()
+        .map(|[what, amount, about]| format!("{what} ({amount}): {about}"));
+    [rule, clamp].into_iter().chain(drill).chain(used).collect()
+}
+
+fn cut_list(plan: &Plan) -> [Part; 3] {
+    let (cut, shown) = (&plan.cut, &plan.shown);
+    let sleeve = &cut.sleeve;
+    let length = |mm: f64| shown.length(mm.round());
+    let on_plug = plan.air_plug.stem.tube_mm();
+    let stretch = plan.muscle.tube().prestretch;
+    let stretched = if stretch == 1.0 {
+        String::new()
+    } else {
+        format!(
+            " / {} (it is mounted with that stretch)",
+            significant(stretch, 4)
+        )
+    };
+    let [free, plugged] = [plan.muscle.length_mm(), on_plug].map(|mm| shown.length(mm));
+    let (of, at) = match (sleeve.relaxed_mm, sleeve.relaxed_diameter_mm) {
+        (Some(long), Some(diameter)) => (
+            length(long),
+            format!("relaxed, at a diameter of {}", shown.length(diameter)),
+        ),
+        _ => (length(sleeve.mounted_mm), "on the tube".to_owned()),
+    };
+    let trim = shown.length(TRIM_MM);
+    let rows = vec![
+        vec![
+            "tube".into(),
+            shown.length(cut.tube_mm),
+            format!("{free}{stretched} and {plugged} on each plug"),
+            String::new(),
+        ],
+        vec![
+            "sleeve".into(),
+            of,
+            format!("{at}; {trim} an end are trimmed later"),
+            String::new(),
+        ],
+    ];
+    let cell = |f: &dyn Fn(&SleeveLength) -> String| sleeve.by_diameter.iter().map(f).collect();
+    let named = |name: &str, cells: Vec<String>| [vec![name.to_owned()], cells].concat();
+    let wide = named("sleeve is wide", cell(&|row| shown.bare(row.diameter_mm)));
+    let long = named("cut to", cell(&|row| shown.bare(row.length_mm.round())));
+    let (strand, unit) = (shown.length(sleeve.strand_mm.round()), shown.length.name);
+    let strands = sleeve.strands.map_or_else(String::new, |n| {
+        format!(" It has {n} strands{}.", plan.estimate())
+    });
+    [
+        grid(&["part", "length", "", "cut"], rows),
+        Part::Text(format!(
+            "The strands of the sleeve keep their length, {strand} each, so that a wide sleeve is \
+             short and a narrow one is long.{strands} Measure its diameter where you cut it, and \
+             take the length from this table ({unit}):"
+        )),
+        Part::Table {
+            head: vec![],
+            rows: vec![wide, long],
+        },
+    ]
+}
+
+fn plugs(plan: &Plan) -> Vec<String> {
+    let (plug, shown) = (&plan.air_plug, &plan.shown);
+    let tolerance = mm(plug.tolerance_mm());
+    let stem = shown.length(plug.stem.diameter_mm);
+    let mut steps = if plug.is_printed() {
+        vec![
+            "Print air-plug.stl and eye-plug.stl as they lie in the file, on the end of their heads: \
+             PETG, layers of 0.2 mm, six walls, 100 % infill, seam on a corner of the head, no \
+             support."
+                .to_owned(),
+            format!(
+                "Measure both stems: {stem} ± {tolerance} mm. Smooth the stem, and coat it with \
+                 epoxy resin or thin cyanoacrylate: printed layers leak."
+            ),
+            format!("Drill the holes for the bolts to {} mm.", mm(plug.hole_mm)),
+        ]
+    } else {
+        vec![format!(
+            "Have both plugs turned and drilled by their sheets, from {} ({}): printed ones would \
+             break. Check the stems: {stem} ± {tolerance} mm, no burr.",
+            plug.material.name,
+            match plug.collar_mm {
+                Some(collar) => format!("round bar {} mm", collar.ceil()),
+                None => format!("square bar {} mm", mm(plug.side_mm)),
+            }
+        )]
+    };
+    steps.extend(plug.port.map(|port| {
+        format!(
+            "Cut the thread {} into the hole of {} mm in the flat of the head, {} mm deep. Screw in \
+             the fitting with its seal: by hand, then at most one turn. Blow through the passage of \
+             {} mm.",
+            port.fitting,
+            mm(port.hole_mm),
+            mm(port.thread_mm),
+            mm(port.passage_mm)
+        )
+    }));
+    steps
+}
+
+/// Volume of the rubber in mL with what is spilled, and its mass in g.
+fn mixed(plan: &Plan) -> (String, String) {
+    let ml = 1e-3 * SPILL * plan.cut.rubber_mm3;
+    let grams = density_kg_per_m3(&plan.muscle).map(|density| 1e-3 * density * ml);
+    let grams = grams.map_or_else(|| "?".into(), |g| significant(0.5 * g, 3));
+    (significant(ml, 3), grams)
+}
+
+fn casting(plan: &Plan) -> Vec<String> {
+    let cut = &plan.cut;
+    let outer = cut.tube_outer_diameter_mm;
+    let bore = outer - 2.0 * cut.tube_wall_mm;
+    let pipe = cut.tube_mm.round() + MOULD_BEYOND_MM;
+    let (ml, half_g) = mixed(plan);
+    vec![
+        format!(
+            "Mould: a smooth rod of {} mm, {} mm long, in a pipe with a bore of {} mm, {} mm long; \
+             print mould-cap.stl twice. Drill a hole of 4 mm into the pipe 12 mm above its lower \
+             end, for the syringe.",
+            mm(bore),
+            mm(pipe + MOULD_BEYOND_MM),
+            mm(outer),
+            mm(pipe)
+        ),
+        "Clean rod and pipe, spray them with release agent, let it dry. Put a cap on each end of the \
+         pipe, and the rod through both."
+            .into(),
+        format!(
+            "Mix {ml} mL of {}: parts A and B by what its maker states (1 : 1 by mass: {half_g} g \
+             of each). That is a fifth more than the tube holds. Degas it under vacuum until it has \
+             risen and fallen.",
+            plan.muscle.tube().rubber.name.as_deref().unwrap_or("the rubber")
+        ),
+        format!(
+            "Press it in from below with a syringe, slowly, until it stands {} mm high in the \
+             upright pipe. The pot life is that of its maker; viscosity and time to fill are not in \
+             the catalogue.",
+            mm(cut.tube_mm.round() + 0.5 * MOULD_BEYOND_MM)
+        ),
+        "Close the hole with tape. Let it cure upright as long as its maker states.".into(),
+        "Take off the caps. Blow isopropyl alcohol or air between rod and tube, and draw the rod; then \
+         push the tube out. Look for bubbles against the light: none in the wall."
+            .into(),
+    ]
+}
+
+fn assembly(plan: &Plan) -> Vec<String> {
+    let (shown, ends, muscle) = (&plan.shown, &plan.ends, &plan.muscle);
+    let fray = if plan.is_aramid() {
+        "aramid does not melt: wrap tape around it first, and cut through the tape"
+    } else {
+        "melt its ends, so that they do not fray"
+    };
+    let stem = &plan.air_plug.stem;
+    let around = shown.length(plan.clamped_diameter_mm);
+    let squeezed = shown.length(plan.squeezed_mm());
+    let holds = plan.ends_hold();
+    let clamp = match ends.made {
+        EndsMade::Tied => format!(
+            "Tighten a cable tie of {} mm over each of the {} grooves, on the sleeve ({around} wide \
+             there). {holds}.",
+            mm(ends.band_mm),
+            ends.at_each_end
+        ),
+        EndsMade::Clamped => format!(
+            "Tighten the hose clamp behind the barb, on the sleeve ({around} wide there), to about \
+             {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). {holds}."
+        ),
+        EndsMade::Crimped => format!(
+            "Tighten the hose clamp over sleeve and tube behind the barb, to about {squeezed}: it \
+             seals. Then pull the ferrule over the sleeve on the ribbed shoulder beyond the tube ({} \
+             wide), and press it until the sleeve does not move: it carries the load. {holds}.",
+            shown.length(plan.ferrule_mm.unwrap_or_default())
+        ),
+    };
+    let turn = muscle.length_mm() / muscle.turns();
+    vec![
+        format!("Cut tube and sleeve as the cut list says, square; {fray}."),
+        format!(
+            "Push the air plug into the tube, until {} of the tube lie behind the barb or the first \
+             groove, up to the {}. A little isopropyl alcohol helps, and dries. Do not use oil: it \
+             attacks latex and natural rubber.",
+            shown.length(stem.tube_mm()),
+            if stem.shoulder_mm.is_some() { "shoulder" } else { "head" }
+        ),
+        "Put all ties, clamps and ferrules of both ends over the sleeve now. Push the sleeve together, \
+         so that it is wide; work it along the tube like an inchworm, up to the head."
+            .into(),
+        clamp,
+        "Straighten the sleeve along the tube until it lies on it everywhere, without folds or twist. \
+         Push in the eye plug, with its bolt hole parallel to the other one."
+            .into(),
+        format!(
+            "Before the second end is closed: {} ± 0.5 mm between the inner faces of both heads; \
+             strands at {}° ± 1° to the axis; one turn of a strand is {} long along the tube. If it \
+             is longer, push the sleeve together.",
+            shown.length(plan.faces_mm(0.0)),
+            mm((10.0 * muscle.braid().angle_deg).round() / 10.0),
+            shown.length(turn.round())
+        ),
+        "Close the second end likewise. Mark the sleeve at the inner edge of both clamps. Trim what \
+         stands out."
+            .into(),
+    ]
+}
+
+fn tests(plan: &Plan) -> Vec<String> {
+    let (shown, safety) = (&plan.shown, &plan.safety);
+    let [proof, leak] =
+        [safety.proof_pressure_mpa, safety.leak_pressure_mpa].map(|p| shown.pressure(p));
+    let mut steps = vec![
+        format!(
+            "Bolt the muscle into a frame that holds its length ({} between the heads) and bears {}. \
+             Each end then carries {}; left free it would carry the pressure on its bore alone.",
+            shown.length(plan.faces_mm(0.0)),
+            shown.force(2.0 * plan.proof_load_n),
+            shown.force(plan.proof_load_n)
+        ),
+        "Fill it with water, air plug upwards, until no bubble comes. Safety glasses, a screen, nobody \
+         in line with the muscle."
+            .into(),
+        format!(
+            "Raise the pressure with a hand pump in four steps to {proof}, and hold it for one \
+             minute. It passes if the pressure stays, no mark on the sleeve moves, and the tube does \
+             not bulge through the mesh."
+        ),
+    ];
+    if plan.liquid {
+        steps.extend([
+            "Take it out of the frame. Fill it with its liquid: open the bleed screw at the upper \
+             end, press the liquid in from below with a syringe (or draw a vacuum above), until no \
+             bubble comes; close the screw."
+                .into(),
+            format!(
+                "Leak test with the liquid: {leak} for five minutes, dry paper around both ends. No \
+                 spot may show."
+            ),
+        ]);
+    } else {
+        steps.extend([
+            "Let the water out, and dry the muscle.".into(),
+            format!(
+                "Leak test with air: {leak}, under water, behind the screen, for one minute. No \
+                 bubble may grow. Then shut the valve: the pressure may fall by {} in five minutes (a \
+                 choice).",
+                percent(0.05)
+            ),
+        ]);
+    }
+    steps.push(
+        "After the first 50 strokes repeat the leak test, and compare the marks. Replace latex when it \
+         turns dull or sticky."
+            .into(),
+    );
+    steps
+}
+
+fn as_built(plan: &Plan) -> Part {
+    let shown = &plan.shown;
+    let row = |name: &str, should: String| vec![name.to_owned(), should, String::new()];
+    let tolerance = mm(plan.air_plug.tolerance_mm());
+    let stem = shown.length(plan.air_plug.stem.diameter_mm);
+    let angle = mm((10.0 * plan.muscle.braid().angle_deg).round() / 10.0);
+    let faces = shown.length(plan.faces_mm(0.0));
+    let turn = plan.muscle.length_mm() / plan.muscle.turns();
+    let rows = vec![
+        row("stems", format!("{stem} ± {tolerance} mm")),
+        row("between the heads, at rest", format!("{faces} ± 0.5 mm")),
+        row("angle of the strands", format!("{angle}° ± 1°")),
+        row("one turn of a strand", shown.length(turn.round())),
+        row(
+            "mass",
+            format!("{} g (known parts)", significant(plan.mass_g(), 3)),
+        ),
+        row("strands counted", String::new()),
+        row("built by, date", String::new()),
+    ];
+    grid(&["measure", "should be", "is"], rows)
+}

@@ -1,0 +1,123 @@
+//! The first page of the folder: the job, the verdict, what to heed, the order of work.
+
+use crate::{
+    Plan,
+    safety::PullAt,
+    text::{percent, significant},
+};
+use mckibben_core::{clean, joined};
+use mckibben_io::files::File;
+
+impl Plan {
+    /// What the muscle is for and what it does, in sentences.
+    pub(crate) fn verdict(&self) -> Vec<String> {
+        let (operating, shown) = (&self.operating, &self.shown);
+        let at_rest = format!(
+            "At {} it is blocked at {}, and contracts by {} ({}) without load (model {}).",
+            shown.pressure(operating.pressure_mpa),
+            shown.force(operating.blocked_force_n),
+            percent(operating.free_contraction),
+            shown.length((operating.free_contraction * self.muscle.length_mm()).round()),
+            operating.model
+        );
+        let pull = |at: &PullAt| {
+            let place = format!(
+                "{} and {}",
+                shown.pressure(at.pressure_mpa),
+                percent(at.contraction)
+            );
+            let required = at
+                .required_n
+                .map(|n| format!("; {} is required", shown.force(n)));
+            let built = at.built.map_or_else(
+                || shown.force(at.force_n),
+                |built| {
+                    let [low, high] = [built.predicted_low_n, built.predicted_high_n]
+                        .map(|n| shown.force(n.max(0.0)));
+                    let median = shown.force(built.predicted_n);
+                    format!("{median} ({low} to {high}, 95 %, as built)")
+                },
+            );
+            format!(
+                "At {place} it pulls {built}{}.",
+                required.unwrap_or_default()
+            )
+        };
+        operating.pulls.iter().map(pull).chain([at_rest]).collect()
+    }
+
+    /// What people must heed.
+    pub(crate) fn stops(&self) -> Vec<String> {
+        let (safety, shown) = (&self.safety, &self.shown);
+        let joules = |j: f64| format!("{} J", significant(j, 2));
+        let energy = if self.liquid {
+            format!(
+                "Rubber and strands store up to {} at the working pressure, and the liquid hardly \
+                 any. With air in it, it would store {} more: bleed it.",
+                joules(safety.wall_energy_j),
+                joules(safety.air_energy_j)
+            )
+        } else {
+            format!(
+                "At the working pressure the air stores up to {}, rubber and strands up to {}. An \
+                 end that slips flies off with it: no face in line with the muscle.",
+                joules(safety.air_energy_j),
+                joules(safety.wall_energy_j)
+            )
+        };
+        let order = format!(
+            "First the proof test with water, {}, with the length held; never with air. Never above \
+             {}.",
+            shown.pressure(safety.proof_pressure_mpa),
+            shown.pressure(self.highest_mpa())
+        );
+        let above = self
+            .operating
+            .allowed_mpa
+            .filter(|mpa| self.operating.pressure_mpa > mpa * (1.0 + 1e-9));
+        let above = above.map(|mpa| {
+            format!(
+                "The working pressure is above the largest allowed one, {}.",
+                shown.pressure(mpa)
+            )
+        });
+        let warnings = self.warnings();
+        let sentence = |text: String| {
+            let mut letters = text.chars();
+            let first = letters.next().map(|c| c.to_uppercase().to_string());
+            first.unwrap_or_default() + letters.as_str() + "."
+        };
+        let warnings = warnings.into_iter().map(sentence);
+        above
+            .into_iter()
+            .chain(warnings)
+            .chain([energy, order])
+            .collect()
+    }
+}
+
+/// The page in Markdown, with links to the other files.
+pub fn markdown(plan: &Plan, files: &[File]) -> String {
+    let plain = |text: String| clean::markdown(&text);
+    let title = plain(plan.title());
+    let verdict = joined(plan.verdict().into_iter().map(plain), "\n");
+    let stops = plan.stops().into_iter();
+    let stops = joined(stops.map(|text| format!("> - {}", plain(text))), "\n");
+    let link = |file: &File| format!("| [{0}]({0}) | {1} |", file.name, file.about);
+    let files = joined(files.iter().map(link), "\n");
+    let made = if plan.air_plug.is_printed() {
+        "Print the plugs"
+    } else {
+        "Have the plugs turned"
+    };
+    format!(
+        "# {title}\n\n{verdict}\n\n> **STOP**\n{stops}\n\n## Order of work\n\n\
+         1. Buy what `bom.csv` lists.\n\
+         2. {made} by their sheets.\n\
+         3. Build it by the build sheet, and write down the as-built values.\n\
+         4. Prove it with water, then test it for leaks, by the test record.\n\
+         5. Measure it by `test.csv`; `mckibben identify muscle.toml --data test.csv -o found.toml` \
+         writes the muscle as it was built.\n\n\
+         | file | |\n|---|---|\n{files}\n"
+    )
+}

@@ -1,0 +1,65 @@
+//! Quantities as the people read them who build.
+
+use crate::text::{significant, trimmed};
+use mckibben_core::units::{Dimension, Unit};
+
+/// The units of all files of a build.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shown {
+    pub pressure: Unit,
+    pub force: Unit,
+    pub length: Unit,
+}
+
+impl Default for Shown {
+    fn default() -> Self {
+        let [pressure, force, length] =
+            [Dimension::Pressure, Dimension::Force, Dimension::Length].map(Dimension::unit_inside);
+        Self {
+            pressure,
+            force,
+            length,
+        }
+    }
+}
+
+fn outside(unit: Unit, inside: f64) -> f64 {
+    let (by, over) = unit.outside();
+    inside * by / over
+}
+
+impl Shown {
+    /// A pressure: `2.5 bar`; `0.25 MPa (2.5 bar)` in the default unit.
+    pub(crate) fn pressure(&self, mpa: f64) -> String {
+        let bar = format!(" ({} bar)", significant(10.0 * mpa, 3));
+        self.short_pressure(mpa)
+            + if self.pressure.name == "MPa" {
+                &bar
+            } else {
+                ""
+            }
+    }
+
+    /// The same where there is little room.
+    pub(crate) fn short_pressure(&self, mpa: f64) -> String {
+        let value = significant(outside(self.pressure, mpa), 3);
+        format!("{value} {}", self.pressure.name)
+    }
+
+    pub(crate) fn force(&self, n: f64) -> String {
+        let value = significant(outside(self.force, n), 3);
+        format!("{value} {}", self.force.name)
+    }
+
+    /// A dimension without its unit: to a tenth of a millimetre, or five thousandths of an inch.
+    pub(crate) fn bare(&self, mm: f64) -> String {
+        match self.length.name {
+            "mm" => trimmed(mm, 1),
+            _ => trimmed((200.0 * outside(self.length, mm)).round() / 200.0, 3),
+        }
+    }
+
+    pub(crate) fn length(&self, mm: f64) -> String {
+        format!("{} {}", self.bare(mm), self.length.name)
+    }
+}
