@@ -176,11 +176,11 @@ pub fn size(bulged_diameter_mm: f64, length_mm: f64) -> f64 {
 }
 
 /// Muscles as people choose them.
-pub fn ranked(spec: &Spec, mut list: Vec<Settled>) -> Vec<Settled> {
+pub fn ranked<T>(spec: &Spec, mut list: Vec<T>, one: fn(&T) -> &Settled) -> Vec<T> {
     if spec.objective == Objective::BulgedDiameter {
-        return chosen(list, |c| c.score[0], |c| c);
+        return chosen(list, |c| one(c).score[0], one);
     }
-    list.sort_by(|a, b| order(&a.score, &b.score));
+    list.sort_by(|a, b| order(&one(a).score, &one(b).score));
     list
 }
 

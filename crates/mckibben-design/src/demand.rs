@@ -23,6 +23,11 @@ pub struct TorqueWanted {
     pub angle_deg: f64,
 }
 
+/// Room in mm between two muscles beside each other, for cords and clamps.
+const ROOM_MM: f64 = 4.0;
+/// What is left in mm where there is no room at all: a share of it is still a number.
+const NO_ROOM_MM: f64 = 0.1;
+
 /// Shares of the way at which a load is looked at that does not grow all along it.
 const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
@@ -80,6 +85,13 @@ impl JointDemand {
     /// ε0 at the neutral angle, of a muscle of a length in mm.
     pub fn contraction_at_neutral(&self, length_mm: f64) -> f64 {
         self.radius_mm * self.largest_angle_deg.to_radians() / length_mm
+    }
+
+    /// What is left in mm for the bulged diameter of one muscle beside the other one at rest, where
+    /// both must have room on the pulley.
+    pub(super) fn room_mm(&self, rest_mm: f64) -> Option<f64> {
+        let room_mm = 4.0 * self.radius_mm - 2.0 * ROOM_MM - rest_mm;
+        self.beside.then_some(room_mm.max(NO_ROOM_MM))
     }
 
     fn points(&self, length_mm: f64) -> Vec<OperatingPoint> {

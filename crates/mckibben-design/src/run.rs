@@ -125,14 +125,14 @@ impl Closest {
 
 /// What muscles are ranked by is larger by less than this share by the model of the search; of
 /// short muscles the two are further apart.
-const RANK: f64 = 0.03;
+pub const RANK: f64 = 0.03;
 const RANK_SHORT: f64 = 0.2;
 /// Where none of those fits: so many that miss by more, the nearest first. The largest diameter of
 /// the two models differs by up to a tenth where little is contracted.
 const FARTHER: usize = 40;
 /// A tube that is sold comes before one that is cast as long as its muscle is at most so many times
 /// as large.
-const SOLD: f64 = 1.5;
+pub const SOLD: f64 = 1.5;
 /// Muscles that are settled side by side.
 const CHUNK: usize = 4;
 /// Shares by which the two models' diameters may differ, tried one after the other.
@@ -305,13 +305,10 @@ fn settled_makes(
     models: Models<'_>,
     likely: Vec<(Score, Pick)>,
 ) -> (Vec<Candidate>, Option<Candidate>) {
-    let Spec { objective, top, .. } = *search.spec;
-    let by_size = !matches!(
-        objective,
-        Objective::Pressure | Objective::Air | Objective::Margin
-    );
-    let is_cast = |pick: Pick| by_size && search.tube(pick).is_some_and(|tube| tube.is_cast);
-    let (cast, sold): (Vec<_>, Vec<_>) = likely.into_iter().partition(|(_, pick)| is_cast(*pick));
+    let top = search.spec.top;
+    let (cast, sold): (Vec<_>, Vec<_>) = likely
+        .into_iter()
+        .partition(|(_, pick)| search.is_cast(*pick));
     let mut candidates = settled(search, models, &sold, top);
     let mut others = settled(search, models, &cast, top);
     let first = |list: &[Candidate]| list.first().map_or(f64::INFINITY, |c| c.score[0]);
@@ -346,7 +343,7 @@ fn settled(
         found.sort_by(|a, b| order(&a.score, &b.score));
         found.dedup_by(|a, b| a.muscle == b.muscle);
     }
-    let mut found = ranked(search.spec, found);
+    let mut found = ranked(search.spec, found, |one| one);
     found.truncate(top);
     let whole = |one: &Settled| one.candidate(search, models);
     threads::map(&found, whole).into_iter().flatten().collect()

@@ -7,7 +7,8 @@
 //! searched by the roots of the single limits ([`line`](super::line)).
 
 use crate::{
-    BraidChoice, Build, Demand, Lift, Models, Objective, SearchedMuscles, Spec, TubePart,
+    BraidChoice, Build, Demand, Lift, Models, Objective, OperatingPoint, SearchedMuscles, Spec,
+    TubePart,
     choice::Sharing,
     limits::check::{NO_SCORE, Score, probe_with},
     line::{self, Found, Merit, Sample},
@@ -15,6 +16,7 @@ use crate::{
     trial::Trial,
 };
 use mckibben_core::{
+    model::Ideal,
     muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube},
     progress::Progress,
     threads,
@@ -328,6 +330,9 @@ impl<'a> Search<'a> {
                     return result;
                 }
             };
+            if !self.shares && self.is_far(&muscle) {
+                return result;
+            }
             // The infinitely long muscle pulls harder than a short one: where even it is far from
             // its limits, no better model computes it, and where the model of the search is not
             // good for it, the one that decides does, if it may be among the best.
@@ -357,6 +362,30 @@ impl<'a> Search<'a> {
         self.progress
             .report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
         self.gather(threads::map(&all, one).into_iter())
+    }
+
+    /// Whether a muscle of a joint is too wide at rest, or pulls too little even without a wall and
+    /// rubber: known before any model of it.
+    fn is_far(&self, muscle: &Muscle) -> bool {
+        let Demand::Joint(joint) = &self.spec.wanted else {
+            return false;
+        };
+        let rest_mm = muscle.outer_diameter_mm();
+        let is_wide = |room_mm: f64| rest_mm > (1.0 + FAR) * room_mm;
+        let highest_mpa = self.spec.supply_share * self.spec.max_pressure_mpa;
+        let ideal = Ideal::new(muscle);
+        let is_weak =
+            |q: &OperatingPoint| ideal.pull(highest_mpa, q.contraction) < (1.0 - FAR) * q.force_n;
+        joint.room_mm(rest_mm).is_some_and(is_wide) || self.spec.points(muscle).iter().any(is_weak)
+    }
+
+    /// Whether a muscle comes after those whose tubes are sold: it is cast, and ranked by its size.
+    pub fn is_cast(&self, pick: Pick) -> bool {
+        let by_size = !matches!(
+            self.spec.objective,
+            Objective::Pressure | Objective::Air | Objective::Margin
+        );
+        by_size && self.tube(pick).is_some_and(|tube| tube.is_cast)
     }
 
     /// The model that ranks a muscle, and by how much more by the model that decides one may miss

@@ -107,11 +107,6 @@ impl Limit {
     }
 }
 
-/// Room in mm between two muscles beside each other, for cords and clamps.
-const ROOM_MM: f64 = 4.0;
-/// What is left in mm where there is no room at all: a share of it is still a number.
-const NO_ROOM_MM: f64 = 0.1;
-
 /// A number at an operating point; `None` where nothing is limited or the model does not know it.
 type NumberAt = fn(&mut AtPoint<'_, '_>) -> Result<Option<f64>>;
 
@@ -198,12 +193,7 @@ pub static AT_POINTS: [LimitAtPoints; 5] = [
         name: "the room beside each other on the pulley",
         // One is as wide as at the point, the other one as at rest.
         bound: |at| match &at.spec().wanted {
-            Demand::Joint(joint) if joint.beside => {
-                let rest_mm = at.trial.muscle.outer_diameter_mm();
-                Ok(Some(
-                    (4.0 * joint.radius_mm - 2.0 * ROOM_MM - rest_mm).max(NO_ROOM_MM),
-                ))
-            }
+            Demand::Joint(joint) => Ok(joint.room_mm(at.trial.muscle.outer_diameter_mm())),
             _ => Ok(None),
         },
         value: |at| Ok(at.response()?.bulged_diameter_mm),

@@ -6,3 +6,4 @@ mod choice;
 mod design;
 mod design_grid;
 mod extensile;
+mod joint;
