@@ -53,6 +53,7 @@ __all__ = [
     "CampaignStatus",
     "CampaignSummary",
     "CandidateAnswer",
+    "CandidateEnds",
     "CandidateJoint",
     "Case",
     "Characteristics",
@@ -468,14 +469,22 @@ class Build(_record.Files):
         Largest outer diameter at the working pressure without load, mm.
     end_load_n : N
         Load of an end, N: the blocked force, and the pressure on the bore.
+    proof_end_load_n : N
+        The same at the pressure of the proof test, with the length held, N.
+    ends
+        How the ends hold tube and sleeve.
+    ends_hold_n : N
+        What they hold at least by estimate, N; none where no estimate is known.
+    heads_distance_mm : mm
+        Distance between the inner faces of both heads at rest, mm: what a ruler reaches.
     clamped_diameter_mm : mm
         Diameter over tube and sleeve on a plug, mm: what a clamp closes on.
-    crimp_diameter_mm : mm
-        Inner diameter of a crimped ferrule, mm.
     plug_diameter_mm : mm
         Diameter of the plugs' stem, mm.
+    head_side_mm : mm
+        Side of the plugs' square heads, mm.
     bolt_mm : mm
-        Bolt of the eye, mm.
+        Bolts of the heads, mm.
     pressure_mpa : MPa
         Working pressure, MPa.
     proof_pressure_mpa : MPa
@@ -484,6 +493,8 @@ class Build(_record.Files):
         Pressure of the leak test, MPa.
     air_energy_j : J
         Energy of the air at the working pressure, J, at most: p V ln(p/p₀).
+    wall_energy_j : J
+        Energy that rubber and strands store at most at the working pressure, J: P times what the cavity grows.
     burst_pressure_mpa : MPa
         Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
     burst_by
@@ -497,6 +508,8 @@ class Build(_record.Files):
         The failure that it keeps its distance from; none where the fittings are rated for it.
     allowed_factor
         The pressure of that failure over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
     cut
         What is cut.
     parts
@@ -518,15 +531,21 @@ class Build(_record.Files):
     free_contraction: float
     bulged_diameter_mm: float
     end_load_n: float
+    proof_end_load_n: float
+    ends: Literal["crimped", "clamped", "tied"]
+    ends_hold_n: float | None
+    heads_distance_mm: float
     clamped_diameter_mm: float
-    crimp_diameter_mm: float
     plug_diameter_mm: float
+    head_side_mm: float
     bolt_mm: float
     pressure_mpa: float
     proof_pressure_mpa: float
     leak_pressure_mpa: float
     air_energy_j: float
+    wall_energy_j: float
     burst_pressure_mpa: float | None
+    ends_included: bool
     cut: Cut
     parts: list[BuildPart]
     mass_g: float
@@ -549,8 +568,12 @@ class BuildPart(Record):
         Number in the drawing.
     part
         What it is.
+    size
+        Its size and standard.
     amount
         How much of it.
+    spare
+        How much more to have at hand.
     sold_as
         Name as sold, where it is of the catalogue.
     mass_g : g
@@ -563,7 +586,9 @@ class BuildPart(Record):
 
     number: int
     part: str
+    size: str
     amount: str
+    spare: str
     sold_as: str | None = None
     mass_g: float | None = None
     price: str | None = None
@@ -902,8 +927,12 @@ class CandidateAnswer(Record):
         The failure that it keeps its distance from; none where the fittings are rated for it.
     allowed_factor
         The pressure of that failure over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
     uncertainty_n : N
         Largest 95 % half-width of the pull, N.
+    ends
+        The ends that hold it, as `build` makes them.
     joint
         Of a joint: its pulley, and how the muscle is put on it.
     """
@@ -933,6 +962,7 @@ class CandidateAnswer(Record):
     braid_tension_n: float | None
     max_stretch: float | None
     burst_pressure_mpa: float | None
+    ends_included: bool
     uncertainty_n: float | None
     sleeve: str | None = None
     stiffness_factor: float | None = None
@@ -946,7 +976,29 @@ class CandidateAnswer(Record):
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     allowed_factor: float | None = None
+    ends: CandidateEnds | None = None
     joint: CandidateJoint | None = None
+
+
+class CandidateEnds(Record):
+    """The ends of a candidate.
+
+    Attributes
+    ----------
+    ends
+        How they hold tube and sleeve.
+    end_load_n : N
+        Load of each at the pressure to set, N: the blocked force, and the pressure on the bore.
+    end_diameter_mm : mm
+        Largest diameter of plugs and clamps, mm.
+    ends_mass_g : g
+        Mass of both plugs, g.
+    """
+
+    ends: Literal["crimped", "clamped", "tied"]
+    end_load_n: float
+    end_diameter_mm: float
+    ends_mass_g: float
 
 
 class CandidateJoint(Record):
@@ -1039,6 +1091,8 @@ class Characteristics(Record):
         The failure that it keeps its distance from; none where the fittings are rated for it.
     allowed_factor
         The pressure of that failure over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
     """
 
     model: str
@@ -1050,6 +1104,7 @@ class Characteristics(Record):
     volume_mm3: float | None
     air_normal_litres: float | None
     burst_pressure_mpa: float | None
+    ends_included: bool
     blocked_force_uncertainty_n: float | None = None
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     least_burst_pressure_mpa: float | None = None
@@ -1461,6 +1516,8 @@ class Curve(_record.Curves):
         The failure that it keeps its distance from; none where the fittings are rated for it.
     allowed_factor
         The pressure of that failure over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
     points
         The points, curve after curve; all curves have the same number of points.
     loaded
@@ -1476,6 +1533,7 @@ class Curve(_record.Curves):
     fixed: list[float]
     warnings: list[str]
     burst_pressure_mpa: float | None
+    ends_included: bool
     points: list[PointRow]
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     least_burst_pressure_mpa: float | None = None
@@ -2360,6 +2418,8 @@ class FillAnswer(Record):
         The failure that it keeps its distance from; none where the fittings are rated for it.
     allowed_factor
         The pressure of that failure over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
     muscle
         The muscle.
     about
@@ -2386,6 +2446,7 @@ class FillAnswer(Record):
     liquid: Liquid
     uncertainty_words: UncertaintyWords
     burst_pressure_mpa: float | None
+    ends_included: bool
     muscle: MuscleSummary
     about: ModelAbout
     direction: Literal["mean", "contraction", "elongation"] | None = None
@@ -3118,6 +3179,8 @@ class JointSolution(Record):
         The failure that it keeps its distance from; none where the fittings are rated for it.
     allowed_factor
         The pressure of that failure over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
     map
         What the joint reaches, if requested.
     uncertainty_text
@@ -3134,6 +3197,7 @@ class JointSolution(Record):
     range_deg: tuple[float, float]
     points: list[JointRow]
     burst_pressure_mpa: float | None
+    ends_included: bool
     warnings: list[str]
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     least_burst_pressure_mpa: float | None = None
@@ -4271,6 +4335,8 @@ class Motion(Record):
         The failure that it keeps its distance from; none where the fittings are rated for it.
     allowed_factor
         The pressure of that failure over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
     parameters
         Of a recorded motion: the constants, with value and error.
     errors
@@ -4299,6 +4365,7 @@ class Motion(Record):
     energies: Any
     events: list[Any]
     burst_pressure_mpa: float | None
+    ends_included: bool
     warnings: list[str]
     value: str | None = None
     largest_velocity_mm_per_s: float | None = None
@@ -5723,6 +5790,8 @@ class SimulateAnswer(Record):
         The failure that it keeps its distance from; none where the fittings are rated for it.
     allowed_factor
         The pressure of that failure over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
     figure
         The figure, if requested.
     deck
@@ -5739,6 +5808,7 @@ class SimulateAnswer(Record):
     notes: list[str]
     warnings: list[str]
     burst_pressure_mpa: float | None
+    ends_included: bool
     burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     least_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
@@ -5947,7 +6017,7 @@ class SleeveCut(Record):
     Attributes
     ----------
     mounted_mm : mm
-        Length in mm of the mounted sleeve, on the tube, with what is clamped.
+        Length in mm of the mounted sleeve, on the tube, with what is clamped and what is trimmed.
     relaxed_diameter_mm : mm
         The relaxed diameter in mm that was given, or as which the sleeve is sold.
     relaxed_mm : mm
@@ -8109,6 +8179,7 @@ class MuscleCommands:
         *,
         overpressure: bool = False,
         fitting: str | None = None,
+        liquid: bool = False,
         bolt_mm: Number | None = None,
         sleeve_diameter_mm: Number | None = None,
         report: bool = False,
@@ -8130,9 +8201,12 @@ class MuscleCommands:
         overpressure
             Allow a working pressure above the allowed pressure, up to three quarters of the burst pressure.
         fitting
-            Fitting of the air: m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m5; g1/8 from 15 mm]. Push-in fittings have these threads.
+            Fitting of the air: m3, m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m3; m5 from 8 mm, g1/8 from 15 mm]. Push-in fittings and barbs
+            are sold with these threads.
+        liquid
+            Filled with a liquid: a bleed port, and a leak test with the liquid.
         bolt_mm : mm
-            Bolt of the eye [by the load of the end].
+            Bolts of both heads [by the load of an end].
         sleeve_diameter_mm : mm
             Diameter of the sleeve as it comes off the roll [nominal diameter].
         report
@@ -8565,10 +8639,10 @@ def design(
         The lower end of the ± meets it [95%]. The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed 99%, widens the
         ± accordingly.
     count
-        Equal muscles side by side that share the requirement, 1 to 1000 [1, or as few as do]. The candidates are one of them; the bundle of the best one
-        is shown below.
+        Equal muscles side by side that share the requirement, 1 to 1000 [1; where no single one does, the slimmest bundle of up to 7]. The candidates are
+        one of them; the bundle of the best one is shown below.
     objective
-        Quantity to rank by.
+        Quantity to rank by. A tube on sale comes before one that is cast, unless the muscle is half as large again.
     max_bulged_diameter_mm : mm
         Largest outer diameter at the operating points; of a bundle that of each of its muscles.
     max_envelope_mm : mm
@@ -8578,9 +8652,10 @@ def design(
     max_liquid_volume_mm3 : mm3
         Largest liquid volume up to the operating points: what the syringe or pump gives. Of a bundle to all its muscles together. It needs `liquid`.
     min_burst_margin
-        Safety factor of strands and clamps: failure pressure over allowed pressure [4]. 0 for none. The strength of the strands must be known.
+        Safety factor of strands and clamps: failure pressure over allowed pressure [4]. 2 or more, or 0 for none. The strength of the strands must be
+        known.
     min_tube_margin
-        Safety factor of the tube, which leaks where it fails [half of that of the strands].
+        Safety factor of the tube, which leaks where it fails [half of that of the strands, at least 1.5].
     max_stretch
         Largest stretch of the rubber at the operating points (2 means twice its length) [the largest stretch of the data behind the rubber's law].
     max_strand_strain

@@ -452,7 +452,7 @@ fn operating(
     let volume_mm3 = response
         .volume_mm3
         .unwrap_or_else(|| muscle.rest_volume_mm3());
-    let proof_mpa = proof_mpa(pressure_mpa, burst.first().map(|f| f.1));
+    let proof_mpa = proof_mpa(pressure_mpa, burst.least().map(|f| f.1));
     // A muscle whose free state at the proof pressure is not found stores at least what its cavity
     // at the working pressure does; one that has no blocked state there pulls in proportion.
     let at_proof = evaluation

@@ -4,7 +4,7 @@
 use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
 use mckibben_build::highest_mpa;
 use mckibben_core::{
-    analysis::{AnalysisError, Burst, FailureMode, NoBurst, burst},
+    analysis::{AnalysisError, Burst, FailureMode, FailurePressure, NoBurst, burst},
     cancel,
     model::{ForceModel, ModelError},
     muscle::Muscle,
@@ -142,6 +142,8 @@ pub struct PressureLimits {
     pub allowed_by: Option<FailureMode>,
     /// The pressure of that failure over the allowed one.
     pub allowed_factor: Option<f64>,
+    /// Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+    pub ends_included: bool,
 }
 
 impl From<&Burst> for PressureLimits {
@@ -156,6 +158,7 @@ impl From<&Burst> for PressureLimits {
             allowed_pressure_mpa: allowed.map(|a| a.mpa),
             allowed_by: allowed.and_then(|a| a.by),
             allowed_factor: allowed.map(|a| a.factor),
+            ends_included: !matches!(found.ends, FailurePressure::Unknown(_)),
         }
     }
 }
@@ -193,7 +196,12 @@ impl PressureLimits {
                 ),
                 None => "the fittings are rated for it".into(),
             };
-            format!("{}; {why}", u.pressure.show(p))
+            let ends = if self.ends_included {
+                ""
+            } else {
+                "; its ends are NOT INCLUDED"
+            };
+            format!("{}; {why}{ends}", u.pressure.show(p))
         });
         Rows::default()
             .text("burst pressure", burst)

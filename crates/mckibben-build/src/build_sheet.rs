@@ -15,6 +15,9 @@ const SPILL: f64 = 1.2;
 /// Length in mm by which the rod of a mould is longer than its pipe, and the pipe than the tube.
 const MOULD_BEYOND_MM: f64 = 40.0;
 
+/// How exact the distance of the heads is, in mm: what a ruler reads.
+pub const FACES_MM: f64 = 0.5;
+
 impl Plan {
     /// The title of all papers.
     pub(crate) fn title(&self) -> String {
@@ -147,7 +150,7 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
 
 fn plugs(plan: &Plan) -> Vec<String> {
     let (plug, shown) = (&plan.air_plug, &plan.shown);
-    let tolerance = mm(plug.tolerance_mm());
+    let tolerance = shown.tolerance(plug.tolerance_mm());
     let stem = shown.length(plug.stem.diameter_mm);
     let mut steps = if plug.is_printed() {
         vec![
@@ -156,7 +159,7 @@ fn plugs(plan: &Plan) -> Vec<String> {
              support."
                 .to_owned(),
             format!(
-                "Measure both stems: {stem} ± {tolerance} mm. Smooth the stem, and coat it with \
+                "Measure both stems: {stem} ± {tolerance}. Smooth the stem, and coat it with \
                  epoxy resin or thin cyanoacrylate: printed layers leak."
             ),
             format!("Drill the holes for the bolts to {} mm.", mm(plug.hole_mm)),
@@ -164,7 +167,7 @@ fn plugs(plan: &Plan) -> Vec<String> {
     } else {
         vec![format!(
             "Have both plugs turned and drilled by their sheets, from {} ({}): printed ones would \
-             break. Check the stems: {stem} ± {tolerance} mm, no burr.",
+             break. Check the stems: {stem} ± {tolerance}, no burr.",
             plug.material.name,
             match plug.collar_mm {
                 Some(collar) => format!("round bar {} mm", collar.ceil()),
@@ -246,18 +249,18 @@ fn assembly(plan: &Plan) -> Vec<String> {
     let clamp = match ends.made {
         EndsMade::Tied => format!(
             "Tighten a cable tie of {} mm over each of the {} grooves, on the sleeve ({around} wide \
-             there). {holds}.",
+             there). Each end: {holds}.",
             mm(ends.band_mm),
             ends.at_each_end
         ),
         EndsMade::Clamped => format!(
             "Tighten the hose clamp behind the barb, on the sleeve ({around} wide there), to about \
-             {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). {holds}."
+             {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). Each end: {holds}."
         ),
         EndsMade::Crimped => format!(
             "Tighten the hose clamp over sleeve and tube behind the barb, to about {squeezed}: it \
              seals. Then pull the ferrule over the sleeve on the ribbed shoulder beyond the tube ({} \
-             wide), and press it until the sleeve does not move: it carries the load. {holds}.",
+             wide), and press it until the sleeve does not move: it carries the load. Each end: {holds}.",
             shown.length(plan.ferrule_mm.unwrap_or_default())
         ),
     };
@@ -279,10 +282,11 @@ fn assembly(plan: &Plan) -> Vec<String> {
          Push in the eye plug, with its bolt hole parallel to the other one."
             .into(),
         format!(
-            "Before the second end is closed: {} ± 0.5 mm between the inner faces of both heads; \
+            "Before the second end is closed: {} ± {} between the inner faces of both heads; \
              strands at {}° ± 1° to the axis; one turn of a strand is {} long along the tube. If it \
              is longer, push the sleeve together.",
             shown.length(plan.faces_mm(0.0)),
+            shown.tolerance(FACES_MM),
             mm((10.0 * muscle.braid().angle_deg).round() / 10.0),
             shown.length(turn.round())
         ),
@@ -346,14 +350,17 @@ fn tests(plan: &Plan) -> Vec<String> {
 fn as_built(plan: &Plan) -> Part {
     let shown = &plan.shown;
     let row = |name: &str, should: String| vec![name.to_owned(), should, String::new()];
-    let tolerance = mm(plan.air_plug.tolerance_mm());
+    let tolerance = shown.tolerance(plan.air_plug.tolerance_mm());
     let stem = shown.length(plan.air_plug.stem.diameter_mm);
     let angle = mm((10.0 * plan.muscle.braid().angle_deg).round() / 10.0);
     let faces = shown.length(plan.faces_mm(0.0));
     let turn = plan.muscle.length_mm() / plan.muscle.turns();
     let rows = vec![
-        row("stems", format!("{stem} ± {tolerance} mm")),
-        row("between the heads, at rest", format!("{faces} ± 0.5 mm")),
+        row("stems", format!("{stem} ± {tolerance}")),
+        row(
+            "between the heads, at rest",
+            format!("{faces} ± {}", shown.tolerance(FACES_MM)),
+        ),
         row("angle of the strands", format!("{angle}° ± 1°")),
         row("one turn of a strand", shown.length(turn.round())),
         row(

@@ -92,6 +92,9 @@ pub struct Ends {
 }
 
 impl Ends {
+    /// Thickness of ties, bands and ferrules in mm.
+    pub const CLAMP_MM: f64 = 1.5;
+
     /// The ends for a load in N; `made` is how they are held, where that is stated.
     pub(crate) fn new(load_n: f64, tube: Clamped, made: Option<EndsMade>) -> Self {
         let tie = Tie::around(tube.bore_mm);

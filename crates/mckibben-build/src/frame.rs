@@ -63,7 +63,7 @@ pub fn sheet(plan: &Plan, title: &Title<'_>) -> Sheet {
         [[left, bottom], [right, bottom], [right, top], [left, top]],
     );
     let rows = [bottom, bottom + 8.0, bottom + 16.0];
-    let columns = [left, left + 32.0, left + 68.0, left + 104.0];
+    let columns = [left, left + 30.0, left + 76.0, left + 104.0];
     for y in &rows[1..] {
         sheet.line(Pen::Thin, [[left, *y], [right, *y]]);
     }

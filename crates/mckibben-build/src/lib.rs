@@ -37,7 +37,7 @@ pub use ends::Ends;
 pub use fitting::{Fitting, Thread, UnknownFitting};
 pub use material::BuildPart;
 pub use mesh::Mesh;
-pub use plan::{Plan, Wishes};
+pub use plan::{EndParts, Plan, Wishes};
 pub use plug::{Material, Plug, Port};
 pub use safety::{Operating, Proof, PullAt, Safety, ToMeasure, highest_mpa, proof_mpa, relief_mpa};
 pub use shown::Shown;

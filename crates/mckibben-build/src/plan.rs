@@ -80,57 +80,33 @@ const PRINTED_FROM_MM: f64 = 4.0;
 
 impl Plan {
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
-        checked(&muscle, wishes)?;
         let load = |force_n: f64, p: f64| clamp_load_n(&muscle, force_n.max(0.0), p);
         let end_load_n = load(operating.blocked_force_n, operating.pressure_mpa);
         let proof_load_n = load(
             operating.proof.blocked_force_n,
             operating.proof.pressure_mpa,
         );
-        let cut = Cut::new(&muscle, wishes.sleeve_diameter_mm, 0.0);
-        let sleeve_mm = sleeve_mm(&muscle, &cut);
-        let wall_mm = cut.tube_wall_mm;
-        let bore_mm = cut.tube_outer_diameter_mm - 2.0 * wall_mm;
-        let over_sleeve_mm = muscle.outer_diameter_mm() + 2.0 * sleeve_mm;
-        let tube = Clamped {
-            bore_mm,
-            wall_mm,
-            mu_mpa: muscle.tube().rubber.law.shear_modulus_mpa(),
-            diameter_mm: over_sleeve_mm,
-        };
-        let ends = Ends::new(end_load_n, tube, muscle.terminals().made);
-        let muscle = inserted(&muscle, &ends)?;
-        let insertion_mm = muscle.insertion_mm();
-        let plug_mm = muscle.terminals().plug_diameter_mm;
-        let stem = Stem::new(&ends, plug_mm, [bore_mm, wall_mm], insertion_mm);
-        let cut = Cut::new(&muscle, wishes.sleeve_diameter_mm, stem.tube_mm());
+        let EndParts {
+            muscle,
+            cut,
+            ends,
+            air_plug,
+            eye_plug,
+            over_sleeve_mm,
+            clamped_diameter_mm,
+        } = EndParts::new(&muscle, end_load_n, wishes)?;
         refuse_narrow(&muscle, &cut, wishes)?;
-        let fitting = wishes
-            .fitting
-            .unwrap_or_else(|| Fitting::usual(muscle.outer_diameter_mm()));
-        let clamped_diameter_mm = stem.diameter_mm + 2.0 * (wall_mm + sleeve_mm);
-        let plug = |material, fitting| {
-            let sizes = (clamped_diameter_mm.max(over_sleeve_mm), end_load_n);
-            Plug::new((stem.clone(), material), sizes, fitting, wishes.bolt_mm)
-        };
-        let printed = plug(PETG, Some(fitting));
-        let may_be_printed = ends.made != EndsMade::Crimped
-            && end_load_n <= PRINTED_TO_N
-            && bore_mm >= PRINTED_FROM_MM
-            && printed.bears(end_load_n);
-        let material = if may_be_printed { PETG } else { ALUMINIUM };
-        let shoulder = stem.shoulder_mm;
+        let shoulder = air_plug.stem.shoulder_mm;
         let mut plan = Self {
             clamped_diameter_mm,
-            ferrule_mm: shoulder.map(|s| s[0] + 2.0 * sleeve_mm),
+            ferrule_mm: shoulder.map(|s| s[0] + over_sleeve_mm - muscle.outer_diameter_mm()),
             over_sleeve_mm,
             cut,
             end_load_n,
             proof_load_n,
             ends,
-            // A liquid leaves no air behind: a second port bleeds it.
-            eye_plug: plug(material, wishes.liquid.then_some(fitting)),
-            air_plug: plug(material, Some(fitting)),
+            eye_plug,
+            air_plug,
             safety: Safety::new(&operating, muscle.rest_volume_mm3()),
             parts: vec![],
             test: test_points::points(&operating),
@@ -264,6 +240,70 @@ impl Plan {
             ));
         }
         out
+    }
+}
+
+/// The ends of a muscle for a load, and what they hold.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EndParts {
+    /// The muscle with the length on its plugs stated.
+    pub muscle: Muscle,
+    pub cut: Cut,
+    pub ends: Ends,
+    pub air_plug: Plug,
+    pub eye_plug: Plug,
+    /// Diameter over the sleeve on the tube, and on a plug, in mm.
+    pub over_sleeve_mm: f64,
+    pub clamped_diameter_mm: f64,
+}
+
+impl EndParts {
+    /// The ends for a load in N of each.
+    pub fn new(muscle: &Muscle, load_n: f64, wishes: &Wishes) -> Result<Self, Refused> {
+        checked(muscle, wishes)?;
+        let cut = Cut::new(muscle, wishes.sleeve_diameter_mm, 0.0);
+        let sleeve_mm = sleeve_mm(muscle, &cut);
+        let wall_mm = cut.tube_wall_mm;
+        let bore_mm = cut.tube_outer_diameter_mm - 2.0 * wall_mm;
+        let over_sleeve_mm = muscle.outer_diameter_mm() + 2.0 * sleeve_mm;
+        let tube = Clamped {
+            bore_mm,
+            wall_mm,
+            mu_mpa: muscle.tube().rubber.law.shear_modulus_mpa(),
+            diameter_mm: over_sleeve_mm,
+        };
+        let ends = Ends::new(load_n, tube, muscle.terminals().made);
+        let muscle = inserted(muscle, &ends)?;
+        let plug_mm = muscle.terminals().plug_diameter_mm;
+        let stem = Stem::new(&ends, plug_mm, [bore_mm, wall_mm], muscle.insertion_mm());
+        let clamped_diameter_mm = stem.diameter_mm + 2.0 * (wall_mm + sleeve_mm);
+        let usual = Fitting::usual(muscle.outer_diameter_mm());
+        let fitting = wishes.fitting.unwrap_or(usual);
+        let plug = |material, fitting| {
+            let sizes = (clamped_diameter_mm.max(over_sleeve_mm), load_n);
+            Plug::new((stem.clone(), material), sizes, fitting, wishes.bolt_mm)
+        };
+        let may_be_printed = ends.made != EndsMade::Crimped
+            && load_n <= PRINTED_TO_N
+            && bore_mm >= PRINTED_FROM_MM
+            && plug(PETG, Some(fitting)).bears(load_n);
+        let material = if may_be_printed { PETG } else { ALUMINIUM };
+        Ok(Self {
+            cut: Cut::new(&muscle, wishes.sleeve_diameter_mm, stem.tube_mm()),
+            ends,
+            // A liquid leaves no air behind: a second port bleeds it.
+            eye_plug: plug(material, wishes.liquid.then_some(fitting)),
+            air_plug: plug(material, Some(fitting)),
+            over_sleeve_mm,
+            clamped_diameter_mm,
+            muscle,
+        })
+    }
+
+    /// Largest diameter in mm, of plugs and clamps.
+    pub fn widest_mm(&self) -> f64 {
+        let clamp_mm = self.clamped_diameter_mm + 2.0 * Ends::CLAMP_MM;
+        self.air_plug.widest_mm().max(clamp_mm)
     }
 }
 

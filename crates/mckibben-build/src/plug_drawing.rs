@@ -139,13 +139,19 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
         )
     });
     let made = if plug.is_printed() {
-        "Print on the end of the head, solid; seal the surface of the stem with epoxy resin"
+        [
+            "Print solid, standing on the end of the head",
+            "Seal the surface of the stem with epoxy resin",
+        ]
     } else {
-        "Turn from square bar; stem Ra 1.6, all else Ra 3.2; corner at the head R 0.8; break edges 0.2"
+        [
+            "Turned, head milled; stem Ra 1.6, all else Ra 3.2",
+            "Corner of the stem R 0.8; edges broken 0.2",
+        ]
     };
     [
         Some(format!(
-            "Hole for M{}: {} (ISO 273 medium), across the flats beside the port",
+            "Bolt M{}: hole {} (ISO 273 medium), across the flats beside the port",
             mm(plug.bolt_mm),
             mm(plug.hole_mm)
         )),
@@ -157,9 +163,9 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
         )),
         stem.shoulder_mm
             .map(|_| "Shoulder with ribs every 3, 0.4 deep, sides 45°".into()),
-        Some(made.into()),
     ]
     .into_iter()
     .flatten()
+    .chain(made.map(String::from))
     .collect()
 }

@@ -59,6 +59,13 @@ impl Shown {
         }
     }
 
+    /// A tolerance, to a hundredth of a millimetre or a thousandth of an inch.
+    pub(crate) fn tolerance(&self, mm: f64) -> String {
+        let digits = if self.length.name == "mm" { 2 } else { 3 };
+        let value = trimmed(outside(self.length, mm), digits);
+        format!("{value} {}", self.length.name)
+    }
+
     pub(crate) fn length(&self, mm: f64) -> String {
         format!("{} {}", self.bare(mm), self.length.name)
     }

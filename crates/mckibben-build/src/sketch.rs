@@ -2,6 +2,7 @@
 
 use crate::{
     Plan,
+    build_sheet::FACES_MM,
     drawing::{Body, clamps, on_plug},
     view::View,
 };
@@ -48,7 +49,11 @@ pub fn end(plan: &Plan) -> Result<String, FigureError> {
     let on_plug_mm = bare(plan.muscle.insertion_mm());
     let clamped = body.clamped;
     v.across((body.half, body.end), (clamped, clamped), row, &on_plug_mm);
-    let faces = format!("to the other head: {} ± 0.5", bare(plan.faces_mm(0.0)));
+    let faces = format!(
+        "to the other head: {} ± {}",
+        bare(plan.faces_mm(0.0)),
+        plan.shown.tolerance(FACES_MM)
+    );
     v.across((x.0, body.end), (clamped, clamped), row + 7.0, &faces);
     let note = "L₀ ends at the inner edge of the first tie or clamp";
     sheet.text([4.0, 3.0], NOTE_MM, Anchor::Start, note);

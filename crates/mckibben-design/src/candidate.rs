@@ -6,7 +6,7 @@ use crate::{
     trial::Trial,
 };
 use mckibben_core::{
-    analysis::{Burst, Evaluation, burst},
+    analysis::{Burst, Evaluation, Options, burst},
     built::Built,
     extremes::peak,
     model::{ModelError, Response},
@@ -83,6 +83,9 @@ pub struct Candidate {
     pub margin: f64,
     /// Blocked force at the maximum pressure, in N.
     pub blocked_force_n: f64,
+    /// Blocked force by the model at the pressure to set, in N: what its ends must hold.
+    #[serde(skip)]
+    pub blocked_at_set_n: f64,
     /// Free contraction at the maximum pressure.
     pub free_contraction: Option<f64>,
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
@@ -191,7 +194,9 @@ pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, Model
     spare.retain(|(limit, _)| known.insert(*limit));
     let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
     let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
+    let blocked = Evaluation::new(&*trial.model, &mut trial.workspace, Options::default());
     Ok(Candidate {
+        blocked_at_set_n: { blocked }.force_n(pressure_mpa, 0.0)?,
         pressure_mpa,
         margin: points
             .iter()

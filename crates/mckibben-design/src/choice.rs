@@ -6,7 +6,7 @@
 //! goes, and of the least mass.
 
 use crate::{
-    Candidate, Models, Objective, Spec,
+    Candidate, Demand, Models, Objective, Spec,
     bundle::envelope_ratio,
     limits::check::Probe,
     run::Settled,
@@ -130,7 +130,8 @@ impl Sharing {
     pub fn keep(&mut self, pick: Pick, trial: &mut Trial<'_>, probe: &Probe) -> Result<()> {
         let most = f64::from(trial.spec.most_side_by_side);
         let share = probe.share();
-        if share * most < 1.0 {
+        // The radius of a joint is chosen with its muscles.
+        if share * most < 1.0 || matches!(trial.spec.wanted, Demand::Joint(_)) {
             return Ok(());
         }
         let sure = trial.guaranteed(Trial::share)?;

@@ -114,8 +114,12 @@ pub fn design_joint(
     if by_parts {
         let spec = &searched(spec, models);
         let radii = Radii::new(spec, models, quiet);
-        chosen.0 = radii.best(&windows(&near, &places)).unwrap_or(chosen.0);
-    } else if sections > 0 {
+        chosen = radii.best(&windows(&near, &places)).unwrap_or(chosen);
+    }
+    // Where nothing fits, and no bundle will be tried, the remedies are those of the radius at which
+    // all limits together are missed by least.
+    let is_last = spec.is_alone() && !chosen.1.fits();
+    if sections > 0 && (!by_parts || is_last) {
         let mut found = refine(&samples, i, sections, |t| t.1, &mut |r| tried(r, roughly));
         if coarse {
             let (low, high) = radius_mm.bounds();
@@ -194,7 +198,7 @@ impl<'a> Radii<'a> {
 
     /// The radius of the best muscle by the order of single ones, or of the one that misses by
     /// least.
-    fn best(&self, windows: &[(Pick, f64, f64)]) -> Option<f64> {
+    fn best(&self, windows: &[(Pick, f64, f64)]) -> Option<Tried> {
         let follow = |window: &(Pick, f64, f64)| self.follow(*window);
         let mut all: Vec<Followed> = threads::map(windows, follow)
             .into_iter()
@@ -207,9 +211,11 @@ impl<'a> Radii<'a> {
         let is_less =
             |cast: &(f64, Settled)| sold.as_ref().is_none_or(|s| score(s) > SOLD * score(cast));
         let chosen = cast.filter(is_less).or(sold);
-        chosen
-            .map(|one| one.0)
-            .or_else(|| Some(tenths(all.first()?.1[0].x)))
+        let fits = chosen.map(|one| (one.0, Merit::new(0.0, one.1.score)));
+        fits.or_else(|| {
+            let nearest = &all.first()?.1[0];
+            Some((tenths(nearest.x), merit(nearest)))
+        })
     }
 
     fn sample(&self, radius_mm: f64, build: &Build<'_>, muscle: &Muscle) -> Sample {

@@ -330,7 +330,8 @@ impl<'a> Search<'a> {
                     return result;
                 }
             };
-            if !self.shares && self.is_far(&muscle) {
+            // Where no bundle will be tried the remedies are those of what is far, too.
+            if !self.shares && !self.spec.is_alone() && self.is_far(&muscle) {
                 return result;
             }
             // The infinitely long muscle pulls harder than a short one: where even it is far from

@@ -142,6 +142,11 @@ impl Spec {
         }
     }
 
+    /// Whether one muscle must do, and no bundle is tried in its place.
+    pub(crate) fn is_alone(&self) -> bool {
+        self.count == 1 && self.most_side_by_side <= 1
+    }
+
     /// The same for one of so many muscles that share what is required, and the liquid.
     pub fn shared_by(&self, count: u32) -> Self {
         let share = 1.0 / f64::from(count);

@@ -10,11 +10,12 @@ use crate::{
     said_of,
     words::{braid_name, rubber_name},
 };
+use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::Burst,
+    analysis::{Burst, burst::ends::clamp_load_n},
     extremes::peak,
     liquid::Liquid,
-    muscle::{Braid, BraidStiffness, Job, JobPoint, file::to_toml},
+    muscle::{Braid, BraidStiffness, EndsMade, Job, JobPoint, file::to_toml},
     units::Positive,
     warning::Warning,
 };
@@ -179,9 +180,39 @@ pub struct CandidateAnswer {
     pub limits: PressureLimits,
     /// Largest 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
+    /// The ends that hold it, as `build` makes them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ends: Option<CandidateEnds>,
     /// Of a joint: its pulley, and how the muscle is put on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub joint: Option<CandidateJoint>,
+}
+
+/// The ends of a candidate.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct CandidateEnds {
+    /// How they hold tube and sleeve.
+    pub ends: EndsMade,
+    /// Load of each at the pressure to set, N: the blocked force, and the pressure on the bore.
+    pub end_load_n: f64,
+    /// Largest diameter of plugs and clamps, mm.
+    pub end_diameter_mm: f64,
+    /// Mass of both plugs, g.
+    pub ends_mass_g: f64,
+}
+
+impl CandidateEnds {
+    /// Those of a muscle at the pressure to set; none where its length on the plugs holds none.
+    pub fn of(c: &Candidate) -> Option<Self> {
+        let end_load_n = clamp_load_n(&c.muscle, c.blocked_at_set_n.max(0.0), c.pressure_mpa);
+        let parts = EndParts::new(&c.muscle, end_load_n, &Wishes::default()).ok()?;
+        Some(Self {
+            ends: parts.ends.made,
+            end_load_n,
+            end_diameter_mm: parts.widest_mm(),
+            ends_mass_g: parts.air_plug.mass_g() + parts.eye_plug.mass_g(),
+        })
+    }
 }
 
 /// The joint around a candidate.
@@ -401,6 +432,7 @@ impl CandidateAnswer {
             max_stretch: c.largest(|q| q.response.max_stretch),
             limits: (&c.burst).into(),
             uncertainty_n: c.largest(|q| q.uncertainty_n),
+            ends: CandidateEnds::of(c),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The decision: what to take, which pressure to set, what it pulls, what is sure, and what limits
 //! it.
 
-use super::answer::{ChoiceAnswer, ChoiceKind};
+use super::answer::{CandidateEnds, ChoiceAnswer, ChoiceKind};
 use crate::{PressureLimits, Units, number, percent, uncertainty::interval, words::within};
 use mckibben_build::{proof_mpa, relief_mpa};
 use mckibben_core::{
@@ -57,6 +57,14 @@ impl Decision<'_> {
             "Take {many}{}, {length} between the terminals{assumed}{none}",
             parts(first)
         );
+        if let Some(ends) = CandidateEnds::of(first) {
+            take += &format!(
+                ", {} ends ({}\u{a0}mm wide, {} g both)",
+                ends.ends.name(),
+                number(ends.end_diameter_mm, 3),
+                number(ends.ends_mass_g, 2)
+            );
+        }
         if let Demand::Joint(joint) = &self.found.spec.wanted {
             let radius = Units::default().show(Dimension::Length, joint.radius_mm);
             take += &format!(", on a pulley of radius {radius}");
@@ -294,15 +302,20 @@ fn pressures_to_set(first: &Candidate) -> String {
         let proof_mpa = proof_mpa(set_mpa, Some(least_mpa));
         if proof_mpa > set_mpa {
             format!(
-                "; test with water at {} before use",
+                "; test with water at {}, length held, before use",
                 show_mpa(tidy(proof_mpa, 3))
             )
         } else {
             format!("; it may fail at {}", show_mpa(tidy(least_mpa, 3)))
         }
     });
+    let ends = if limits.ends_included {
+        ""
+    } else {
+        "; what its ends hold is not included"
+    };
     let (why, test) = (why.unwrap_or_default(), test.unwrap_or_default());
-    format!("Set {set}, relief valve at {relief}{test}{why}")
+    format!("Set {set}, relief valve at {relief}{test}{why}{ends}")
 }
 
 /// What has least to spare, and what is next.

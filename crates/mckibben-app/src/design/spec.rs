@@ -92,7 +92,7 @@ impl DesignRequest {
         let spec = Spec {
             wanted,
             count: 1,
-            most_side_by_side: if self.count.is_none() && radius_mm.is_none() {
+            most_side_by_side: if self.count.is_none() {
                 LARGEST_BUNDLE
             } else {
                 1

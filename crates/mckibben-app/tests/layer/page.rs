@@ -259,13 +259,7 @@ fn a_report_holds_the_answers_of_its_commands() {
             "Performance",
             "Margins of safety",
             "Curves",
-            "Other models",
-            "Muscle",
-            "Derived",
-            "Build sheet",
-            "Assumptions and limits",
-            "Bench test",
-            "Muscle file"
+            "Assumptions and limits"
         ]
     );
     assert!(report.footer.contains("SHA-256"));

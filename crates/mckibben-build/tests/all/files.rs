@@ -5,6 +5,7 @@ use mckibben_core::{
     analysis::FailureMode,
     built::{Left, Measurement},
     muscle::{EndsMade, Muscle, file::parse_muscle},
+    units::Dimension,
 };
 
 /// What a model could have found of a muscle: the ideal one at 28°, nearly.
@@ -343,4 +344,34 @@ fn a_sleeve_of_aramid_is_taped_and_cut_no_narrower_than_it_closes() {
     assert!(sleeve.by_diameter.iter().all(|row| row.diameter_mm >= 76.2));
     assert!(plan.is_aramid());
     assert!(!plan_of(20.0, 2.0, &Wishes::default()).is_aramid());
+}
+
+/// Every text of every paper has the units of the user; stresses stay in MPa, standard sizes in mm.
+#[test]
+fn all_papers_have_the_units_of_the_user() {
+    let unit = |kind: Dimension, name: &str| kind.unit(name).unwrap();
+    let wishes = Wishes {
+        shown: mckibben_build::Shown {
+            pressure: unit(Dimension::Pressure, "psi"),
+            force: unit(Dimension::Force, "lbf"),
+            length: unit(Dimension::Length, "in"),
+        },
+        ..Wishes::default()
+    };
+    for outer_mm in [3.0, 10.0, 40.0] {
+        let plan = plan_of(outer_mm, 0.15 * outer_mm, &wishes);
+        for file in files(&plan).unwrap() {
+            let Content::Text(text) = file.content else {
+                continue;
+            };
+            let is_paper = ["html", "md", "svg"]
+                .iter()
+                .any(|end| file.name.ends_with(end));
+            for line in text.lines().filter(|_| is_paper) {
+                for other in ["MPa", " N ", " N.", " N<", " N,"] {
+                    assert!(!line.contains(other), "{}: {line}", file.name);
+                }
+            }
+        }
+    }
 }

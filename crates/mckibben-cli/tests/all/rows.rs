@@ -257,13 +257,7 @@ fn a_pressure_in_bar_is_the_unit_of_all_pressures() {
     for line in IN_BAR {
         let ran = run_in(dir.path(), line);
         let mut said = vec![format!("{}{}", ran.text(), ran.err)];
-        for name in [
-            "f.svg",
-            "out/README.md",
-            "out/drawing.svg",
-            "out/plugs.svg",
-            "out/test.csv",
-        ] {
+        for name in ["f.svg", "out/README.md", "out/bom.csv", "out/test.csv"] {
             let path = dir.path().join(name);
             // A line for each text of a drawing.
             said.extend(
