@@ -65,7 +65,7 @@ PARTS = {
     "programs": (
         "other programs read what is written",
         [
-            r"crates/mckibben-(fem|motion|campaign|io|report)/src/.*",
+            r"crates/mckibben-(build|fem|motion|campaign|io|report)/src/.*",
             r"crates/mckibben-app/src/(figure|simulate)/.*",
             r"checks/.*\.py",
         ],

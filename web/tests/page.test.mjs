@@ -345,8 +345,8 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Make the build sheet" }).click();
     for (const [file, begin] of /** @type {[string, RegExp][]} */ ([
       ["README.md", /^# McKibben muscle/],
-      ["air-plug.stl", /^mckibben build/],
-      ["drawing.svg", /^<svg /],
+      ["bom.csv", /^number,part,/],
+      ["muscle.toml", /^# McKibben muscle/],
     ])) {
       const button = page.getByRole("button", { name: file, exact: true });
       await button.waitFor({ timeout: 60_000 });

@@ -221,7 +221,8 @@ fn schemas(check: bool) -> Done {
 }
 
 fn checks(_: bool) -> Done {
-    let packages = "mpmath pillow meshio numpy pandas pyarrow duckdb scipy";
+    let packages =
+        "mpmath pillow meshio numpy pandas pyarrow duckdb scipy trimesh rtree cadquery-ocp-novtk";
     let program = program()?;
     let python = python(packages)?;
     let made = made("checks")?;
@@ -232,6 +233,7 @@ fn checks(_: bool) -> Done {
     };
     run(script("checks/oracle.py").arg(&program))?;
     run(script("checks/campaign.py").arg(&program))?;
+    run(script("checks/bodies.py").arg(&program))?;
     let answer = made.join("motion.json");
     save(&mut example("exported")?, &answer)?;
     run(script("checks/motion.py").arg(&answer))?;

@@ -166,8 +166,8 @@ fn plugs(plan: &Plan) -> Vec<String> {
         ]
     } else {
         vec![format!(
-            "Have both plugs turned and drilled by their sheets, from {} ({}): printed ones would \
-             break. Check the stems: {stem} ± {tolerance}, no burr.",
+            "Have both plugs turned and drilled by their sheets and STEP files, from {} ({}): printed \
+             ones would break. Check the stems: {stem} ± {tolerance}, no burr.",
             plug.material.name,
             match plug.collar_mm {
                 Some(collar) => format!("round bar {} mm", collar.ceil()),

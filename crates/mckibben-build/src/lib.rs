@@ -28,6 +28,7 @@ mod safety;
 mod shown;
 mod sketch;
 mod stem;
+mod step;
 mod test_points;
 mod text;
 mod view;
@@ -81,6 +82,15 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
         ] {
             let about = "plug as it lies on the printer";
             out.push(File::bytes(name, about, plug.printed().to_stl(MARK)));
+        }
+    } else {
+        for (name, plug) in [("air-plug", &plan.air_plug), ("eye-plug", &plan.eye_plug)] {
+            let about = "plug to be turned and milled, with its drawing";
+            out.push(File::text(
+                format!("{name}.step"),
+                about,
+                step::text(plug, name),
+            ));
         }
     }
     if material::tube_of(&plan.muscle, &plan.cut).is_some_and(|tube| tube.is_cast) {

@@ -227,7 +227,7 @@ impl Plug {
     }
 
     /// Radii and heights from the inner end to the head.
-    fn turned(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn turned(&self) -> Vec<[f64; 2]> {
         let mut out = self.stem.profile.clone();
         if let Some(collar_mm) = self.collar_mm {
             let radius = 0.5 * collar_mm;

@@ -375,3 +375,65 @@ fn all_papers_have_the_units_of_the_user() {
         }
     }
 }
+
+/// Papers without PDF are pages: the same numbers in all of them, of a muscle for each kind of ends.
+#[test]
+fn all_papers_say_the_same_numbers() {
+    for (outer_mm, wall_mm, liquid) in [
+        (3.0, 0.5, false),
+        (10.0, 1.5, false),
+        (10.0, 1.5, true),
+        (22.0, 3.0, true),
+        (40.0, 2.0, false),
+        (80.0, 4.0, false),
+    ] {
+        let wishes = Wishes {
+            liquid,
+            title_block: vec![("document no.".into(), "MK-7".into())],
+            ..Wishes::default()
+        };
+        let plan = plan_of(outer_mm, wall_mm, &wishes);
+        let all = files(&plan).unwrap();
+        let text = |name: &str| match &all.iter().find(|f| f.name == name).unwrap().content {
+            Content::Text(text) => text.clone(),
+            Content::Bytes(_) => String::new(),
+        };
+        let mm = |value: f64| format!("{} mm", (10.0 * value).round() / 10.0);
+        let says = |what: &str, names: &[&str]| {
+            for name in names {
+                assert!(text(name).contains(what), "{outer_mm} mm, {name}: {what}");
+            }
+        };
+        let tube = mm(plan.cut.tube_mm);
+        says(&tube, &["build-sheet.html", "bom.csv", "drawing.svg"]);
+        let heads = mm(plan.faces_mm(0.0));
+        says(
+            &heads,
+            &["build-sheet.html", "test-record.html", "test.csv"],
+        );
+        says(
+            "0.5 MPa (5 bar)",
+            &["README.md", "build-sheet.html", "test-record.html"],
+        );
+        let load = format!("{} N", significant(plan.proof_load_n));
+        says(
+            &load,
+            &["README.md", "build-sheet.html", "test-record.html"],
+        );
+        let sheets = [
+            "build-sheet.html",
+            "test-record.html",
+            "drawing.svg",
+            "air-plug.svg",
+        ];
+        says("MK-7", &sheets);
+        assert_eq!(text("build-sheet.html").contains("bleed screw"), liquid);
+        assert_eq!(plan.eye_plug.port.is_some(), liquid);
+    }
+}
+
+/// To three digits.
+fn significant(value: f64) -> f64 {
+    let unit = 10_f64.powf(value.log10().floor() - 2.0);
+    ((value / unit).round() * unit * 1e6).round() / 1e6
+}

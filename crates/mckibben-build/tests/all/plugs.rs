@@ -181,3 +181,38 @@ fn words_that_are_no_fitting_are_refused() {
         assert!(word.parse::<mckibben_build::Fitting>().is_err(), "{word}");
     }
 }
+
+/// Identity of a closed surface of exact faces: each edge bounds two faces, and runs along them in
+/// opposite directions; every real number has a point.
+#[test]
+fn the_edges_of_a_turned_plug_are_each_those_of_two_faces() {
+    for (outer_mm, wall_mm, liquid) in [(3.0, 0.5, false), (30.0, 3.0, true), (60.0, 4.0, false)] {
+        let wishes = Wishes {
+            liquid,
+            ..Wishes::default()
+        };
+        let all = files(&plan_of(outer_mm, wall_mm, &wishes)).unwrap();
+        let steps: Vec<&str> = all
+            .iter()
+            .filter(|f| f.name.ends_with(".step"))
+            .map(|f| std::str::from_utf8(f.content.bytes()).unwrap())
+            .collect();
+        assert_eq!(steps.len(), 2);
+        for step in steps {
+            let mut used: HashMap<&str, Vec<&str>> = HashMap::new();
+            for oriented in step
+                .lines()
+                .filter_map(|l| l.split_once("ORIENTED_EDGE('',*,*,"))
+            {
+                let (edge, sense) = oriented.1.split_once(',').unwrap();
+                used.entry(edge).or_default().push(sense);
+            }
+            assert!(used.len() > 20);
+            for (edge, mut senses) in used {
+                senses.sort_unstable();
+                assert_eq!(senses, [".F.);", ".T.);"], "{outer_mm} mm: {edge}");
+            }
+            assert!(!step.contains("NaN") && !step.contains("inf"));
+        }
+    }
+}

@@ -213,17 +213,9 @@ fn a_report_has_a_title_block_and_at_most_300_kb() {
     let begin = html.find("<script type=\"application/json\">").unwrap();
     let view = html[begin..].find("</script>").unwrap();
     assert!(html.len() - view < 300_000, "{}", html.len());
-    // By a browser, where there is one.
-    let ran = run_in(dir.path(), &format!("{line} r.pdf"));
-    let file = dir.path().join("r.pdf");
-    match ran.code {
-        0 => assert!(std::fs::read(&file).unwrap().starts_with(b"%PDF-")),
-        _ => assert!(
-            ran.code == 2 && ran.err.contains("Chromium") && !file.exists(),
-            "{}",
-            ran.err
-        ),
-    }
+    run_in(dir.path(), &format!("{line} r.pdf")).ok();
+    let pdf = std::fs::read(dir.path().join("r.pdf")).unwrap();
+    assert!(pdf.starts_with(b"%PDF-"));
 }
 
 #[test]
