@@ -133,6 +133,9 @@ pub struct BuildAnswer {
     /// The report, where one is wanted.
     #[serde(skip)]
     pub document: Option<Document>,
+    /// The drawing of the muscle as SVG.
+    #[serde(skip)]
+    pub drawing: String,
 }
 
 impl Show for BuildAnswer {
@@ -252,8 +255,8 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     let (mut plan, burst) = planned(request)?;
     plan.expected = expected(&plan)?;
     let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
-    let files = mckibben_build::files(&plan)
-        .map_err(|e| ProblemKind::Internal.problem(format!("the drawing cannot be drawn: {e}")))?;
+    let wrong = |e| ProblemKind::Internal.problem(format!("the drawing cannot be drawn: {e}"));
+    let files = mckibben_build::files(&plan).map_err(wrong)?;
     let mut files: Vec<BuiltFile> = files
         .into_iter()
         .map(|file| named(file, request.muscle.file()))
@@ -295,6 +298,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
             .collect(),
         files,
         document,
+        drawing: mckibben_build::drawing_svg(&plan).map_err(wrong)?,
         cut: plan.cut,
         parts: plan.parts,
         test: plan.test,

@@ -277,12 +277,6 @@ fn head(step: &mut Step, plug: &Plug, [tip, root]: [usize; 2]) {
             (high_edges[k], false),
             (posts[k], false),
         ];
-        // Seen from outside the corners run to the left: the other way around.
-        let outline: Vec<(usize, bool)> = outline
-            .iter()
-            .rev()
-            .map(|(edge, forwards)| (*edge, !forwards))
-            .collect();
         let inner = match k {
             0 => mouth.map(|edge| (edge, false)),
             1 => Some((eye[0], true)),
@@ -315,7 +309,7 @@ fn bore(step: &mut Step, port: Port, half: f64, tip: usize) -> usize {
     step.face(
         &wall,
         false,
-        &[&[(floor, false)], &[(mouth, true)], &[(met, true)]],
+        &[&[(floor, false)], &[(mouth, true)], &[(met, false)]],
     );
     let bottom = step.plane([0.0, floor_y, height], (Y, Z));
     step.face(&bottom, true, &[&[(floor, true)]]);

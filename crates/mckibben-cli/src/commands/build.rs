@@ -25,6 +25,9 @@ pub struct Build {
     /// Folder for the files; without it only the numbers are printed
     #[arg(short, long, value_name = "DIR", help_heading = "Output")]
     output: Option<PathBuf>,
+    /// Write the drawing of the muscle alone: FILE.svg
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    plot: Option<PathBuf>,
     /// Write the report alone: FILE.html, whose muscle turns, or FILE.pdf
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     report: Option<PathBuf>,
@@ -34,7 +37,8 @@ impl Build {
     pub fn run(mut self, format: Format) -> Result<u8, Problem> {
         let folder = self.output.as_deref();
         let target = self.report.as_deref();
-        check_ending(target, &["html", "htm", "pdf"])?;
+        check_ending(target, &["html", "pdf"])?;
+        check_ending(self.plot.as_deref(), &["svg"])?;
         self.request.report = folder.is_some() || target.is_some();
         self.request.units = display_units::units();
         let mut answer = build(&self.request, &Bar::new("parts"))?;
@@ -51,6 +55,9 @@ impl Build {
                     save(target, &file.content)?;
                 }
             }
+        }
+        if self.plot.is_some() {
+            save(self.plot.as_deref(), answer.drawing.as_bytes())?;
         }
         folder.map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
         let add = |page: &mut Page| {
