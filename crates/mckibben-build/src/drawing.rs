@@ -4,7 +4,7 @@
 use crate::{
     Plan,
     frame::{self, FRAME_MM, TITLE_MM, Title, largest, ratio},
-    text::{mm, percent, trimmed},
+    text::{percent, trimmed},
     view::View,
 };
 use mckibben_report::{Anchor, Pen, Sheet};
@@ -330,7 +330,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
     v.inside(
         middle + 0.35 * half,
         (-widest, widest),
-        &format!("⌀{}", mm((2.0 * widest).round())),
+        &format!("⌀{}", plan.shown.bare((2.0 * widest).round())),
     );
     let row = -(v.scale * widest.max(body.widest) + 6.0);
     let clamp = -body.clamped;

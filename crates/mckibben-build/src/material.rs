@@ -167,12 +167,13 @@ fn tube(plan: &Plan) -> BuildPart {
         Some(tube) if tube.is_cast => "cast tube",
         _ => "tube",
     };
+    let shown = |mm: f64| plan.shown.length(mm);
     let outer = cut.tube_outer_diameter_mm;
     let bore = outer - 2.0 * cut.tube_wall_mm;
     BuildPart {
         number: 1,
         part: rubber.map_or_else(|| what.into(), |name| format!("{what} of {name}")),
-        size: format!("bore {} mm, outer diameter {} mm", mm(bore), mm(outer)),
+        size: format!("bore {}, outer diameter {}", shown(bore), shown(outer)),
         amount: plan.shown.length(cut.tube_mm),
         spare: plan.shown.length(cut.tube_mm),
         sold_as: tube.map(|t| t.name.clone()),

@@ -110,14 +110,19 @@ pub fn markdown(plan: &Plan, files: &[File]) -> String {
     } else {
         "Have the plugs turned"
     };
+    let work = [
+        "Buy what `bom.csv` lists.".to_owned(),
+        format!("{made} by their sheets."),
+        "Build it by the build sheet, and write down the as-built values.".into(),
+        "Prove it with water, then test it for leaks, by the test record.".into(),
+        "Measure it by `test.csv`; `mckibben identify muscle.toml --data test.csv -o found.toml` \
+         writes the muscle as it was built."
+            .into(),
+    ];
+    let work = work.iter().enumerate();
+    let work = joined(work.map(|(i, text)| format!("{}. {text}", i + 1)), "\n");
     format!(
-        "# {title}\n\n{verdict}\n\n> **STOP**\n{stops}\n\n## Order of work\n\n\
-         1. Buy what `bom.csv` lists.\n\
-         2. {made} by their sheets.\n\
-         3. Build it by the build sheet, and write down the as-built values.\n\
-         4. Prove it with water, then test it for leaks, by the test record.\n\
-         5. Measure it by `test.csv`; `mckibben identify muscle.toml --data test.csv -o found.toml` \
-         writes the muscle as it was built.\n\n\
+        "# {title}\n\n{verdict}\n\n> **STOP**\n{stops}\n\n## Order of work\n\n{work}\n\n\
          | file | |\n|---|---|\n{files}\n"
     )
 }
