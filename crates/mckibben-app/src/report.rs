@@ -1,15 +1,15 @@
 //! The report of `build`: all that is known of a muscle, as one document.
 
 use crate::{
-    BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer, Result,
-    ShapeRequest, Units, check, curve, flags::Args, force, number, percent, print::Rows, ratio,
-    shape, words::fixed,
+    AskFields, BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer,
+    QuestionFields, Result, ShapeRequest, Units, check, curve, flags::Args, force, number, percent,
+    print::Rows, ratio, shape, words::fixed,
 };
 use mckibben_build::{Plan, drawing_svg};
 use mckibben_core::{
     analysis::{Burst, FailureMode, FailurePressure, SAFETY},
     curve::Test,
-    muscle::file::to_toml,
+    muscle::{Direction, file::to_toml},
     progress::Progress,
     warning::is_of_burst,
 };
@@ -71,20 +71,26 @@ pub fn report(
     };
     let pressure_mpa = plan.operating.pressure_mpa;
     let wanted = CheckRequest {
-        question: request.muscle.clone().into(),
+        question: of_mean(request),
         pressure_mpa: Some(pressure_mpa.into()),
         ..CheckRequest::default()
     };
     let shown = check(&wanted)?;
     step(1)?;
+    let job = plan
+        .operating
+        .pulls
+        .first()
+        .filter(|at| at.required_n.is_some());
     // To a whole percent: a state that one can set.
-    let usual = (50.0 * plan.operating.free_contraction).round() / 100.0;
+    let half = (50.0 * plan.operating.free_contraction).round() / 100.0;
+    let usual = job.map_or(half, |at| at.contraction);
     let contraction = match &request.contraction {
         Some(contraction) => contraction.of_length(plan.muscle.length_mm())?,
         None => ratio(usual)?,
     };
     let point = force(&ForceRequest {
-        question: request.muscle.clone().into(),
+        question: of_mean(request),
         pressure_mpa: Some(pressure_mpa.into()),
         contraction: Some(contraction.into()),
         ..ForceRequest::default()
@@ -120,7 +126,7 @@ pub fn report(
     let hash = mckibben_campaign::sha256(file.as_bytes());
     let version = env!("CARGO_PKG_VERSION");
     Ok(Document {
-        title: format!("McKibben muscle: {}", shown.summary.line(units)),
+        title: format!("Report: {}", plan.title()),
         title_block: request.title_block.fields(),
         lead: {
             let pressure = units.pressure.show(pressure_mpa);
@@ -130,13 +136,26 @@ pub fn report(
                 point.point.model
             );
             format!(
-                "At {pressure} and a contraction of {contraction}. All numbers {by}; ± covers 95 % \
-                 against a measured muscle."
+                "{}. At {pressure} and a contraction of {contraction}. All numbers {by}; ± covers \
+                 95 % against a measured muscle.",
+                shown.summary.line(units)
             )
         },
         parts,
         footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
     })
+}
+
+/// The muscle at the mean of both branches, as the plan has it.
+fn of_mean(request: &BuildRequest) -> QuestionFields {
+    QuestionFields {
+        muscle: request.muscle.clone(),
+        asking: AskFields {
+            direction: Some(Direction::Mean),
+            ..AskFields::default()
+        },
+        ..QuestionFields::default()
+    }
 }
 
 fn table(rows: Rows) -> Part {

@@ -20,7 +20,7 @@ pub const FACES_MM: f64 = 0.5;
 
 impl Plan {
     /// The title of all papers.
-    pub(crate) fn title(&self) -> String {
+    pub fn title(&self) -> String {
         format!(
             "McKibben muscle {} × {}",
             self.shown.bare(self.muscle.outer_diameter_mm()),

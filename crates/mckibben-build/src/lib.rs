@@ -58,23 +58,34 @@ pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
     drawing::on_paper(plan).to_svg()
 }
 
-/// All files, the first page first, which links to the others.
-pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
-    let sheets = [
+/// The drawings: the muscle, and a sheet for each plug.
+pub fn drawings(plan: &Plan) -> [Sheet; 3] {
+    [
         drawing::on_paper(plan),
         plug_drawing::on_paper(plan, "Air plug", &plan.air_plug, 2),
         plug_drawing::on_paper(plan, "Eye plug", &plan.eye_plug, 3),
-    ];
+    ]
+}
+
+/// The build sheet and the test record.
+pub fn papers(plan: &Plan) -> Result<[Document; 2], FigureError> {
+    Ok([build_sheet::document(plan)?, record::document(plan)])
+}
+
+/// All files, the first page first, which links to the others.
+pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
+    let sheets = drawings(plan);
+    let [build_sheet, record] = papers(plan)?;
     let bill = material::csv(&plan.parts).map_err(|e| FigureError::Drawing(e.to_string()))?;
     let mut out = vec![
         document(
             "build-sheet",
             "tools, cut list, steps to tick",
-            &build_sheet::document(plan)?,
+            &build_sheet,
         )?,
         File::text("bom.csv", "what to buy", bill),
     ];
-    out.extend(drawings(&sheets)?);
+    out.extend(drawn(&sheets)?);
     if plan.air_plug.is_printed() {
         for (name, plug) in [
             ("air-plug.stl", &plan.air_plug),
@@ -98,11 +109,7 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
         out.push(File::bytes("mould-cap.stl", "cap of the mould, twice", cap));
     }
     out.extend([
-        document(
-            "test-record",
-            "proof, leak and first test",
-            &record::document(plan),
-        )?,
+        document("test-record", "proof, leak and first test", &record)?,
         File::text(
             "test.csv",
             "the sheet of the first test for `identify`",
@@ -136,7 +143,7 @@ fn document(name: &str, about: &'static str, document: &Document) -> Result<File
 }
 
 /// The drawings: one PDF, or each as SVG where there is no PDF.
-fn drawings(sheets: &[Sheet]) -> Result<Vec<File>, FigureError> {
+fn drawn(sheets: &[Sheet]) -> Result<Vec<File>, FigureError> {
     #[cfg(feature = "pdf")]
     {
         let about = "the muscle, and a sheet for each plug";

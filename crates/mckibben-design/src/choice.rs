@@ -28,7 +28,8 @@ const AT_END: f64 = 1.03;
 
 /// Muscles that are chosen among for a bundle where one is asked.
 pub const LARGEST_BUNDLE: u32 = 7;
-/// Muscles that are settled side by side.
+/// Muscles that are settled for that at most, and side by side.
+const SETTLED: usize = 100;
 const CHUNK: usize = 4;
 
 /// Several equal muscles side by side.
@@ -87,7 +88,7 @@ impl Shares {
         };
         let size = |(count, one): &(u32, Settled)| envelope_ratio(spec.count * count) * one.size();
         let mut found: Vec<(u32, Settled)> = vec![];
-        for some in self.0.chunks(CHUNK) {
+        for some in self.0[..self.0.len().min(SETTLED)].chunks(CHUNK) {
             let least = found.iter().map(size).fold(f64::INFINITY, f64::min);
             if some[0].size > EQUAL * least || progress.cancelled() {
                 break;

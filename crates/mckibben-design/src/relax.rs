@@ -28,9 +28,10 @@ pub enum Kind {
     Limit(Limit),
 }
 
-/// Changes of one kind that are proven, at most, and by how much more than the best one they may
-/// ask for.
+/// Changes of one kind that are proven, at most: where one of them holds, and where none does; and by
+/// how much more than the best one they may ask for.
 const MOST: usize = 12;
+const FAILED: usize = 48;
 const WINDOW: f64 = 0.06;
 /// Where several limits are missed, the share of the way is known to this; it is looked for on so
 /// many of the closest muscles.
@@ -172,14 +173,10 @@ impl<'a> Misses<'a> {
             .collect();
         let least = |kind: &Kind| {
             let mut best: Option<Change> = None;
-            for (ask, _, pick) in rough
-                .iter()
-                .filter(|(_, other, _)| other == kind)
-                .take(MOST)
-            {
-                if best.as_ref().is_some_and(|best| *ask > best.0 + WINDOW)
-                    || self.search.progress.cancelled()
-                {
+            let of_kind = rough.iter().filter(|(_, other, _)| other == kind);
+            for (i, (ask, _, pick)) in of_kind.take(FAILED).enumerate() {
+                let is_enough = |best: &Change| i >= MOST || *ask > best.0 + WINDOW;
+                if best.as_ref().is_some_and(is_enough) || self.search.progress.cancelled() {
                     break;
                 }
                 let change =

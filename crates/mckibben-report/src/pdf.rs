@@ -189,11 +189,11 @@ impl Drawn {
         for segment in segments {
             match segment {
                 PathSegment::MoveTo(to) => {
-                    self.content.move_to(rounded(to.x), rounded(to.y));
+                    self.content.move_to(place(to.x), place(to.y));
                     (from, start) = (to, to);
                 }
                 PathSegment::LineTo(to) => {
-                    self.content.line_to(rounded(to.x), rounded(to.y));
+                    self.content.line_to(place(to.x), place(to.y));
                     from = to;
                 }
                 // PDF has cubic curves alone.
@@ -216,7 +216,7 @@ impl Drawn {
     }
 
     fn curve(&mut self, a: Point, b: Point, to: Point) {
-        let [x1, y1, x2, y2, x3, y3] = [a.x, a.y, b.x, b.y, to.x, to.y].map(rounded);
+        let [x1, y1, x2, y2, x3, y3] = [a.x, a.y, b.x, b.y, to.x, to.y].map(place);
         self.content.cubic_to(x1, y1, x2, y2, x3, y3);
     }
 }
@@ -233,4 +233,9 @@ fn colour(paint: &Paint) -> Result<[f32; 3]> {
 /// At most four decimals.
 fn rounded(v: f32) -> f32 {
     (v * 1e4).round() / 1e4
+}
+
+/// A coordinate to 2.6 µm: texts are outlines, and most of a file.
+fn place(v: f32) -> f32 {
+    (v * 1e2).round() / 1e2
 }

@@ -174,10 +174,10 @@ impl Decision<'_> {
             None if matches!(spec.wanted, Demand::Joint(_)) => {
                 format!("Sure to {share}: no single muscle on a side")
             }
-            None if spec.most_side_by_side > 1 && !spec.tubes.is_empty() => format!(
-                "Sure to {share}: no muscle of this search, and no bundle of up to {}",
-                spec.most_side_by_side
-            ),
+            // Those of the least size were looked at.
+            None if !spec.tubes.is_empty() => {
+                format!("Sure to {share}: none of the slimmest; `guaranteed` looks at all")
+            }
             None => format!("Sure to {share}: no muscle of this search"),
         }
     }

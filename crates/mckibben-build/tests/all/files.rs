@@ -1,6 +1,8 @@
 //! Cut list, pressures, files.
 
-use mckibben_build::{Content, Operating, Plan, Proof, PullAt, ToMeasure, Wishes, files};
+use mckibben_build::{
+    Content, Operating, Plan, Proof, PullAt, ToMeasure, Wishes, drawings, files, papers,
+};
 use mckibben_core::{
     analysis::FailureMode,
     built::{Left, Measurement},
@@ -359,24 +361,39 @@ fn all_papers_have_the_units_of_the_user() {
         ..Wishes::default()
     };
     for outer_mm in [3.0, 10.0, 40.0] {
-        let plan = plan_of(outer_mm, 0.15 * outer_mm, &wishes);
-        for file in files(&plan).unwrap() {
-            let Content::Text(text) = file.content else {
-                continue;
-            };
-            let is_paper = ["html", "md", "svg"]
-                .iter()
-                .any(|end| file.name.ends_with(end));
+        for (name, text) in texts(&plan_of(outer_mm, 0.15 * outer_mm, &wishes)) {
+            let is_paper = ["html", "md", "svg"].iter().any(|end| name.ends_with(end));
             for line in text.lines().filter(|_| is_paper) {
                 for other in ["MPa", " N ", " N.", " N<", " N,"] {
-                    assert!(!line.contains(other), "{}: {line}", file.name);
+                    assert!(!line.contains(other), "{name}: {line}");
                 }
             }
         }
     }
 }
 
-/// Papers without PDF are pages: the same numbers in all of them, of a muscle for each kind of ends.
+/// All texts of a folder; papers as pages and drawings as SVG, which they are without PDF.
+fn texts(plan: &Plan) -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = files(plan)
+        .unwrap()
+        .into_iter()
+        .filter_map(|file| match file.content {
+            Content::Text(text) => Some((file.name, text)),
+            Content::Bytes(_) => None,
+        })
+        .collect();
+    let names = ["build-sheet.html", "test-record.html"];
+    for (name, paper) in names.into_iter().zip(papers(plan).unwrap()) {
+        all.push((name.into(), paper.to_html("").unwrap()));
+    }
+    let names = ["drawing.svg", "air-plug.svg", "eye-plug.svg"];
+    for (name, sheet) in names.into_iter().zip(drawings(plan)) {
+        all.push((name.into(), sheet.to_svg().unwrap()));
+    }
+    all
+}
+
+/// The same numbers in all papers, of a muscle for each kind of ends.
 #[test]
 fn all_papers_say_the_same_numbers() {
     for (outer_mm, wall_mm, liquid) in [
@@ -393,11 +410,8 @@ fn all_papers_say_the_same_numbers() {
             ..Wishes::default()
         };
         let plan = plan_of(outer_mm, wall_mm, &wishes);
-        let all = files(&plan).unwrap();
-        let text = |name: &str| match &all.iter().find(|f| f.name == name).unwrap().content {
-            Content::Text(text) => text.clone(),
-            Content::Bytes(_) => String::new(),
-        };
+        let all = texts(&plan);
+        let text = |name: &str| all.iter().find(|f| f.0 == name).unwrap().1.clone();
         let mm = |value: f64| format!("{} mm", (10.0 * value).round() / 10.0);
         let says = |what: &str, names: &[&str]| {
             for name in names {

@@ -8,7 +8,7 @@ use crate::{
     path_on_one_line, save, save_all,
 };
 use mckibben_app::{BuildRequest, REPORT, build, print::Page};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The folder for a workshop.
 #[derive(clap::Args)]
@@ -37,7 +37,8 @@ impl Build {
     pub fn run(mut self, format: Format) -> Result<u8, Problem> {
         let folder = self.output.as_deref();
         let target = self.report.as_deref();
-        check_ending(target, &["html", "pdf"])?;
+        check_ending(target, &["html", "htm", "pdf"])?;
+        let is_pdf = target.and_then(ending).is_some_and(|end| end == "pdf");
         check_ending(self.plot.as_deref(), &["svg"])?;
         self.request.report = folder.is_some() || target.is_some();
         self.request.units = display_units::units();
@@ -49,9 +50,7 @@ impl Build {
                 if file.name == REPORT[0] {
                     file.content.clone_from(&page);
                 }
-                if target.and_then(ending) == ending(Path::new(&file.name))
-                    && REPORT.contains(&&*file.name)
-                {
+                if target.is_some() && file.name == REPORT[usize::from(is_pdf)] {
                     save(target, &file.content)?;
                 }
             }
