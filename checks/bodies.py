@@ -35,7 +35,9 @@ def walls(mesh: trimesh.Trimesh) -> float:
     """The wall in mm that 98 % of the surface has: inwards along its normal; at edges it ends in nothing."""
     points, faces = trimesh.sample.sample_surface(mesh, 2000, seed=1)
     inwards = -mesh.face_normals[faces]
-    hits, rays, _ = mesh.ray.intersects_location(points + 1e-4 * inwards, inwards, multiple_hits=False)
+    hits, rays, _ = mesh.ray.intersects_location(
+        points + 1e-4 * inwards, inwards, multiple_hits=False
+    )
     return float(np.percentile(np.linalg.norm(hits - points[rays], axis=1), 2))
 
 
@@ -56,9 +58,30 @@ def main() -> None:
     for outer, wall, pressure in MUSCLES:
         for fitting in FITTINGS:
             with tempfile.TemporaryDirectory() as folder:
-                muscle = ["-D", str(outer), "-s", str(wall), "-L", "150", "--rubber", "ecoflex-00-50", "--angle", "25"]
+                muscle = [
+                    "-D",
+                    str(outer),
+                    "-s",
+                    str(wall),
+                    "-L",
+                    "150",
+                    "--rubber",
+                    "ecoflex-00-50",
+                    "--angle",
+                    "25",
+                ]
                 subprocess.run(
-                    [PROGRAM, "build", *muscle, "-p", pressure, "--fitting", fitting, "-o", f"{folder}/out"],
+                    [
+                        PROGRAM,
+                        "build",
+                        *muscle,
+                        "-p",
+                        pressure,
+                        "--fitting",
+                        fitting,
+                        "-o",
+                        f"{folder}/out",
+                    ],
                     check=True,
                     capture_output=True,
                 )
@@ -67,18 +90,28 @@ def main() -> None:
                     what = f"{outer} × {wall} mm, {fitting}: {path.name}"
                     assert mesh.is_watertight and mesh.is_winding_consistent, what
                     assert mesh.body_count == 1 and mesh.volume > 0, what
-                    assert abs(mesh.bounds[0][2]) < 1e-6, f"{what}: it does not stand on the printer"
-                    assert (least := walls(mesh)) > LEAST_WALL_MM, f"{what}: a wall of {least:.2f} mm"
+                    assert abs(mesh.bounds[0][2]) < 1e-6, (
+                        f"{what}: it does not stand on the printer"
+                    )
+                    assert (least := walls(mesh)) > LEAST_WALL_MM, (
+                        f"{what}: a wall of {least:.2f} mm"
+                    )
                     bodies += 1
                 with open(f"{folder}/out/bom.csv", encoding="utf-8") as bill:
-                    grams = {row["part"]: row["mass (g)"] for row in csv.DictReader(bill)}
+                    grams = {
+                        row["part"]: row["mass (g)"] for row in csv.DictReader(bill)
+                    }
                 for path in sorted(Path(folder).glob("out/*.step")):
                     mass = float(grams[path.stem.replace("-", " ")])
                     off = DENSITY * volume(path) / mass - 1
-                    assert abs(off) < 6e-3, f"{outer} × {wall} mm, {fitting}: {path.name} {off}"
+                    assert abs(off) < 6e-3, (
+                        f"{outer} × {wall} mm, {fitting}: {path.name} {off}"
+                    )
                     solids += 1
     assert bodies >= 20 and solids >= 20, (bodies, solids)
-    print(f"{bodies} bodies are watertight, of one piece, with walls above {LEAST_WALL_MM} mm; {solids} solids are valid")
+    print(
+        f"{bodies} bodies are watertight, of one piece, with walls above {LEAST_WALL_MM} mm; {solids} solids are valid"
+    )
 
 
 main()

@@ -166,20 +166,19 @@ fn plugs(plan: &Plan) -> Vec<String> {
         ]
     } else {
         vec![format!(
-            "Have both plugs turned and drilled by their sheets and STEP files, from {} ({}): printed \
-             ones would break. Check the stems: {stem} ± {tolerance}, no burr.",
+            "Have both plugs turned and drilled by their sheets and STEP files, from {}: the air \
+             plug from {}, the eye plug from {}, or the next larger ones; printed ones would break. \
+             Check the stems: {stem} ± {tolerance}, no burr.",
             plug.material.name,
-            match plug.collar_mm {
-                Some(collar) => format!("round bar {} mm", collar.ceil()),
-                None => format!("square bar {} mm", mm(plug.side_mm)),
-            }
+            plug.bar(),
+            plan.eye_plug.bar()
         )]
     };
     steps.extend(plug.port.map(|port| {
         format!(
             "Cut the thread {} into the hole of {} mm in the flat of the head, {} mm deep. Screw in \
-             the fitting with its seal: by hand, then at most one turn. Blow through the passage of \
-             {} mm.",
+             the fitting by hand until its seal touches, then a quarter of a turn. Blow through the \
+             passage of {} mm.",
             port.fitting,
             mm(port.hole_mm),
             mm(port.thread_mm),
@@ -189,12 +188,9 @@ fn plugs(plan: &Plan) -> Vec<String> {
     steps
 }
 
-/// Volume of the rubber in mL with what is spilled, and its mass in g.
-fn mixed(plan: &Plan) -> (String, String) {
-    let ml = 1e-3 * SPILL * plan.cut.rubber_mm3;
-    let grams = density_kg_per_m3(&plan.muscle).map(|density| 1e-3 * density * ml);
-    let grams = grams.map_or_else(|| "?".into(), |g| significant(0.5 * g, 3));
-    (significant(ml, 3), grams)
+/// Volume of the rubber in mL with what is spilled.
+pub fn mixed_ml(plan: &Plan) -> String {
+    significant(1e-3 * SPILL * plan.cut.rubber_mm3, 3)
 }
 
 fn casting(plan: &Plan) -> Vec<String> {
@@ -202,7 +198,11 @@ fn casting(plan: &Plan) -> Vec<String> {
     let outer = cut.tube_outer_diameter_mm;
     let bore = outer - 2.0 * cut.tube_wall_mm;
     let pipe = cut.tube_mm.round() + MOULD_BEYOND_MM;
-    let (ml, half_g) = mixed(plan);
+    let ml = mixed_ml(plan);
+    let half_g = density_kg_per_m3(&plan.muscle).map_or_else(
+        || "?".into(),
+        |density| significant(0.5e-6 * density * SPILL * cut.rubber_mm3, 3),
+    );
     vec![
         format!(
             "Mould: a smooth rod of {} mm, {} mm long, in a pipe with a bore of {} mm, {} mm long; \
@@ -228,7 +228,7 @@ fn casting(plan: &Plan) -> Vec<String> {
              the catalogue.",
             mm(cut.tube_mm.round() + 0.5 * MOULD_BEYOND_MM)
         ),
-        "Close the hole with tape. Let it cure upright as long as its maker states.".into(),
+        "Close the hole with tape, also between two fillings of the syringe. Let it cure upright as long as its maker states.".into(),
         "Take off the caps. Blow isopropyl alcohol or air between rod and tube, and draw the rod; then \
          push the tube out. Look for bubbles against the light: none in the wall."
             .into(),
@@ -240,7 +240,7 @@ fn assembly(plan: &Plan) -> Vec<String> {
     let fray = if plan.is_aramid() {
         "aramid does not melt: wrap tape around it first, and cut through the tape"
     } else {
-        "melt its ends, so that they do not fray"
+        "melt the ends of the sleeve, so that they do not fray"
     };
     let stem = &plan.air_plug.stem;
     let around = shown.length(plan.clamped_diameter_mm);
@@ -258,9 +258,9 @@ fn assembly(plan: &Plan) -> Vec<String> {
              {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). Each end: {holds}."
         ),
         EndsMade::Crimped => format!(
-            "Tighten the hose clamp over sleeve and tube behind the barb, to about {squeezed}: it \
-             seals. Then pull the ferrule over the sleeve on the ribbed shoulder beyond the tube ({} \
-             wide), and press it until the sleeve does not move: it carries the load. Each end: {holds}.",
+            "Pull the ferrule over the sleeve on the ribbed shoulder beyond the tube ({} wide). \
+             Tighten the hose clamp over sleeve and tube behind the barb, to about {squeezed}: it \
+             seals. Press the ferrule until the sleeve does not move: the ferrule carries the load. Each end: {holds}.",
             shown.length(plan.ferrule_mm.unwrap_or_default())
         ),
     };
@@ -274,17 +274,25 @@ fn assembly(plan: &Plan) -> Vec<String> {
             shown.length(stem.tube_mm()),
             if stem.shoulder_mm.is_some() { "shoulder" } else { "head" }
         ),
-        "Put all ties, clamps and ferrules of both ends over the sleeve now. Push the sleeve together, \
-         so that it is wide; work it along the tube like an inchworm, up to the head."
-            .into(),
+        format!(
+            "Put the {} of both ends over the sleeve now. Push the sleeve together, so that it is \
+             wide; work it along the tube like an inchworm, until {} of it lie beyond the inner face \
+             of the head.",
+            match ends.made {
+                EndsMade::Tied => "ties",
+                EndsMade::Clamped => "clamps",
+                EndsMade::Crimped => "ferrules and clamps (ferrule, clamp, clamp, ferrule)",
+            },
+            shown.length(TRIM_MM)
+        ),
         clamp,
         "Straighten the sleeve along the tube until it lies on it everywhere, without folds or twist. \
          Push in the eye plug, with its bolt hole parallel to the other one."
             .into(),
         format!(
             "Before the second end is closed: {} ± {} between the inner faces of both heads; \
-             strands at {}° ± 1° to the axis; one turn of a strand is {} long along the tube. If it \
-             is longer, push the sleeve together.",
+             strands at {}° ± 1° to the axis; one turn of a strand is {} long along the tube. If the \
+             turn is longer, push the sleeve together.",
             shown.length(plan.faces_mm(0.0)),
             shown.tolerance(FACES_MM),
             mm((10.0 * muscle.braid().angle_deg).round() / 10.0),
@@ -303,14 +311,22 @@ fn tests(plan: &Plan) -> Vec<String> {
     let mut steps = vec![
         format!(
             "Bolt the muscle into a frame that holds its length ({} between the heads) and bears {}. \
-             Each end then carries {}; left free it would carry the pressure on its bore alone.",
+             Each end then carries {}; with a free length it would carry the pressure on its bore \
+             only.",
             shown.length(plan.faces_mm(0.0)),
             shown.force(2.0 * plan.proof_load_n),
             shown.force(plan.proof_load_n)
         ),
-        "Fill it with water, air plug upwards, until no bubble comes. Safety glasses, a screen, nobody \
-         in line with the muscle."
-            .into(),
+        if plan.liquid {
+            "Screw the bleed screw with its seal into the eye plug, two turns. Hold the eye plug \
+             upwards; press water in from below until no bubble comes, and close the screw. Safety \
+             glasses, a screen, nobody in line with the muscle."
+        } else {
+            "Fill it with water by a syringe on the fitting, held upwards: draw the air out, let water \
+             in, and repeat until no bubble comes. Safety glasses, a screen, nobody in line with the \
+             muscle."
+        }
+        .into(),
         format!(
             "Raise the pressure with a hand pump in four steps to {proof}, and hold it for one \
              minute. It passes if the pressure stays, no mark on the sleeve moves, and the tube does \
@@ -340,8 +356,8 @@ fn tests(plan: &Plan) -> Vec<String> {
         ]);
     }
     steps.push(
-        "After the first 50 strokes repeat the leak test, and compare the marks. Replace latex when it \
-         turns dull or sticky."
+        "After the first 50 strokes repeat the leak test, and compare the marks. Replace the tube when it turns \
+         dull or sticky."
             .into(),
     );
     steps

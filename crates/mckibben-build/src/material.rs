@@ -1,7 +1,7 @@
 //! The bill of materials.
 
 use crate::{
-    Cut, Plan, SleeveCut,
+    Cut, Plan, SleeveCut, build_sheet,
     plug::Plug,
     text::{mm, significant},
 };
@@ -18,7 +18,12 @@ const SAME_MM: f64 = 0.011;
 /// Wall in mm of the tube that a ferrule is cut from (a choice).
 const FERRULE_WALL_MM: f64 = 1.5;
 /// What is used up: what, how much, what for.
-pub const CONSUMABLES: [[&str; 3]; 5] = [
+pub const CONSUMABLES: [[&str; 3]; 6] = [
+    [
+        "regulator, shut-off valve, relief valve",
+        "1 each",
+        "the relief valve at what the test record says",
+    ],
     [
         "isopropyl alcohol",
         "a little",
@@ -27,7 +32,7 @@ pub const CONSUMABLES: [[&str; 3]; 5] = [
     [
         "epoxy resin or thin cyanoacrylate",
         "a little",
-        "to seal printed plugs",
+        "to seal a printed plug",
     ],
     [
         "adhesive tape",
@@ -124,11 +129,8 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
         }
     };
     let bolt = &plan.air_plug;
-    let size = format!(
-        "M{} × {} mm, class 8.8",
-        mm(bolt.bolt_mm),
-        (1.6 * bolt.side_mm).ceil()
-    );
+    let (bolt_mm, long_mm) = (mm(bolt.bolt_mm), bolt.bolt_length_mm());
+    let size = format!("M{bolt_mm} × {long_mm} mm, class 8.8");
     let fitting = plan.air_plug.port.map(|port| port.fitting);
     let fitting = fitting.map_or_else(String::new, |fitting| fitting.part());
     let mut parts = vec![
@@ -148,6 +150,19 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
             mm((plan.muscle.insertion_mm() - plan.air_plug.stem.tube_mm() - 2.0).floor())
         );
         parts.push(bought(8, "ferrule", size, 2));
+    }
+    if tube_of(&plan.muscle, &plan.cut).is_some_and(|tube| tube.is_cast) {
+        let outer = plan.cut.tube_outer_diameter_mm;
+        let bore = outer - 2.0 * plan.cut.tube_wall_mm;
+        let mixed = build_sheet::mixed_ml(plan);
+        let size = format!("{mixed} mL in all; release agent, syringe, scale");
+        parts.push(bought(10, "silicone for the tube, parts A and B", size, 1));
+        let size = format!(
+            "rod {} mm, smooth pipe with a bore of {} mm",
+            mm(bore),
+            mm(outer)
+        );
+        parts.push(bought(11, "mould for the tube", size, 1));
     }
     if plan.liquid {
         let size = plan

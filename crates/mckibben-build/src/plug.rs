@@ -31,6 +31,11 @@ const BARS_MM: [f64; 18] = [
     8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0,
     120.0, 160.0,
 ];
+/// Lengths of bolts as they are sold (ISO 4014), in mm.
+const BOLT_LENGTHS_MM: [f64; 16] = [
+    16.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 70.0, 80.0, 90.0, 100.0, 120.0,
+    140.0,
+];
 /// Shear in MPa that a steel bolt of class 8.8 is given across both its sections: a choice, about a
 /// quarter of what it bears.
 const BOLT_SHEAR_MPA: f64 = 100.0;
@@ -142,7 +147,11 @@ impl Plug {
         let collar_mm = widest_mm + 2.0 * COLLAR_MM.1;
         let turned = bar.filter(|bar| material != PETG && SQRT_2 * bar <= collar_mm);
         // The end of a printed head is its foot on the printer, so that nothing overhangs.
-        let side_mm = turned.unwrap_or(needed_mm.max(widest_mm + 2.0).ceil());
+        let wide_mm = needed_mm.max(widest_mm + 2.0).ceil();
+        let wide_bar = BARS_MM
+            .into_iter()
+            .find(|bar| *bar >= wide_mm && material != PETG);
+        let side_mm = turned.or(wide_bar).unwrap_or(wide_mm);
         let collar_mm = turned.map(|_| collar_mm);
         let foot_mm = stem.length_mm + collar_mm.map_or(0.0, |_| COLLAR_MM.0);
         let port = fitting.map(|fitting| Port::new(fitting, stem, foot_mm, side_mm));
@@ -202,6 +211,22 @@ impl Plug {
 
     pub fn is_printed(&self) -> bool {
         self.material == PETG
+    }
+
+    /// The bar that it is turned from.
+    pub(crate) fn bar(&self) -> String {
+        match self.collar_mm {
+            Some(collar) => format!("round bar {} mm", collar.ceil()),
+            None => format!("square bar {} mm", self.side_mm),
+        }
+    }
+
+    /// Length in mm of its bolt as sold: through the head, two cheeks as thick as the bolt, and the
+    /// nut.
+    pub(crate) fn bolt_length_mm(&self) -> f64 {
+        let least_mm = self.side_mm + 3.3 * self.bolt_mm + 1.0;
+        let sold = BOLT_LENGTHS_MM.into_iter().find(|mm| *mm >= least_mm);
+        sold.unwrap_or((least_mm / 20.0).ceil() * 20.0)
     }
 
     pub fn mass_g(&self) -> f64 {
@@ -319,6 +344,8 @@ impl Port {
         let root_mm = stem.root_mm();
         // Two thirds of the stem are its wall.
         let passage_mm = (root_mm / 3.0).min(4.0).min(0.8 * hole_mm);
+        // A drill.
+        let passage_mm = (10.0 * passage_mm).floor() / 10.0;
         Self {
             fitting,
             height_mm: foot_mm + 0.5 * flat_mm.max(hole_mm + 4.0),

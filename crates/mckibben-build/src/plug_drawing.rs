@@ -9,14 +9,14 @@ use crate::{
 };
 use mckibben_report::{Anchor, Pen, Sheet};
 
-/// Room for the section, and for its height with that of the end beside it, in mm.
-const ROOM_MM: (f64, f64) = (150.0, 80.0);
+/// Room for section and end beside each other, and for their height, in mm.
+const ROOM_MM: (f64, f64) = (185.0, 80.0);
 const NOTES_MM: f64 = 2.3;
 
 /// The sheet of a plug.
 pub fn on_paper(plan: &Plan, what: &str, plug: &Plug, number: usize) -> Sheet {
     let wide = plug.widest_mm();
-    let scale = largest(|s| s * plug.length_mm <= ROOM_MM.0 && s * wide <= ROOM_MM.1);
+    let scale = largest(|s| s * (plug.length_mm + wide) <= ROOM_MM.0 && s * wide <= ROOM_MM.1);
     let title = Title {
         what,
         material: plug.material.name,
@@ -151,7 +151,7 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
     };
     [
         Some(format!(
-            "Bolt M{}: hole {} (ISO 273 medium), across the flats beside the port",
+            "Bolt M{}: hole {} (ISO 273 medium), across the head",
             mm(plug.bolt_mm),
             mm(plug.hole_mm)
         )),

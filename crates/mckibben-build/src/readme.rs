@@ -13,12 +13,13 @@ impl Plan {
     pub(crate) fn verdict(&self) -> Vec<String> {
         let (operating, shown) = (&self.operating, &self.shown);
         let at_rest = format!(
-            "At {} it is blocked at {}, and contracts by {} ({}) without load (model {}).",
-            shown.pressure(operating.pressure_mpa),
+            "By the model alone ({}) it is blocked at {} at {}, and contracts by {} ({}) without \
+             load.",
+            operating.model,
             shown.force(operating.blocked_force_n),
+            shown.pressure(operating.pressure_mpa),
             percent(operating.free_contraction),
-            shown.length((operating.free_contraction * self.muscle.length_mm()).round()),
-            operating.model
+            shown.length((operating.free_contraction * self.muscle.length_mm()).round())
         );
         let pull = |at: &PullAt| {
             let place = format!(
@@ -60,14 +61,14 @@ impl Plan {
         } else {
             format!(
                 "At the working pressure the air stores up to {}, rubber and strands up to {}. An \
-                 end that slips flies off with it: no face in line with the muscle.",
+                 end that slips flies off with it: keep everyone out of the line of the muscle.",
                 joules(safety.air_energy_j),
                 joules(safety.wall_energy_j)
             )
         };
         let order = format!(
-            "First the proof test with water, {}, with the length held; never with air. Never above \
-             {}.",
+            "First the proof test with water, {}, with the length held; never with air. In use \
+             never above {}.",
             shown.pressure(safety.proof_pressure_mpa),
             shown.pressure(self.highest_mpa())
         );
@@ -81,6 +82,11 @@ impl Plan {
                 shown.pressure(mpa)
             )
         });
+        let unknown = self.operating.burst.is_none().then(|| {
+            "The burst pressure is NOT KNOWN, because number or strength of the strands are not \
+             stated: nothing limits the proof pressure but twice the working pressure."
+                .to_owned()
+        });
         let warnings = self.warnings();
         let sentence = |text: String| {
             let mut letters = text.chars();
@@ -88,8 +94,9 @@ impl Plan {
             first.unwrap_or_default() + letters.as_str() + "."
         };
         let warnings = warnings.into_iter().map(sentence);
-        above
+        unknown
             .into_iter()
+            .chain(above)
             .chain(warnings)
             .chain([energy, order])
             .collect()

@@ -55,7 +55,7 @@ pub fn end(plan: &Plan) -> Result<String, FigureError> {
         plan.shown.tolerance(FACES_MM)
     );
     v.across((x.0, body.end), (clamped, clamped), row + 7.0, &faces);
-    let note = "L₀ ends at the inner edge of the first tie or clamp";
+    let note = "L₀ ends at the barb or the first groove, within 1 mm of the first tie or clamp";
     sheet.text([4.0, 3.0], NOTE_MM, Anchor::Start, note);
     sheet.to_svg()
 }
@@ -63,31 +63,24 @@ pub fn end(plan: &Plan) -> Result<String, FigureError> {
 /// The muscle in the frame that holds its length, with the air plug above.
 pub fn frame(plan: &Plan) -> Result<String, FigureError> {
     let mut sheet = sheet("Proof test with the length held");
-    let (left, right, y) = (34.0, 136.0, 32.0);
-    for (x, outer) in [(left - 8.0, left - 12.0), (right + 8.0, right + 12.0)] {
-        let corners = [[x, 12.0], [outer, 12.0], [outer, 52.0], [x, 52.0]];
-        sheet.outline(Pen::Outline, corners);
+    let (left, right, y) = (40.0, 130.0, 32.0);
+    for rod in [14.0, 50.0] {
+        sheet.line(Pen::Outline, [[left - 9.0, rod], [right + 9.0, rod]]);
     }
-    for rod in [16.0, 48.0] {
-        sheet.line(Pen::Outline, [[left - 12.0, rod], [right + 12.0, rod]]);
-    }
-    let muscle = [
-        [left, y - 4.0],
-        [right, y - 4.0],
-        [right, y + 4.0],
-        [left, y + 4.0],
-    ];
-    sheet.outline(Pen::Outline, muscle);
-    for (head, bolt) in [(left, left - 5.0), (right, right + 5.0)] {
-        let end = 2.0 * bolt - head;
-        let corners = [
-            [head, y - 5.0],
-            [end, y - 5.0],
-            [end, y + 5.0],
-            [head, y + 5.0],
-        ];
+    let mut rectangle = |x: [f64; 2], y: [f64; 2]| {
+        let corners = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
         sheet.outline(Pen::Outline, corners);
-        sheet.circle(Pen::Outline, [bolt, y], 2.0);
+    };
+    rectangle([left, right], [y - 4.0, y + 4.0]);
+    for (head, out) in [(left, -1.0), (right, 1.0)] {
+        rectangle([head, head + 17.0 * out], [y - 5.0, y + 5.0]);
+        // A slotted bar; the bolt bears on its outer face.
+        for cheek in [[y - 22.0, y - 5.0], [y + 5.0, y + 22.0]] {
+            rectangle([head + 3.0 * out, head + 9.0 * out], cheek);
+        }
+    }
+    for bolt in [left - 11.2, right + 11.2] {
+        sheet.circle(Pen::Outline, [bolt, y], 2.2);
     }
     let mut v = View {
         sheet: &mut sheet,
@@ -98,7 +91,7 @@ pub fn frame(plan: &Plan) -> Result<String, FigureError> {
     v.across((0.0, right - left), (4.0, 4.0), 10.0, &faces);
     let bears = plan.shown.force(2.0 * plan.proof_load_n);
     let note = format!(
-        "frame of steel for {bears} or more: it pulls {} at the proof pressure",
+        "steel frame for {bears}; the bolts bear on its outer faces; {} at the proof pressure",
         plan.shown.force(plan.proof_load_n)
     );
     sheet.text([4.0, 4.0], NOTE_MM, Anchor::Start, note);

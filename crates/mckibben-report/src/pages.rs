@@ -24,6 +24,8 @@ const LEADING: f64 = 2.0;
 const GUTTER_MM: f64 = 4.0;
 /// Largest height of a figure.
 const FIGURE_MM: f64 = 115.0;
+/// Room for a heading and the drawing below it.
+const WITH_DRAWING_MM: f64 = 85.0;
 /// Side of a box to tick.
 const BOX_MM: f64 = 3.2;
 
@@ -53,7 +55,11 @@ impl Document {
             pages.title_block(&self.title_block);
         }
         pages.text(&self.lead, LEFT_MM, TEXT_MM);
-        for part in &self.parts {
+        for (i, part) in self.parts.iter().enumerate() {
+            let is_before_drawing = matches!(self.parts.get(i + 1), Some(Part::Drawing(_)));
+            if is_before_drawing && matches!(part, Part::Heading(_)) {
+                pages.room(WITH_DRAWING_MM);
+            }
             pages.part(part)?;
         }
         pages.y -= 3.0;
