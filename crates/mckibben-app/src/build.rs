@@ -25,7 +25,7 @@ use mckibben_core::{
     cancel,
     extremes::peak,
     model::Workspace,
-    muscle::EndsMade,
+    muscle::{EndsMade, JobPoint},
     progress::Progress,
     units::{
         Dimension,
@@ -262,9 +262,10 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         .map(|file| named(file, request.muscle.file()))
         .map(BuiltFile::from)
         .collect();
+    let drawing = mckibben_build::drawing_svg(&plan).map_err(wrong)?;
     let document = request
         .report
-        .then(|| report(request, (&plan, &burst), progress))
+        .then(|| report(request, (&plan, &burst, &drawing), progress))
         .transpose()?;
     if let Some(document) = &document {
         let about = "all that is known of the muscle";
@@ -298,7 +299,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
             .collect(),
         files,
         document,
-        drawing: mckibben_build::drawing_svg(&plan).map_err(wrong)?,
+        drawing,
         cut: plan.cut,
         parts: plan.parts,
         test: plan.test,
@@ -360,24 +361,29 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
 fn pulls(evaluation: &mut Evaluation<'_>, pressure_mpa: f64, half: f64) -> Result<Vec<PullAt>> {
     let job = evaluation.model.muscle().job();
     let job = job.filter(|job| f64::from(job.pressure) == pressure_mpa);
-    let wanted: Vec<(f64, Option<f64>)> = match job.map(|job| &job.points[..]) {
-        Some(points @ [_, ..]) => points
-            .iter()
-            .map(|point| (point.contraction.into(), Some(point.force.into())))
-            .collect(),
-        _ => vec![(half, None)],
-    };
-    let one = |(contraction, required_n)| {
-        let point = evaluation.point(pressure_mpa, contraction)?;
+    let points = job.map_or(&[][..], |job| &job.points);
+    let pull = |point: &JobPoint| {
         Ok(PullAt {
-            pressure_mpa,
-            contraction,
-            required_n,
-            force_n: point.response.force_n,
-            built: point.built,
+            required_n: Some(point.force.into()),
+            ..pull_at(evaluation, pressure_mpa, point.contraction.into())?
         })
     };
-    wanted.into_iter().map(one).collect()
+    let mut pulls = points.iter().map(pull).collect::<Result<Vec<_>>>()?;
+    if pulls.is_empty() {
+        pulls.push(pull_at(evaluation, pressure_mpa, half)?);
+    }
+    Ok(pulls)
+}
+
+fn pull_at(evaluation: &mut Evaluation<'_>, pressure_mpa: f64, contraction: f64) -> Result<PullAt> {
+    let point = evaluation.point(pressure_mpa, contraction)?;
+    Ok(PullAt {
+        pressure_mpa,
+        contraction,
+        required_n: None,
+        force_n: point.response.force_n,
+        built: point.built,
+    })
 }
 
 /// What is expected at the points of the first test, on their branches.
@@ -392,14 +398,7 @@ fn expected(plan: &Plan) -> Result<Vec<PullAt>> {
         };
         let mut workspace = Workspace::new();
         let mut evaluation = Evaluation::new(&*model, &mut workspace, options);
-        let answer = evaluation.point(point.pressure_mpa, point.contraction)?;
-        Ok(PullAt {
-            pressure_mpa: point.pressure_mpa,
-            contraction: point.contraction,
-            required_n: None,
-            force_n: answer.response.force_n,
-            built: answer.built,
-        })
+        pull_at(&mut evaluation, point.pressure_mpa, point.contraction)
     };
     plan.test.iter().map(one).collect()
 }

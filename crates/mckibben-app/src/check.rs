@@ -314,8 +314,10 @@ fn findings_of(
 
 /// What of a sleeve with estimated strands comes first.
 fn sleeve(burst: &Burst) -> Vec<String> {
-    let ends = burst.least().zip(burst.first());
-    let ends = ends.filter(|(least, first)| least.1 < first.1);
+    let ends = burst
+        .least()
+        .zip(burst.first())
+        .filter(|(least, first)| least.1 < first.1);
     let text = |((_, least_mpa), (_, first_mpa)): ((FailureMode, f64), (FailureMode, f64))| {
         let [least, first] = [least_mpa, first_mpa]
             .map(|mpa| Units::default().show(Dimension::Pressure, tidy(mpa, 3)));

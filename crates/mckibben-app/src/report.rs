@@ -5,7 +5,7 @@ use crate::{
     QuestionFields, Result, ShapeRequest, Units, check, curve, flags::Args, force, number, percent,
     print::Rows, ratio, shape, words::fixed,
 };
-use mckibben_build::{Plan, drawing_svg};
+use mckibben_build::Plan;
 use mckibben_core::{
     analysis::{Burst, FailureMode, FailurePressure, SAFETY},
     curve::Test,
@@ -62,7 +62,7 @@ impl TitleBlock {
 /// A report of a muscle whose plan is made, by `fe`.
 pub fn report(
     request: &BuildRequest,
-    (plan, burst): (&Plan, &Burst),
+    (plan, burst, drawing): (&Plan, &Burst, &str),
     progress: &dyn Progress,
 ) -> Result<Document> {
     let step = |done| {
@@ -113,7 +113,7 @@ pub fn report(
     parts.push(body_part(&deformed)?);
     step(3)?;
     parts.extend(margins(plan, burst, units));
-    parts.extend(drawing_svg(plan).ok().map(Part::Drawing));
+    parts.push(Part::Drawing(drawing.into()));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
         parts.extend(

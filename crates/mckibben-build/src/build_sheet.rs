@@ -3,7 +3,7 @@
 use crate::{
     Plan, SleeveLength,
     cut::TRIM_MM,
-    material::{CONSUMABLES, density_kg_per_m3, tube_of},
+    material::{CONSUMABLES, density_kg_per_m3},
     sketch,
     text::{mm, percent, significant},
 };
@@ -48,7 +48,7 @@ pub fn document(plan: &Plan) -> Result<Document, FigureError> {
     parts.push(heading("Cut list"));
     parts.extend(cut_list(plan));
     parts.extend([heading("Plugs"), Part::Steps(plugs(plan))]);
-    if tube_of(&plan.muscle, &plan.cut).is_some_and(|tube| tube.is_cast) {
+    if plan.is_cast() {
         parts.extend([heading("Casting the tube"), Part::Steps(casting(plan))]);
     }
     parts.extend([
@@ -195,8 +195,7 @@ pub fn mixed_ml(plan: &Plan) -> String {
 
 fn casting(plan: &Plan) -> Vec<String> {
     let cut = &plan.cut;
-    let outer = cut.tube_outer_diameter_mm;
-    let bore = outer - 2.0 * cut.tube_wall_mm;
+    let (bore, outer) = (cut.bore_mm(), cut.tube_outer_diameter_mm);
     let pipe = cut.tube_mm.round() + MOULD_BEYOND_MM;
     let ml = mixed_ml(plan);
     let half_g = density_kg_per_m3(&plan.muscle).map_or_else(
@@ -228,7 +227,9 @@ fn casting(plan: &Plan) -> Vec<String> {
              the catalogue.",
             mm(cut.tube_mm.round() + 0.5 * MOULD_BEYOND_MM)
         ),
-        "Close the hole with tape, also between two fillings of the syringe. Let it cure upright as long as its maker states.".into(),
+        "Close the hole with tape, also between two fillings of the syringe. Let it cure upright as \
+         long as its maker states."
+            .into(),
         "Take off the caps. Blow isopropyl alcohol or air between rod and tube, and draw the rod; then \
          push the tube out. Look for bubbles against the light: none in the wall."
             .into(),
@@ -255,12 +256,14 @@ fn assembly(plan: &Plan) -> Vec<String> {
         ),
         EndsMade::Clamped => format!(
             "Tighten the hose clamp behind the barb, on the sleeve ({around} wide there), to about \
-             {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). Each end: {holds}."
+             {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). Each end: \
+             {holds}."
         ),
         EndsMade::Crimped => format!(
             "Pull the ferrule over the sleeve on the ribbed shoulder beyond the tube ({} wide). \
              Tighten the hose clamp over sleeve and tube behind the barb, to about {squeezed}: it \
-             seals. Press the ferrule until the sleeve does not move: the ferrule carries the load. Each end: {holds}.",
+             seals. Press the ferrule until the sleeve does not move: the ferrule carries the load. \
+             Each end: {holds}.",
             shown.length(plan.ferrule_mm.unwrap_or_default())
         ),
     };

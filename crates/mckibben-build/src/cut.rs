@@ -59,6 +59,11 @@ const ROWS: usize = 5;
 pub const TRIM_MM: f64 = 10.0;
 
 impl Cut {
+    /// Bore in mm of the tube as bought or cast.
+    pub fn bore_mm(&self) -> f64 {
+        self.tube_outer_diameter_mm - 2.0 * self.tube_wall_mm
+    }
+
     /// The cut of a muscle, whose sleeve has `relaxed_diameter_mm` as it comes off the roll, and of
     /// whose tube a length in mm lies on each plug.
     pub(crate) fn new(muscle: &Muscle, relaxed_diameter_mm: Option<f64>, on_plug_mm: f64) -> Self {

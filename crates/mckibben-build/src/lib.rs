@@ -104,7 +104,7 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
             ));
         }
     }
-    if material::tube_of(&plan.muscle, &plan.cut).is_some_and(|tube| tube.is_cast) {
+    if plan.is_cast() {
         let cap = mould::cap(&plan.cut).to_stl(MARK);
         out.push(File::bytes("mould-cap.stl", "cap of the mould, twice", cap));
     }

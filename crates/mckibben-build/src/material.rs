@@ -151,9 +151,8 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
         );
         parts.push(bought(8, "ferrule", size, 2));
     }
-    if tube_of(&plan.muscle, &plan.cut).is_some_and(|tube| tube.is_cast) {
-        let outer = plan.cut.tube_outer_diameter_mm;
-        let bore = outer - 2.0 * plan.cut.tube_wall_mm;
+    if plan.is_cast() {
+        let (bore, outer) = (plan.cut.bore_mm(), plan.cut.tube_outer_diameter_mm);
         let mixed = build_sheet::mixed_ml(plan);
         let size = format!("{mixed} mL in all; release agent, syringe, scale");
         parts.push(bought(10, "silicone for the tube, parts A and B", size, 1));
@@ -178,13 +177,9 @@ fn tube(plan: &Plan) -> BuildPart {
     let (muscle, cut) = (&plan.muscle, &plan.cut);
     let tube = tube_of(muscle, cut);
     let rubber = muscle.tube().rubber.name.as_deref();
-    let what = match tube {
-        Some(tube) if tube.is_cast => "cast tube",
-        _ => "tube",
-    };
+    let what = if plan.is_cast() { "cast tube" } else { "tube" };
     let shown = |mm: f64| plan.shown.length(mm);
-    let outer = cut.tube_outer_diameter_mm;
-    let bore = outer - 2.0 * cut.tube_wall_mm;
+    let (bore, outer) = (cut.bore_mm(), cut.tube_outer_diameter_mm);
     BuildPart {
         number: 1,
         part: rubber.map_or_else(|| what.into(), |name| format!("{what} of {name}")),

@@ -131,6 +131,11 @@ impl Plan {
         self.clamped_diameter_mm - 2.0 * SQUEEZE * self.cut.tube_wall_mm
     }
 
+    /// Whether its tube is one that people cast.
+    pub(crate) fn is_cast(&self) -> bool {
+        material::tube_of(&self.muscle, &self.cut).is_some_and(|tube| tube.is_cast)
+    }
+
     /// What fills the muscle.
     pub fn medium(&self) -> &'static str {
         if self.liquid { "liquid" } else { "air" }
@@ -264,7 +269,7 @@ impl EndParts {
         let cut = Cut::new(muscle, wishes.sleeve_diameter_mm, 0.0);
         let sleeve_mm = sleeve_mm(muscle, &cut);
         let wall_mm = cut.tube_wall_mm;
-        let bore_mm = cut.tube_outer_diameter_mm - 2.0 * wall_mm;
+        let bore_mm = cut.bore_mm();
         let over_sleeve_mm = muscle.outer_diameter_mm() + 2.0 * sleeve_mm;
         let tube = Clamped {
             bore_mm,

@@ -194,9 +194,10 @@ pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, Model
     spare.retain(|(limit, _)| known.insert(*limit));
     let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
     let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
-    let blocked = Evaluation::new(&*trial.model, &mut trial.workspace, Options::default());
+    let blocked_at_set_n = Evaluation::new(&*trial.model, &mut trial.workspace, Options::default())
+        .force_n(pressure_mpa, 0.0)?;
     Ok(Candidate {
-        blocked_at_set_n: { blocked }.force_n(pressure_mpa, 0.0)?,
+        blocked_at_set_n,
         pressure_mpa,
         margin: points
             .iter()
