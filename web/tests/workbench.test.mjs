@@ -415,6 +415,14 @@ inBrowser(({ name, url, open, blank }) => {
   test("a project with several muscles, data and what was typed is saved and opened in one file", async () => {
     const { page, errors, context } = await open("#muscle?D=45&name=Calf");
     await alive(page);
+    // A slow computer needs this long to read a link with a file in it.
+    await page.evaluate(() => {
+      const { stream } = Blob.prototype;
+      Blob.prototype.stream = function () {
+        const start = () => new Promise((go) => setTimeout(go, 300));
+        return stream.call(this).pipeThrough(new TransformStream({ start }));
+      };
+    });
     const project = page.getByRole("button", { name: "Open", exact: true });
     await project.click();
     await page.getByRole("button", { name: "Add this muscle" }).click();

@@ -16,9 +16,14 @@ function parse(of = location.hash) {
 export const isLocal = () =>
   /^(localhost|127\.|\[::1\])/.test(location.hostname);
 
-/** The page of the address, with its words; those that a damaged link has lost. */
+/**
+ * The page of the address, with its words; those that a damaged link has lost. Of one that changes meanwhile, the new
+ * one: what was typed counts.
+ * @returns {Promise<{ page: string, params: URLSearchParams, lost: string[], bare: boolean }>}
+ */
 export async function read() {
-  const { page, params } = parse();
+  const of = location.hash,
+    { page, params } = parse();
   /** @type {string[]} */ const lost = [];
   for (const [key, word] of [...params]) {
     try {
@@ -29,6 +34,7 @@ export async function read() {
     }
   }
   await Promise.all([...params.values()].map(pack));
+  if (location.hash !== of) return read();
   return { page, params, lost, bare: !location.hash.includes("?") };
 }
 

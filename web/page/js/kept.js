@@ -63,8 +63,22 @@ export function keepFile(name, what) {
   else kept.files[name] = what;
   save();
 }
-/** All of it, as a project has it. */
-export const everything = () => structuredClone(kept);
+/** What was typed and is still being read. @type {Set<Promise<unknown>>} */ const typing =
+  new Set();
+/** @param {Promise<unknown>} reading */
+export function keeping(reading) {
+  const ended = reading
+    .catch(() => {})
+    .finally(() => {
+      typing.delete(ended);
+    });
+  typing.add(ended);
+}
+/** All of it, as a project has it, with what was typed last. */
+export async function everything() {
+  while (typing.size) await Promise.all(typing);
+  return structuredClone(kept);
+}
 /** In place of all. @param {Kept} other */
 export function replaceAll({ words, files }) {
   Object.assign(kept, structuredClone({ words, files }));

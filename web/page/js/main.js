@@ -5,7 +5,7 @@ import { muscleBar } from "./bar.js";
 import { button, byId, el, paragraph, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
 import { helpLink } from "./help.js";
-import { keepWords, onKept, wordsOf } from "./kept.js";
+import { keepWords, keeping, onKept, wordsOf } from "./kept.js";
 import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
 import { notice } from "./notice.js";
@@ -261,7 +261,7 @@ addEventListener(
 // A page writes at the end of a gesture.
 onWritten(() => {
   changed();
-  keep().then(link, () => {});
+  keeping(keep().then(link));
 });
 onKept(link);
 muscle.onChange(changed);

@@ -41,7 +41,7 @@ async function saved() {
   const {
     words,
     files: { muscles = [], ...files },
-  } = everything();
+  } = await everything();
   /** @type {Project} */
   const project = {
     format: FORMAT,
