@@ -33,7 +33,7 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
     let pressures = pressures();
     let mut sum = 0.0;
     for muscle in muscles {
-        let (model, w) = (Axisymmetric::new(muscle).unwrap(), &mut Workspace::new());
+        let (model, w) = (Axisymmetric::between_ends(muscle).unwrap(), &mut Workspace::new());
         for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
             sum += model
                 .isometric(w, e, &pressures, Detail::Point)
@@ -50,7 +50,7 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
 fn report() {
     for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
         let (model, w) = (
-            Axisymmetric::new(&Muscle::prototype()).unwrap(),
+            Axisymmetric::between_ends(&Muscle::prototype()).unwrap(),
             &mut Workspace::new(),
         );
         let curve = model.isometric(w, e, &pressures(), Detail::Point);
@@ -86,7 +86,7 @@ fn memory(along: usize) -> usize {
 
 /// A curve with everything that comes before it.
 fn cold(muscle: &Muscle, spec: &MeshSpec, contraction: f64, pressures: &[f64]) -> Curve {
-    let model = Axisymmetric::with_mesh(muscle, spec).unwrap();
+    let model = Axisymmetric::between_ends_with(muscle, spec).unwrap();
     model.isometric(&mut Workspace::new(), contraction, pressures, Detail::Point)
 }
 
@@ -111,7 +111,7 @@ fn bench(c: &mut Criterion) {
     group.finish();
 
     let mut group = c.benchmark_group("one answer");
-    let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
+    let (model, w) = (Axisymmetric::between_ends(&muscle).unwrap(), &mut Workspace::new());
     let mut i = 0_u32;
     group.bench_function("warm neighbour", |b| {
         b.iter(|| {
@@ -122,7 +122,7 @@ fn bench(c: &mut Criterion) {
     });
     group.bench_function("cold", |b| {
         b.iter(|| {
-            Axisymmetric::new(&muscle)
+            Axisymmetric::between_ends(&muscle)
                 .unwrap()
                 .force_n(&mut Workspace::new(), black_box(0.2), 0.1)
                 .unwrap()

@@ -7,6 +7,7 @@ use mckibben_core::muscle::Muscle;
 use mckibben_core::progress::Silent;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_motion::*;
+use std::sync::Arc;
 
 fn load(model: &dyn ForceModel) -> SingleMuscle {
     SingleMuscle {
@@ -16,62 +17,55 @@ fn load(model: &dyn ForceModel) -> SingleMuscle {
     }
 }
 
-fn drive<'a>(
-    load: &'a SingleMuscle,
-    model: &'a dyn ForceModel,
-    command: Command,
-) -> Option<Drive<'a>> {
+fn drive(model: &Arc<dyn ForceModel>, command: Command) -> Option<Drive> {
     let valve = Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).ok()?));
     let target = Target::Pressure(vec![command]);
-    let muscles = vec![Actuated::new(model, valve)];
+    let muscles = vec![Actuated::new(model.clone(), valve)];
     Some(Drive {
         output_step_s: 1e-3,
-        ..Drive::new(load, muscles, target, 1.0)
+        ..Drive::new(load(&**model), muscles, target, 1.0)
     })
 }
 
-fn second(model: &dyn ForceModel) -> Option<Motion> {
+fn second(model: &Arc<dyn ForceModel>) -> Option<Motion> {
     let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)]);
-    run(&drive(&load(model), model, steps)?, &Silent).ok()
+    run(&drive(model, steps)?, &Silent).ok()
 }
 
 /// Filled and vented in turn, a tenth of a second each.
-fn steps(c: &mut Criterion, name: &str, model: &dyn ForceModel) {
-    let load = load(model);
-    let at = |mpa| drive(&load, model, Command::Constant(mpa));
-    let Some((low, high)) = at(0.05).zip(at(0.3)) else {
-        return;
-    };
-    let Ok(mut simulation) = Simulation::new(&low, &Silent) else {
+fn steps(c: &mut Criterion, name: &str, model: &Arc<dyn ForceModel>) {
+    let drive = drive(model, Command::Constant(0.05));
+    let Some(mut simulation) = drive.and_then(|drive| Simulation::new(&drive).ok()) else {
         return;
     };
     let mut count = 0;
     c.bench_function(&format!("step/{name}"), |b| {
         b.iter(|| {
             count += 1;
-            simulation
-                .step(if count / 100 % 2 == 0 { &high } else { &low }, &Silent)
-                .is_ok()
+            let high = count / 100 % 2 == 0;
+            simulation.step(&[if high { 0.3 } else { 0.05 }]).is_ok()
         });
     });
 }
 
 fn motion(c: &mut Criterion) {
     let muscle = Muscle::prototype();
+    let universal = ModelKind::Universal.build(&muscle).ok().map(Arc::from);
+    let elements = Axisymmetric::between_ends(&muscle).ok();
+    let elements = elements.map(|model| Arc::new(model) as Arc<dyn ForceModel>);
+    let models = [("universal", universal), ("fe", elements)];
     let mut group = c.benchmark_group("one-second");
     group.sample_size(10);
-    if let Ok(model) = ModelKind::Universal.build(&muscle) {
-        group.bench_function("universal", |b| b.iter(|| second(&*model).is_some()));
-    }
-    if let Ok(model) = Axisymmetric::new(&muscle) {
-        group.bench_function("fe", |b| b.iter(|| second(&model).is_some()));
+    for (name, model) in &models {
+        if let Some(model) = model {
+            group.bench_function(*name, |b| b.iter(|| second(model).is_some()));
+        }
     }
     group.finish();
-    if let Ok(model) = ModelKind::Universal.build(&muscle) {
-        steps(c, "universal", &*model);
-    }
-    if let Ok(model) = Axisymmetric::new(&muscle) {
-        steps(c, "fe", &model);
+    for (name, model) in &models {
+        if let Some(model) = model {
+            steps(c, name, model);
+        }
     }
 }
 

@@ -9,10 +9,10 @@ use std::hint::black_box;
 
 fn points(c: &mut Criterion) {
     let muscle = Muscle::prototype();
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let w = &mut Workspace::new();
     let mut group = c.benchmark_group("thick_wall");
-    group.bench_function("build", |b| b.iter(|| ThickWall::new(black_box(&muscle))));
+    group.bench_function("build", |b| b.iter(|| ThickWall::between_ends(black_box(&muscle))));
     group.bench_function("force", |b| {
         b.iter(|| model.force_n(w, black_box(0.25), black_box(0.1)))
     });

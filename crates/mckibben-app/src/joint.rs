@@ -15,7 +15,7 @@ use mckibben_core::{
         Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning,
         parse_joint,
     },
-    model::Workspace,
+    model::{ForceModel, Workspace},
     muscle::Muscle,
     progress::Progress,
     size, threads,
@@ -26,6 +26,7 @@ use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A joint: its file and those of its muscles.
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -123,13 +124,9 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let models = joint
         .muscles()
         .iter()
-        .map(|m| named.bound(&m.muscle))
-        .collect::<Result<Vec<_>, _>>()?;
-    let model = JointModel::new(
-        &joint,
-        models.iter().map(|m| &**m).collect(),
-        request.extrapolate,
-    )?;
+        .map(|m| Ok(named.bound(&m.muscle)?.into()))
+        .collect::<Result<Vec<Arc<dyn ForceModel>>>>()?;
+    let model = JointModel::new(joint.clone(), models.clone(), request.extrapolate)?;
     let mut solver = Solver {
         model: &model,
         workspaces: model.workspaces(),
@@ -200,7 +197,7 @@ fn supply(request: &JointRequest) -> Result<f64> {
 }
 
 struct Solver<'m> {
-    model: &'m JointModel<'m>,
+    model: &'m JointModel,
     workspaces: Vec<Workspace>,
     warnings: Vec<Warning>,
 }
@@ -430,7 +427,7 @@ fn key(kind: usize, contraction: f64) -> (usize, i64) {
 }
 
 /// Adds P′ to rows: each contraction of each kind of muscle once, on all threads.
-fn add_start_pressures(model: &JointModel<'_>, rows: &mut [JointRow]) {
+fn add_start_pressures(model: &JointModel, rows: &mut [JointRow]) {
     let digests: Vec<String> = model
         .joint()
         .muscles()

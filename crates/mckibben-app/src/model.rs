@@ -150,11 +150,11 @@ impl Model {
                 key: "",
             }),
             Self::ClosedForm(kind) => kind.build(muscle),
-            Self::Formula(formula) => {
-                with_ends(muscle, |m| Ok(Box::new(FormulaModel::new(formula, m))))
-            }
+            Self::Formula(formula) => with_ends(muscle, |m| {
+                Ok(Box::new(FormulaModel::between_ends(formula, m)))
+            }),
             Self::Universal(formula) => with_ends(muscle, |m| {
-                Ok(Box::new(Universal::new(Arc::clone(formula), m)))
+                Ok(Box::new(Universal::between_ends(Arc::clone(formula), m)))
             }),
             Self::Elements(elements) => Ok(elements.build(muscle)?),
         }

@@ -82,7 +82,7 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
             .problem(format!("{pressure_mpa}\u{a0}MPa is below zero"))
             .in_field("pressure_mpa"));
     }
-    let fe = Axisymmetric::with_mesh(&muscle.between_ends(), mesh)
+    let fe = Axisymmetric::between_ends_with(&muscle.between_ends(), mesh)
         .map_err(|e| ProblemKind::Mesh.problem(e))?;
     let workspace = &mut Workspace::new();
     let (point, shape_contraction, section) =

@@ -22,8 +22,11 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
     let workspace = &mut Workspace::new();
 
     // One question, three models: how much does it pull at 0.25 MPa, held at its rest length?
-    let fe = Axisymmetric::new(&muscle)?;
-    let (thick_wall, ideal) = (ThickWall::new(&muscle), Ideal::new(&muscle));
+    let fe = Axisymmetric::between_ends(&muscle)?;
+    let (thick_wall, ideal) = (
+        ThickWall::between_ends(&muscle),
+        Ideal::between_ends(&muscle),
+    );
     let models: [&dyn ForceModel; 3] = [&fe, &thick_wall, &ideal];
     for model in models {
         let pull = model.response(workspace, 0.25, 0.0)?;
@@ -43,7 +46,7 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
         }],
         0.25,
     );
-    let outcome = design(&spec, &|m| Ok(Box::new(ThickWall::new(m))))?;
+    let outcome = design(&spec, &|m| Ok(Box::new(ThickWall::between_ends(m))))?;
     let best = outcome.candidates.first().ok_or("no muscle fits")?;
     println!(
         "D0 {:.1} mm, s {:.2} mm at {:.3} MPa",
@@ -55,7 +58,7 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
     // The thick wall leaves the ends out; finite elements say what they cost, and give the shape
     // for ParaView.
     let folder = std::env::temp_dir().join("mckibben-first-muscle");
-    let fe = Axisymmetric::new(&best.muscle)?;
+    let fe = Axisymmetric::between_ends(&best.muscle)?;
     let pull = fe.response(workspace, 0.25, 0.15)?;
     std::fs::create_dir_all(&folder)?;
     let section = fe.section_at(workspace, 0.25, 0.15)?;

@@ -46,7 +46,7 @@ fn shear_modulus() -> Result<f64, Box<dyn Error>> {
     let mut tube = Muscle::prototype().tube().clone();
     tube.rubber = Rubber::new(law.clone());
     let muscle = Muscle::prototype().with_tube(tube)?;
-    let pull = ThickWall::new(&muscle).response(&mut Workspace::new(), 0.2, 0.10)?;
+    let pull = ThickWall::between_ends(&muscle).response(&mut Workspace::new(), 0.2, 0.10)?;
     println!(
         "with {} it pulls {:.0} N at 0.2 MPa and 10 %",
         law.name(),

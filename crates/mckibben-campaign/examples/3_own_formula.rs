@@ -74,8 +74,8 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
 
     // The formula is a model like any other. `fitted.formula.to_json()` is a file for `--model`.
     let muscle = plan.base.with_section(26.0, 1.75)?;
-    let formula = FormulaModel::new(&fitted.formula, &muscle);
-    let fe = Axisymmetric::new(&muscle)?;
+    let formula = FormulaModel::between_ends(&fitted.formula, &muscle);
+    let fe = Axisymmetric::between_ends(&muscle)?;
     let workspace = &mut Workspace::new();
     let (ours, theirs) = (
         formula.force_n(workspace, 0.18, 0.12)?,

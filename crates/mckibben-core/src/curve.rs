@@ -159,7 +159,7 @@ mod tests {
     /// The drawn line of a slack muscle starts on zero between the two pressures around P′.
     #[test]
     fn a_line_starts_on_zero_at_the_dead_pressure() {
-        let model = ThickWall::new(&Muscle::prototype());
+        let model = ThickWall::between_ends(&Muscle::prototype());
         let pressures: Vec<f64> = (0..=250).map(|i| f64::from(i) / 1000.0).collect();
         let family = Evaluation::new(&model, &mut Workspace::new(), Options::default()).curves(
             Test::Isometric,

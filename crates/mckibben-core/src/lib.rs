@@ -13,7 +13,7 @@
 //!
 //! // A tube of 40 mm with a wall of 2 mm; length, braid and rubber are those of the paper's prototype.
 //! let muscle = Muscle::prototype().with_section(40.0, 2.0)?;
-//! let model = ThickWall::new(&muscle);
+//! let model = ThickWall::between_ends(&muscle);
 //! let workspace = &mut Workspace::new();
 //!
 //! // What does it pull at 0.25 MPa, contracted by 10 %, and how far does it bulge?

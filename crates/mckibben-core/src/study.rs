@@ -105,7 +105,7 @@ where
         .map(|&s| Ok((build(&with(30.0, s)?)?, Workspace::new())))
         .collect::<Result<_, StudyError>>()?;
     let ideals: Vec<(f64, Ideal)> = [24.0, 30.0]
-        .map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::new(&m))))
+        .map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::between_ends(&m))))
         .into_iter()
         .collect::<Result<_, _>>()?;
     let pressures: Vec<f64> = (0..=25).map(|i| f64::from(i) / 100.0).collect();
@@ -319,7 +319,7 @@ mod tests {
     /// (1) with D0 = 30 at .25 MPa: 1073 / 819 / 584 N; with D0 = 24: 687 N at ΔL = 0.
     #[test]
     fn ideal_figures_of_the_study() {
-        let build = |m: &Muscle| Ok(Box::new(ThickWall::new(m)) as Box<dyn ForceModel>);
+        let build = |m: &Muscle| Ok(Box::new(ThickWall::between_ends(m)) as Box<dyn ForceModel>);
         let study = thickness(&Muscle::prototype(), Options::default(), build).unwrap();
         assert_eq!(study.panels.len(), 6);
         let force = |panel: usize, curve: usize| {

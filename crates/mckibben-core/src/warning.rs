@@ -306,7 +306,7 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
 pub fn buckling_load_n(muscle: &Muscle, response: &Response) -> Option<f64> {
     muscle
         .is_extensile()
-        .then(|| ThickWall::new(muscle))?
+        .then(|| ThickWall::between_ends(muscle))?
         .buckling_n(response.pressure_mpa, response.contraction)
         .ok()
         .filter(|n| n.is_finite())
@@ -376,7 +376,7 @@ mod tests {
             ..Braid::paper()
         };
         let muscle = Muscle::prototype().with_braid(braid).unwrap();
-        let model = ThickWall::new(&muscle);
+        let model = ThickWall::between_ends(&muscle);
         let response = model.response(&mut Workspace::new(), 0.05, 0.0).unwrap();
         let warnings = of_response(&muscle, &response);
         assert!(
@@ -391,7 +391,7 @@ mod tests {
             [WarningKind::StrandsBreak, WarningKind::StrandStrain]
         );
         // And nothing of a muscle that is well.
-        let model = ThickWall::new(&Muscle::prototype());
+        let model = ThickWall::between_ends(&Muscle::prototype());
         let response = model.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
         assert_eq!(of_response(model.muscle(), &response), []);
     }

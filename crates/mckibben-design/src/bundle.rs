@@ -171,7 +171,7 @@ pub fn touches_at(
     pressure_mpa: f64,
     pitch_mm: f64,
 ) -> Option<f64> {
-    let thick_wall = ThickWall::new(model.muscle());
+    let thick_wall = ThickWall::between_ends(model.muscle());
     let mut diameter = |contraction: f64| {
         let own = model
             .response(workspace, pressure_mpa, contraction)
@@ -289,7 +289,7 @@ mod tests {
             ..Braid::paper()
         };
         let muscle = Muscle::prototype().with_braid(braid).unwrap();
-        let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
+        let (model, w) = (ThickWall::between_ends(&muscle), &mut Workspace::new());
         let (sin, cos) = muscle.braid().angle_deg.to_radians().sin_cos();
         let pitch = 30.0 * (1.0 - (0.9 * cos).powi(2)).sqrt() / sin;
         let at = touches_at(&model, w, 0.25, pitch).unwrap();

@@ -11,7 +11,7 @@
 //! use mckibben_design::{OperatingPoint, Spec, design};
 //!
 //! let wanted = OperatingPoint { force_n: 700.0, contraction: 0.15 };
-//! let outcome = design(&Spec::new(vec![wanted], 0.25), &|muscle| Ok(Box::new(ThickWall::new(muscle))))?;
+//! let outcome = design(&Spec::new(vec![wanted], 0.25), &|muscle| Ok(Box::new(ThickWall::between_ends(muscle))))?;
 //! let best = outcome.candidates.first().ok_or("nothing fits")?;
 //! assert!(best.margin >= 0.0 && best.pressure_mpa <= 0.25);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -374,7 +374,7 @@ impl<'a> Search<'a> {
         let rest_mm = muscle.outer_diameter_mm();
         let is_wide = |room_mm: f64| rest_mm > (1.0 + FAR) * room_mm;
         let highest_mpa = self.spec.supply_share * self.spec.max_pressure_mpa;
-        let ideal = Ideal::new(muscle);
+        let ideal = Ideal::between_ends(muscle);
         let is_weak =
             |q: &OperatingPoint| ideal.pull(highest_mpa, q.contraction) < (1.0 - FAR) * q.force_n;
         joint.room_mm(rest_mm).is_some_and(is_wide) || self.spec.points(muscle).iter().any(is_weak)

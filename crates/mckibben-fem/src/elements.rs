@@ -92,7 +92,10 @@ impl Elements {
             Self::Axisymmetric(spec) => section(muscle, spec),
             Self::ThreeDimensional(spec) => Ok(with_ends(
                 muscle,
-                Box::new(ThreeDimensional::with_mesh(&muscle.between_ends(), spec)?),
+                Box::new(ThreeDimensional::between_ends_with(
+                    &muscle.between_ends(),
+                    spec,
+                )?),
             )),
         }
     }
@@ -102,7 +105,10 @@ impl Elements {
 pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>> {
     Ok(with_ends(
         muscle,
-        Box::new(Axisymmetric::with_mesh(&muscle.between_ends(), spec)?),
+        Box::new(Axisymmetric::between_ends_with(
+            &muscle.between_ends(),
+            spec,
+        )?),
     ))
 }
 

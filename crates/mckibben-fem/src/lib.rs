@@ -25,7 +25,7 @@
 //! use mckibben_fem::axisymmetric::Axisymmetric;
 //! use mckibben_fem::simulation::{Detail, Simulation};
 //!
-//! let (muscle, workspace) = (Axisymmetric::new(&Muscle::prototype())?, &mut Workspace::new());
+//! let (muscle, workspace) = (Axisymmetric::between_ends(&Muscle::prototype())?, &mut Workspace::new());
 //! let force = muscle.force_n(workspace, 0.25, 0.10)?;
 //! assert!((force - 491.43).abs() < 0.01);
 //! let curve = muscle.isometric(workspace, 0.10, &[0.05, 0.15, 0.25], Detail::Point);

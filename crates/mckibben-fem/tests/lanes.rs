@@ -62,8 +62,8 @@ fn every_width_gives_the_same_answers() {
     let by = |width: Width, muscle: &Muscle| {
         width.limit();
         assert_eq!(Width::here(), width);
-        let plane = answers(&Axisymmetric::new(muscle).unwrap());
-        let bricks = answers(&ThreeDimensional::with_mesh(muscle, &spec).unwrap());
+        let plane = answers(&Axisymmetric::between_ends(muscle).unwrap());
+        let bricks = answers(&ThreeDimensional::between_ends_with(muscle, &spec).unwrap());
         (plane, bricks)
     };
     for muscle in muscles() {

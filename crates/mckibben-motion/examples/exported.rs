@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Terminals::default(),
         Some(friction),
     )?;
-    let model = Ideal::new(&muscle);
+    let model = Ideal::between_ends(&muscle);
     let load = SingleMuscle {
         damping_n_s_per_m: 150.0,
         ..SingleMuscle::new(&model, Load::parse("mass:5kg+spring:2N/mm@10N", &|_| None)?)
@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         exhaust: Orifice::new(0.6, 0.25)?,
         hose,
     };
-    let mut actuated = Actuated::new(&model, Actuator::Valve(valve));
+    let mut actuated = Actuated::new(model.clone(), Actuator::Valve(valve));
     actuated.fluid = Fluid::Air(Air {
         heat: Heat::Conductance(0.2),
         dead_volume_mm3: 10e3,
@@ -53,7 +53,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     });
     actuated.friction = Some(friction);
     let command = Command::Steps(vec![(0.0, 0.1), (0.1, 0.3), (0.6, 0.15)]);
-    let mut drive = Drive::new(&load, vec![actuated], Target::Pressure(vec![command]), 1.0);
+    let mut drive = Drive::new(
+        load.clone(),
+        vec![actuated],
+        Target::Pressure(vec![command]),
+        1.0,
+    );
     drive.output_step_s = 0.01;
     drive.tolerance = 1e-11;
     let motion = run(&drive, &Silent)?;

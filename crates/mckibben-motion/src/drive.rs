@@ -5,6 +5,7 @@ use crate::{
     PidOutput, Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
 };
 use mckibben_core::{model::ForceModel, muscle::Friction};
+use std::sync::Arc;
 
 /// The supply of compressed air.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,9 +79,9 @@ impl Actuator {
 
 /// A muscle with all that acts on it.
 #[derive(Clone)]
-pub struct Actuated<'a> {
+pub struct Actuated {
     /// Its static pull and volume.
-    pub model: &'a dyn ForceModel,
+    pub model: Arc<dyn ForceModel>,
     /// What gives it air.
     pub actuator: Actuator,
     /// What fills it.
@@ -96,11 +97,11 @@ pub struct Actuated<'a> {
     pub initial_pressure_mpa: Option<f64>,
 }
 
-impl<'a> Actuated<'a> {
+impl Actuated {
     /// A muscle on an actuator: isothermal, no dead volume, no friction, elastic.
-    pub fn new(model: &'a dyn ForceModel, actuator: Actuator) -> Self {
+    pub fn new(model: impl ForceModel + 'static, actuator: Actuator) -> Self {
         Self {
-            model,
+            model: Arc::new(model),
             actuator,
             fluid: Fluid::default(),
             friction: None,
@@ -161,11 +162,11 @@ impl Target {
 
 /// A mechanism, its muscles, what is commanded, and for how long.
 #[derive(Clone)]
-pub struct Drive<'a> {
+pub struct Drive {
     /// What moves.
-    pub mechanism: &'a dyn Mechanism,
+    pub mechanism: Arc<dyn Mechanism>,
     /// What pulls.
-    pub muscles: Vec<Actuated<'a>>,
+    pub muscles: Vec<Actuated>,
     /// Where the air comes from.
     pub supply: Supply,
     /// What is commanded.
@@ -186,16 +187,16 @@ pub struct Drive<'a> {
     pub outside_force: f64,
 }
 
-impl<'a> Drive<'a> {
+impl Drive {
     /// With 6 bar, a thousand points of output and the default tolerance.
     pub fn new(
-        mechanism: &'a dyn Mechanism,
-        muscles: Vec<Actuated<'a>>,
+        mechanism: impl Mechanism + 'static,
+        muscles: Vec<Actuated>,
         target: Target,
         until_s: f64,
     ) -> Self {
         Self {
-            mechanism,
+            mechanism: Arc::new(mechanism),
             muscles,
             supply: Supply::default(),
             target,
@@ -305,7 +306,7 @@ impl<'a> Drive<'a> {
     }
 
     /// Whether a muscle's actuator goes with its command and with what fills it.
-    fn check_muscle(&self, number: usize, muscle: &Actuated<'_>) -> Result<()> {
+    fn check_muscle(&self, number: usize, muscle: &Actuated) -> Result<()> {
         muscle.check()?;
         let opened = !self.target.is_pressure() && !matches!(self.target, Target::Volume(_));
         let has_regulator = matches!(muscle.actuator, Actuator::Regulator { .. });
@@ -347,7 +348,7 @@ impl<'a> Drive<'a> {
     }
 }
 
-impl Actuated<'_> {
+impl Actuated {
     fn check(&self) -> Result<()> {
         within(
             "the wall's temperature in K",

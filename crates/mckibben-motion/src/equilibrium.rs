@@ -21,11 +21,11 @@ pub struct Equilibrium {
 
 /// Where a drive rests under given gauge pressures: the first equilibrium from the position of
 /// unshortened muscles on, in the direction of the net force.
-pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium> {
+pub fn equilibrium(drive: &Drive, pressures_mpa: &[f64]) -> Result<Equilibrium> {
     System::new(drive)?.at_pressures(pressures_mpa)
 }
 
-impl System<'_> {
+impl System {
     /// Static net force at q: pulls less load. A muscle that would have to push is slack, also
     /// where its model has no answer for it.
     fn net(&self, pressures: &[f64], q: f64) -> Result<f64> {
@@ -45,7 +45,7 @@ impl System<'_> {
 
     /// The equilibrium under gauge pressures in MPa.
     pub fn at_pressures(&self, pressures: &[f64]) -> Result<Equilibrium> {
-        let drive = self.drive;
+        let drive = &self.drive;
         let (low, high) = drive.mechanism.stops();
         let shortening = drive.mechanism.shortening(0.0);
         let stride = 0.01 / shortening;
@@ -107,7 +107,7 @@ impl System<'_> {
 
     /// Where pressures hold it, or where it is stated to start.
     fn rests_at(&self, pressures: Vec<f64>) -> Result<Equilibrium> {
-        let drive = self.drive;
+        let drive = &self.drive;
         match drive.initial_coordinate {
             Some(coordinate) => {
                 let (low, high) = drive.mechanism.stops();
@@ -164,7 +164,7 @@ impl System<'_> {
 
     /// The pressures that hold a commanded position: u from all the way out to all the way in.
     fn held_at(&self, position: f64, output: PidOutput) -> Result<Equilibrium> {
-        let drive = self.drive;
+        let drive = &self.drive;
         let (low, high) = drive.mechanism.stops();
         let q = position / drive.mechanism.position_per_coordinate();
         let q = q.max(low).min(high);
@@ -204,7 +204,7 @@ impl System<'_> {
 
     /// The state at rest at the start, with the modes that belong to it.
     pub fn initial_state(&self) -> Result<State> {
-        let drive = self.drive;
+        let drive = &self.drive;
         for member in &self.members {
             let info = member.muscle.model.info();
             let p = info.range.pressure_mpa.0.max(0.0);
@@ -232,7 +232,7 @@ impl System<'_> {
             .zip(&mut state.muscles)
             .zip(&mut modes.muscles);
         for (i, ((member, now), mode)) in parts.enumerate() {
-            let muscle = member.muscle;
+            let muscle = &member.muscle;
             let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
             let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
             mode.presliding = muscle

@@ -61,7 +61,7 @@ pub enum Guard {
 const SLACK: f64 = 1e-10;
 const SIGNAL: f64 = 1e-9;
 
-impl System<'_> {
+impl System {
     /// Speed in coordinate units a second that is none.
     fn still(&self) -> f64 {
         1e-6 * self.scale.velocity
@@ -73,7 +73,7 @@ impl System<'_> {
         let modes = self.modes.borrow();
         let q = state.coordinate;
         let v = state.velocity;
-        let mechanism = self.drive.mechanism;
+        let mechanism = &self.drive.mechanism;
         let (low, high) = mechanism.stops();
         let width = 1e-9 * self.scale.coordinate;
         if modes.stop.is_none() {

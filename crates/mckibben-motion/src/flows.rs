@@ -9,7 +9,7 @@ use crate::{
     system::{Mode, Switch, System},
 };
 
-impl System<'_> {
+impl System {
     /// What the controller does, where there is one.
     pub fn control(&self, t: f64, state: &State) -> Option<Control> {
         let Target::Position { command, pid } = &self.drive.target else {
@@ -60,7 +60,7 @@ impl System<'_> {
     /// What flows into a muscle by its command.
     pub fn flows(
         &self,
-        actuated: &Actuated<'_>,
+        actuated: &Actuated,
         now: &MuscleState,
         command: f64,
         mode: &Mode,
@@ -105,7 +105,7 @@ impl System<'_> {
     /// A valve or a pump opens by its command, or by the error of the pressure.
     fn valve_rates(
         &self,
-        actuated: &Actuated<'_>,
+        actuated: &Actuated,
         now: &MuscleState,
         (command, error): (f64, f64),
         mode: &Mode,

@@ -15,11 +15,11 @@
 //! use mckibben_core::muscle::Muscle;
 //! use mckibben_motion::*;
 //!
-//! let model = Ideal::new(&Muscle::prototype());
+//! let model = Ideal::between_ends(&Muscle::prototype());
 //! let load = SingleMuscle { stops_mm: (0.0, 100.0), ..SingleMuscle::hanging(&model, 10.0) };
 //! let valve = Valve::new(Orifice::new(0.5, 0.3)?);
 //! let target = Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]);
-//! let drive = Drive::new(&load, vec![Actuated::new(&model, Actuator::Valve(valve))], target, 1.0);
+//! let drive = Drive::new(load.clone(), vec![Actuated::new(model.clone(), Actuator::Valve(valve))], target, 1.0);
 //! let motion = run(&drive, &mckibben_core::progress::Silent)?;
 //! assert!(motion.rise_time_s.is_some());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -92,7 +92,7 @@ pub use motion::{Energies, Motion, MotionEnd, Moves, StepFigures};
 pub use orifice::{LINEAR_SHARE, Orifice, in_series};
 pub use run::{run, run_as_far};
 pub use series::{MotionSeries, MuscleSeries};
-pub use simulation::Simulation;
+pub use simulation::{Simulation, SimulationState};
 pub use size::{SizedValve, size};
 pub use valve::{Valve, ValveKind};
 pub use viscoelastic::{Branch, Prony};

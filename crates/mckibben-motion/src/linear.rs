@@ -28,7 +28,7 @@ impl Linear {
     ///
     /// # Errors
     /// As [`crate::equilibrium`]; [`MotionError::Refused`] on a stop, or where nothing moves.
-    pub fn new(drive: &Drive<'_>) -> Result<Self> {
+    pub fn new(drive: &Drive) -> Result<Self> {
         Self::on_side(drive, 0.0)
     }
 
@@ -37,7 +37,7 @@ impl Linear {
     ///
     /// # Errors
     /// As of [`Linear::new`].
-    pub fn at_state_reached(drive: &Drive<'_>, side: f64) -> Result<Self> {
+    pub fn at_state_reached(drive: &Drive, side: f64) -> Result<Self> {
         let mut held = Drive {
             target: Target::Pressure(reached(drive).into_iter().map(Command::Constant).collect()),
             initial_coordinate: None,
@@ -54,7 +54,7 @@ impl Linear {
     ///
     /// # Errors
     /// As of [`Linear::new`].
-    fn on_side(drive: &Drive<'_>, side: f64) -> Result<Self> {
+    fn on_side(drive: &Drive, side: f64) -> Result<Self> {
         let not_at_rest = |why| {
             MotionError::Refused(format!(
                 "there is no equilibrium about which to linearise: {why}"

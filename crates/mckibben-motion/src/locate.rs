@@ -8,7 +8,7 @@ fn needs_model(guard: Guard) -> bool {
     matches!(guard, Guard::Release | Guard::Slack(_) | Guard::Taut(_))
 }
 
-impl Integration<'_, '_> {
+impl Integration<'_> {
     /// The first guard that fails within the last step, which ended at `t` with `end`, and when.
     pub fn event(&mut self, method: &Stepper, t: f64, end: &State) -> Result<Option<(Guard, f64)>> {
         const INSIDE: usize = 4;

@@ -116,8 +116,8 @@ const SLACK: f64 = 1e-3;
 /// of them again.
 type Kept = [Option<(f64, f64, Answer)>; 8];
 
-pub struct Member<'a> {
-    pub muscle: &'a Actuated<'a>,
+pub struct Member {
+    pub muscle: Actuated,
     pub length_mm: f64,
     /// So far from an answer that is kept, as a contraction (ten times as far as a share of the
     /// pressure), its first order is the model.
@@ -157,15 +157,23 @@ impl Memory {
     }
 }
 
-impl<'a> Member<'a> {
+impl Member {
+    /// The same for another simulation.
+    pub fn duplicate(&self) -> Self {
+        Self {
+            memory: self.memory.duplicate(),
+            ..Self::new(&self.muscle, self.near)
+        }
+    }
+
     /// A member with the relative tolerance of the motion.
-    pub fn new(muscle: &'a Actuated<'a>, tolerance: f64) -> Self {
+    pub fn new(muscle: &Actuated, tolerance: f64) -> Self {
         let shape = muscle.model.muscle();
         Self {
-            muscle,
+            muscle: muscle.clone(),
             near: tolerance,
             length_mm: shape.length_mm(),
-            ideal: Ideal::new(shape),
+            ideal: Ideal::between_ends(shape),
             memory: Memory::default(),
             substitute: Cell::new(None),
         }
@@ -279,7 +287,7 @@ impl<'a> Member<'a> {
 
     fn evaluate(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
         let w = &mut *self.memory.workspace.borrow_mut();
-        let model = self.muscle.model;
+        let model = &self.muscle.model;
         let not_finite = || ModelError::not_finite(&model.info().name, p, e);
         let mut at = |p: f64, e: f64| {
             let r = model.response(w, p, e)?;
@@ -340,11 +348,11 @@ impl<'a> Member<'a> {
         {
             return Ok(Quantity::default());
         }
-        let model = self.muscle.model;
+        let model = &self.muscle.model;
         let long = self
             .memory
             .long
-            .get_or_init(|| ThickWall::new(model.muscle()));
+            .get_or_init(|| ThickWall::between_ends(model.muscle()));
         let of_long = |w: &mut Workspace, p: f64, e: f64| pivoting_n_per_mm(long, w, p, e);
         let at = of_long(w, p, e);
         let value = model
@@ -384,7 +392,7 @@ impl<'a> Member<'a> {
                 two_sided: true,
                 ..Options::extrapolating()
             };
-            let model = self.muscle.model;
+            let model = &self.muscle.model;
             let workspace = &self.memory.workspace;
             let search =
                 Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);

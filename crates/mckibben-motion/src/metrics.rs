@@ -95,7 +95,7 @@ pub fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) -> Opti
 }
 
 /// Where a command changes, with what it is before and after.
-pub fn changes(drive: &Drive<'_>) -> Vec<f64> {
+pub fn changes(drive: &Drive) -> Vec<f64> {
     let mut times: Vec<f64> = drive
         .target
         .commands()
@@ -118,7 +118,7 @@ pub fn changes(drive: &Drive<'_>) -> Vec<f64> {
 
 /// The commands of the state that the first step reaches: those after it; the mean of a periodic one,
 /// and the last of those that never change.
-pub fn reached(drive: &Drive<'_>) -> Vec<f64> {
+pub fn reached(drive: &Drive) -> Vec<f64> {
     let changes = changes(drive);
     let end = changes.get(1).copied().unwrap_or(drive.until_s);
     let at = 0.5 * (changes.first().copied().unwrap_or(0.0) + end);
@@ -133,7 +133,7 @@ pub fn reached(drive: &Drive<'_>) -> Vec<f64> {
 
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of
 /// its series lie far apart.
-pub fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed]) {
+pub fn step_figures(drive: &Drive, motion: &mut Motion, passed: &[Passed]) {
     let position = |p: &Passed| Spot {
         time: p.time_s,
         value: p.coordinate,
@@ -212,8 +212,8 @@ fn constant_from(command: &Command) -> Option<f64> {
 /// How the load moves at the end, where the command is constant there and the load can move; with
 /// the coordinate of the static equilibrium under the commanded pressures, without friction, where
 /// that is sought and found.
-pub fn rest(system: &System<'_>, passed: &[Passed]) -> Option<(MotionEnd, Option<f64>)> {
-    let drive = system.drive;
+pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64>)> {
+    let drive = &system.drive;
     let until = drive.until_s;
     if drive.mechanism.is_held() {
         return None;

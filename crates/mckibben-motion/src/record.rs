@@ -12,7 +12,7 @@ use crate::{
 };
 use mckibben_core::extremes::peak;
 
-impl Integration<'_, '_> {
+impl Integration<'_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest
     /// of nine points, and the top of the parabola through it and its neighbours.
     pub fn fastest(&mut self, method: &Stepper, t: f64) {
@@ -116,7 +116,7 @@ impl Integration<'_, '_> {
     /// The motion, of all that was integrated.
     pub fn end(mut self, ended: Option<MotionError>) -> Result<Motion> {
         let system = self.system;
-        let drive = system.drive;
+        let drive = &system.drive;
         // The very end, if no multiple of the step was it.
         let until = if ended.is_some() {
             self.t
@@ -199,7 +199,7 @@ impl Integration<'_, '_> {
     /// The energies up to where it is, with the internal energy of what fills the muscles in mJ and
     /// its volume in mm³ there.
     fn energies(&self, (internal, volume): (f64, f64)) -> Energies {
-        let drive = self.system.drive;
+        let drive = &self.system.drive;
         let totals = self.state.totals;
         let kinetic = |state: &State| {
             let v = state.velocity;
@@ -252,7 +252,7 @@ impl Integration<'_, '_> {
     }
 }
 
-impl System<'_> {
+impl System {
     /// Liquid that came from the supply in mm³ at atmospheric pressure; `None` of air.
     fn supplied_mm3(&self, state: &State) -> Option<f64> {
         self.drive

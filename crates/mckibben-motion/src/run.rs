@@ -11,7 +11,7 @@ use mckibben_core::{progress::Progress, size};
 /// The integration begins anew at every breakpoint of a command and at every event; events are
 /// found on the dense output between two steps and stepped to exactly. `Progress` is looked at in
 /// every step.
-pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
+pub fn run(drive: &Drive, progress: &dyn Progress) -> Result<Motion> {
     let mut motion = run_as_far(drive, progress)?;
     match motion.ended.take().or(motion.never_lifted.take()) {
         Some(error) => Err(error),
@@ -25,7 +25,7 @@ pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
 /// # Errors
 /// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or more
 /// points than are allowed.
-pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion> {
+pub fn run_as_far(drive: &Drive, progress: &dyn Progress) -> Result<Motion> {
     drive.check()?;
     size::points("output_step", drive.until_s / drive.output_step_s)?;
     let system = System::new(drive)?;
@@ -45,8 +45,8 @@ pub struct Cycle {
     pub supplied_g: f64,
 }
 
-pub struct Integration<'s, 'd> {
-    pub system: &'s System<'d>,
+pub struct Integration<'s> {
+    pub system: &'s System,
     progress: &'s dyn Progress,
     pub t: f64,
     pub state: State,
@@ -70,11 +70,11 @@ pub struct Integration<'s, 'd> {
 const MOST_EVENTS: usize = 50;
 const SPAN_S: f64 = 1e-5;
 
-impl<'s, 'd> Integration<'s, 'd> {
-    pub fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self> {
+impl<'s> Integration<'s> {
+    pub fn begin(system: &'s System, progress: &'s dyn Progress) -> Result<Self> {
         let state = system.initial_state()?;
         let air = system.fluid_mj_mm3(&state)?;
-        let mechanism = system.drive.mechanism;
+        let mechanism = &system.drive.mechanism;
         let lies =
             system.modes.borrow().stop.is_some_and(|side| side < 0.0) && !mechanism.is_held();
         let on_stop = lies.then_some(OnStop {
@@ -114,7 +114,7 @@ impl<'s, 'd> Integration<'s, 'd> {
 
     /// At a time, with what was recorded up to it.
     pub fn started_at(
-        (system, progress): (&'s System<'d>, &'s dyn Progress),
+        (system, progress): (&'s System, &'s dyn Progress),
         t: f64,
         state: State,
         motion: Motion,

@@ -7,19 +7,61 @@ use crate::{
     state::State,
     system::{Modes, Switch, System},
 };
-use mckibben_core::progress::Progress;
+use mckibben_core::progress::{Progress, Silent};
 
-/// A drive that is stepped: its state at a time, and what was recorded at the end of each step.
+/// A drive that is stepped: it owns the drive, its state and what was recorded at the end of each
+/// step.
 ///
-/// The drive is handed over at each step, with constant commands and the same mechanism and
-/// muscles; a step is as long as the drive's [`output_step_s`](Drive::output_step_s). Steps with
-/// the commands of a [`Command::Steps`] are the pieces of [`run`](crate::run) to the last bit.
+/// The commands of a step are constant, and a step is as long as the drive's
+/// [`output_step_s`](Drive::output_step_s). Steps with the commands of a [`Command::Steps`] are the
+/// pieces of [`run`](crate::run) to the last bit. A clone goes on from the same state.
+///
+/// ```
+/// use mckibben_core::{model::ModelKind, muscle::Muscle};
+/// use mckibben_motion::*;
+///
+/// let model = ModelKind::Universal.build(&Muscle::prototype())?;
+/// let load = SingleMuscle { stops_mm: (0.0, 80.0), ..SingleMuscle::hanging(&*model, 10.0) };
+/// let muscle = Actuated::new(model, Actuator::Regulator { time_constant_s: 0.05 });
+/// let target = Target::Pressure(vec![Command::Constant(0.0)]);
+/// let drive = Drive { output_step_s: 1e-3, ..Drive::new(load, vec![muscle], target, 1.0) };
+///
+/// let mut simulation = Simulation::new(&drive)?;
+/// while simulation.time_s() < 0.5 {
+///     // A controller that asks for 10 % of contraction.
+///     let error = 0.10 - simulation.state().contraction[0];
+///     simulation.step(&[(0.15 + error).clamp(0.0, 0.6)])?;
+///     simulation.forget();
+/// }
+/// assert!((simulation.state().contraction[0] - 0.1).abs() < 0.03);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
 pub struct Simulation {
+    system: System,
+    /// The target of the drive, before any step.
+    target: Target,
     done: usize,
     state: State,
-    modes: Modes,
-    memories: Vec<Memory>,
     motion: Motion,
+}
+
+/// Where a simulation is, a value for each muscle.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SimulationState {
+    /// Time in s.
+    pub time_s: f64,
+    /// The coordinate in mm or rad.
+    pub coordinate: f64,
+    /// Its speed in mm/s or rad/s.
+    pub velocity: f64,
+    /// Gauge pressures in MPa.
+    pub pressure_mpa: Vec<f64>,
+    /// Contraction ratios.
+    pub contraction: Vec<f64>,
+    /// Pulls in N, with friction and viscoelasticity.
+    pub force_n: Vec<f64>,
 }
 
 impl Simulation {
@@ -27,39 +69,60 @@ impl Simulation {
     ///
     /// # Errors
     /// [`MotionError`] for a drive that is none, or has no beginning.
-    pub fn new(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Self> {
+    pub fn new(drive: &Drive) -> Result<Self> {
+        Self::begin(drive, &Silent)
+    }
+
+    /// The same, which can be interrupted.
+    ///
+    /// # Errors
+    /// As those of [`Simulation::new`], and [`MotionError::Cancelled`].
+    pub fn begin(drive: &Drive, progress: &dyn Progress) -> Result<Self> {
         let system = System::new(drive)?;
         let mut at = Integration::begin(&system, progress)?;
         system.within.set(0.5 * drive.output_step_s);
         at.record(0.0, at.state.clone())?;
         let Integration { state, motion, .. } = at;
         Ok(Self {
+            system,
+            target: drive.target.clone(),
             done: 0,
             state,
-            modes: system.modes.borrow().clone(),
-            memories: system.members.into_iter().map(|m| m.memory).collect(),
             motion,
         })
     }
 
-    /// One step on. A step that fails leaves it as it was.
-    pub fn step(&mut self, drive: &Drive<'_>, progress: &dyn Progress) -> Result<()> {
-        let from = self.time_s(drive);
-        let end = drive.output_step_s * (self.done + 1) as f64;
-        let mut system = System::new(drive)?;
-        system.layout.check(&mut self.state)?;
-        for (member, memory) in system
-            .members
-            .iter_mut()
-            .zip(std::mem::take(&mut self.memories))
-        {
-            member.memory = memory;
-        }
-        *system.modes.borrow_mut() = self.modes.clone();
+    /// One step on, with a command for each of the drive's: pressures in MPa, openings from −1 to 1,
+    /// volumes in mm³, or a position (contraction ratio or rad). A step that fails leaves it as it
+    /// was.
+    ///
+    /// # Errors
+    /// [`MotionError::Refused`] of commands that are not the drive's, and where the motion ends.
+    pub fn step(&mut self, commands: &[f64]) -> Result<()> {
+        self.step_against(commands, 0.0, &Silent)
+    }
+
+    /// The same against a force from outside ([`Drive::outside_force`]), which can be interrupted.
+    ///
+    /// # Errors
+    /// As those of [`Simulation::step`], and [`MotionError::Cancelled`].
+    pub fn step_against(
+        &mut self,
+        commands: &[f64],
+        outside_force: f64,
+        progress: &dyn Progress,
+    ) -> Result<()> {
+        self.command(Some(commands), outside_force)?;
+        let from = self.time_s();
+        let end = self.system.drive.output_step_s * (self.done + 1) as f64;
+        self.system.layout.check(&mut self.state)?;
+        let system = &self.system;
+        system.start_anew();
+        let modes = system.modes.borrow().clone();
         let points = self.motion.series.points();
         let events = self.motion.events.len();
         let motion = std::mem::take(&mut self.motion);
-        let mut at = Integration::started_at((&system, progress), from, self.state.clone(), motion);
+        let mut at = Integration::started_at((system, progress), from, self.state.clone(), motion);
         at.outputs = self.done + 1;
         system.within.set(0.5 * (from + end));
         let mut stepped = at.piece(end);
@@ -69,19 +132,58 @@ impl Simulation {
         let Integration { state, motion, .. } = at;
         self.motion = motion;
         if stepped.is_ok() {
-            (self.state, self.modes) = (state, system.modes.borrow().clone());
+            self.state = state;
             self.done += 1;
         } else {
+            system.modes.replace(modes);
             self.motion.series.truncate(points);
             self.motion.events.truncate(events);
         }
-        self.memories = system.members.into_iter().map(|m| m.memory).collect();
         stepped
     }
 
+    /// Takes constant commands, or those of the drive.
+    fn command(&mut self, commands: Option<&[f64]>, outside_force: f64) -> Result<()> {
+        let target = match commands {
+            None => self.target.clone(),
+            Some(values) => self.target.constant(values).ok_or_else(|| {
+                let wanted = self.target.commands().len();
+                let given = values.len();
+                MotionError::Refused(format!("the drive has {wanted} commands, not {given}"))
+            })?,
+        };
+        let drive = &mut self.system.drive;
+        let before = std::mem::replace(&mut drive.target, target);
+        let outside_before = std::mem::replace(&mut drive.outside_force, outside_force);
+        drive.check().inspect_err(|_| {
+            drive.target = before;
+            drive.outside_force = outside_before;
+        })
+    }
+
     /// Its time in s.
-    pub fn time_s(&self, drive: &Drive<'_>) -> f64 {
-        drive.output_step_s * self.done as f64
+    pub fn time_s(&self) -> f64 {
+        self.system.drive.output_step_s * self.done as f64
+    }
+
+    /// What moves.
+    pub fn drive(&self) -> &Drive {
+        &self.system.drive
+    }
+
+    /// Where it is: what was recorded last.
+    pub fn state(&self) -> SimulationState {
+        let series = &self.motion.series;
+        let last = |list: &[f64]| list.last().copied().unwrap_or_default();
+        let muscles = || series.muscles.iter();
+        SimulationState {
+            time_s: self.time_s(),
+            coordinate: last(&series.coordinate),
+            velocity: last(&series.velocity),
+            pressure_mpa: muscles().map(|m| last(&m.pressure_mpa)).collect(),
+            contraction: muscles().map(|m| last(&m.contraction)).collect(),
+            force_n: muscles().map(|m| last(&m.force_n)).collect(),
+        }
     }
 
     /// What was recorded: its series and events.
@@ -101,23 +203,12 @@ impl Simulation {
         }
     }
 
-    /// Another one in the same state, independent from here on; what was recorded stays behind.
-    #[must_use]
-    pub fn duplicate(&self) -> Self {
-        Self {
-            done: self.done,
-            state: self.state.clone(),
-            modes: self.modes.clone(),
-            memories: self.memories.iter().map(Memory::duplicate).collect(),
-            motion: self.last(),
-        }
-    }
-
     /// Where it is, as numbers: its steps, its state, and on which side of each kink it is.
     pub fn numbers(&self) -> Vec<f64> {
-        let mut out = vec![self.done as f64, self.modes.stop.unwrap_or(0.0)];
+        let modes = self.system.modes.borrow();
+        let mut out = vec![self.done as f64, modes.stop.unwrap_or(0.0)];
         out.extend(self.state.to_vec());
-        for mode in &self.modes.muscles {
+        for mode in &modes.muscles {
             let turns: Vec<f64> = mode
                 .presliding
                 .iter()
@@ -135,62 +226,61 @@ impl Simulation {
         out
     }
 
-    /// Goes to where another simulation of the same drive was, by its [numbers](Self::numbers);
-    /// nothing is recorded but that.
+    /// Goes to where another simulation of the same drive was, by its [numbers](Self::numbers) and
+    /// its last commands (`None` before its first step); nothing is recorded but that.
     ///
     /// # Errors
     /// [`MotionError::Refused`] for numbers of another drive.
     pub fn restore(
         &mut self,
-        drive: &Drive<'_>,
+        commands: Option<&[f64]>,
         numbers: &[f64],
         progress: &dyn Progress,
     ) -> Result<()> {
-        let system = System::new(drive)?;
-        let len = system.layout.len;
+        let refused =
+            || MotionError::Refused("the numbers are not a state of this drive".to_owned());
+        let mut next = self.clone();
+        next.command(commands, 0.0)?;
+        let (done, state, modes) = next.state_of(numbers).ok_or_else(refused)?;
+        let Self { system, .. } = &mut next;
+        for member in &mut system.members {
+            member.memory = Memory::default();
+        }
+        system.modes.replace(modes);
+        let t = system.drive.output_step_s * done as f64;
+        let mut at = Integration::started_at((system, progress), t, state, self.last());
+        at.record(t, at.state.clone())?;
+        let Integration { state, motion, .. } = at;
+        (next.done, next.state, next.motion) = (done, state, motion);
+        next.forget();
+        *self = next;
+        Ok(())
+    }
+
+    /// The steps, the state and the sides of the kinks that numbers say.
+    fn state_of(&self, numbers: &[f64]) -> Option<(usize, State, Modes)> {
         let mut rest = numbers;
         let mut take = |count: usize| {
             let (taken, others) = rest.split_at_checked(count)?;
             rest = others;
             taken.iter().all(|v| v.is_finite()).then_some(taken)
         };
-        let mut modes = self.modes.clone();
-        let mut read = || {
-            let head = take(2)?;
-            let state = system.layout.state(take(len)?);
-            modes.stop = head.last().copied().filter(|side| *side != 0.0);
-            for mode in &mut modes.muscles {
-                let &[slack, sign, switch, turns] = take(4)? else {
-                    return None;
-                };
-                (mode.slack, mode.sign) = (slack != 0.0, sign);
-                let all = [Switch::Fill, Switch::Hold, Switch::Vent];
-                mode.switch = all.into_iter().find(|s| f64::from(*s as u8) == switch)?;
-                let turns = take(turns as usize)?;
-                mode.presliding = mode.presliding.as_ref().map(|p| p.remembering(turns));
-            }
-            Some((*head.first()? as usize, state))
-        };
-        let found = read();
-        let refused =
-            || MotionError::Refused("the numbers are not a state of this drive".to_owned());
-        let (done, state) = found.filter(|_| rest.is_empty()).ok_or_else(refused)?;
-        *system.modes.borrow_mut() = modes.clone();
-        let motion = self.last();
-        let t = drive.output_step_s * done as f64;
-        let mut at = Integration::started_at((&system, progress), t, state, motion);
-        at.record(t, at.state.clone())?;
-        *self = Self {
-            done,
-            state: at.state,
-            modes,
-            memories: vec![],
-            motion: at.motion,
-        };
-        self.memories
-            .resize_with(system.members.len(), Memory::default);
-        self.forget();
-        Ok(())
+        let layout = &self.system.layout;
+        let mut modes = self.system.modes.borrow().clone();
+        let &[done, stop] = take(2)? else { return None };
+        let state = layout.state(take(layout.len)?);
+        modes.stop = Some(stop).filter(|side| *side != 0.0);
+        for mode in &mut modes.muscles {
+            let &[slack, sign, switch, turns] = take(4)? else {
+                return None;
+            };
+            (mode.slack, mode.sign) = (slack != 0.0, sign);
+            let all = [Switch::Fill, Switch::Hold, Switch::Vent];
+            mode.switch = all.into_iter().find(|s| f64::from(*s as u8) == switch)?;
+            let turns = take(turns as usize)?;
+            mode.presliding = mode.presliding.as_ref().map(|p| p.remembering(turns));
+        }
+        rest.is_empty().then_some((done as usize, state, modes))
     }
 }
 

@@ -29,7 +29,7 @@ const LARGEST: f64 = 100.0;
 /// # Errors
 /// [`MotionError::NoAnswer`] where even 100 L/(s bar) is too slow; [`MotionError::Refused`] without
 /// a step that moves it; those of [`run`].
-pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<SizedValve> {
+pub fn size(drive: &Drive, rise_time_s: f64, progress: &dyn Progress) -> Result<SizedValve> {
     let no_rise = || {
         MotionError::Refused("the command has no rise, so that no valve can be sized by it".into())
     };

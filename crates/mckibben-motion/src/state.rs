@@ -151,6 +151,7 @@ impl State {
 }
 
 /// Which numbers the state of a drive has.
+#[derive(Clone)]
 pub struct Layout {
     zero: State,
     /// How many of the first ones the rates depend on.
@@ -159,7 +160,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    pub fn new(drive: &Drive<'_>) -> Self {
+    pub fn new(drive: &Drive) -> Self {
         let muscles = drive.muscles.iter().map(|m| {
             let lags = match (&m.actuator, m.actuator.kind()) {
                 (Actuator::Syringe(_), _) => true,
@@ -240,7 +241,7 @@ mod tests {
 
     #[test]
     fn every_number_of_a_state_has_one_place() {
-        let model = Ideal::new(&Muscle::prototype());
+        let model = Ideal::between_ends(&Muscle::prototype());
         let load = SingleMuscle::hanging(&model, 1.0);
         let kind = ValveKind::Proportional {
             time_constant_s: 0.01,
@@ -258,7 +259,7 @@ mod tests {
                 };
                 3
             ]),
-            ..Actuated::new(&model, Actuator::Valve(valve))
+            ..Actuated::new(model.clone(), Actuator::Valve(valve))
         };
         let output = PidOutput::Opening;
         let pid = Pid {
@@ -273,7 +274,7 @@ mod tests {
             command: Command::Constant(0.1),
             pid,
         };
-        let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
+        let layout = Layout::new(&Drive::new(load.clone(), vec![muscle], target, 1.0));
         // q, v; p, m, opening, three branches; two of the controller; supplied, exhausted; nine
         // totals.
         assert_eq!((layout.core, layout.len), (2 + 6 + 2, 2 + 6 + 2 + 2 + 9));
@@ -293,16 +294,16 @@ mod tests {
 
     #[test]
     fn a_state_of_another_drive_is_refused() {
-        let model = Ideal::new(&Muscle::prototype());
+        let model = Ideal::between_ends(&Muscle::prototype());
         let load = SingleMuscle::hanging(&model, 1.0);
         let muscle = Actuated::new(
-            &model,
+            model.clone(),
             Actuator::Regulator {
                 time_constant_s: 0.1,
             },
         );
         let target = Target::Pressure(vec![Command::Constant(0.1)]);
-        let layout = Layout::new(&Drive::new(&load, vec![muscle], target, 1.0));
+        let layout = Layout::new(&Drive::new(load.clone(), vec![muscle], target, 1.0));
         assert!(matches!(
             layout.check(&mut State::default()),
             Err(MotionError::Refused(_))

@@ -69,9 +69,9 @@ pub struct Point {
     pub rates: State,
 }
 
-pub struct System<'a> {
-    pub drive: &'a Drive<'a>,
-    pub members: Vec<Member<'a>>,
+pub struct System {
+    pub drive: Drive,
+    pub members: Vec<Member>,
     pub layout: Layout,
     /// The size of each number of the state.
     pub scale: State,
@@ -87,16 +87,44 @@ pub struct System<'a> {
     pub offset: Cell<f64>,
 }
 
-impl<'a> System<'a> {
-    pub fn new(drive: &'a Drive<'a>) -> Result<Self> {
+/// Another one in the same state.
+impl Clone for System {
+    fn clone(&self) -> Self {
+        let room = (self.layout.filled(0.0), Point::default());
+        Self {
+            drive: self.drive.clone(),
+            members: self.members.iter().map(Member::duplicate).collect(),
+            layout: self.layout.clone(),
+            scale: self.scale.clone(),
+            scales: self.scales.clone(),
+            modes: self.modes.clone(),
+            within: self.within.clone(),
+            failed: RefCell::default(),
+            room: RefCell::new(room),
+            offset: self.offset.clone(),
+        }
+    }
+}
+
+impl System {
+    /// Forgets what holds within a step alone.
+    pub fn start_anew(&self) {
+        self.failed.take();
+        for member in &self.members {
+            member.substitute.set(None);
+        }
+    }
+
+    pub fn new(drive: &Drive) -> Result<Self> {
         drive.check()?;
-        let members: Vec<Member<'a>> = drive
+        let members: Vec<Member> = drive
             .muscles
             .iter()
             .map(|m| Member::new(m, drive.tolerance))
             .collect();
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
+        let drive = drive.clone();
         let room = (layout.filled(0.0), Point::default());
         let mode = Mode {
             slack: false,
@@ -132,7 +160,7 @@ impl<'a> System<'a> {
     /// The same into the memory of another point.
     fn point_within(&self, t: f64, state: &State, point: &mut Point) -> Result<()> {
         let modes = self.modes.borrow();
-        let mechanism = self.drive.mechanism;
+        let mechanism = &self.drive.mechanism;
         let q = state.coordinate;
         let v = modes.stop.map_or(state.velocity, |_| 0.0);
         let control = self.control(t, state);
@@ -149,7 +177,7 @@ impl<'a> System<'a> {
         totals.atmosphere = state.totals.atmosphere.map(|_| 0.0);
         let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles);
         for (i, ((member, now), mode)) in parts.enumerate() {
-            let (muscle, medium) = (member.muscle, member.muscle.fluid.medium());
+            let (muscle, medium) = (&member.muscle, member.muscle.fluid.medium());
             let lever = mechanism.lever(i, q);
             let absolute_mpa = now.absolute_mpa;
             let gauge = now.gauge_mpa();
@@ -264,7 +292,7 @@ impl<'a> System<'a> {
 }
 
 /// What is in a muscle: a slack one follows the pressure alone.
-fn cavity(member: &Member<'_>, now: &MuscleState, at: &Answer, swept_mm3_per_s: f64) -> Cavity {
+fn cavity(member: &Member, now: &MuscleState, at: &Answer, swept_mm3_per_s: f64) -> Cavity {
     let medium = member.muscle.fluid.medium();
     let absolute_mpa = now.absolute_mpa;
     let inside = at.volume_mm3;
@@ -319,13 +347,13 @@ struct Pulls {
 
 /// The wall's part of the pull, and the pulls.
 fn pulls(
-    member: &Member<'_>,
+    member: &Member,
     now: &MuscleState,
     mode: &Mode,
     at: &Answer,
     contraction: f64,
 ) -> (f64, Pulls) {
-    let muscle = member.muscle;
+    let muscle = &member.muscle;
     let pressure_mpa = now.gauge_mpa();
     let wall_n = if muscle.rubber.0.is_empty() {
         0.0
@@ -357,7 +385,7 @@ fn pulls(
 }
 
 /// Half the width of the hysteresis at a pressure and an answer.
-fn half_width_n(member: &Member<'_>, now: &MuscleState, at: &Answer) -> f64 {
+fn half_width_n(member: &Member, now: &MuscleState, at: &Answer) -> f64 {
     let pivoting = at.pivoting_n_per_mm.value.max(0.0);
     member
         .muscle
@@ -366,7 +394,7 @@ fn half_width_n(member: &Member<'_>, now: &MuscleState, at: &Answer) -> f64 {
 }
 
 /// The size of each number of the state.
-fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
+fn sizes(drive: &Drive, members: &[Member], layout: &Layout) -> State {
     let mut scale = layout.filled(1e3);
     let stroke = 0.01 / drive.mechanism.shortening(0.0);
     (scale.coordinate, scale.velocity) = (stroke, 10.0 * stroke);
@@ -398,7 +426,7 @@ fn sizes(drive: &Drive<'_>, members: &[Member<'_>], layout: &Layout) -> State {
     scale
 }
 
-impl Equations for System<'_> {
+impl Equations for System {
     fn core(&self) -> usize {
         self.layout.core
     }

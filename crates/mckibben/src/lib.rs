@@ -8,7 +8,7 @@
 //! use mckibben::prelude::*;
 //!
 //! // Finite elements of the paper's prototype, with everything at its ends.
-//! let model = mckibben::fem::axisymmetric::Axisymmetric::new(&Muscle::prototype())?;
+//! let model = mckibben::fem::axisymmetric::Axisymmetric::between_ends(&Muscle::prototype())?;
 //! let pull = model.force_n(&mut Workspace::new(), 0.25, 0.10)?;
 //! assert!((pull - 491.43).abs() < 0.01);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -60,7 +60,7 @@ fn main() {
     for (muscle, p) in (0..count).filter_map(|_| random(&mut r)) {
         let w = &mut Workspace::new();
         let stiff_w = &mut Workspace::new();
-        let Ok(fe) = Axisymmetric::new(&muscle) else {
+        let Ok(fe) = Axisymmetric::between_ends(&muscle) else {
             continue;
         };
         let Ok(blocked) = fe.force_n(w, p, 0.0) else {
@@ -74,11 +74,11 @@ fn main() {
             continue;
         };
         let mut models: Vec<Box<dyn ForceModel>> = vec![
-            Box::new(Ideal::new(&muscle)),
-            Box::new(ThickWall::new(&stiff)),
-            Box::new(ThickWall::new(&muscle)),
+            Box::new(Ideal::between_ends(&muscle)),
+            Box::new(ThickWall::between_ends(&stiff)),
+            Box::new(ThickWall::between_ends(&muscle)),
         ];
-        let stiff_fe = Axisymmetric::new(&stiff);
+        let stiff_fe = Axisymmetric::between_ends(&stiff);
         for kind in [
             ModelKind::ChouHannaford,
             ModelKind::ForceBalance,
@@ -129,7 +129,7 @@ fn paper() -> Vec<(f64, f64)> {
         let Ok(muscle) = Muscle::prototype().with_section(d0, s) else {
             continue;
         };
-        let (Ok(fe), Ok(formula)) = (Axisymmetric::new(&muscle), ModelKind::Paper.build(&muscle))
+        let (Ok(fe), Ok(formula)) = (Axisymmetric::between_ends(&muscle), ModelKind::Paper.build(&muscle))
         else {
             continue;
         };

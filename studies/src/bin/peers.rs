@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         keep: Match::Angle,
         ..BrickSpec::parse(mesh).ok_or("no mesh")?
     };
-    let model = ThreeDimensional::with_mesh(&muscle, &spec)?;
+    let model = ThreeDimensional::between_ends_with(&muscle, &spec)?;
     let pressures: Vec<f64> = (1..=25).map(|i| 0.01 * f64::from(i)).collect();
     if spec.brick == Brick::Linear {
         std::fs::write(out, deck(&model, contraction, &pressures)?)?;

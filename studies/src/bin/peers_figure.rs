@@ -29,13 +29,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         keep: Match::Angle,
         ..BrickSpec::default()
     };
-    let bricks = ThreeDimensional::with_mesh(&muscle, &spec)?;
+    let bricks = ThreeDimensional::between_ends_with(&muscle, &spec)?;
     // Their mesh is a little longer than the muscle.
     let mut tube = muscle.tube().clone();
     tube.length_mm = 2.0 * bricks.divided.mesh.tube.half_mm;
     let muscle = muscle.with_tube(tube)?;
-    let section = Axisymmetric::new(&muscle)?;
-    let ideal = Ideal::new(&muscle);
+    let section = Axisymmetric::between_ends(&muscle)?;
+    let ideal = Ideal::between_ends(&muscle);
     let models: [(&str, &dyn ForceModel, Style); 3] = [
         ("fe3d", &bricks, Style::Line),
         ("fe", &section, Style::Dashed),

@@ -76,7 +76,7 @@ fn small_pressures(samples: &[Sample]) {
         for s in samples {
             let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
             let (Ok(fe), Ok(model)) = (
-                Axisymmetric::new(&s.muscle),
+                Axisymmetric::between_ends(&s.muscle),
                 ModelKind::Universal.build(&s.muscle),
             ) else {
                 continue;

@@ -128,8 +128,7 @@ impl Moved {
             .and_then(|[angle, _]| angle.last().copied());
         let angle_deg = run.motion.equilibrium_angle_deg.or(last)?;
         let (low, high) = joint.range_deg();
-        let models = self.models.iter().map(|m| &**m).collect();
-        let model = JointModel::new(joint, models, true).ok()?;
+        let model = JointModel::new(joint.clone(), self.models.clone(), true).ok()?;
         let workspaces = &mut model.workspaces();
         let pressures_mpa = pressures_mpa.get(..self.models.len())?;
         let point = model

@@ -246,13 +246,11 @@ impl Fit<'_> {
         let mut file = self.request.parsed(text, self.moved.length_mm())?;
         file.until_s = until_s;
         file.output_step_s = file.output_step_s.min(until_s / POINTS);
-        let series = self.moved.with_drive(&file, |drive| {
-            let drive = Drive {
-                tolerance: TOLERANCE,
-                ..drive
-            };
-            Ok(run(&drive, self.progress)?.series)
-        })?;
+        let drive = Drive {
+            tolerance: TOLERANCE,
+            ..self.moved.drive(&file)?
+        };
+        let series = run(&drive, self.progress)?.series;
         let one = |(what, points): &(OverTime, Series)| {
             let muscle = series.muscles.first();
             let values = match what {

@@ -44,7 +44,11 @@ impl MotionRequest {
             Subject::Muscle(_) => {
                 let missing = || Problem::missing("muscle", "the muscle file that the drive names");
                 let file = self.muscle.clone().ok_or_else(missing)?;
-                let models = vec![choice.bound(&MuscleFields::from_file(file).resolve()?)?];
+                let models = vec![
+                    choice
+                        .bound(&MuscleFields::from_file(file).resolve()?)?
+                        .into(),
+                ];
                 Ok(Moved {
                     choice,
                     joint: None,
@@ -56,8 +60,8 @@ impl MotionRequest {
                 let models = joint
                     .muscles()
                     .iter()
-                    .map(|m| choice.bound(&m.muscle))
-                    .collect::<Result<_, _>>()?;
+                    .map(|m| Ok(choice.bound(&m.muscle)?.into()))
+                    .collect::<Result<_>>()?;
                 Ok(Moved {
                     choice,
                     joint: Some(joint),
@@ -135,8 +139,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let mut runs = vec![];
     for (i, (value, drive)) in drives.iter().enumerate() {
         progress.report(i, drives.len());
-        let (motion, conductance) =
-            moved.with_drive(drive, |drive| go(&drive, rise_time_s, progress))?;
+        let (motion, conductance) = go(&moved.drive(drive)?, rise_time_s, progress)?;
         sized = sized.or(conductance);
         let mut run = MotionRun {
             value: value.clone(),
@@ -196,7 +199,7 @@ fn highest_mpa(run: &MotionRun, drive: &DriveFile, muscle: usize) -> f64 {
 
 /// The motion of a drive, and the conductance that was sought.
 fn go(
-    drive: &Drive<'_>,
+    drive: &Drive,
     rise_time_s: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<(Motion, Option<f64>)> {

@@ -2,13 +2,14 @@
 
 use crate::{Model, Problem, ProblemKind, Result};
 use mckibben_core::{joint::Joint, model::ForceModel, muscle::Friction};
-use mckibben_motion::{Actuated, Drive, DriveFile, Mechanism, SingleMuscle, Target};
+use mckibben_motion::{Actuated, Drive, DriveFile, SingleMuscle, Target};
+use std::sync::Arc;
 
 /// What a drive moves, with its models.
 pub struct Moved {
     pub choice: Model,
     pub joint: Option<Joint>,
-    pub models: Vec<Box<dyn ForceModel>>,
+    pub models: Vec<Arc<dyn ForceModel>>,
 }
 
 impl Moved {
@@ -43,37 +44,28 @@ impl Moved {
         })
     }
 
-    /// Does something with the drive of a file.
-    pub fn with_drive<T>(
-        &self,
-        file: &DriveFile,
-        work: impl FnOnce(Drive<'_>) -> Result<T>,
-    ) -> Result<T> {
-        let single = self.single(file)?;
-        let mechanism: &dyn Mechanism = match (&single, &self.joint) {
-            (Some(single), _) => single,
-            (None, Some(joint)) => joint,
-            (None, None) => return Err(Problem::missing("muscle", "what the drive moves")),
-        };
+    /// The drive of a file.
+    pub fn drive(&self, file: &DriveFile) -> Result<Drive> {
         let muscles = self.models.iter().map(|model| Actuated {
             fluid: file.fluid.clone(),
             friction: friction(file, model.muscle().friction()),
             rubber: file.rubber.clone(),
-            ..Actuated::new(&**model, file.actuator)
+            ..Actuated::new(Arc::clone(model), file.actuator)
         });
-        work(Drive {
+        let (muscles, target, until_s) = (muscles.collect(), self.target(file), file.until_s);
+        let single = self.single(file)?;
+        let start = single.as_ref().zip(file.held.or(file.start));
+        let initial_coordinate = start.map(|(single, e)| e * single.length_mm);
+        let drive = match (single, &self.joint) {
+            (Some(single), _) => Drive::new(single, muscles, target, until_s),
+            (None, Some(joint)) => Drive::new(joint.clone(), muscles, target, until_s),
+            (None, None) => return Err(Problem::missing("muscle", "what the drive moves")),
+        };
+        Ok(Drive {
             supply: file.supply,
             output_step_s: file.output_step_s,
-            initial_coordinate: single
-                .as_ref()
-                .zip(file.held.or(file.start))
-                .map(|(s, e)| e * s.length_mm),
-            ..Drive::new(
-                mechanism,
-                muscles.collect(),
-                self.target(file),
-                file.until_s,
-            )
+            initial_coordinate,
+            ..drive
         })
     }
 

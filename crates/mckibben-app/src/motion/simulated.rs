@@ -1,62 +1,17 @@
 //! A drive in a control loop.
 
-use super::{MotionRequest, Moved};
+use super::MotionRequest;
 use crate::{Problem, ProblemKind, Result, finite};
 use mckibben_core::progress::Progress;
-use mckibben_motion::{Coordinate, Drive, DriveFile, Motion, Simulation, Target};
-use std::sync::Arc;
+use mckibben_motion::{Coordinate, Drive, Motion, Simulation, Target};
 
 /// A drive that is stepped: each step holds its commands constant.
+#[derive(Clone)]
 pub struct SimulatedDrive {
-    setup: Arc<Setup>,
+    drive: Drive,
     simulation: Simulation,
     /// Those of the last step.
     commands: Option<Vec<f64>>,
-}
-
-/// What all steps have in common.
-struct Setup {
-    moved: Moved,
-    file: DriveFile,
-}
-
-impl Setup {
-    /// Does something with the drive, under commands (those of the file where there are none) and a
-    /// force or torque from outside.
-    fn with_drive<T>(
-        &self,
-        commands: Option<&[f64]>,
-        outside: f64,
-        work: impl FnOnce(&Drive<'_>) -> Result<T>,
-    ) -> Result<T> {
-        self.moved.with_drive(&self.file, |drive| {
-            let is_angle = drive.mechanism.coordinate() == Coordinate::Angle;
-            let outside_force = if is_angle { -1e3 * outside } else { outside };
-            let of_file = drive.target.clone();
-            let target = match commands {
-                None => of_file,
-                Some(values) => {
-                    let held = match of_file {
-                        Target::Position { .. } if is_angle => of_file
-                            .constant(&values.iter().map(|v| v.to_radians()).collect::<Vec<_>>()),
-                        _ => of_file.constant(values),
-                    };
-                    held.ok_or_else(|| {
-                        let wanted = of_file.commands().len();
-                        let given = values.len();
-                        ProblemKind::Usage
-                            .problem(format!("the drive has {wanted} commands, not {given}"))
-                            .in_field("command")
-                    })?
-                }
-            };
-            work(&Drive {
-                outside_force,
-                target,
-                ..drive
-            })
-        })
-    }
 }
 
 impl SimulatedDrive {
@@ -68,24 +23,32 @@ impl SimulatedDrive {
             return Err(Problem::missing("drive", "a drive file"));
         };
         file.output_step_s = finite("step_s", step_s)?;
-        file.target = moved.target(&file);
-        let setup = Arc::new(Setup { moved, file });
-        let simulation =
-            setup.with_drive(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
+        let drive = moved.drive(&file)?;
         Ok(Self {
-            setup,
-            simulation,
+            simulation: Simulation::begin(&drive, progress)?,
+            drive,
             commands: None,
         })
     }
 
     /// Back to the start.
     pub fn reset(&mut self, progress: &dyn Progress) -> Result<()> {
-        self.simulation = self
-            .setup
-            .with_drive(None, 0.0, |drive| Ok(Simulation::new(drive, progress)?))?;
+        self.simulation = Simulation::begin(&self.drive, progress)?;
         self.commands = None;
         Ok(())
+    }
+
+    /// Commands in the units of a drive: an angle in rad.
+    fn inside(&self, commands: &[f64]) -> Result<Vec<f64>> {
+        let wanted = self.drive.target.commands().len();
+        if commands.len() != wanted {
+            let given = commands.len();
+            let message = format!("the drive has {wanted} commands, not {given}");
+            return Err(ProblemKind::Usage.problem(message).in_field("command"));
+        }
+        let is_angle = self.is_joint() && matches!(self.drive.target, Target::Position { .. });
+        let inside = |v: &f64| if is_angle { v.to_radians() } else { *v };
+        Ok(commands.iter().map(inside).collect())
     }
 
     /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1,
@@ -93,10 +56,13 @@ impl SimulatedDrive {
     /// stretches the muscle, or a torque in N m that turns the joint to +. A step that fails leaves
     /// all as it was.
     pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<()> {
-        let simulation = &mut self.simulation;
-        self.setup.with_drive(Some(commands), outside, |drive| {
-            Ok(simulation.step(drive, progress)?)
-        })?;
+        let inside = self.inside(commands)?;
+        let force = if self.is_joint() {
+            -1e3 * outside
+        } else {
+            outside
+        };
+        self.simulation.step_against(&inside, force, progress)?;
         self.commands = Some(commands.to_vec());
         Ok(())
     }
@@ -122,10 +88,8 @@ impl SimulatedDrive {
             .map_or((0, numbers), |(n, rest)| (*n as usize, rest));
         let (commands, rest) = rest.split_at_checked(count).unwrap_or_default();
         let commands = Some(commands).filter(|commands| !commands.is_empty());
-        let simulation = &mut self.simulation;
-        self.setup.with_drive(commands, 0.0, |drive| {
-            Ok(simulation.restore(drive, rest, progress)?)
-        })?;
+        let inside = commands.map(|list| self.inside(list)).transpose()?;
+        self.simulation.restore(inside.as_deref(), rest, progress)?;
         self.commands = commands.map(<[f64]>::to_vec);
         Ok(())
     }
@@ -138,7 +102,7 @@ impl SimulatedDrive {
     /// What is commanded: `pressure`, `opening`, `volume` or `position`, and how many commands
     /// there are.
     pub fn commands(&self) -> (&'static str, usize) {
-        match &self.setup.file.target {
+        match &self.drive.target {
             Target::Pressure(list) => ("pressure", list.len()),
             Target::Opening(list) => ("opening", list.len()),
             Target::Volume(list) => ("volume", list.len()),
@@ -148,18 +112,14 @@ impl SimulatedDrive {
 
     /// Whether a joint is moved, not a muscle with its load.
     pub fn is_joint(&self) -> bool {
-        self.setup.moved.joint.is_some()
+        self.drive.mechanism.coordinate() == Coordinate::Angle
     }
 
-    /// Another one in the same state.
+    /// Another one in the same state; what was recorded stays behind.
     #[must_use]
     pub fn duplicate(&self) -> Self {
-        let setup = Arc::clone(&self.setup);
-        let simulation = self.simulation.duplicate();
-        Self {
-            setup,
-            simulation,
-            commands: self.commands.clone(),
-        }
+        let mut other = self.clone();
+        other.forget();
+        other
     }
 }

@@ -107,10 +107,10 @@ impl Meshed {
     fn new(elements: &Elements, muscle: &Muscle) -> Result<Self, FemError> {
         Ok(match elements {
             Elements::Axisymmetric(spec) => {
-                Self::Axisymmetric(Box::new(Axisymmetric::with_mesh(muscle, spec)?))
+                Self::Axisymmetric(Box::new(Axisymmetric::between_ends_with(muscle, spec)?))
             }
             Elements::ThreeDimensional(spec) => {
-                Self::ThreeDimensional(Box::new(ThreeDimensional::with_mesh(muscle, spec)?))
+                Self::ThreeDimensional(Box::new(ThreeDimensional::between_ends_with(muscle, spec)?))
             }
         })
     }

@@ -116,7 +116,9 @@ fn formula_points() -> Vec<DataPoint> {
 }
 
 fn elements(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
+    Ok(Box::new(
+        Axisymmetric::between_ends(m).map_err(ModelError::from)?,
+    ))
 }
 
 /// Values of the free targets, which begin at a start.

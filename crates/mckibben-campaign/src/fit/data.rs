@@ -140,7 +140,7 @@ impl Grid<'_> {
     }
 
     fn muscle_points(&self, muscle: &Muscle) -> Vec<FitPoint> {
-        let Ok(model) = Axisymmetric::new(muscle) else {
+        let Ok(model) = Axisymmetric::between_ends(muscle) else {
             return vec![];
         };
         let mut out = vec![];

@@ -42,7 +42,7 @@ fn longer_muscles_than_the_campaigns_are_as_good() {
             ..tube.clone()
         };
         let muscle = s.muscle.with_tube(long).unwrap();
-        let fe = mckibben_fem::axisymmetric::Axisymmetric::new(&muscle).unwrap();
+        let fe = mckibben_fem::axisymmetric::Axisymmetric::between_ends(&muscle).unwrap();
         let model = mckibben_core::model::ModelKind::Universal
             .build(&muscle)
             .unwrap();

@@ -100,7 +100,8 @@ impl<'a> Evaluation<'a> {
             }
             Some(friction) => Ok(friction.half_width_n(pressure_mpa, 0.0)),
             None if share > 0.0 => {
-                Ok(share * ThickWall::new(muscle).strand_pull_n(pressure_mpa, contraction)?)
+                Ok(share
+                    * ThickWall::between_ends(muscle).strand_pull_n(pressure_mpa, contraction)?)
             }
             None => Ok(0.0),
         }
@@ -124,7 +125,8 @@ impl<'a> Evaluation<'a> {
         self.check_point(pressure_mpa, contraction)?;
         let response = self
             .model
-            .response(self.workspace, pressure_mpa, contraction)?;
+            .response(self.workspace, pressure_mpa, contraction)?
+            .finite(&self.model.info().name)?;
         // The point is the given one, to the last bit: a model may compute with 1 − ε.
         let mut response = Response {
             pressure_mpa,
@@ -155,7 +157,8 @@ impl<'a> Evaluation<'a> {
         let force_n = self
             .model
             .force_n(self.workspace, pressure_mpa, contraction)?;
-        Ok(force_n + self.friction_n(pressure_mpa, contraction)?)
+        let force_n = force_n + self.friction_n(pressure_mpa, contraction)?;
+        ModelError::finite(force_n, &self.model.info().name, pressure_mpa, contraction)
     }
 
     /// That the work goes on, and the point is one.
@@ -225,7 +228,7 @@ mod tests {
         let m = Muscle::prototype();
         let friction = Friction::power_law(40.0, 0.7);
         let m = m.with_friction(Some(friction)).unwrap();
-        let (model, w) = (Ideal::new(&m), &mut Workspace::new());
+        let (model, w) = (Ideal::between_ends(&m), &mut Workspace::new());
         let (p, e, h) = (0.2, 0.1, 1e-6);
         let ideal = model.force_n(w, p, e).unwrap();
         let half = 40.0 * 0.2f64.powf(0.7);
@@ -272,7 +275,7 @@ mod tests {
             .unwrap()
             .with_friction(Some(friction))
             .unwrap();
-        let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
+        let (model, w) = (ThickWall::between_ends(&m), &mut Workspace::new());
         for (p, e) in [(0.2, 0.0), (0.3, 0.2)] {
             let cos = (1.0 - e) * 28f64.to_radians().cos();
             let sin = (1.0 - cos * cos).sqrt();

@@ -48,7 +48,7 @@ fn the_median_is_that_of_the_closed_form() {
         (Constant::Friction, 0.08),
     ]);
     let predictor = Predictor::about(&m, x, diagonal(&[0.0; 8])).unwrap();
-    let model = Ideal::new(&m);
+    let model = Ideal::between_ends(&m);
     let w = &mut Workspace::new();
     let mut evaluation = Evaluation::new(&model, w, Direction::Mean);
     let force_n = evaluation.force_n(p, e).unwrap();
@@ -167,7 +167,7 @@ fn parts_add_as_squares() {
     let names: Vec<_> = parts.named().map(|p| p.0).collect();
     assert_eq!(names, ["formula", "friction"]);
     let m = Muscle::prototype();
-    let model = ThickWall::new(&m);
+    let model = ThickWall::between_ends(&m);
     let w = &mut Workspace::new();
     let answer = Evaluation::new(&model, w, Direction::Mean)
         .answer(0.25, 0.1)
@@ -184,7 +184,7 @@ fn stated_friction_is_that_of_its_law() {
     let m = Muscle::prototype()
         .with_friction(Some(Friction::power_law(74.0, 0.5)))
         .unwrap();
-    let model = ThickWall::new(&m);
+    let model = ThickWall::between_ends(&m);
     for direction in Direction::ALL {
         let w = &mut Workspace::new();
         let answer = Evaluation::new(&model, w, direction)
@@ -210,7 +210,10 @@ fn a_simpler_model_has_a_larger_uncertainty() {
             .uncertainty_n
             .unwrap()
     };
-    let (ideal, thick) = (of(&Ideal::new(&m), w), of(&ThickWall::new(&m), w));
+    let (ideal, thick) = (
+        of(&Ideal::between_ends(&m), w),
+        of(&ThickWall::between_ends(&m), w),
+    );
     assert!(ideal > thick, "{ideal} {thick}");
 }
 
@@ -219,7 +222,7 @@ fn a_simpler_model_has_a_larger_uncertainty() {
 #[test]
 fn identity_what_is_sought_of_a_built_muscle_is_where_its_pull_is_the_wanted_one() {
     let m = Muscle::prototype();
-    let model = ThickWall::new(&m);
+    let model = ThickWall::between_ends(&m);
     let w = &mut Workspace::new();
     let two_sided = Options {
         two_sided: true,

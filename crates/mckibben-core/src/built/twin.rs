@@ -30,7 +30,7 @@ impl Twin {
     /// Of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
         Self {
-            model: ThickWall::new(&muscle.between_ends()),
+            model: ThickWall::between_ends(&muscle.between_ends()),
             ends: muscle.ends(),
         }
     }

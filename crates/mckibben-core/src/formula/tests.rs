@@ -135,7 +135,7 @@ fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
     );
     for (d, s) in [(30.0, 5.0), (41.3, 2.2), (50.0, 1.0)] {
         let m = Muscle::prototype().with_section(d, s).unwrap();
-        let ours = FormulaModel::new(&f, &m);
+        let ours = FormulaModel::between_ends(&f, &m);
         let paper = FormulaModel::paper(&m);
         for (p, e) in [(0.05, 0.0), (0.13, 0.11), (0.25, 0.2)] {
             assert_eq!(
@@ -161,7 +161,7 @@ fn derivatives_are_those_of_finite_differences() {
         formula(Body::Paper(Box::new(*Coefficients::published()))),
         global(),
     ] {
-        let model = FormulaModel::new(&f, &m);
+        let model = FormulaModel::between_ends(&f, &m);
         for (p, e) in [(0.05, 0.0), (0.0, 0.0), (0.11, 0.07), (0.25, 0.2)] {
             let h = 1e-5;
             let r = model.response(&mut Workspace::new(), p, e).unwrap();
@@ -191,7 +191,12 @@ fn derivatives_are_those_of_finite_differences() {
 fn what_it_was_not_made_for_is_refused() {
     let f = Arc::new(global());
     let proto = Muscle::prototype();
-    let check = |m: &Muscle, p, e| FormulaModel::new(&f, m).info().range.check("mine", p, e);
+    let check = |m: &Muscle, p, e| {
+        FormulaModel::between_ends(&f, m)
+            .info()
+            .range
+            .check("mine", p, e)
+    };
     assert!(check(&proto, 0.25, 0.2).is_ok());
     let wide = proto.with_section(60.0, 0.5).unwrap();
     let text = check(&wide, 0.3, 0.25).unwrap_err().to_string();
@@ -240,11 +245,11 @@ fn what_it_was_not_made_for_is_refused() {
         "{text}"
     );
     assert!(
-        FormulaModel::new(&f, &proto)
+        FormulaModel::between_ends(&f, &proto)
             .force_n(&mut Workspace::new(), f64::NAN, 0.1)
             .is_err()
     );
-    let accuracy = FormulaModel::new(&f, &proto).info().accuracy;
+    let accuracy = FormulaModel::between_ends(&f, &proto).info().accuracy;
     assert_eq!(accuracy.share_of_blocked, Some(0.025));
     assert_ne!(
         ModelKind::Paper.build(&proto).unwrap().info().accuracy,

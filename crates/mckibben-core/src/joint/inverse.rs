@@ -42,7 +42,7 @@ impl JointPoint {
     }
 }
 
-impl JointModel<'_> {
+impl JointModel {
     /// The muscles at an angle in rad, up to a pressure.
     fn here(&self, workspaces: &mut [Workspace], angle: f64, max_pressure_mpa: f64) -> Vec<Here> {
         let one = |(i, workspace): (usize, &mut Workspace)| {
@@ -144,14 +144,14 @@ impl JointModel<'_> {
 }
 
 /// The pulls that give a torque.
-struct Line<'l, 'm> {
-    model: &'l JointModel<'m>,
+struct Line<'l> {
+    model: &'l JointModel,
     here: &'l [Here],
     /// Σ F Δ′ in N mm
     needed: f64,
 }
 
-impl Line<'_, '_> {
+impl Line<'_> {
     /// The least pull of the first muscle at which both muscles pull and have a stiffness, or the
     /// least and the largest stiffness that they have.
     fn first_pull(

@@ -69,7 +69,7 @@ pub struct JointMap {
 /// A rest, or the pressures without one and why.
 type Place = Result<Option<MapPoint>, (Vec<f64>, JointError)>;
 
-impl JointModel<'_> {
+impl JointModel {
     /// The map with `count` pressures of each muscle from 0 to `max_pressure_mpa`.
     ///
     /// # Errors

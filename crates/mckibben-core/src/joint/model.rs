@@ -9,6 +9,7 @@ use crate::{
     muscle::Direction,
 };
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Which way the joint turns: on which branch of their friction the muscles are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
@@ -80,9 +81,10 @@ pub struct JointPoint {
 }
 
 /// A joint whose muscles have models.
-pub struct JointModel<'m> {
-    joint: &'m Joint,
-    models: Vec<&'m dyn ForceModel>,
+#[derive(Clone)]
+pub struct JointModel {
+    joint: Arc<Joint>,
+    models: Vec<Arc<dyn ForceModel>>,
     /// Whether its models answer outside of their ranges.
     pub(super) extrapolate: bool,
     /// Whether its muscles are of one construction: tube, rubber, braid and ends.
@@ -97,17 +99,18 @@ pub struct Fixed<'w> {
     pub free: Vec<Option<f64>>,
 }
 
-impl<'m> JointModel<'m> {
+impl JointModel {
     /// A joint with a model of each of its muscles.
     ///
     /// # Errors
     /// [`JointError::Muscles`] where these are not as many; [`JointError::Refused`] of a model that is
     /// bound to another muscle.
     pub fn new(
-        joint: &'m Joint,
-        models: Vec<&'m dyn ForceModel>,
+        joint: impl Into<Arc<Joint>>,
+        models: Vec<Arc<dyn ForceModel>>,
         extrapolate: bool,
     ) -> Result<Self> {
+        let joint = joint.into();
         if models.len() == joint.muscles().len() {
             let digests = Vec::from_iter(joint.muscles().iter().map(|m| m.muscle.digest()));
             for (i, (model, digest)) in (1..).zip(models.iter().zip(&digests)) {
@@ -130,12 +133,12 @@ impl<'m> JointModel<'m> {
     }
 
     /// The joint.
-    pub fn joint(&self) -> &'m Joint {
-        self.joint
+    pub fn joint(&self) -> &Joint {
+        &self.joint
     }
 
-    pub(super) fn model(&self, muscle: usize) -> &'m dyn ForceModel {
-        self.models[muscle]
+    pub(super) fn model(&self, muscle: usize) -> &dyn ForceModel {
+        &*self.models[muscle]
     }
 
     /// The model of a muscle on a branch.
@@ -150,7 +153,7 @@ impl<'m> JointModel<'m> {
             direction,
             ..Options::default()
         };
-        Evaluation::new(self.models[muscle], workspace, options)
+        Evaluation::new(&*self.models[muscle], workspace, options)
     }
 
     pub(super) fn check_angle(&self, angle_deg: f64) -> Result<()> {

@@ -50,7 +50,7 @@ impl Rest {
     }
 }
 
-impl JointModel<'_> {
+impl JointModel {
     /// Every rest at pressures, by rising angle, with a torque from outside in N m that turns to +;
     /// at least one is stable. They lie between neighbouring angles at which every muscle has a
     /// state.

@@ -4,7 +4,7 @@
 use super::{JointModel, JointPoint};
 use crate::{answer::FLAT_MPA, model::Workspace};
 
-impl JointModel<'_> {
+impl JointModel {
     /// 95 % half-width in degrees of the angle at which a joint rests; `None` where it is wider
     /// than the range of the angle, or not known.
     pub fn angle_uncertainty_deg(&self, point: &JointPoint) -> Option<f64> {

@@ -18,7 +18,7 @@
 use super::{JointModel, JointPoint, model::MuscleState};
 use crate::built::{UncertaintyParts, stiffness_uncertainty_n_per_mm};
 
-impl JointModel<'_> {
+impl JointModel {
     /// The parts of the ± of the torque in N m; `None` where that of a muscle's pull is not known.
     pub(super) fn torque_uncertainty(&self, muscles: &[MuscleState]) -> Option<UncertaintyParts> {
         let mut each = muscles.iter().map(|m| {

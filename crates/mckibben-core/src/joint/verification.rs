@@ -9,6 +9,7 @@ use crate::{
     random::Random,
     verification::VerificationRow,
 };
+use std::sync::Arc;
 
 const WORK: &str = "virtual work: τ = d/dφ (Σ ∫F dΔ − E of weight and spring)";
 const SYMMETRY: &str = "symmetry: two equal muscles at one pressure";
@@ -66,13 +67,13 @@ fn ideals(joint: &Joint) -> Vec<Ideal> {
     joint
         .muscles()
         .iter()
-        .map(|m| Ideal::new(&m.muscle))
+        .map(|m| Ideal::between_ends(&m.muscle))
         .collect()
 }
 
-fn model<'m>(joint: &'m Joint, ideals: &'m [Ideal]) -> Option<JointModel<'m>> {
-    let models = ideals.iter().map(|m| m as &dyn ForceModel).collect();
-    JointModel::new(joint, models, true).ok()
+fn model(joint: &Joint, ideals: &[Ideal]) -> Option<JointModel> {
+    let shared = |m: &Ideal| Arc::new(m.clone()) as Arc<dyn ForceModel>;
+    JointModel::new(joint.clone(), ideals.iter().map(shared).collect(), true).ok()
 }
 
 fn virtual_work() -> Option<Vec<VerificationRow>> {

@@ -66,7 +66,10 @@ mod tests {
     /// F/A(ε) along the way.
     #[test]
     fn the_work_of_an_ideal_muscle_is_below_the_exergy_of_its_air() {
-        let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
+        let (model, w) = (
+            Ideal::between_ends(&Muscle::prototype()),
+            &mut Workspace::new(),
+        );
         let load = Load::Mass {
             mass_kg: 10.0,
             level: false,

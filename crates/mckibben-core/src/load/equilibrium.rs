@@ -193,7 +193,7 @@ mod tests {
     };
 
     fn ideal() -> Ideal {
-        Ideal::new(&Muscle::prototype())
+        Ideal::between_ends(&Muscle::prototype())
     }
 
     /// Formula (4) of the paper: the contraction at a constant pull.
@@ -282,7 +282,7 @@ mod tests {
             presliding_mm: None,
         };
         let m = Muscle::prototype().with_friction(Some(friction)).unwrap();
-        let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
+        let (model, w) = (ThickWall::between_ends(&m), &mut Workspace::new());
         let lever = |from| Load::Lever(Lever::new(5.0, 300.0, 40.0, from).unwrap());
         let loads = [
             Load::Force { force_n: 300.0 },

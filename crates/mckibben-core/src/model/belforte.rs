@@ -96,7 +96,7 @@ mod tests {
     fn with_the_ideal_strand_it_is_the_ideal_formula() {
         let m = Muscle::prototype();
         let measured = with_strand(m.strand_length_mm(), m.turns());
-        let (ideal, belforte) = (Ideal::new(&m), build(&measured).unwrap());
+        let (ideal, belforte) = (Ideal::between_ends(&m), build(&measured).unwrap());
         for e in [-0.05, 0.0, 0.1, 0.3] {
             let (a, b) = (
                 ideal.response(&mut Workspace::new(), 0.2, e).unwrap(),

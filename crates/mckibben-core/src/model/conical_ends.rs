@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn at_rest_the_ends_do_nothing() {
-        let ideal = Ideal::new(&Muscle::prototype())
+        let ideal = Ideal::between_ends(&Muscle::prototype())
             .force_n(&mut Workspace::new(), 0.2, 0.0)
             .unwrap();
         for kc in [0.0, 0.3, 0.6] {
@@ -115,7 +115,7 @@ mod tests {
     fn without_cones_the_published_form_exceeds_the_ideal_one_by_the_annulus() {
         let (m, cones) = (Muscle::prototype(), model(Some(0.0)).unwrap());
         for e in [0.1, 0.3] {
-            let ideal = Ideal::new(&m)
+            let ideal = Ideal::between_ends(&m)
                 .force_n(&mut Workspace::new(), 0.2, e)
                 .unwrap();
             let r = 0.5 * m.pantograph_diameter_mm(e);

@@ -92,7 +92,7 @@ pub struct FestoSarosi {
 
 impl FestoSarosi {
     /// The DMSP-10 (inner diameter 10 mm) or the DMSP-20-200N (20 mm, length 200 mm).
-    pub(super) fn new(fit: Fit, muscle: &Muscle) -> Self {
+    pub(super) fn between_ends(fit: Fit, muscle: &Muscle) -> Self {
         let name = fit.entry.name;
         let make = fit.make;
         let info = ModelInfo {
@@ -157,10 +157,10 @@ mod tests {
     fn blocked_forces_at_6_bar() {
         let m = Muscle::prototype();
         // (6a + b) + 6e + f by hand.
-        let ten = FestoSarosi::new(DMSP_10, &m)
+        let ten = FestoSarosi::between_ends(DMSP_10, &m)
             .force_n(&mut Workspace::new(), 0.6, 0.0)
             .unwrap();
-        let twenty = FestoSarosi::new(DMSP_20_200, &m)
+        let twenty = FestoSarosi::between_ends(DMSP_20_200, &m)
             .force_n(&mut Workspace::new(), 0.6, 0.0)
             .unwrap();
         assert!((ten - 595.2357192).abs() < 1e-6, "{ten}");
@@ -171,8 +171,8 @@ mod tests {
     fn in_their_box_they_fall_with_contraction_and_rise_with_pressure() {
         let m = Muscle::prototype();
         for model in [
-            FestoSarosi::new(DMSP_10, &m),
-            FestoSarosi::new(DMSP_20_200, &m),
+            FestoSarosi::between_ends(DMSP_10, &m),
+            FestoSarosi::between_ends(DMSP_20_200, &m),
         ] {
             for i in 0..=20 {
                 for j in 0..=25 {

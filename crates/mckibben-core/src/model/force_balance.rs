@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn without_a_wall_it_is_the_ideal_formula() {
         let thin = Muscle::prototype().with_section(30.0, 1e-9).unwrap();
-        let (a, b) = (build(&thin).unwrap(), Ideal::new(&thin));
+        let (a, b) = (build(&thin).unwrap(), Ideal::between_ends(&thin));
         for e in [0.0, 0.15, 0.3] {
             let (a, b) = (
                 a.response(&mut Workspace::new(), 0.2, e).unwrap(),

@@ -28,7 +28,7 @@ pub struct FormulaModel {
 
 impl FormulaModel {
     /// The formula for one muscle.
-    pub fn new(formula: &Formula, muscle: &Muscle) -> Self {
+    pub fn between_ends(formula: &Formula, muscle: &Muscle) -> Self {
         let d = muscle.outer_diameter_mm();
         let s = muscle.wall_mm();
         let bound = match &formula.body {

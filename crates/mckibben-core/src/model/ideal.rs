@@ -40,7 +40,7 @@ pub struct Ideal {
 
 impl Ideal {
     /// The ideal model of a muscle.
-    pub fn new(muscle: &Muscle) -> Self {
+    pub fn between_ends(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let d0 = muscle.outer_diameter_mm();
         let info = ModelInfo {

@@ -42,27 +42,27 @@ macro_rules! models {
 
 models! {
     /// [`Ideal`]
-    Ideal = ideal::ENTRY, |m| Ok(Box::new(Ideal::new(m)));
+    Ideal = ideal::ENTRY, |m| Ok(Box::new(Ideal::between_ends(m)));
     /// [`ThickWall`]
-    ThickWall = thick_wall::ENTRY, |m| Ok(Box::new(ThickWall::new(m)));
+    ThickWall = thick_wall::ENTRY, |m| Ok(Box::new(ThickWall::between_ends(m)));
     /// The ideal muscle inside of a wall of constant thickness
     ChouHannaford = chou_hannaford::ENTRY, chou_hannaford::build;
     /// An incompressible wall whose rubber carries nothing
     ForceBalance = force_balance::ENTRY, force_balance::build;
     /// [`TonduLopez`]
-    TonduLopez = tondu_lopez::ENTRY, |m| Ok(Box::new(TonduLopez::new(m)?));
+    TonduLopez = tondu_lopez::ENTRY, |m| Ok(Box::new(TonduLopez::between_ends(m)?));
     /// The ideal muscle by a measured strand
     Belforte = belforte::ENTRY, belforte::build;
     /// [`KluteHannaford`]
-    KluteHannaford = klute_hannaford::ENTRY, |m| Ok(Box::new(KluteHannaford::new(m)?));
+    KluteHannaford = klute_hannaford::ENTRY, |m| Ok(Box::new(KluteHannaford::between_ends(m)?));
     /// A cylinder between two cones
     ConicalEnds = conical_ends::ENTRY, conical_ends::build;
     /// The force balance of the middle of a muscle with round ends
     RoundedEnds = rounded_ends::ENTRY, rounded_ends::build;
     /// [`FestoSarosi`], size 10
-    FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_10, m)));
+    FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::between_ends(festo_sarosi::DMSP_10, m)));
     /// [`FestoSarosi`], size 20, 200 mm
-    FestoDmsp20 = festo_sarosi::DMSP_20_200.entry, |m| Ok(Box::new(FestoSarosi::new(festo_sarosi::DMSP_20_200, m)));
+    FestoDmsp20 = festo_sarosi::DMSP_20_200.entry, |m| Ok(Box::new(FestoSarosi::between_ends(festo_sarosi::DMSP_20_200, m)));
     /// [`Universal`]
     Universal = universal::ENTRY, |m| universal("universal", UniversalFormula::large(), m);
     /// [`Universal`] in its short form
@@ -81,7 +81,7 @@ fn universal(
         missing: "its built-in coefficients, which cannot be read; rebuild the program",
         key: "",
     })?;
-    Ok(Box::new(Universal::new(formula, muscle)))
+    Ok(Box::new(Universal::between_ends(formula, muscle)))
 }
 
 impl ModelKind {

@@ -48,7 +48,7 @@ impl KluteHannaford {
     ///
     /// # Errors
     /// [`ModelError::Missing`] where the rubber is neither Mooney–Rivlin nor neo-Hookean.
-    pub fn new(muscle: &Muscle) -> Result<Self> {
+    pub fn between_ends(muscle: &Muscle) -> Result<Self> {
         let law = muscle.rubber().law.as_mooney_rivlin().ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall \
@@ -57,7 +57,7 @@ impl KluteHannaford {
         })?;
         Ok(Self {
             info: ModelInfo::of_soft_strands(&ENTRY, muscle, 0.55),
-            ideal: Ideal::new(muscle),
+            ideal: Ideal::between_ends(muscle),
             braid: Pantograph::from_muscle(muscle),
             c10: law.c10_mpa,
             c01: law.c01_mpa,
@@ -163,8 +163,11 @@ mod tests {
         for e in [0.05, 0.15, 0.3] {
             let errors = [1e-2, 1e-3].map(|s| {
                 let m = muscle(s);
-                let (thin, thick) = (KluteHannaford::new(&m).unwrap(), ThickWall::new(&m));
-                let ideal = Ideal::new(&m)
+                let (thin, thick) = (
+                    KluteHannaford::between_ends(&m).unwrap(),
+                    ThickWall::between_ends(&m),
+                );
+                let ideal = Ideal::between_ends(&m)
                     .force_n(&mut Workspace::new(), 0.3, e)
                     .unwrap();
                 let exact = thick.force_n(&mut Workspace::new(), 0.3, e).unwrap() - ideal;
@@ -180,7 +183,7 @@ mod tests {
 
     #[test]
     fn its_stiffness_is_that_of_finite_differences_with_both_constants() {
-        let model = KluteHannaford::new(&muscle(2.0)).unwrap();
+        let model = KluteHannaford::between_ends(&muscle(2.0)).unwrap();
         let h = 1e-6;
         for e in [0.0, 0.1, 0.3] {
             let f = |e: f64| model.force_n(&mut Workspace::new(), 0.2, e).unwrap();
@@ -207,7 +210,7 @@ mod tests {
         };
         let m = Muscle::prototype().with_tube(tube).unwrap();
         assert!(matches!(
-            KluteHannaford::new(&m),
+            KluteHannaford::between_ends(&m),
             Err(ModelError::Missing { .. })
         ));
     }

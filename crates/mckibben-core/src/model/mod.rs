@@ -21,6 +21,7 @@ mod klute_hannaford;
 mod notes;
 mod pantograph;
 mod paper;
+mod pointers;
 mod proportional;
 mod quadrature;
 mod range;
@@ -37,7 +38,7 @@ mod wall_mooney;
 mod workspace;
 
 pub use accuracy::{Accuracy, BlockedAt, Reference};
-pub use error::{ModelError, Result};
+pub use error::{ModelError, OtherError, Result};
 pub use festo_sarosi::FestoSarosi;
 pub use formula::FormulaModel;
 pub use ideal::Ideal;
@@ -65,10 +66,37 @@ pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
 /// Whatever answers F(P, ε) for one muscle.
 ///
 /// A model is bound to its muscle when it is built. Answers are two-sided: where the muscle would
-/// have to push, the force is negative; [`crate::answer`] turns that into slack. A model never
-/// answers NaN: it answers a finite force or a [`ModelError`]. It is immutable: what changes while
-/// it answers lies in the [`Workspace`] that the caller holds, and an answer does not depend on the
-/// questions before.
+/// have to push, the force is negative; [`crate::answer`] turns that into slack. It is immutable:
+/// what changes while it answers lies in the [`Workspace`] that the caller holds, and an answer does
+/// not depend on the questions before. A force that is not finite is the model's error.
+///
+/// A model of your own has [`info`](Self::info) and [`response`](Self::response), and where it is
+/// cheaper [`force_n`](Self::force_n); joints, motion, curves and inverses take it as they take
+/// those of this library, in a `Box` or `Arc` too.
+///
+/// ```
+/// use mckibben_core::{analysis::Evaluation, model::*, muscle::Muscle};
+///
+/// /// A muscle that pulls a given force per pressure, falling to nothing at 25 %.
+/// struct Straight(ModelInfo);
+///
+/// impl ForceModel for Straight {
+///     fn info(&self) -> &ModelInfo {
+///         &self.0
+///     }
+///     fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response> {
+///         let force_n = 6000.0 * p * (1.0 - e / 0.25);
+///         Ok(Response { pressure_mpa: p, contraction: e, force_n, ..Response::default() })
+///     }
+/// }
+///
+/// let entry = ModelEntry { name: "straight", description: "a straight line", source: "bench" };
+/// let model = Straight(ModelInfo::new(&entry, &Muscle::prototype()));
+/// let workspace = &mut Workspace::new();
+/// let mut asked = Evaluation::new(&model, workspace, Default::default());
+/// assert!((asked.pressure_at(600.0, 0.1)? - 1.0 / 6.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait ForceModel: Send + Sync {
     /// What it is: name, source, range, error.
     fn info(&self) -> &ModelInfo;
@@ -100,11 +128,13 @@ pub trait ForceModel: Send + Sync {
     /// in closed form or with the load held in place of it; `None` where it has none or finds none.
     /// Nothing is checked against its range; whoever wants an inverse of any model takes
     /// [`Evaluation::pressure_at`](crate::analysis::Evaluation::pressure_at).
+    #[doc(hidden)]
     fn pressure_at_pull(&self, _: &mut Workspace, _force_n: f64, _contraction: f64) -> Option<f64> {
         None
     }
 
     /// The contraction at which the pull is `force_n`, likewise.
+    #[doc(hidden)]
     fn contraction_at_pull(
         &self,
         _: &mut Workspace,
@@ -115,6 +145,7 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// Whether it has ∂F by constants and measures of its muscle.
+    #[doc(hidden)]
     fn has_slopes(&self) -> bool {
         false
     }
@@ -135,12 +166,14 @@ pub trait ForceModel: Send + Sync {
 
     /// The pull at rest length in N, of which errors of the model are a share: by a faster model
     /// where this one is slow.
+    #[doc(hidden)]
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
         self.force_n(workspace, pressure_mpa, 0.0)
     }
 
     /// What the mesh errs by in N, of the pull `force_n` that the model gave there, where the
     /// blocked force is `scale_n`; `None` without a mesh.
+    #[doc(hidden)]
     fn mesh_error_n(
         &self,
         _: &mut Workspace,
@@ -158,12 +191,14 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// As [`pivoting_n_per_mm`], where the model computes how the strands press on each other.
+    #[doc(hidden)]
     fn contact_n_per_mm(&self, _: &mut Workspace, _p: f64, _e: f64) -> Option<Result<f64>> {
         None
     }
 
     /// A model with nearly the same answers at a fraction of the cost, by which a pull that no
     /// pressure gives is refused at once.
+    #[doc(hidden)]
     fn companion(&self) -> Option<&dyn ForceModel> {
         None
     }
@@ -180,5 +215,5 @@ pub fn pivoting_n_per_mm<M: ForceModel + ?Sized>(
 ) -> Result<f64> {
     model
         .contact_n_per_mm(w, p, e)
-        .unwrap_or_else(|| ThickWall::new(model.muscle()).pivoting(p, e))
+        .unwrap_or_else(|| ThickWall::between_ends(model.muscle()).pivoting(p, e))
 }

@@ -29,14 +29,14 @@ pub struct Seated<M: ForceModel + ?Sized> {
 /// The model of a whole muscle: `build` makes that of the muscle between its ends, which is the
 /// model itself where nothing is said of them.
 ///
-/// A constructor such as [`ThickWall::new`](super::ThickWall::new) is that inner model: of a muscle
+/// A constructor such as [`ThickWall::between_ends`](super::ThickWall::between_ends) is that inner model: of a muscle
 /// whose terminals state a seating, a slip, a grip or plugs it answers another pull.
 ///
 /// ```
 /// use mckibben_core::{model::*, muscle::{Muscle, file::parse_muscle}};
 /// let muscle = parse_muscle("terminals.seating = 2")?;
-/// let whole = with_ends::<ModelError>(&muscle, |inner| Ok(Box::new(ThickWall::new(inner))))?;
-/// let (inner, w) = (ThickWall::new(&muscle), &mut Workspace::new());
+/// let whole = with_ends::<ModelError>(&muscle, |inner| Ok(Box::new(ThickWall::between_ends(inner))))?;
+/// let (inner, w) = (ThickWall::between_ends(&muscle), &mut Workspace::new());
 /// // The ends give way by 2 mm under load.
 /// assert!(whole.force_n(w, 0.2, 0.1)? != inner.force_n(w, 0.2, 0.1)?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

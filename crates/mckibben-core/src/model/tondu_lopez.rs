@@ -30,7 +30,7 @@ pub struct TonduLopez {
 
 impl TonduLopez {
     /// The model of a muscle whose end factor is known.
-    pub fn new(muscle: &Muscle) -> Result<Self> {
+    pub fn between_ends(muscle: &Muscle) -> Result<Self> {
         let factor = muscle.terminals().end_factor.ok_or(ModelError::Missing {
             model: ENTRY.name,
             missing: "an end factor: `end_factor = 1.29` under [model.tondu-lopez] in the muscle \
@@ -39,7 +39,7 @@ impl TonduLopez {
         })?;
         Ok(Self {
             info: ModelInfo::new(&ENTRY, muscle),
-            ideal: Ideal::new(muscle),
+            ideal: Ideal::between_ends(muscle),
             factor,
         })
     }
@@ -116,7 +116,7 @@ mod tests {
             end_factor,
             ..Terminals::default()
         };
-        TonduLopez::new(&Muscle::prototype().with_terminals(terminals).unwrap())
+        TonduLopez::between_ends(&Muscle::prototype().with_terminals(terminals).unwrap())
     }
 
     #[test]
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn a_factor_of_one_is_the_ideal_formula_and_none_is_refused() {
         let one = model(Some(EndFactor::Constant(1.0))).unwrap();
-        let ideal = Ideal::new(&Muscle::prototype());
+        let ideal = Ideal::between_ends(&Muscle::prototype());
         assert_eq!(
             one.force_n(&mut Workspace::new(), 0.2, 0.1),
             ideal.force_n(&mut Workspace::new(), 0.2, 0.1)

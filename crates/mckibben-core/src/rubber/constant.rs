@@ -3,6 +3,7 @@
 
 use super::{Law, RubberLaw};
 use crate::{refused::Refused, units::Dimension};
+use std::fmt;
 
 /// A constant of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -150,13 +151,21 @@ impl PartialEq for LawKind {
 
 impl LawKind {
     pub(super) const fn new<L: LawConstants + Into<Law>>() -> Self {
+        Self::made::<L>(|values| L::from_values(values).map(Into::into))
+    }
+
+    pub(super) const fn custom<L: LawConstants + fmt::Debug + Send + 'static>() -> Self {
+        Self::made::<L>(|values| L::from_values(values).map(Law::custom))
+    }
+
+    const fn made<L: LawConstants>(make: fn(&[f64]) -> Option<Law>) -> Self {
         Self {
             name: L::NAME,
             constants: L::CONSTANTS,
             is_sum: L::IS_SUM,
             example: L::EXAMPLE,
             held_positive: L::HELD_POSITIVE,
-            make: |values| L::from_values(values).map(Into::into),
+            make,
         }
     }
 

@@ -6,8 +6,10 @@
 //! N·mm/mm³) and vanish at rest.
 
 mod by_invariants;
+mod check;
 mod compound;
 mod constant;
+mod custom;
 mod form;
 mod invariants;
 mod law;
@@ -17,11 +19,13 @@ pub mod over_time;
 mod stability;
 mod written;
 
+pub use check::{LawFault, check_law};
 pub use compound::{Bulk, Conditioned, Rubber};
 pub use constant::{
     Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, foreign,
     one_of_all,
 };
+pub use custom::CustomLaw;
 pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
 pub use law::LawVisitor;

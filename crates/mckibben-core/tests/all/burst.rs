@@ -52,7 +52,10 @@ fn closed_form_of_rigid_strands_without_rubber() {
         let (b, n) = (m.strand_length_mm(), m.turns());
         let theta = f64::to_radians(angle);
         let expected = strength * 2.0 * PI * f64::from(count) * n * n / (b * b * theta.cos());
-        let pressure_mpa = burst(&ThickWall::new(&m)).unwrap().pressure_mpa().unwrap();
+        let pressure_mpa = burst(&ThickWall::between_ends(&m))
+            .unwrap()
+            .pressure_mpa()
+            .unwrap();
         assert!(
             (pressure_mpa / expected - 1.0).abs() < 1e-6,
             "{pressure_mpa} {expected}"
@@ -95,7 +98,7 @@ fn there_the_most_loaded_strand_carries_its_strength() {
             .and_then(|r| r.strand_tension_n);
         assert_eq!(tension.is_none(), from_thick_wall, "{kind}");
         let tension = tension.unwrap_or_else(|| {
-            let thick = ThickWall::new(&m)
+            let thick = ThickWall::between_ends(&m)
                 .response(&mut Workspace::new(), pressure_mpa, 0.0)
                 .unwrap();
             thick.strand_tension_n.unwrap()
@@ -119,7 +122,7 @@ fn no_contraction_loads_the_strands_more_than_none() {
             (random.unit() < 0.8).then(|| (random.log(0.01, 0.5), random.log(1000.0, 1e5)));
         let braid = strands(count, section, random.log(5.0, 200.0));
         let m = muscle(d, wall, l, angle, random.log(0.05, 3.0), braid);
-        let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
+        let (model, w) = (ThickWall::between_ends(&m), &mut Workspace::new());
         let Ok(failures) = burst(&model) else {
             continue;
         };
@@ -143,7 +146,7 @@ fn no_contraction_loads_the_strands_more_than_none() {
 
 #[test]
 fn what_is_not_stated_is_not_known() {
-    let burst_of = |m: &Muscle| burst(&ThickWall::new(m)).unwrap();
+    let burst_of = |m: &Muscle| burst(&ThickWall::between_ends(m)).unwrap();
     let is_missing = |pressure: FailurePressure, what: &str| match pressure {
         FailurePressure::Unknown(why) => why.to_string().contains(what),
         _ => false,
@@ -195,7 +198,7 @@ fn the_tube_bulges_through_the_widest_opening() {
         .on(9.525)
         .unwrap();
     let m = Muscle::new(tube.clone(), braid.clone(), Terminals::default(), None).unwrap();
-    let failures = burst(&ThickWall::new(&m)).unwrap();
+    let failures = burst(&ThickWall::between_ends(&m)).unwrap();
     let mesh = failures.mesh.mpa().unwrap();
     assert!((mesh / 0.76768 - 1.0).abs() < 1e-3, "{mesh}");
     // Before its strands break; half of it is allowed, or what the fittings are rated for.
@@ -216,7 +219,10 @@ fn the_tube_bulges_through_the_widest_opening() {
         ..braid.clone()
     };
     let m = Muscle::new(tube.clone(), counted.clone(), Terminals::default(), None).unwrap();
-    let allowed = burst(&ThickWall::new(&m)).unwrap().allowed().unwrap();
+    let allowed = burst(&ThickWall::between_ends(&m))
+        .unwrap()
+        .allowed()
+        .unwrap();
     assert_eq!(
         (allowed.mpa, allowed.by),
         (2.0 * mesh / SAFETY, Some(FailureMode::Mesh))
@@ -226,14 +232,14 @@ fn the_tube_bulges_through_the_widest_opening() {
         ..Terminals::default()
     };
     let m = Muscle::new(tube.clone(), braid.clone(), rated, None).unwrap();
-    let failures = burst(&ThickWall::new(&m)).unwrap();
+    let failures = burst(&ThickWall::between_ends(&m)).unwrap();
     let allowed = failures.allowed().unwrap();
     assert_eq!((allowed.mpa, allowed.by), (0.1, None));
     // Strands that touch leave no opening.
     let strands = counted.strands.map(|s| Strands { count: 2000, ..s });
     let m = Muscle::new(tube, Braid { strands, ..braid }, Terminals::default(), None).unwrap();
     assert_eq!(
-        burst(&ThickWall::new(&m)).unwrap().mesh,
+        burst(&ThickWall::between_ends(&m)).unwrap().mesh,
         FailurePressure::None
     );
 }
@@ -259,7 +265,7 @@ fn identity_a_muscle_with_constants_fails_where_the_muscle_does() {
         parse_muscle(&stated).unwrap(),
     ];
     let limits = |m: &Muscle| {
-        let failures = burst(&ThickWall::new(m)).unwrap();
+        let failures = burst(&ThickWall::between_ends(m)).unwrap();
         let breaks = stretch_at_break(m).unwrap();
         let modes = failures
             .modes()
@@ -290,7 +296,7 @@ fn failures_of_estimated_strands_reach_down_to_those_of_fewer_and_weaker_ones() 
     let braid = library::find("pet-sleeve-50").unwrap().on(30.0).unwrap();
     let burst_of = |braid: &Braid| {
         let m = Muscle::new(tube.clone(), braid.clone(), Terminals::default(), None).unwrap();
-        burst(&ThickWall::new(&m)).unwrap()
+        burst(&ThickWall::between_ends(&m)).unwrap()
     };
     let estimated = burst_of(&braid);
     let known = braid.strands.unwrap();
@@ -342,7 +348,7 @@ fn closed_form_of_clamps_that_let_go() {
         let cot2 = f64::to_radians(angle).tan().powi(-2);
         let (ro, ri) = (0.5 * d, 0.5 * d - wall);
         let expected = bears / (PI * (ro * ro * (2.0 * cot2 - 1.0) + ri * ri));
-        let failures = burst(&ThickWall::new(&m)).unwrap();
+        let failures = burst(&ThickWall::between_ends(&m)).unwrap();
         let (by, p) = failures.first().unwrap();
         assert!(
             by == FailureMode::Ends && (p / expected - 1.0).abs() < 1e-6,
@@ -367,13 +373,13 @@ fn the_rubber_tears_where_its_stretch_is_that_at_break() {
             mckibben_core::rubber::library::find(name).unwrap(),
         );
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
-        let bladder = burst(&ThickWall::new(&m)).unwrap().bladder;
+        let bladder = burst(&ThickWall::between_ends(&m)).unwrap().bladder;
         (m, bladder)
     };
     // RTV 615 breaks at 193 %.
     let (m, bladder) = burst_of(15.0, "rtv615");
     let p = bladder.mpa().unwrap();
-    let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
+    let (model, w) = (ThickWall::between_ends(&m), &mut Workspace::new());
     let free = Evaluation::new(&model, w, Options::extrapolating())
         .free_contraction(p)
         .unwrap();

@@ -365,14 +365,14 @@ fn soft() -> Law {
 fn ideal_figures_of_the_literature() {
     for (angle, relative, e_max) in [(20.0, 14.097, 0.38560), (30.0, 5.000, 0.33333)] {
         let m = rigid(14.0, angle, 300.0, 0.5, soft());
-        let f = Ideal::new(&m)
+        let f = Ideal::between_ends(&m)
             .force_n(&mut Workspace::new(), 0.3, 0.0)
             .unwrap()
             / (PI * 49.0 * 0.3);
         assert!((f - relative).abs() < 5e-4, "{angle}°: {f}");
         assert!((m.max_ideal_contraction() - e_max).abs() < 5e-6);
         // Free contraction ends where the strands are at 54.7356°.
-        let free = Ideal::new(&m)
+        let free = Ideal::between_ends(&m)
             .contraction_at_pull(&mut Workspace::new(), 0.0, 0.3)
             .unwrap();
         let theta = ((1.0 - free) * angle.to_radians().cos())
@@ -396,7 +396,7 @@ fn thick_walled_miniature_at_rest() {
         pull(ModelKind::ChouHannaford),
         pull(ModelKind::ForceBalance),
     );
-    let thick = ThickWall::new(&m)
+    let thick = ThickWall::between_ends(&m)
         .force_n(&mut Workspace::new(), 0.414, 0.0)
         .unwrap();
     assert!((chou - 219.3).abs() < 0.05, "{chou}");
@@ -414,10 +414,10 @@ fn thick_wall_tends_to_ideal_as_the_rubber_softens() {
     for e in [0.05, 0.2, 0.3] {
         let share = |factor: f64| {
             let m = rigid(19.0, 25.0, 200.0, 1.5, law.scaled(factor));
-            ThickWall::new(&m)
+            ThickWall::between_ends(&m)
                 .force_n(&mut Workspace::new(), 0.3, e)
                 .unwrap()
-                - Ideal::new(&m)
+                - Ideal::between_ends(&m)
                     .force_n(&mut Workspace::new(), 0.3, e)
                     .unwrap()
         };
@@ -437,10 +437,10 @@ fn thick_wall_tends_to_ideal_as_the_rubber_softens() {
 fn thick_wall_tends_to_ideal_as_the_wall_thins() {
     let share = |s: f64, e: f64| {
         let m = rigid(19.0, 25.0, 200.0, s, soft());
-        ThickWall::new(&m)
+        ThickWall::between_ends(&m)
             .force_n(&mut Workspace::new(), 0.3, e)
             .unwrap()
-            - Ideal::new(&m)
+            - Ideal::between_ends(&m)
                 .force_n(&mut Workspace::new(), 0.3, e)
                 .unwrap()
     };
@@ -458,7 +458,7 @@ fn thick_wall_tends_to_ideal_as_the_wall_thins() {
 fn paper_and_thick_wall_speak_of_the_same_muscle() {
     for (d0, s) in [(30.0, 1.0), (30.0, 3.0), (50.0, 1.0), (50.0, 5.0)] {
         let m = Muscle::prototype().with_section(d0, s).unwrap();
-        let (paper, thick) = (FormulaModel::paper(&m), ThickWall::new(&m));
+        let (paper, thick) = (FormulaModel::paper(&m), ThickWall::between_ends(&m));
         let blocked = paper.force_n(&mut Workspace::new(), 0.25, 0.0).unwrap();
         let off = thick.force_n(&mut Workspace::new(), 0.25, 0.0).unwrap() / blocked - 1.0;
         assert!(off.abs() < 0.10, "D0 {d0}, s {s}: {off}");
@@ -581,7 +581,7 @@ proptest! {
         t in 0.0..0.999f64,
     ) {
         let m = rigid(d0, angle, length, 0.01 * d0, soft());
-        let ideal = Ideal::new(&m);
+        let ideal = Ideal::between_ends(&m);
         let e = t * m.max_ideal_contraction();
         let force = ideal.pull(p, e);
         let scale = ideal.pull(p, 0.0) + p * PI * d0 * d0;

@@ -134,7 +134,7 @@ pub static AT_POINTS: [LimitAtPoints; 5] = [
             if !(at.spec().limits.buckling && at.spec().wanted.extends()) {
                 return Ok(None);
             }
-            let column = ThickWall::new(at.trial.muscle);
+            let column = ThickWall::between_ends(at.trial.muscle);
             Ok(Some(
                 column.buckling_n(at.pressure_mpa()?, at.point.contraction)? / BUCKLING,
             ))

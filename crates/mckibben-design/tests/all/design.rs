@@ -14,9 +14,10 @@ use mckibben_design::{
     OperatingPoint, Relaxation, SAFETY, SUPPLY_SHARE, Spec, SpecError, TorqueWanted,
     VALIDATED_STRAND_STRAIN, design, design_joint, fits,
 };
+use std::sync::Arc;
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben_core::model::ModelError> {
-    Ok(Box::new(ThickWall::new(muscle)))
+    Ok(Box::new(ThickWall::between_ends(muscle)))
 }
 
 fn spec(force_n: f64, contraction: f64) -> Spec {
@@ -64,7 +65,7 @@ fn a_muscle_that_is_built_meets_the_requirement_by_the_median() {
             built.predicted_n
         };
         assert!((met_n / 150.0 - 1.0).abs() < 1e-4, "{built:?}");
-        let (model, w) = (ThickWall::new(&best.muscle), &mut Workspace::new());
+        let (model, w) = (ThickWall::between_ends(&best.muscle), &mut Workspace::new());
         let alone = Evaluation::new(&model, w, Options::default())
             .pressure_at(150.0, 0.1)
             .unwrap();
@@ -92,7 +93,7 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
         for &d0 in &diameters {
             for &s in &walls {
                 let (model, w) = (
-                    ThickWall::new(&spec.base.with_section(d0, s).unwrap()),
+                    ThickWall::between_ends(&spec.base.with_section(d0, s).unwrap()),
                     &mut Workspace::new(),
                 );
                 let pull_n = model.force_n(w, 0.25, 0.1).unwrap();
@@ -145,7 +146,7 @@ fn a_window_of_a_thousandth_of_the_diameter_is_found() {
             wall_mm: Values::List(vec![wall_mm]),
             ..spec(1.0, 0.1)
         };
-        let at = |d0: f64| ThickWall::new(&spec.base.with_section(d0, wall_mm).unwrap());
+        let at = |d0: f64| ThickWall::between_ends(&spec.base.with_section(d0, wall_mm).unwrap());
         let pulls = |d0: f64| {
             let (model, w) = (at(d0), &mut Workspace::new());
             wanted
@@ -222,7 +223,7 @@ fn a_liquid_takes_the_place_of_the_air_and_its_volume_is_that_of_the_equation() 
         spec.liquid = Some(liquid.clone());
         let outcome = design(&spec, BUILD).unwrap();
         let (best, w) = (&outcome.candidates[0], &mut Workspace::new());
-        let model = ThickWall::new(&best.muscle);
+        let model = ThickWall::between_ends(&best.muscle);
         let mut cavity = |p: f64, e: f64| model.response(w, p, e).unwrap().volume_mm3.unwrap();
         let (there, rest, dead) = (
             cavity(best.pressure_mpa, 0.1),
@@ -295,7 +296,7 @@ fn the_objective_air_with_a_liquid_finds_the_least_liquid_of_a_list() {
         .iter()
         .flat_map(|d0| walls.iter().map(move |s| (*d0, *s)))
     {
-        let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
+        let model = ThickWall::between_ends(&spec.base.with_section(d0, s).unwrap());
         if model.force_n(w, 0.25, 0.1).unwrap() < 300.0 {
             continue;
         }
@@ -510,8 +511,8 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
         (-60.0, 60.0),
     )
     .unwrap();
-    let model = ThickWall::new(&best.muscle);
-    let model = JointModel::new(&built, vec![&model, &model], true).unwrap();
+    let model: Arc<dyn ForceModel> = Arc::new(ThickWall::between_ends(&best.muscle));
+    let model = JointModel::new(built, vec![model.clone(), model], true).unwrap();
     let w = &mut [Workspace::new(), Workspace::new()][..];
     let least = torques.iter().map(
         |&TorqueWanted {

@@ -11,7 +11,7 @@ use mckibben_design::{
     BraidChoice, Build, Limit, Limits, Models, OperatingPoint, Relaxation, Spec, SpecError, design,
 };
 
-const BUILD: &Build<'_> = &|muscle| Ok(Box::new(ThickWall::new(muscle)));
+const BUILD: &Build<'_> = &|muscle| Ok(Box::new(ThickWall::between_ends(muscle)));
 
 fn spec(force_n: f64, contraction: f64, limits: Limits) -> Spec {
     let point = OperatingPoint {
@@ -30,7 +30,7 @@ fn spec(force_n: f64, contraction: f64, limits: Limits) -> Spec {
 }
 
 fn push_n(muscle: &Muscle) -> f64 {
-    -ThickWall::new(muscle)
+    -ThickWall::between_ends(muscle)
         .force_n(&mut Workspace::new(), 0.25, -0.1)
         .unwrap()
 }
@@ -78,7 +78,7 @@ fn a_push_is_below_the_buckling_load_unless_the_muscle_is_guided() {
     );
     for candidate in &free.candidates {
         let q = &candidate.points[0].response;
-        let least_n = ThickWall::new(&candidate.muscle)
+        let least_n = ThickWall::between_ends(&candidate.muscle)
             .buckling_n(q.pressure_mpa, q.contraction)
             .unwrap();
         assert!(15.0 <= 0.5 * least_n * (1.0 + 1e-9), "{least_n}");
@@ -114,7 +114,7 @@ fn a_guaranteed_push_leaves_its_half_width() {
     };
     let outcome = design(&sure, BUILD).unwrap();
     let best = &outcome.candidates[0];
-    let (model, workspace) = (ThickWall::new(&best.muscle), &mut Workspace::new());
+    let (model, workspace) = (ThickWall::between_ends(&best.muscle), &mut Workspace::new());
     let mut model = Evaluation::new(&model, workspace, Options::default());
     let (built, _) = model.predicted(0.25, -0.1, -push_n(&best.muscle)).unwrap();
     assert!(built.predicted_high_n <= -30.0 + 1e-6, "{built:?}");

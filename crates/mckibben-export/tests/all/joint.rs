@@ -12,6 +12,7 @@ use mckibben_core::{
     random::{Random, rounds},
 };
 use mckibben_export::{ExportError, ExportedJoint, Target};
+use std::sync::Arc;
 
 /// Two muscles on pulleys with a weight; a muscle between two points against a spring on a rope;
 /// one on a pulley against a torsion spring.
@@ -89,7 +90,8 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
         let model = fe(&muscle);
         let models: Vec<&dyn ForceModel> = joint.muscles().iter().map(|_| &*model).collect();
         let exported = ExportedJoint::fit(&joint, &models, "elbow", SUPPLY_MPA).unwrap();
-        let core = JointModel::new(&joint, models, true).unwrap();
+        let shared = joint.muscles().iter().map(|_| Arc::from(fe(&muscle)));
+        let core = JointModel::new(joint.clone(), shared.collect(), true).unwrap();
         let (folder, w) = (tempfile::tempdir().unwrap(), &mut core.workspaces());
         for target in ["c", "python"] {
             for file in exported.to(Target::named(target).unwrap()).unwrap().files {
@@ -196,7 +198,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
 fn elbow_by_universal(
     supply_mpa: f64,
     targets: &[&str],
-    test: impl Fn(&std::path::Path, &JointModel<'_>),
+    test: impl Fn(&std::path::Path, &JointModel),
 ) {
     named_by_universal("elbow", supply_mpa, targets, test);
 }
@@ -206,15 +208,15 @@ fn named_by_universal(
     name: &str,
     supply_mpa: f64,
     targets: &[&str],
-    test: impl Fn(&std::path::Path, &JointModel<'_>),
+    test: impl Fn(&std::path::Path, &JointModel),
 ) {
     let muscle: Muscle = parse_muscle(include_str!("../../../../examples/biceps.toml")).unwrap();
     let file = parse_joint(include_str!("../../../../examples/elbow.toml")).unwrap();
     let joint = file.with_muscles(vec![muscle.clone(); 2]).unwrap();
-    let model = ModelKind::Universal.build(&muscle).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal.build(&muscle).unwrap().into();
     let models: Vec<&dyn ForceModel> = vec![&*model; 2];
     let exported = ExportedJoint::fit(&joint, &models, name, supply_mpa).unwrap();
-    let core = JointModel::new(&joint, models, true).unwrap();
+    let core = JointModel::new(joint.clone(), vec![model.clone(); 2], true).unwrap();
     let folder = tempfile::tempdir().unwrap();
     for target in targets {
         for file in exported.to(Target::named(target).unwrap()).unwrap().files {

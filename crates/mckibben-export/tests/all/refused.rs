@@ -23,7 +23,7 @@ impl ForceModel for Changed {
 
 /// Why the changed muscle is refused.
 fn refused(change: fn(&mut Response), wanted: BoxRequest) -> ExportError {
-    let model = Changed(Ideal::new(&Muscle::prototype()), change);
+    let model = Changed(Ideal::between_ends(&Muscle::prototype()), change);
     ExportedMuscle::fit(&model, "changed", wanted).unwrap_err()
 }
 

@@ -45,8 +45,8 @@ impl Axisymmetric {
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
-    pub fn new(muscle: &Muscle) -> Result<Self> {
-        Self::with_mesh(muscle, &MeshSpec::default())
+    pub fn between_ends(muscle: &Muscle) -> Result<Self> {
+        Self::between_ends_with(muscle, &MeshSpec::default())
     }
 
     /// The model of a muscle with a given mesh.
@@ -54,7 +54,7 @@ impl Axisymmetric {
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh; [`FemError::Refused`] of a muscle that
     /// was cycled at a pressure at which it has no equilibrium.
-    pub fn with_mesh(muscle: &Muscle, spec: &MeshSpec) -> Result<Self> {
+    pub fn between_ends_with(muscle: &Muscle, spec: &MeshSpec) -> Result<Self> {
         let tube = muscle.tube();
         let half = 0.5 * tube.length_mm;
         let division = spec.resolve(tube.outer_radius_mm(), tube.wall_mm, half)?;
@@ -64,7 +64,7 @@ impl Axisymmetric {
             half,
             division,
         );
-        let thick_wall = Arc::new(ThickWall::new(muscle));
+        let thick_wall = Arc::new(ThickWall::between_ends(muscle));
         let mut discretisation = Discretisation::new(mesh, Problem::from_parts(muscle.parts()))?;
         discretisation.memory = match muscle.rubber().conditioned_alike() {
             Some((softening, seen_mpa)) => {
@@ -84,7 +84,7 @@ impl Axisymmetric {
             default: if *spec == MeshSpec::default() {
                 None
             } else {
-                Some(Box::new(Self::new(muscle)?))
+                Some(Box::new(Self::between_ends(muscle)?))
             },
         };
         Ok(Self::from_divided(

@@ -159,7 +159,9 @@ impl crate::solver::body::Body for Body {
 
     fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64> {
         let ideal = self.endless.as_ref().map_or(1.0, |e| {
-            Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0)
+            Ideal::between_ends(e.muscle())
+                .pull(1.0, contraction)
+                .max(1.0)
         });
         let start = self.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
         Ok(1.4 * start + self.smallest_pressure())

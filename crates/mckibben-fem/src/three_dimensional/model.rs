@@ -31,15 +31,15 @@ impl ThreeDimensional {
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
-    pub fn new(muscle: &Muscle) -> Result<Self> {
-        Self::with_mesh(muscle, &BrickSpec::default())
+    pub fn between_ends(muscle: &Muscle) -> Result<Self> {
+        Self::between_ends_with(muscle, &BrickSpec::default())
     }
 
     /// The model of a muscle with a given mesh.
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh, or one of another braid.
-    pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self> {
+    pub fn between_ends_with(muscle: &Muscle, spec: &BrickSpec) -> Result<Self> {
         BrickMesh::check_angle(muscle, spec)?;
         let divided = MuscleMesh::new(muscle, spec)?;
         // What an insertion adds has no limit to compare with.

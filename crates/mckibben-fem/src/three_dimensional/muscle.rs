@@ -74,7 +74,7 @@ impl MuscleMesh {
         });
         let mesh = BrickMesh::new(&Quarter::from_muscle(muscle), &BrickSpec { plug, ..*spec })?;
         Ok(Self {
-            limit: Axisymmetric::new(muscle)?,
+            limit: Axisymmetric::between_ends(muscle)?,
             axisymmetric: same_muscle(muscle, &mesh),
             width: mesh.strand_width_mm(muscle),
             discretisation: Arc::new(Discretisation::new(Problem::from_muscle(muscle, &mesh))?),
@@ -119,7 +119,7 @@ fn same_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Option<Axisymmetric> {
     }
     braid.angle_deg = mesh.tube.angle_rad.to_degrees();
     braid.measured = None;
-    Axisymmetric::new(&muscle.with_tube(tube).ok()?.with_braid(braid).ok()?).ok()
+    Axisymmetric::between_ends(&muscle.with_tube(tube).ok()?.with_braid(braid).ok()?).ok()
 }
 
 /// A muscle in bricks with its state.

@@ -91,7 +91,7 @@ pub fn endless_braid(rows: &mut Rows) {
     rows.source = "F: infinitely long muscle with strands that stretch (thick-wall energy)";
     for (k, e) in [(200.0, 0.0), (200.0, 0.1), (200.0, 0.2), (1e5, 0.1)] {
         let exact = muscle(200.0, BraidStiffness::NewtonPerMm(k))
-            .and_then(|m| pull(ThickWall::new(&m), PRESSURE, e));
+            .and_then(|m| pull(ThickWall::between_ends(&m), PRESSURE, e));
         let ours = inflated(slice(Some(k)), PRESSURE, 1.0 - e).map(|w| w.totals.pull);
         rows.add(
             format!("infinitely long muscle, k {k} N/mm, ε {e}: F (N)"),
@@ -112,7 +112,7 @@ pub fn long_muscles(rows: &mut Rows) {
     let pull = |length: f64, e: f64| {
         let m = muscle(length, BraidStiffness::Inextensible)?;
         pull(
-            Axisymmetric::with_mesh(&m, &MeshSpec::parse("2x48:3")?).ok()?,
+            Axisymmetric::between_ends_with(&m, &MeshSpec::parse("2x48:3")?).ok()?,
             PRESSURE,
             e,
         )

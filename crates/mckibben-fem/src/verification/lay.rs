@@ -120,6 +120,6 @@ pub fn strand_lay(rows: &mut Rows) {
         ..Braid::paper()
     };
     let exact = muscle(WALL, 100.0, neo_hookean(MU), braid)
-        .and_then(|m| pull(ThickWall::new(&m), 0.5, 0.1));
+        .and_then(|m| pull(ThickWall::between_ends(&m), 0.5, 0.1));
     rows.add("strands with 1 % of crimp, ε 0.1: F (N)", exact, ours, 1e-8);
 }

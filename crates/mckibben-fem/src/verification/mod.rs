@@ -319,7 +319,11 @@ fn pull(model: impl ForceModel, pressure_mpa: f64, contraction: f64) -> Option<f
 
 /// The same of a muscle by the section.
 fn section_pull(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
-    pull(Axisymmetric::new(muscle).ok()?, pressure_mpa, contraction)
+    pull(
+        Axisymmetric::between_ends(muscle).ok()?,
+        pressure_mpa,
+        contraction,
+    )
 }
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {

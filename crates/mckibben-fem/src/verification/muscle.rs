@@ -62,7 +62,7 @@ pub fn identities(rows: &mut Rows) {
 /// ∂F/∂P at fixed L and −∂V/∂L at fixed P, both by differences, and ∂F/∂P from the tangent.
 fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Option<(f64, f64, f64)> {
     let muscle = Muscle::prototype().with_section(d0, s).ok()?;
-    let model = Axisymmetric::new(&muscle).ok()?;
+    let model = Axisymmetric::between_ends(&muscle).ok()?;
     let at = |p: f64, e: f64| model.response(&mut Workspace::new(), p, e).ok();
     let force = slope(2e-3 * p, |h| at(p + h, e).map(|r| r.force_n).ok_or(())).ok()?;
     let volume = slope(5e-4, |h| at(p, e + h).and_then(|r| r.volume_mm3).ok_or(())).ok()?;

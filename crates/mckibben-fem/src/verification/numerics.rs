@@ -149,7 +149,7 @@ pub fn sensitivities(rows: &mut Rows) {
     let e = 0.1;
     let muscle = changed(|tube, braid| (tube.rubber.law, braid.stiffness) = (rubber(), STIFFNESS));
     let solved = muscle.as_ref().and_then(|m| {
-        Axisymmetric::new(m)
+        Axisymmetric::between_ends(m)
             .ok()?
             .solve(&mut Workspace::new(), Given::at(p, e))
             .ok()

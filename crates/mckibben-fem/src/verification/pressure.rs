@@ -46,7 +46,7 @@ pub fn follower_pressure(rows: &mut Rows) {
         together,
         1e-11,
     );
-    let ours = Axisymmetric::new(&Muscle::prototype())
+    let ours = Axisymmetric::between_ends(&Muscle::prototype())
         .ok()
         .and_then(|m| balance(&m));
     rows.add("(∫P dV + ∫F dL)/ΔW along a path", 1.0, ours, 1e-7);

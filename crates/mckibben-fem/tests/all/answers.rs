@@ -15,7 +15,7 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 fn pulling(count: usize) -> Vec<(Axisymmetric, f64, f64)> {
     let cases = (0..).filter_map(|i| super::sweep::case(11, i));
     let pulls = cases.filter_map(|(muscle, p, e)| {
-        let model = Axisymmetric::new(&muscle).ok()?;
+        let model = Axisymmetric::between_ends(&muscle).ok()?;
         let pull = model.force_n(&mut Workspace::new(), p, e).ok()?;
         (pull > 1.0).then_some((model, p, e))
     });
@@ -120,7 +120,7 @@ fn the_pressure_is_sought_from_where_the_muscle_is_taut() {
          [braid]\nangle = 21.82\nstiffness = 1805.2\n",
     )
     .unwrap();
-    let model = Axisymmetric::new(&muscle).unwrap();
+    let model = Axisymmetric::between_ends(&muscle).unwrap();
     let w = &mut Workspace::new();
     let p = Evaluation::new(&model, w, Options::default())
         .pressure_at(82.390_691_47, 0.2042)
@@ -170,7 +170,7 @@ fn muscles_with_a_largest_pull(count: usize) -> impl Iterator<Item = (Muscle, f6
         Some((muscle.unwrap(), r.between(0.0, 0.22)))
     });
     let largest = thrown.filter_map(|(muscle, e)| {
-        let (model, w) = (ThickWall::new(&muscle), &mut Workspace::new());
+        let (model, w) = (ThickWall::between_ends(&muscle), &mut Workspace::new());
         let pulls = (1..=300).map(|i| 0.005 * f64::from(i));
         let pulls: Vec<(f64, f64)> = pulls
             .map_while(|p| Some((p, model.force_n(w, p, e).ok()?)))
@@ -186,7 +186,7 @@ fn muscles_with_a_largest_pull(count: usize) -> impl Iterator<Item = (Muscle, f6
 fn the_smallest_root_by_dense_sampling_is_the_pressure_of_muscles_with_a_largest_pull() {
     let mut asked = 0;
     for (muscle, e, highest) in muscles_with_a_largest_pull(rounds(12)) {
-        let model = Axisymmetric::new(&muscle).unwrap();
+        let model = Axisymmetric::between_ends(&muscle).unwrap();
         let samples = dense(&model, e, highest);
         let most = samples.iter().fold(0.0, |most: f64, s| most.max(s.1));
         for share in [0.1, 0.4, 0.7, 0.9, 0.98, 0.995] {
@@ -242,7 +242,7 @@ fn the_pressure_of_soft_strands_is_where_the_pull_still_rises() {
             "[tube]\n{tube}\n[tube.material]\n{rubber}\n[braid]\nangle = {angle}\nstiffness = {stiffness}\n"
         ))
         .unwrap();
-        let model = Axisymmetric::new(&muscle).unwrap();
+        let model = Axisymmetric::between_ends(&muscle).unwrap();
         let p = Evaluation::new(&model, &mut Workspace::new(), Options::default())
             .pressure_at(force, e)
             .unwrap();
@@ -252,7 +252,7 @@ fn the_pressure_of_soft_strands_is_where_the_pull_still_rises() {
 
 #[test]
 fn a_pull_above_the_blocked_force_stretches_the_muscle() {
-    let model = Axisymmetric::new(&Muscle::prototype()).unwrap();
+    let model = Axisymmetric::between_ends(&Muscle::prototype()).unwrap();
     let w = &mut Workspace::new();
     let two_sided = Options {
         two_sided: true,
@@ -283,7 +283,7 @@ fn blocked_forces_of_very_soft_strands_are_those_of_bricks() {
     ];
     for (text, reference, tolerance) in cases {
         let muscle = parse_muscle(text).unwrap();
-        let fe = Axisymmetric::new(&muscle).unwrap();
+        let fe = Axisymmetric::between_ends(&muscle).unwrap();
         let force = fe.force_n(&mut Workspace::new(), 0.5, 0.0).unwrap();
         assert!(
             (force / reference - 1.0).abs() < tolerance,
@@ -314,7 +314,7 @@ fn a_slack_state_has_its_warnings_and_no_uncertainty_where_nothing_is_valid() {
     ];
     for (tube, angle, stiffness, e, pressures) in found {
         let text = format!("[tube]\n{tube}\n[braid]\nangle = {angle}\nstiffness = {stiffness}\n");
-        let model = Axisymmetric::new(&parse_muscle(&text).unwrap()).unwrap();
+        let model = Axisymmetric::between_ends(&parse_muscle(&text).unwrap()).unwrap();
         for (p, two_sided) in [
             (pressures[0], false),
             (pressures[1], false),

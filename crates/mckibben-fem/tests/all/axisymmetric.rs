@@ -13,6 +13,7 @@ use mckibben_fem::{
     axisymmetric::{Axisymmetric, MeshSpec},
     simulation::{Detail, Given, Simulation, free_contraction},
 };
+use std::sync::Arc;
 
 fn pull(force_n: f64, pressure_mpa: f64) -> Given {
     Given::PressureAndPull {
@@ -26,7 +27,7 @@ fn pressures() -> Vec<f64> {
 }
 
 fn prototype() -> Axisymmetric {
-    Axisymmetric::new(&Muscle::prototype()).unwrap()
+    Axisymmetric::between_ends(&Muscle::prototype()).unwrap()
 }
 
 /// The prototype's pull without any memory.
@@ -97,7 +98,8 @@ fn the_chosen_mesh_is_within_a_twentieth_of_a_percent_on_the_papers_range() {
     {
         let muscle = Muscle::prototype().with_section(d0, s).unwrap();
         let pulls = |mesh: &str| {
-            let model = Axisymmetric::with_mesh(&muscle, &MeshSpec::parse(mesh).unwrap()).unwrap();
+            let model =
+                Axisymmetric::between_ends_with(&muscle, &MeshSpec::parse(mesh).unwrap()).unwrap();
             let w = &mut Workspace::new();
             QUESTIONS.map(|(p, e)| model.force_n(w, p, e).unwrap())
         };
@@ -123,7 +125,7 @@ fn sweep_of_200_random_muscles() {
     let mut required = 0;
     for (muscle, pressure_mpa, contraction) in (0..rounds(200)).filter_map(|i| case(1, i)) {
         let w = &mut Workspace::new();
-        let endless = ThickWall::new(&muscle)
+        let endless = ThickWall::between_ends(&muscle)
             .response(w, pressure_mpa, contraction)
             .ok();
         let strained = |tension_n| {
@@ -132,9 +134,10 @@ fn sweep_of_200_random_muscles() {
                 .is_none_or(|strain| strain < 0.05)
         };
         let pulls = endless.filter(|r| r.force_n > 0.0);
-        let answer = Axisymmetric::new(&muscle)
-            .unwrap()
-            .force_n(w, pressure_mpa, contraction);
+        let answer =
+            Axisymmetric::between_ends(&muscle)
+                .unwrap()
+                .force_n(w, pressure_mpa, contraction);
         assert!(answer.as_ref().is_ok_and(|f| f.is_finite()) || answer.is_err());
         if pulls.and_then(|r| r.braid_tension_n).is_some_and(strained) {
             assert!(
@@ -251,7 +254,7 @@ fn a_solution_is_whole() {
     braid.stiffness = BraidStiffness::NewtonPerMm(321.0);
     braid.strands = Some(mckibben_core::muscle::Strands::new(48, None, None));
     let muscle = Muscle::prototype().with_braid(braid).unwrap();
-    let s = Axisymmetric::new(&muscle)
+    let s = Axisymmetric::between_ends(&muscle)
         .unwrap()
         .solve(&mut Workspace::new(), Given::at(0.2, 0.1))
         .unwrap();
@@ -289,7 +292,7 @@ fn compression_makes_no_difference_under_pressure() {
             ..Braid::paper()
         })
         .unwrap();
-    let (a, b) = (prototype(), Axisymmetric::new(&with).unwrap());
+    let (a, b) = (prototype(), Axisymmetric::between_ends(&with).unwrap());
     for (p, e) in [(0.1, 0.05), (0.1, 0.1), (0.25, 0.2)] {
         let pull = |m: &Axisymmetric| m.force_n(&mut Workspace::new(), p, e).unwrap();
         let (a, b) = (pull(&a), pull(&b));
@@ -305,7 +308,7 @@ fn a_finite_bulk_modulus_tends_to_incompressible_rubber() {
     for k in [30.0, 300.0, 3000.0] {
         tube.rubber.bulk = Bulk::Modulus(k);
         let muscle = Muscle::prototype().with_tube(tube.clone()).unwrap();
-        let model = Axisymmetric::new(&muscle).unwrap();
+        let model = Axisymmetric::between_ends(&muscle).unwrap();
         let here = (model.force_n(&mut Workspace::new(), 0.2, 0.1).unwrap() - exact).abs();
         assert!(here < 0.15 * error, "{k}: {here} {error}");
         error = here;
@@ -337,7 +340,7 @@ fn questions_without_an_answer_end_in_typed_errors() {
         stiffness: BraidStiffness::NewtonPerMm(1.0),
         ..Braid::paper()
     };
-    let soft = Axisymmetric::new(&Muscle::prototype().with_braid(soft).unwrap()).unwrap();
+    let soft = Axisymmetric::between_ends(&Muscle::prototype().with_braid(soft).unwrap()).unwrap();
     match soft.solve(&mut Workspace::new(), Given::at(2.0, 0.0)) {
         Err(FemError::Path {
             last, iterations, ..
@@ -351,7 +354,7 @@ fn questions_without_an_answer_end_in_typed_errors() {
         ..MeshSpec::default()
     };
     assert!(matches!(
-        Axisymmetric::with_mesh(&Muscle::prototype(), &mesh),
+        Axisymmetric::between_ends_with(&Muscle::prototype(), &mesh),
         Err(FemError::Refused(_))
     ));
 }
@@ -371,7 +374,10 @@ fn narrow() -> Muscle {
 #[test]
 fn slopes_at_a_hanging_mass_are_those_of_an_independent_derivation() {
     let muscle = narrow();
-    let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
+    let (model, w) = (
+        Axisymmetric::between_ends(&muscle).unwrap(),
+        &mut Workspace::new(),
+    );
     let response = model.solve(w, pull(10.0 * 9.80665, 0.3)).unwrap().response;
     assert!(
         (response.contraction - 0.265_946_0).abs() < 1e-7,
@@ -415,8 +421,9 @@ fn an_antagonistic_joint_has_the_torques_of_an_independent_derivation() {
         (-60.0, 60.0),
     )
     .unwrap();
-    let fe = Axisymmetric::new(&narrow()).unwrap();
-    let model = JointModel::new(&joint, vec![&fe, &fe], false).unwrap();
+    let fe = Axisymmetric::between_ends(&narrow()).unwrap();
+    let fe: Arc<dyn ForceModel> = Arc::new(fe);
+    let model = JointModel::new(joint, vec![fe.clone(), fe], false).unwrap();
     let workspaces = &mut [Workspace::new(), Workspace::new()];
     for (angle_deg, torque, stiffness) in [
         (0.0, 5.16760, 7.5500),
@@ -442,7 +449,7 @@ fn an_antagonistic_joint_has_the_torques_of_an_independent_derivation() {
 /// places each, none is higher, and one is as high.
 #[test]
 fn the_largest_diameter_is_that_of_the_elements_surface() {
-    let fe = Axisymmetric::new(&Muscle::prototype()).unwrap();
+    let fe = Axisymmetric::between_ends(&Muscle::prototype()).unwrap();
     for (p, e) in [(0.2, 0.1), (0.3, 0.0), (0.1, 0.2), (0.25, -0.05)] {
         let workspace = &mut Workspace::new();
         let bulged = fe

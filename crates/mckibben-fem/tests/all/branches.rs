@@ -55,7 +55,7 @@ fn difference(what: &str, one: &Ended, other: &Ended, scale: f64) -> Option<Stri
 
 /// All differences between two grids, two orders and two tests of a muscle.
 fn differences(muscle: &Muscle) -> Vec<String> {
-    let model = Axisymmetric::new(muscle).unwrap();
+    let model = Axisymmetric::between_ends(muscle).unwrap();
     let contractions = SHARES.map(|share| share * muscle.max_ideal_contraction());
     let (up, down, coarse) = (
         &mut Workspace::new(),
@@ -140,7 +140,7 @@ fn hard(name: &str) -> Muscle {
 /// folded tube "pulls" with 52 N there.
 #[test]
 fn a_folded_tube_is_no_answer() {
-    let model = Axisymmetric::new(&hard("wrong_branch")).unwrap();
+    let model = Axisymmetric::between_ends(&hard("wrong_branch")).unwrap();
     let pressures = [0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5];
     let curve = isometric(&model, &mut Workspace::new(), 0.363_551, &pressures);
     assert!(

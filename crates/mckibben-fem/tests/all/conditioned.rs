@@ -47,7 +47,7 @@ fn muscle(law: Law, conditioned_mpa: Option<f64>) -> Muscle {
 }
 
 fn fe(conditioned_mpa: Option<f64>) -> Axisymmetric {
-    Axisymmetric::new(&muscle(yeoh(), conditioned_mpa)).unwrap()
+    Axisymmetric::between_ends(&muscle(yeoh(), conditioned_mpa)).unwrap()
 }
 
 fn at(model: &Axisymmetric, p: f64, e: f64) -> Response {
@@ -60,7 +60,7 @@ fn a_first_inflation_has_the_digits_of_rubber_without_softening() {
         rubber: Rubber::new(yeoh()),
         ..Tube::prototype()
     };
-    let plain = Axisymmetric::new(&Muscle::prototype().with_tube(tube).unwrap()).unwrap();
+    let plain = Axisymmetric::between_ends(&Muscle::prototype().with_tube(tube).unwrap()).unwrap();
     let first = fe(None);
     for (p, e) in [(0.25, 0.0), (0.25, 0.2), (0.05, 0.1), (0.02, 0.2)] {
         assert_eq!(at(&plain, p, e), at(&first, p, e));
@@ -99,9 +99,9 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 #[test]
 fn at_the_state_that_was_seen_the_muscle_is_that_of_the_first_inflation() {
     let m = muscle(yeoh(), None);
-    let first = Axisymmetric::new(&m).unwrap();
+    let first = Axisymmetric::between_ends(&m).unwrap();
     let d = &*first.divided.discretisation;
-    let endless = Arc::new(ThickWall::new(&m));
+    let endless = Arc::new(ThickWall::between_ends(&m));
     for (p, e) in [(0.25, 0.0), (0.25, 0.15), (0.4, 0.2)] {
         let body = || Body::of_muscle(Arc::new(d.clone()), endless.clone());
         let mut virgin = Continuation::new(body());
@@ -201,7 +201,7 @@ fn rubber_conditioned_far_beyond_the_muscle_is_a_softer_law() {
             conditioned,
             ..Rubber::new(law)
         };
-        Axisymmetric::new(
+        Axisymmetric::between_ends(
             &Muscle::prototype()
                 .with_tube(Tube {
                     rubber,
@@ -236,13 +236,19 @@ fn models_say_what_they_leave_out() {
             "{notes:?}"
         );
     }
-    assert!(Axisymmetric::new(&m).unwrap().info().notes.is_empty());
+    assert!(
+        Axisymmetric::between_ends(&m)
+            .unwrap()
+            .info()
+            .notes
+            .is_empty()
+    );
     let refused = mckibben_fem::three_dimensional::MuscleMesh::new(&m, &Default::default());
     assert!(
         matches!(refused, Err(FemError::Refused(said)) if said.contains("tube.material.conditioned"))
     );
     assert!(
-        ThickWall::new(&muscle(yeoh(), None))
+        ThickWall::between_ends(&muscle(yeoh(), None))
             .info()
             .notes
             .is_empty()
@@ -252,7 +258,7 @@ fn models_say_what_they_leave_out() {
 #[test]
 fn a_pressure_at_which_no_muscle_was_cycled_is_refused() {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: 1e-4 });
-    let error = Axisymmetric::new(&muscle(law, Some(1e6)))
+    let error = Axisymmetric::between_ends(&muscle(law, Some(1e6)))
         .unwrap_err()
         .to_string();
     assert!(
@@ -280,12 +286,12 @@ fn a_held_muscle_is_one_of_softer_rubber() {
         prony,
         ..m.tube().rubber.clone()
     };
-    let at_once = Axisymmetric::new(&tube(relaxing.clone())).unwrap();
+    let at_once = Axisymmetric::between_ends(&tube(relaxing.clone())).unwrap();
     assert_eq!(
         at(&at_once, 0.2, 0.1),
-        at(&Axisymmetric::new(&m).unwrap(), 0.2, 0.1)
+        at(&Axisymmetric::between_ends(&m).unwrap(), 0.2, 0.1)
     );
-    let long = Axisymmetric::new(&tube(relaxing.relaxed(Held::Long))).unwrap();
+    let long = Axisymmetric::between_ends(&tube(relaxing.relaxed(Held::Long))).unwrap();
     assert!(at(&long, 0.2, 0.1).force_n > at(&at_once, 0.2, 0.1).force_n);
     let free = |m: &Axisymmetric| free_contraction(m, &mut Workspace::new(), 0.2).unwrap();
     assert!(free(&long) > free(&at_once) + 0.005);
@@ -298,9 +304,10 @@ fn the_page_prints_what_the_examples_give() {
     let page = std::fs::read_to_string(format!("{root}/docs/rubber.md")).unwrap();
     let mut missing = vec![];
     for name in ["first-inflation", "tenth-inflation", "held"] {
-        let model =
-            Axisymmetric::new(&read_muscle(format!("{root}/examples/{name}.toml")).unwrap())
-                .unwrap();
+        let model = Axisymmetric::between_ends(
+            &read_muscle(format!("{root}/examples/{name}.toml")).unwrap(),
+        )
+        .unwrap();
         let free = 100.0 * free_contraction(&model, &mut Workspace::new(), 0.15).unwrap();
         let points = [(0.25, 0.0), (0.25, 0.1), (0.25, 0.2), (0.15, 0.1)];
         let pulls = points

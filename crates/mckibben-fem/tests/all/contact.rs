@@ -23,7 +23,7 @@ fn muscle(length_mm: f64, mu_mpa: f64, stiffness: BraidStiffness) -> Muscle {
 /// the pressure.
 #[test]
 fn at_rest_length_rigid_strands_press_with_the_pressure_inside() {
-    let fe = Axisymmetric::new(&muscle(300.0, 0.5, BraidStiffness::Inextensible)).unwrap();
+    let fe = Axisymmetric::between_ends(&muscle(300.0, 0.5, BraidStiffness::Inextensible)).unwrap();
     let contact = fe.contact(&mut Workspace::new(), 0.3, 0.0).unwrap();
     for place in &contact.places {
         assert!((place.pressure_mpa - 0.3).abs() < 1e-9, "{place:?}");
@@ -43,8 +43,9 @@ fn of_long_muscles_g_tends_to_the_closed_form_like_1_over_l0() {
         let off = |length_mm: f64| {
             let m = muscle(length_mm, 0.5, stiffness);
             let w = &mut Workspace::new();
-            let exact = pivoting_n_per_mm(&ThickWall::new(&m), w, 0.3, 0.15).unwrap();
-            let ours = pivoting_n_per_mm(&Axisymmetric::new(&m).unwrap(), w, 0.3, 0.15).unwrap();
+            let exact = pivoting_n_per_mm(&ThickWall::between_ends(&m), w, 0.3, 0.15).unwrap();
+            let ours =
+                pivoting_n_per_mm(&Axisymmetric::between_ends(&m).unwrap(), w, 0.3, 0.15).unwrap();
             ours / exact - 1.0
         };
         let (short, long) = (off(600.0), off(1200.0));
@@ -59,7 +60,8 @@ fn of_long_muscles_g_tends_to_the_closed_form_like_1_over_l0() {
 /// it has grown by λm r/R.
 #[test]
 fn in_the_middle_the_strands_press_as_rings_of_their_tension_do() {
-    let fe = Axisymmetric::new(&muscle(600.0, 0.5, BraidStiffness::NewtonPerMm(300.0))).unwrap();
+    let fe = Axisymmetric::between_ends(&muscle(600.0, 0.5, BraidStiffness::NewtonPerMm(300.0)))
+        .unwrap();
     let w = &mut Workspace::new();
     let (p, e) = (0.3, 0.15);
     let response = fe.response(w, p, e).unwrap();

@@ -8,9 +8,11 @@ use mckibben_fem::{
 };
 
 fn solved() -> (ThreeDimensional, Field) {
-    let model =
-        ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse("1x6").unwrap())
-            .unwrap();
+    let model = ThreeDimensional::between_ends_with(
+        &Muscle::prototype(),
+        &BrickSpec::parse("1x6").unwrap(),
+    )
+    .unwrap();
     let field = model.field_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
     (model, field)
 }
@@ -97,7 +99,7 @@ fn terminals_are_seen_and_have_their_volume() {
             plug,
             ..BrickSpec::parse(mesh).unwrap()
         };
-        let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
+        let model = ThreeDimensional::between_ends_with(&Muscle::prototype(), &spec).unwrap();
         let field = model.field_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
         assert!(
             field
@@ -165,7 +167,7 @@ fn a_deck_with_a_terminal_that_is_a_body_is_refused() {
         plug: Some(Plug::default()),
         ..BrickSpec::parse("6").unwrap()
     };
-    let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
+    let model = ThreeDimensional::between_ends_with(&Muscle::prototype(), &spec).unwrap();
     assert!(matches!(
         deck(&model, 0.0, &[0.1]),
         Err(FemError::Refused(_))

@@ -35,10 +35,10 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
         let (long, longer) = (muscle(angle, 300.0), muscle(angle, 400.0));
         let (w, p) = (&mut Workspace::new(), 0.2);
         // ΔΠ per mm of length is that of the infinitely long muscle at the same pull.
-        let slice = ThickWall::new(&long);
+        let slice = ThickWall::between_ends(&long);
         let at = slice.force_n(w, p, e).unwrap();
         let shortened = |m: &Muscle| {
-            let model = Axisymmetric::new(m).unwrap();
+            let model = Axisymmetric::between_ends(m).unwrap();
             Evaluation::new(&model, &mut Workspace::new(), Options::default())
                 .contraction_at(at, p)
                 .unwrap()
@@ -63,11 +63,11 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 fn bricks_agree() {
     let m = muscle(62.0, 60.0);
     for e in [0.0, -0.08] {
-        let plane = Axisymmetric::new(&m)
+        let plane = Axisymmetric::between_ends(&m)
             .unwrap()
             .force_n(&mut Workspace::new(), 0.2, e)
             .unwrap();
-        let bricks = ThreeDimensional::new(&m)
+        let bricks = ThreeDimensional::between_ends(&m)
             .unwrap()
             .force_n(&mut Workspace::new(), 0.2, e)
             .unwrap();
@@ -83,8 +83,8 @@ fn bricks_agree() {
 fn inverses_come_back_and_free_muscles_are_longer_than_at_rest() {
     for angle in [57.0, 60.0, 70.0] {
         let m = muscle(angle, 150.0);
-        let fe = Axisymmetric::new(&m).unwrap();
-        for model in [&ThickWall::new(&m) as &dyn ForceModel, &fe] {
+        let fe = Axisymmetric::between_ends(&m).unwrap();
+        for model in [&ThickWall::between_ends(&m) as &dyn ForceModel, &fe] {
             let (w, options) = (&mut Workspace::new(), Options::default());
             let free = Evaluation::new(model, w, options)
                 .free_contraction(0.2)
@@ -136,7 +136,10 @@ fn partly_slack_strands_of_a_stretched_muscle_have_an_answer() {
         ..Braid::paper()
     };
     let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
-    let (fe, w) = (Axisymmetric::new(&m).unwrap(), &mut Workspace::new());
+    let (fe, w) = (
+        Axisymmetric::between_ends(&m).unwrap(),
+        &mut Workspace::new(),
+    );
     for (p, pull) in [(0.0, 45.5), (0.03, 43.1), (0.05, 29.5), (0.06, 21.4)] {
         let force = fe.force_n(w, p, -0.1).unwrap();
         assert!((force - pull).abs() < 0.051, "{p} MPa: {force}");
@@ -175,7 +178,10 @@ fn stretched_muscles_always_have_an_answer() {
             ..Braid::paper()
         };
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
-        let (fe, long) = (Axisymmetric::new(&m).unwrap(), ThickWall::new(&m));
+        let (fe, long) = (
+            Axisymmetric::between_ends(&m).unwrap(),
+            ThickWall::between_ends(&m),
+        );
         for e in [-0.03, -0.1] {
             let drawn = long.force_n(&mut Workspace::new(), 0.0, e).unwrap();
             for share in [0.0, 0.06, 0.2, 0.6] {

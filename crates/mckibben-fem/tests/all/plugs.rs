@@ -25,7 +25,7 @@ fn muscle(stiffness: BraidStiffness) -> Muscle {
 }
 
 fn force_n(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> f64 {
-    Axisymmetric::new(muscle)
+    Axisymmetric::between_ends(muscle)
         .unwrap()
         .force_n(&mut Workspace::new(), pressure_mpa, contraction)
         .unwrap()
@@ -130,7 +130,7 @@ fn plugs_that_a_braid_or_bricks_do_not_have_are_refused() {
         .with(&PLUG_DIAMETER, 18.0)
         .unwrap();
     assert!(
-        ThreeDimensional::new(&wide)
+        ThreeDimensional::between_ends(&wide)
             .unwrap_err()
             .to_string()
             .contains("terminals.plug_diameter")
@@ -166,7 +166,7 @@ fn universal_leaves_out_the_plugs_of_finite_elements() {
         let Ok(muscle) = plain.with(&PLUG_DIAMETER, plug_mm) else {
             continue;
         };
-        let fe = Axisymmetric::new(&muscle).unwrap();
+        let fe = Axisymmetric::between_ends(&muscle).unwrap();
         let universal = ModelKind::Universal.build(&muscle).unwrap();
         let share = universal.info().accuracy.share_of_blocked.unwrap();
         let w = &mut Workspace::new();

@@ -43,12 +43,15 @@ fn at_rest_it_pulls_as_in_a_tension_test() {
     for stretch in [0.9, 1.05, 1.3] {
         let m = muscle(law.clone(), stretch);
         let stress = 0.4 * (stretch * stretch - 1.0 / stretch);
-        let fe = Axisymmetric::new(&m).unwrap().force_n(w, 0.0, 0.0).unwrap();
+        let fe = Axisymmetric::between_ends(&m)
+            .unwrap()
+            .force_n(w, 0.0, 0.0)
+            .unwrap();
         assert!(
             (fe / (stress * section) - 1.0).abs() < 1e-8,
             "{stretch}: {fe}"
         );
-        let bricks = ThreeDimensional::new(&m)
+        let bricks = ThreeDimensional::between_ends(&m)
             .unwrap()
             .force_n(&mut Workspace::new(), 0.0, 0.0)
             .unwrap();
@@ -83,7 +86,7 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
             let mut slice = Continuation::new(Body::new(d));
             for (p, e) in [(0.2, 0.0), (0.3, 0.1), (0.1, -0.01)] {
                 slice.reach(p, e).unwrap();
-                let exact = ThickWall::new(&m)
+                let exact = ThickWall::between_ends(&m)
                     .force_n(&mut Workspace::new(), p, e)
                     .unwrap();
                 let pull = slice.pull();
@@ -99,7 +102,11 @@ fn a_slice_of_a_long_muscle_is_the_thick_wall() {
 
 /// Slopes against central differences, and ∂F/∂P at fixed L = −∂V/∂L at fixed P.
 pub fn slopes_are_those_of_differences(m: &Muscle, (p, e): (f64, f64)) {
-    let (model, w, h) = (Axisymmetric::new(m).unwrap(), &mut Workspace::new(), 1e-4);
+    let (model, w, h) = (
+        Axisymmetric::between_ends(m).unwrap(),
+        &mut Workspace::new(),
+        1e-4,
+    );
     let here = model.response(w, p, e).unwrap();
     let mut at = |p: f64, e: f64| model.response(w, p, e).unwrap();
     let by = |above: f64, below: f64| (above - below) / (2.0 * h);
@@ -117,14 +124,14 @@ pub fn slopes_are_those_of_differences(m: &Muscle, (p, e): (f64, f64)) {
 fn slopes_are_those_of_differences_and_maxwell_holds() {
     let (m, p, e, h) = (muscle(ogden(), 1.2), 0.25, 0.1, 1e-4);
     slopes_are_those_of_differences(&m, (p, e));
-    let model = Axisymmetric::new(&m).unwrap();
+    let model = Axisymmetric::between_ends(&m).unwrap();
     let names = ["tube.prestretch".to_owned(), "tube.length".to_owned()];
     let slope = model
         .force_by(&mut Workspace::new(), p, e, &names)
         .unwrap()
         .unwrap()[0];
     let beside = |v: f64| {
-        let model = Axisymmetric::new(&m.with(&PRESTRETCH, v).unwrap()).unwrap();
+        let model = Axisymmetric::between_ends(&m.with(&PRESTRETCH, v).unwrap()).unwrap();
         model.force_n(&mut Workspace::new(), p, e).unwrap()
     };
     let difference = (beside(1.2 + h) - beside(1.2 - h)) / (2.0 * h);
@@ -140,11 +147,11 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 fn bricks_err_as_they_do_without_a_prestretch() {
     let differ = |stretch: f64| {
         let m = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 }), stretch);
-        let bricks = ThreeDimensional::new(&m).unwrap();
+        let bricks = ThreeDimensional::between_ends(&m).unwrap();
         assert_eq!(bricks.divided.mesh.brick, Brick::Linear);
         let three = bricks.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap();
         three
-            / Axisymmetric::new(&m)
+            / Axisymmetric::between_ends(&m)
                 .unwrap()
                 .force_n(&mut Workspace::new(), 0.25, 0.1)
                 .unwrap()

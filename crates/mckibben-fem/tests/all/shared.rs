@@ -65,10 +65,10 @@ fn threads_share_a_model_of_every_kind() {
         .into_iter()
         .map(|kind| Arc::from(kind.build(&m).unwrap()))
         .collect();
-    models.push(Arc::new(Axisymmetric::new(&m).unwrap()));
+    models.push(Arc::new(Axisymmetric::between_ends(&m).unwrap()));
     let coarse = BrickSpec::parse("1x6").unwrap();
     models.push(Arc::new(
-        ThreeDimensional::with_mesh(&Muscle::prototype(), &coarse).unwrap(),
+        ThreeDimensional::between_ends_with(&Muscle::prototype(), &coarse).unwrap(),
     ));
     for model in models {
         let count = if model.info().name == "fe3d" { 3 } else { 40 };
@@ -93,8 +93,8 @@ fn threads_share_a_model_of_every_kind() {
 #[test]
 fn what_a_workspace_held_before_does_not_matter() {
     let (a, b) = (
-        Axisymmetric::new(&muscle()).unwrap(),
-        Axisymmetric::new(&Muscle::prototype()).unwrap(),
+        Axisymmetric::between_ends(&muscle()).unwrap(),
+        Axisymmetric::between_ends(&Muscle::prototype()).unwrap(),
     );
     let used = &mut Workspace::new();
     let fresh = |model: &Axisymmetric| model.force_n(&mut Workspace::new(), 0.2, 0.1).unwrap();

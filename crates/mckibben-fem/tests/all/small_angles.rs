@@ -55,7 +55,7 @@ fn question(r: &mut Random) -> Option<(Muscle, f64, f64)> {
     let (p, share) = (r.between(0.0, 0.8), r.between(0.0, 0.95));
     let muscle = muscle(measures, stiffness)?;
     let e = share * muscle.max_ideal_contraction();
-    let endless = ThickWall::new(&muscle)
+    let endless = ThickWall::between_ends(&muscle)
         .response(&mut Workspace::new(), p, e)
         .ok()?;
     let width = 2.0 * PI * d0 * muscle.braid().angle_rad().cos();
@@ -72,7 +72,7 @@ fn single_questions_at_small_angles_are_answered_as_along_a_curve() {
     let questions = std::iter::repeat_with(|| question(&mut r)).flatten();
     let mut failed = vec![];
     for (muscle, p, e) in questions.take(rounds(50)) {
-        let model = Axisymmetric::new(&muscle).unwrap();
+        let model = Axisymmetric::between_ends(&muscle).unwrap();
         let workspace = &mut Workspace::new();
         let alone = model.force_n(workspace, p, e);
         let (along, mut curve) = (&mut Workspace::new(), Ok(0.0));
@@ -100,11 +100,11 @@ fn long_muscles_with_small_angles_tend_to_the_infinitely_long_one() {
         let pull = |length: f64| {
             let stiffness = BraidStiffness::NewtonPerMm(400.0);
             let muscle = muscle([14.0, 1.0, length, angle, 0.24], stiffness).unwrap();
-            let endless = ThickWall::new(&muscle)
+            let endless = ThickWall::between_ends(&muscle)
                 .force_n(&mut Workspace::new(), 0.3, e)
                 .unwrap();
             (
-                Axisymmetric::new(&muscle)
+                Axisymmetric::between_ends(&muscle)
                     .unwrap()
                     .force_n(&mut Workspace::new(), 0.3, e)
                     .unwrap(),

@@ -38,7 +38,7 @@ fn muscle(moduli: f64, stiffness: f64) -> Muscle {
 #[test]
 fn warm_rubber_has_moduli_in_proportion_to_the_absolute_temperature() {
     let pull = |m: &Muscle, p: f64| {
-        Axisymmetric::new(m)
+        Axisymmetric::between_ends(m)
             .unwrap()
             .force_n(&mut Workspace::new(), p, 0.08)
             .unwrap()
@@ -60,7 +60,7 @@ fn warm_rubber_has_moduli_in_proportion_to_the_absolute_temperature() {
 fn derivatives_are_those_by_the_constants_as_stated() {
     let (p, e, h) = (0.2, 0.08, 1e-4);
     let warm = |moduli: f64| {
-        Axisymmetric::new(&muscle(moduli, 1.0).with(&TEMPERATURE, 80.0).unwrap()).unwrap()
+        Axisymmetric::between_ends(&muscle(moduli, 1.0).with(&TEMPERATURE, 80.0).unwrap()).unwrap()
     };
     let names = ["c10", "c20"].map(|name| format!("tube.material.{name}"));
     let model = warm(1.0);

@@ -11,7 +11,8 @@ use mckibben_fem::{
 };
 
 fn coarse() -> ThreeDimensional {
-    ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse("1x4").unwrap()).unwrap()
+    ThreeDimensional::between_ends_with(&Muscle::prototype(), &BrickSpec::parse("1x4").unwrap())
+        .unwrap()
 }
 
 #[test]
@@ -98,7 +99,8 @@ fn a_pull_that_nothing_can_carry_is_refused_in_words() {
 }
 
 fn divided(text: &str) -> Result<f64, String> {
-    let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse(text).unwrap());
+    let model =
+        ThreeDimensional::between_ends_with(&Muscle::prototype(), &BrickSpec::parse(text).unwrap());
     model
         .map(|m| m.divided.mesh.tube.angle_rad.to_degrees())
         .map_err(|e| e.to_string())

@@ -43,7 +43,7 @@ fn errors(count: usize, seed: u64) -> Vec<Point> {
         };
         let shares = [r.unit(), r.unit(), r.unit()];
         let (fe, small) = (
-            Axisymmetric::new(&muscle).unwrap(),
+            Axisymmetric::between_ends(&muscle).unwrap(),
             ModelKind::UniversalSmall.build(&muscle).unwrap(),
         );
         let (w, share) = (

@@ -145,7 +145,7 @@ fn written(fe: &Axisymmetric, response: &Response) -> (String, String) {
 
 fn contracted() -> (Muscle, Axisymmetric, Response) {
     let muscle = Muscle::prototype();
-    let fe = Axisymmetric::new(&muscle).unwrap();
+    let fe = Axisymmetric::between_ends(&muscle).unwrap();
     let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     (muscle, fe, response)
 }
@@ -162,7 +162,7 @@ fn elements_at_rest_fill_the_tube_but_for_the_polygon() {
             grading: Some(1.0),
         },
     ] {
-        let fe = Axisymmetric::with_mesh(&muscle, &mesh).unwrap();
+        let fe = Axisymmetric::between_ends_with(&muscle, &mesh).unwrap();
         let (tube, _) = written(&fe, &Response::default());
         let polygon = (TAU / AROUND).sin() / (TAU / AROUND);
         let exact = muscle.build_sheet().rubber_volume_mm3;
@@ -189,7 +189,7 @@ fn elements_keep_their_volume_and_displacements_lead_back_to_rest() {
         .collect();
     let at_rest = volume(&tube, &rest);
     let (untouched, _) = written(
-        &Axisymmetric::new(&Muscle::prototype()).unwrap(),
+        &Axisymmetric::between_ends(&Muscle::prototype()).unwrap(),
         &Response::default(),
     );
     for (a, b) in rest.iter().zip(points(&untouched, "Points")) {
@@ -207,7 +207,10 @@ fn elements_keep_their_volume_and_displacements_lead_back_to_rest() {
 #[test]
 fn strands_at_rest_have_the_length_of_a_helix() {
     let muscle = Muscle::prototype();
-    let (_, braid) = written(&Axisymmetric::new(&muscle).unwrap(), &Response::default());
+    let (_, braid) = written(
+        &Axisymmetric::between_ends(&muscle).unwrap(),
+        &Response::default(),
+    );
     let lines = lines(&braid);
     assert_eq!(lines.len(), 48);
     let turn =
@@ -260,7 +263,7 @@ fn strands_are_counted_where_their_number_is_known() {
         strands: Some(strands),
         ..Muscle::prototype().braid().clone()
     };
-    let fe = Axisymmetric::new(&Muscle::prototype().with_braid(braid).unwrap()).unwrap();
+    let fe = Axisymmetric::between_ends(&Muscle::prototype().with_braid(braid).unwrap()).unwrap();
     let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let (_, braid) = written(&fe, &response);
     assert_eq!(lines(&braid).len(), 60);
@@ -302,7 +305,7 @@ fn stress_in_the_middle_is_in_equilibrium() {
         along: Some(24),
         grading: None,
     };
-    let fe = Axisymmetric::with_mesh(&muscle, &mesh).unwrap();
+    let fe = Axisymmetric::between_ends_with(&muscle, &mesh).unwrap();
     let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let section = fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let middle: Vec<_> = (0..=12)
@@ -397,7 +400,7 @@ fn the_same_muscle_gives_the_same_bytes_in_well_formed_xml() {
 
 #[test]
 fn what_is_no_number_is_refused_and_is_no_step() {
-    let fe = Axisymmetric::new(&Muscle::prototype()).unwrap();
+    let fe = Axisymmetric::between_ends(&Muscle::prototype()).unwrap();
     let mut series = VtuSeries::new("");
     let section = fe.section_at(&mut Workspace::new(), 0.0, 0.0).unwrap();
     let bad = Response {

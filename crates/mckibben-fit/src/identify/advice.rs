@@ -122,7 +122,7 @@ pub fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<String>
 pub fn ideal_pull(muscle: &Muscle, p: &DataPoint) -> Option<f64> {
     cancel::check().ok()?;
     let muscle = p.section.apply(muscle).ok()?;
-    let ideal = Ideal::new(&muscle);
+    let ideal = Ideal::between_ends(&muscle);
     let (pull, rest) = (
         ideal.pull(p.at.pressure_mpa, p.at.contraction),
         ideal.pull(p.at.pressure_mpa, 0.0),

@@ -81,8 +81,8 @@ fn hand_made(
     progress: &dyn Progress,
 ) -> Result<Vec<VerificationRow>, Cancelled> {
     let points = points();
-    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
-    let ideal: &Build<'_> = &|m| Ok(Box::new(Ideal::new(m)));
+    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::between_ends(m)));
+    let ideal: &Build<'_> = &|m| Ok(Box::new(Ideal::between_ends(m)));
     let modulus = Target::Modulus;
     let ends = Target::Measure(&END_FACTOR);
     let cases: [Comparison<'_>; 4] = [
@@ -195,7 +195,12 @@ mod tests {
         );
         let points = points();
         let free = [Target::Modulus, Target::Measure(&END_FACTOR)];
-        let muscle = fitted(&|m| Ok(Box::new(ThickWall::new(m))), &free, &points).unwrap();
+        let muscle = fitted(
+            &|m| Ok(Box::new(ThickWall::between_ends(m))),
+            &free,
+            &points,
+        )
+        .unwrap();
         assert!(
             (muscle.measure(&END_FACTOR).unwrap() - 1.11).abs() < 0.01,
             "{:?}",

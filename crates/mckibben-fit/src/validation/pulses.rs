@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn the_bias_by_angle_is_that_of_an_independent_calculation() {
         let build = |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> {
-            Ok(Box::new(ThickWall::new(m)))
+            Ok(Box::new(ThickWall::between_ends(m)))
         };
         for (angle_deg, bias) in [(25.0, 0.077), (28.6, 0.027), (31.0, 0.003), (34.0, -0.020)] {
             let rubber =

@@ -20,7 +20,9 @@ use mckibben_fit::{
 };
 
 fn fe(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
+    Ok(Box::new(
+        Axisymmetric::between_ends(m).map_err(ModelError::from)?,
+    ))
 }
 
 const BUILD: &Build<'_> = &fe;

@@ -27,11 +27,13 @@ impl ForceModel for Bare {
 }
 
 fn fe(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
+    Ok(Box::new(
+        Axisymmetric::between_ends(m).map_err(ModelError::from)?,
+    ))
 }
 
 fn bare(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    let fe = Axisymmetric::new(m)?;
+    let fe = Axisymmetric::between_ends(m)?;
     let known = fe.info().clone();
     let info = ModelInfo {
         name: "bare".into(),
@@ -63,7 +65,10 @@ fn points() -> Vec<DataPoint> {
     let mut out: Vec<DataPoint> = vec![];
     for (d, k) in [(30.0, 400.0), (40.0, 400.0 * (40.0f64 / 30.0).powf(0.9))] {
         let m = muscle(d, k);
-        let (model, w) = (Axisymmetric::new(&m).unwrap(), &mut Workspace::new());
+        let (model, w) = (
+            Axisymmetric::between_ends(&m).unwrap(),
+            &mut Workspace::new(),
+        );
         let section = Section {
             outer_diameter_mm: (d > 35.0).then_some(d),
             ..Section::default()
@@ -111,7 +116,7 @@ fn run(names: &[&str], points: &[DataPoint], analytic: bool) -> Identification {
 #[test]
 fn derivatives_of_the_elements_are_those_of_differences() {
     let m = muscle(30.0, 400.0);
-    let model = Axisymmetric::new(&m).unwrap();
+    let model = Axisymmetric::between_ends(&m).unwrap();
     let names = [
         "tube.material.c10",
         "tube.material.c01",
@@ -142,7 +147,7 @@ fn derivatives_of_the_elements_are_those_of_differences() {
             _ => braid.angle_deg += h,
         }
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
-        Axisymmetric::new(&m)
+        Axisymmetric::between_ends(&m)
             .unwrap()
             .force_n(&mut Workspace::new(), 0.2, 0.1)
             .unwrap()

@@ -14,7 +14,7 @@ use mckibben_fit::{
 };
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Axisymmetric::new(muscle)?))
+    Ok(Box::new(Axisymmetric::between_ends(muscle)?))
 }
 
 const MUSCLE: &str = "[tube]\nouter_diameter = \"12 mm\"\nwall_thickness = \"2 mm\"\nlength \
@@ -90,7 +90,7 @@ fn another_length_of_a_measured_muscle_is_known_worse() {
             let measured = bench.lengths_mm.contains(&length_mm);
             let warned = other.warnings().iter().any(|w| w.contains("[identified]"));
             assert_eq!(warned, !measured, "{length_mm}");
-            let (model, w) = (ThickWall::new(&other), &mut Workspace::new());
+            let (model, w) = (ThickWall::between_ends(&other), &mut Workspace::new());
             let mut model = Evaluation::new(&model, w, Direction::Mean);
             let (_, parts) = model.predicted(0.3, 0.05, 100.0).unwrap();
             parts.fit.unwrap()

@@ -25,7 +25,7 @@ fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
 }
 
 fn fe(change: impl FnOnce(&mut Braid)) -> Axisymmetric {
-    Axisymmetric::new(&muscle(change)).unwrap()
+    Axisymmetric::between_ends(&muscle(change)).unwrap()
 }
 
 fn all(braid: &mut Braid) {
@@ -151,11 +151,11 @@ fn long_muscles_tend_to_the_closed_form_like_1_over_l0() {
                 ..m.tube().clone()
             })
             .unwrap();
-        let exact = ThickWall::new(&m)
+        let exact = ThickWall::between_ends(&m)
             .force_n(&mut Workspace::new(), 0.4, 0.1)
             .unwrap();
         exact
-            - Axisymmetric::new(&m)
+            - Axisymmetric::between_ends(&m)
                 .unwrap()
                 .force_n(&mut Workspace::new(), 0.4, 0.1)
                 .unwrap()
@@ -198,7 +198,7 @@ fn the_universal_formula_errs_little_more_than_without() {
     let largest = |change: &dyn Fn(&mut Braid)| {
         let m = muscle(change);
         let (fe, formula) = (
-            Axisymmetric::new(&m).unwrap(),
+            Axisymmetric::between_ends(&m).unwrap(),
             ModelKind::Universal.build(&m).unwrap(),
         );
         assert!(formula.info().notes.is_empty());
@@ -250,8 +250,14 @@ fn models_say_what_they_leave_out() {
             "{notes:?}"
         );
     }
-    assert!(ThickWall::new(&m).info().notes.is_empty());
-    assert!(Axisymmetric::new(&m).unwrap().info().notes.is_empty());
+    assert!(ThickWall::between_ends(&m).info().notes.is_empty());
+    assert!(
+        Axisymmetric::between_ends(&m)
+            .unwrap()
+            .info()
+            .notes
+            .is_empty()
+    );
 }
 
 /// Points that fe makes of a known muscle, rounded to 0.1 N: its thickness and its crimp come back.
@@ -264,7 +270,10 @@ fn thickness_and_crimp_come_back_from_rounded_points() {
             stiffness_ratio: 0.1,
         });
     });
-    let (model, w) = (Axisymmetric::new(&truth).unwrap(), &mut Workspace::new());
+    let (model, w) = (
+        Axisymmetric::between_ends(&truth).unwrap(),
+        &mut Workspace::new(),
+    );
     let mut points = vec![];
     for pressure_mpa in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6] {
         for contraction in [0.0, 0.05, 0.1, 0.15, 0.2] {
@@ -282,7 +291,7 @@ fn thickness_and_crimp_come_back_from_rounded_points() {
     let m = muscle(|_| {});
     let free = ["braid.thickness", "braid.crimp"].map(|t| Parameter::parse(t, &m).unwrap());
     let result = identify(&Request::new(&m, &free, &points, &|m| {
-        Ok(Box::new(Axisymmetric::new(m)?))
+        Ok(Box::new(Axisymmetric::between_ends(m)?))
     }))
     .unwrap();
     for (p, truth) in result.parameters.iter().zip([0.6, 0.012]) {

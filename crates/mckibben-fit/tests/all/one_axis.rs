@@ -55,7 +55,7 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
             for i in 1..=4 {
                 for k in 0..=5 {
                     let (p, e) = (0.1 * f64::from(i), 0.05 * f64::from(k));
-                    let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, p, e).ok();
+                    let mut pull = |m: &Muscle| ThickWall::between_ends(m).force_n(w, p, e).ok();
                     let [Some(a), Some(b), Some(c)] =
                         [pull(&laws[0]), pull(&laws[1]), pull(&laws[2])]
                     else {

@@ -49,7 +49,7 @@ fn vessel(actuator: Actuator, until_s: f64) -> Option<f64> {
     let muscle = Actuated {
         fluid: water(STIFF_MPA, 0.0)?,
         initial_pressure_mpa: Some(0.0),
-        ..Actuated::new(&model, actuator)
+        ..Actuated::new(model.clone(), actuator)
     };
     let drive = driven(&held, muscle, opening(1.0), (until_s, 1e-10));
     ran(&Drive {
@@ -95,7 +95,7 @@ struct Hanging {
 impl Hanging {
     fn new() -> Self {
         Self {
-            model: ThickWall::new(&Muscle::prototype()),
+            model: ThickWall::between_ends(&Muscle::prototype()),
             load: Load::Mass {
                 mass_kg: 10.0,
                 level: false,
@@ -126,10 +126,10 @@ impl Hanging {
         }
     }
 
-    fn muscle(&self, actuator: Actuator, dead_mm3: f64) -> Option<Actuated<'_>> {
+    fn muscle(&self, actuator: Actuator, dead_mm3: f64) -> Option<Actuated> {
         Some(Actuated {
             fluid: water(2179.0, dead_mm3)?,
-            ..Actuated::new(&self.model, actuator)
+            ..Actuated::new(self.model.clone(), actuator)
         })
     }
 

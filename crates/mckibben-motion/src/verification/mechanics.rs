@@ -13,6 +13,7 @@ use mckibben_core::{
     verification::VerificationRow,
 };
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 const BALANCE: &str = "identity: energies of a drive with every loss";
 const SHUT: &str = "closed form: K_P − (1/L0) ∂F/∂P (∂P/∂ε)_m";
@@ -33,8 +34,9 @@ fn valve() -> Option<Valve> {
     Some(Valve::new(Orifice::new(0.5, 0.3).ok()?))
 }
 
-fn universal() -> Option<Box<dyn ForceModel>> {
-    ModelKind::Universal.build(&Muscle::prototype()).ok()
+fn universal() -> Option<Arc<dyn ForceModel>> {
+    let model = ModelKind::Universal.build(&Muscle::prototype()).ok()?;
+    Some(model.into())
 }
 
 /// Mass, spring, damper, friction, viscoelastic rubber and warm air at once.
@@ -62,7 +64,7 @@ fn balances() -> Option<Vec<VerificationRow>> {
         ("adiabatic", Heat::Adiabatic),
         ("warm", Heat::Transfer(50.0)),
     ] {
-        let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
+        let mut muscle = Actuated::new(model.clone(), Actuator::Valve(valve()?));
         muscle.fluid = Fluid::Air(Air {
             heat,
             dead_volume_mm3: 10e3,
@@ -120,7 +122,7 @@ fn shut() -> Vec<VerificationRow> {
     let values = |heat: Heat, index: f64| {
         let model = universal()?;
         let load = SingleMuscle::hanging(&*model, 10.0);
-        let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
+        let mut muscle = Actuated::new(model.clone(), Actuator::Valve(valve()?));
         muscle.fluid = Fluid::Air(Air {
             heat,
             dead_volume_mm3: 10e3,
@@ -157,7 +159,7 @@ fn shut() -> Vec<VerificationRow> {
 }
 
 /// (dP/dε)_m = −n p V_ε/(V + n p V_P); K = K_P − (1/L0) ∂F/∂P dP/dε; f = √(K/M)/2π
-fn closed_form(model: &dyn ForceModel, drive: &Drive<'_>, index: f64) -> Option<f64> {
+fn closed_form(model: &dyn ForceModel, drive: &Drive, index: f64) -> Option<f64> {
     let length = model.muscle().length_mm();
     let contraction = equilibrium(drive, &[0.2]).ok()?.coordinate / length;
     let r = model
@@ -173,7 +175,7 @@ fn closed_form(model: &dyn ForceModel, drive: &Drive<'_>, index: f64) -> Option<
 
 /// The frequency in Hz by the falling crossings of some periods after a displacement of a hundredth
 /// of a mm.
-fn crossings(drive: &Drive<'_>, linear: &Linear, periods: f64) -> Option<f64> {
+fn crossings(drive: &Drive, linear: &Linear, periods: f64) -> Option<f64> {
     let (f, _) = linear.oscillation()?;
     let mut drive = drive.clone();
     drive.initial_coordinate = Some(linear.coordinate() + 0.01);
@@ -201,7 +203,7 @@ fn loops() -> Vec<VerificationRow> {
     const LEVEL_N: f64 = 10.0;
     const PRESLIDING_MM: f64 = 0.02;
     let one = |hz: f64| {
-        let model = Ideal::new(&Muscle::prototype());
+        let model = Ideal::between_ends(&Muscle::prototype());
         let spring = SingleMuscle {
             damping_n_s_per_m: 1e3,
             added_mass_kg: 1.0,
@@ -215,7 +217,7 @@ fn loops() -> Vec<VerificationRow> {
         };
         let until = |periods: f64| {
             let mut muscle = Actuated::new(
-                &model,
+                model.clone(),
                 Actuator::Regulator {
                     time_constant_s: 0.02,
                 },
@@ -261,7 +263,7 @@ fn loops() -> Vec<VerificationRow> {
 /// The error of a step at tolerances.
 fn convergence() -> Vec<VerificationRow> {
     // Its answers have no error of an iteration that a step could see.
-    let model = ThickWall::new(&Muscle::prototype());
+    let model = ThickWall::between_ends(&Muscle::prototype());
     let end = |relative: f64| {
         let load = SingleMuscle {
             stops_mm: (0.0, 90.0),
@@ -269,7 +271,7 @@ fn convergence() -> Vec<VerificationRow> {
             ..SingleMuscle::hanging(&model, 10.0)
         };
         let steps = Command::Steps(vec![(0.0, 0.0), (0.05, 0.2)]);
-        let muscle = Actuated::new(&model, Actuator::Valve(valve()?));
+        let muscle = Actuated::new(model.clone(), Actuator::Valve(valve()?));
         let drive = driven(
             &load,
             muscle,

@@ -21,18 +21,18 @@ pub fn cases() -> Vec<VerificationRow> {
 }
 
 /// The motion, where it comes to its end.
-fn ran(drive: &Drive<'_>) -> Option<Motion> {
+fn ran(drive: &Drive) -> Option<Motion> {
     run(drive, &Silent).ok()
 }
 
 /// A muscle under commands for a time in s, integrated with a relative tolerance.
-fn driven<'a>(
-    load: &'a SingleMuscle,
-    muscle: Actuated<'a>,
+fn driven(
+    load: &SingleMuscle,
+    muscle: Actuated,
     target: Target,
     (until_s, relative): (f64, f64),
-) -> Drive<'a> {
-    let mut drive = Drive::new(load, vec![muscle], target, until_s);
+) -> Drive {
+    let mut drive = Drive::new(load.clone(), vec![muscle], target, until_s);
     drive.tolerance = relative;
     drive
 }

@@ -74,7 +74,7 @@ pub fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Mo
     let model = Vessel::default();
     let held = SingleMuscle::held(&model);
     let valve = Valve::new(Orifice::new(0.5, CRITICAL).ok()?);
-    let mut muscle = Actuated::new(&model, Actuator::Valve(valve));
+    let mut muscle = Actuated::new(model.clone(), Actuator::Valve(valve));
     muscle.fluid = Fluid::Air(Air {
         heat,
         ..Air::default()

@@ -1,8 +1,12 @@
 //! Valves and controllers that act.
 
 use crate::support::{close, damped, elbow, last, note_muscle, ran, regulator, steps, valve};
-use mckibben_core::{model::ModelKind, muscle::Muscle};
+use mckibben_core::{
+    model::{ForceModel, ModelKind},
+    muscle::Muscle,
+};
 use mckibben_motion::*;
+use std::sync::Arc;
 
 fn on_off(closed_centre: bool) -> Actuator {
     let kind = ValveKind::OnOff {
@@ -17,13 +21,13 @@ fn on_off(closed_centre: bool) -> Actuator {
 
 #[test]
 fn identity_a_two_point_law_switches_at_its_thresholds() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = damped(&*model, 5.0, 400.0, (0.0, 90.0));
     for closed_centre in [false, true] {
         let target = steps(&[(0.0, 0.0), (0.05, 0.2)]);
         let mut drive = Drive::new(
-            &load,
-            vec![Actuated::new(&*model, on_off(closed_centre))],
+            load.clone(),
+            vec![Actuated::new(model.clone(), on_off(closed_centre))],
             target,
             0.5,
         );
@@ -60,7 +64,7 @@ fn identity_a_two_point_law_switches_at_its_thresholds() {
 
 #[test]
 fn a_lagging_proportional_valve_fills_later_and_a_hose_later_still() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = damped(&*model, 5.0, 400.0, (0.0, 90.0));
     let pressure_at_80_ms = |lag: f64, hose: Option<Hose>| {
         let kind = ValveKind::Proportional {
@@ -73,9 +77,9 @@ fn a_lagging_proportional_valve_fills_later_and_a_hose_later_still() {
             hose,
             ..Valve::new(orifice)
         };
-        let muscle = Actuated::new(&*model, Actuator::Valve(valve));
+        let muscle = Actuated::new(model.clone(), Actuator::Valve(valve));
         let motion = ran(&Drive::new(
-            &load,
+            load.clone(),
             vec![muscle],
             steps(&[(0.0, 0.0), (0.05, 0.2)]),
             1.0,
@@ -95,7 +99,7 @@ fn a_lagging_proportional_valve_fills_later_and_a_hose_later_still() {
 
 #[test]
 fn identity_an_integral_controller_leaves_no_error() {
-    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal.build(&note_muscle()).unwrap().into();
     let load = SingleMuscle {
         damping_n_s_per_m: 400.0,
         ..SingleMuscle::hanging(&*model, 5.0)
@@ -127,7 +131,12 @@ fn identity_an_integral_controller_leaves_no_error() {
         ),
     ];
     for (target, actuator) in target {
-        let drive = Drive::new(&load, vec![Actuated::new(&*model, actuator)], target, 5.0);
+        let drive = Drive::new(
+            load.clone(),
+            vec![Actuated::new(model.clone(), actuator)],
+            target,
+            5.0,
+        );
         let motion = ran(&drive);
         close(motion.series.muscles[0].contraction[0], 0.1, 1e-9);
         close(motion.series.muscles[0].contraction[19], 0.1, 1e-6);
@@ -137,7 +146,7 @@ fn identity_an_integral_controller_leaves_no_error() {
 
 #[test]
 fn two_antagonists_follow_an_angle() {
-    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal.build(&note_muscle()).unwrap().into();
     let joint = elbow(0.4);
     let pid = Pid {
         proportional: 0.1,
@@ -151,9 +160,9 @@ fn two_antagonists_follow_an_angle() {
         command: Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)]),
         pid,
     };
-    let muscle = Actuated::new(&*model, regulator(0.02));
+    let muscle = Actuated::new(model.clone(), regulator(0.02));
     let motion = ran(&Drive::new(
-        &joint,
+        joint.clone(),
         vec![muscle.clone(), muscle],
         target,
         4.0,
@@ -165,10 +174,15 @@ fn two_antagonists_follow_an_angle() {
 
 #[test]
 fn identity_the_smallest_valve_meets_the_rise_time_and_a_smaller_one_does_not() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = damped(&*model, 5.0, 400.0, (0.0, 90.0));
     let target = steps(&[(0.0, 0.0), (0.05, 0.2)]);
-    let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 2.0);
+    let drive = Drive::new(
+        load.clone(),
+        vec![Actuated::new(model.clone(), valve())],
+        target,
+        2.0,
+    );
     let sized = size(&drive, 0.2, &mckibben_core::progress::Silent).unwrap();
     assert!(
         sized.rise_time_s <= 0.2 && sized.rise_time_s > 0.199,
@@ -187,12 +201,15 @@ fn identity_the_smallest_valve_meets_the_rise_time_and_a_smaller_one_does_not() 
 /// that was asked for, as it is printed.
 #[test]
 fn identity_a_valve_is_sized_by_the_rise_time_that_is_printed() {
-    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal
+        .build(&Muscle::prototype())
+        .unwrap()
+        .into();
     let load = damped(&*model, 10.0, 400.0, (-1e3, 1e3));
-    let mut muscle = Actuated::new(&*model, valve());
+    let mut muscle = Actuated::new(model.clone(), valve());
     muscle.friction = Some(mckibben_core::muscle::Friction::power_law(40.0, 0.6));
     let target = steps(&[(0.0, 0.15), (0.1, 0.3)]);
-    let drive = Drive::new(&load, vec![muscle], target, 3.0);
+    let drive = Drive::new(load.clone(), vec![muscle], target, 3.0);
     for asked_s in [0.15, 0.3] {
         let sized = size(&drive, asked_s, &mckibben_core::progress::Silent).unwrap();
         let printed_s = sized.motion.rise_time_s.unwrap();
@@ -208,14 +225,22 @@ fn identity_a_valve_is_sized_by_the_rise_time_that_is_printed() {
 /// air's exergy is stated (191 % and 7613 % were), nor any above 1.
 #[test]
 fn bound_work_over_exergy_is_of_air_alone() {
-    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal
+        .build(&Muscle::prototype())
+        .unwrap()
+        .into();
     let load = damped(&*model, 10.0, 50.0, (-1e3, 1e3));
-    let muscle = || vec![Actuated::new(&*model, valve())];
-    let mut released = Drive::new(&load, muscle(), steps(&[(0.0, 0.2)]), 1.0);
+    let muscle = || vec![Actuated::new(model.clone(), valve())];
+    let mut released = Drive::new(load.clone(), muscle(), steps(&[(0.0, 0.2)]), 1.0);
     released.initial_coordinate = Some(5.0);
     let motion = ran(&released);
     assert!(motion.energies.work_j > 0.0 && motion.efficiency.is_none());
-    let filled = Drive::new(&load, muscle(), steps(&[(0.0, 0.15), (0.1, 0.3)]), 2.0);
+    let filled = Drive::new(
+        load.clone(),
+        muscle(),
+        steps(&[(0.0, 0.15), (0.1, 0.3)]),
+        2.0,
+    );
     let share = ran(&filled).efficiency.unwrap();
     assert!(share > 0.0 && share < 1.0, "{share}");
 }

@@ -3,11 +3,12 @@
 
 use crate::support::{close, damped, note_muscle, ran, regulator, steps, valve};
 use mckibben_core::{
-    model::{ModelKind, Workspace},
+    model::{ForceModel, ModelKind, Workspace},
     muscle::{Braid, Muscle, Terminals},
     progress::Silent,
 };
 use mckibben_motion::*;
+use std::sync::Arc;
 
 fn seated() -> Muscle {
     let m = note_muscle();
@@ -33,11 +34,11 @@ fn in_a_wide_sleeve() -> Muscle {
 fn a_muscle_that_hangs_loose_without_pressure_is_filled_and_lifts() {
     for muscle in [seated(), in_a_wide_sleeve()] {
         for kind in [ModelKind::ThickWall, ModelKind::Universal] {
-            let model = kind.build(&muscle).unwrap();
+            let model: Arc<dyn ForceModel> = kind.build(&muscle).unwrap().into();
             let load = damped(&*model, 2.0, 300.0, (0.0, 1e6));
             let drive = Drive::new(
-                &load,
-                vec![Actuated::new(&*model, valve())],
+                load.clone(),
+                vec![Actuated::new(model.clone(), valve())],
                 steps(&[(0.0, 0.0), (0.05, 0.2)]),
                 3.0,
             );
@@ -55,7 +56,7 @@ fn a_muscle_that_hangs_loose_without_pressure_is_filled_and_lifts() {
 
 #[test]
 fn without_a_damper_a_load_swings_and_with_one_it_rests() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let moves = |damping_n_s_per_m: f64| {
         let load = SingleMuscle {
             stops_mm: (0.0, 90.0),
@@ -63,8 +64,8 @@ fn without_a_damper_a_load_swings_and_with_one_it_rests() {
             ..SingleMuscle::hanging(&*model, 5.0)
         };
         let drive = Drive::new(
-            &load,
-            vec![Actuated::new(&*model, valve())],
+            load.clone(),
+            vec![Actuated::new(model.clone(), valve())],
             steps(&[(0.0, 0.0), (0.1, 0.3)]),
             2.0,
         );
@@ -91,8 +92,8 @@ fn without_a_damper_a_load_swings_and_with_one_it_rests() {
         phase_rad: 0.0,
     };
     let drive = Drive::new(
-        &load,
-        vec![Actuated::new(&*model, valve())],
+        load.clone(),
+        vec![Actuated::new(model.clone(), valve())],
         Target::Pressure(vec![sine]),
         2.0,
     );
@@ -102,15 +103,15 @@ fn without_a_damper_a_load_swings_and_with_one_it_rests() {
 /// The oracle is a series of 20,000 points.
 #[test]
 fn the_largest_speed_does_not_follow_the_points_of_the_series() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
     let moved = |until_s: f64, output_step_s: f64| {
         let target = steps(&[(0.0, 0.0), (0.1, 0.3)]);
         let drive = Drive {
             output_step_s,
             ..Drive::new(
-                &load,
-                vec![Actuated::new(&*model, valve())],
+                load.clone(),
+                vec![Actuated::new(model.clone(), valve())],
                 target,
                 until_s,
             )
@@ -134,15 +135,15 @@ fn the_largest_speed_does_not_follow_the_points_of_the_series() {
 
 #[test]
 fn what_ends_early_gives_what_was_computed() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = SingleMuscle {
         stops_mm: (0.0, 90.0),
         ..SingleMuscle::hanging(&*model, 5.0)
     };
     let target = steps(&[(0.0, 0.0), (0.1, 0.2)]);
     let mut drive = Drive::new(
-        &load,
-        vec![Actuated::new(&*model, regulator(0.05))],
+        load.clone(),
+        vec![Actuated::new(model.clone(), regulator(0.05))],
         target,
         1.0,
     );

@@ -8,11 +8,12 @@ use mckibben_core::{
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_motion::*;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// The muscle of the note with its air shut in and a mass of 10 kg.
-fn shut<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Drive<'a> {
+fn shut(model: &Arc<dyn ForceModel>, load: &SingleMuscle, heat: Heat) -> Drive {
     let valve = Valve::new(Orifice::new(0.5, 0.3).unwrap());
-    let mut muscle = Actuated::new(model, Actuator::Valve(valve));
+    let mut muscle = Actuated::new(model.clone(), Actuator::Valve(valve));
     muscle.fluid = Fluid::Air(Air {
         heat,
         dead_volume_mm3: 10e3,
@@ -20,7 +21,7 @@ fn shut<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Dr
     });
     muscle.initial_pressure_mpa = Some(0.3);
     Drive::new(
-        load,
+        load.clone(),
         vec![muscle],
         Target::Opening(vec![Command::Constant(0.0)]),
         1.0,
@@ -29,8 +30,9 @@ fn shut<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Dr
 
 #[test]
 fn closed_form_of_the_note_closed_valve_by_finite_elements() {
-    let model = Axisymmetric::new(&note_muscle()).unwrap();
+    let model = Axisymmetric::between_ends(&note_muscle()).unwrap();
     let load = SingleMuscle::hanging(&model, 10.0);
+    let model: Arc<dyn ForceModel> = Arc::new(model);
     for (heat, index, stiffness, hertz) in [
         (Heat::Isothermal, 1.0, 8.73229, 4.7031),
         (Heat::Adiabatic, 1.4, 8.95607, 4.7630),
@@ -63,7 +65,10 @@ fn closed_form_of_the_note_closed_valve_by_finite_elements() {
 
 #[test]
 fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
-    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal
+        .build(&Muscle::prototype())
+        .unwrap()
+        .into();
     let load = SingleMuscle {
         damping_n_s_per_m: 600.0,
         ..SingleMuscle::hanging(&*model, 10.0)
@@ -71,8 +76,8 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
     let drive = |command: Command, until_s: f64| {
         let target = Target::Pressure(vec![command]);
         Drive::new(
-            &load,
-            vec![Actuated::new(&*model, regulator(0.02))],
+            load.clone(),
+            vec![Actuated::new(model.clone(), regulator(0.02))],
             target,
             until_s,
         )
@@ -113,13 +118,13 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
 
 #[test]
 fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
-    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal.build(&note_muscle()).unwrap().into();
     let joint = elbow(0.5);
-    let muscle = Actuated::new(&*model, regulator(0.01));
+    let muscle = Actuated::new(model.clone(), regulator(0.01));
     let drive = |first: Command, second: Command, until_s: f64| {
         let target = Target::Pressure(vec![first, second]);
         Drive::new(
-            &joint,
+            joint.clone(),
             vec![muscle.clone(), muscle.clone()],
             target,
             until_s,
@@ -153,14 +158,22 @@ fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
 /// muscle is filled, and of regulators, which have no kink, both sides are the mean.
 #[test]
 fn identity_the_bandwidth_is_that_of_the_state_reached_on_each_side_of_the_valves() {
-    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal
+        .build(&Muscle::prototype())
+        .unwrap()
+        .into();
     let load = SingleMuscle {
         damping_n_s_per_m: 600.0,
         ..SingleMuscle::hanging(&*model, 10.0)
     };
     let hertz = |actuator: Actuator, command: Command, side: f64| {
         let target = Target::Pressure(vec![command]);
-        let drive = Drive::new(&load, vec![Actuated::new(&*model, actuator)], target, 4.0);
+        let drive = Drive::new(
+            load.clone(),
+            vec![Actuated::new(model.clone(), actuator)],
+            target,
+            4.0,
+        );
         Linear::at_state_reached(&drive, side)
             .unwrap()
             .bandwidth_hz()

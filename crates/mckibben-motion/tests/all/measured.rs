@@ -54,9 +54,9 @@ fn lifted(model: &ThickWall, mass_kg: f64, pressure_mpa: f64, conductance: f64) 
     let load = damped(model, mass_kg, 300.0, (0.0, 200.0));
     let valve = Actuator::Valve(Valve::new(Orifice::new(conductance, 0.3).unwrap()));
     let opened = Target::Opening(vec![Command::Constant(1.0)]);
-    let mut muscle = Actuated::new(model, valve);
+    let mut muscle = Actuated::new(model.clone(), valve);
     muscle.initial_pressure_mpa = Some(0.0);
-    let mut drive = Drive::new(&load, vec![muscle], opened, 2.0);
+    let mut drive = Drive::new(load.clone(), vec![muscle], opened, 2.0);
     drive.initial_coordinate = Some(0.0);
     drive.supply.pressure_mpa = pressure_mpa;
     let motion = ran(&drive);
@@ -82,7 +82,7 @@ fn steps_against_loads_have_the_measured_shape() {
     let ends = loads.map(|kg| curve(kg).last().unwrap().1);
     let (pressure, mu, length) = (0.2, 0.15, 250.0);
     let muscle = muscle(14.0, mu, length);
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let mut squares = 0.0;
     for (kg, end) in loads.iter().zip(ends) {
         let options = Options::extrapolating();
@@ -121,11 +121,11 @@ fn steps_against_loads_have_the_measured_shape() {
 fn release_speeds_fall_with_the_load_as_measured() {
     let rows = rayon(RELEASE);
     let muscle = muscle(11.0, 0.5, 300.0);
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let speed = |mass_kg: f64| {
         let load = SingleMuscle::hanging(&model, mass_kg);
         let mut muscle = Actuated::new(
-            &model,
+            model.clone(),
             Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).unwrap())),
         );
         muscle.fluid = Fluid::Air(Air {
@@ -135,7 +135,7 @@ fn release_speeds_fall_with_the_load_as_measured() {
         muscle.initial_pressure_mpa = Some(0.5);
         muscle.friction = Some(FRICTION);
         let mut drive = Drive::new(
-            &load,
+            load.clone(),
             vec![muscle],
             Target::Opening(vec![Command::Constant(0.0)]),
             0.5,

@@ -9,22 +9,23 @@ use mckibben_core::{
     muscle::{Friction, Muscle},
 };
 use mckibben_motion::*;
+use std::sync::Arc;
 
 #[test]
 fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
     // ∮ P dV = ∮ F dx where the model has a potential: there and back to the same pressure and
     // position.
     let muscle = note_muscle();
-    let (wall, ideal) = (ThickWall::new(&muscle), Ideal::new(&muscle));
-    for model in [&wall as &dyn ForceModel, &ideal] {
+    let wall: Arc<dyn ForceModel> = Arc::new(ThickWall::between_ends(&muscle));
+    for model in [wall, Arc::new(Ideal::between_ends(&muscle))] {
         let load = SingleMuscle {
             damping_n_s_per_m: 200.0,
-            ..SingleMuscle::hanging(model, 5.0)
+            ..SingleMuscle::hanging(&*model, 5.0)
         };
         let target = steps(&[(0.0, 0.1), (0.1, 0.3), (1.5, 0.1)]);
         let mut drive = Drive::new(
-            &load,
-            vec![Actuated::new(model, regulator(0.05))],
+            load.clone(),
+            vec![Actuated::new(model.clone(), regulator(0.05))],
             target,
             4.0,
         );
@@ -61,29 +62,27 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
         (ModelKind::Universal, &muscle),
         (ModelKind::Universal, &slipping),
     ];
-    let models = cases.map(|(kind, muscle)| kind.build(muscle).unwrap());
-    let elements = mckibben_fem::axisymmetric::Axisymmetric::new(&muscle).unwrap();
+    let models = cases.map(|(kind, muscle)| Arc::from(kind.build(muscle).unwrap()));
+    let elements = mckibben_fem::axisymmetric::Axisymmetric::between_ends(&muscle).unwrap();
     // The command is cut where the pulls are compared: steps end there, and what is recorded is the
     // model's own answer at the recorded pressure and contraction (between two steps it is a cubic,
     // which a slow loop leaves by some 1e-6). Rounding remains; ends that slip and elements iterate
     // for their equilibrium, to a share of some 1e-10 of the pull.
-    let models = models
-        .iter()
-        .map(|model| &**model)
-        .chain([&elements as &dyn ForceModel]);
+    let elements: Arc<dyn ForceModel> = Arc::new(elements);
+    let models = models.into_iter().chain([elements]);
     for (model, relative) in models.zip([1e-12, 1e-12, 1e-9, 1e-9]) {
         let spring = SingleMuscle {
             damping_n_s_per_m: 100.0,
             added_mass_kg: 1.0,
             ..SingleMuscle::new(
-                model,
+                &*model,
                 Load::Spring {
                     rate_n_per_mm: 5.0,
                     preload_n: 0.0,
                 },
             )
         };
-        let mut driven = Actuated::new(model, regulator(0.02));
+        let mut driven = Actuated::new(model.clone(), regulator(0.02));
         driven.friction = Some(friction);
         let ramps = Command::Ramps(vec![
             (0.0, 0.1),
@@ -92,7 +91,12 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
             (30.0, 0.25),
             (40.0, 0.1),
         ]);
-        let mut drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![ramps]), 40.0);
+        let mut drive = Drive::new(
+            spring.clone(),
+            vec![driven],
+            Target::Pressure(vec![ramps]),
+            40.0,
+        );
         drive.tolerance = 1e-8;
         let motion = ran(&drive);
         for (t, direction) in [
@@ -105,7 +109,9 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
                 motion.series.muscles[0].contraction[i],
             );
             let w = &mut mckibben_core::model::Workspace::new();
-            let expected = Evaluation::new(model, w, direction).force_n(p, e).unwrap();
+            let expected = Evaluation::new(&*model, w, direction)
+                .force_n(p, e)
+                .unwrap();
             assert!((model.force_n(w, p, e).unwrap() / expected - 1.0).abs() > 0.02);
             close(motion.series.muscles[0].force_n[i], expected, relative);
         }
@@ -126,9 +132,9 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
 #[test]
 fn identity_a_muscle_does_not_creep_under_a_load_and_small_oscillations() {
     let muscle = note_muscle();
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let load = damped(&model, 200.0 / 9.80665, 400.0, (-1e3, 1e3));
-    let mut driven = Actuated::new(&model, regulator(0.02));
+    let mut driven = Actuated::new(model.clone(), regulator(0.02));
     driven.friction = Some(Friction::power_law(71.46, 0.56));
     let sine = Command::Sine {
         mean: 0.175,
@@ -136,7 +142,12 @@ fn identity_a_muscle_does_not_creep_under_a_load_and_small_oscillations() {
         frequency_hz: 0.5,
         phase_rad: 0.0,
     };
-    let mut drive = Drive::new(&load, vec![driven], Target::Pressure(vec![sine]), 60.0);
+    let mut drive = Drive::new(
+        load.clone(),
+        vec![driven],
+        Target::Pressure(vec![sine]),
+        60.0,
+    );
     drive.output_step_s = 2.0;
     let ends = ran(&drive).series.muscles[0].contraction.clone();
     let creep = ends[3..]
@@ -155,15 +166,15 @@ fn identity_a_muscle_does_not_creep_under_a_load_and_small_oscillations() {
 fn closed_form_presliding_stiffens_the_linear_system() {
     use mckibben_core::model::{Workspace, pivoting_n_per_mm};
     let muscle = note_muscle();
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let load = SingleMuscle::hanging(&model, 10.0);
-    let mut driven = Actuated::new(&model, regulator(0.02));
+    let mut driven = Actuated::new(model.clone(), regulator(0.02));
     driven.friction = Some(Friction {
         lever_mm: 0.8,
         presliding_mm: Some(0.7),
         ..Friction::power_law(10.0, 0.7)
     });
-    let drive = Drive::new(&load, vec![driven], steps(&[(0.0, 0.3)]), 1.0);
+    let drive = Drive::new(load.clone(), vec![driven], steps(&[(0.0, 0.3)]), 1.0);
     let e = equilibrium(&drive, &[0.3]).unwrap().coordinate / 220.0;
     let w = &mut Workspace::new();
     let k = model
@@ -191,8 +202,8 @@ fn closed_form_an_impact_loses_its_kinetic_energy_and_a_stop_holds() {
         ..SingleMuscle::hanging(&model, 2.0)
     };
     let mut drive = Drive::new(
-        &load,
-        vec![Actuated::new(&model, regulator(0.1))],
+        load.clone(),
+        vec![Actuated::new(model.clone(), regulator(0.1))],
         steps(&[(0.0, 0.1)]),
         0.2,
     );
@@ -218,18 +229,18 @@ fn closed_form_an_impact_loses_its_kinetic_energy_and_a_stop_holds() {
 #[test]
 fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
     // An inflated muscle that throws a light mass up: it goes slack, the mass flies, and is caught.
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = SingleMuscle {
         ..SingleMuscle::hanging(&*model, 3.0)
     };
-    let mut muscle = Actuated::new(&*model, valve());
+    let mut muscle = Actuated::new(model.clone(), valve());
     muscle.fluid = Fluid::Air(Air {
         heat: Heat::Adiabatic,
         ..Air::default()
     });
     muscle.initial_pressure_mpa = Some(0.2);
     let target = Target::Opening(vec![Command::Constant(0.0)]);
-    let mut drive = Drive::new(&load, vec![muscle], target, 1.0);
+    let mut drive = Drive::new(load.clone(), vec![muscle], target, 1.0);
     drive.initial_coordinate = Some(20.0);
     drive.tolerance = 1e-9;
     let motion = ran(&drive);
@@ -280,12 +291,17 @@ fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
 
 #[test]
 fn identity_two_antagonists_rest_at_zero_and_oscillate_by_their_stiffness() {
-    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal.build(&note_muscle()).unwrap().into();
     let joint = elbow(0.0);
-    let muscle = Actuated::new(&*model, regulator(0.01));
+    let muscle = Actuated::new(model.clone(), regulator(0.01));
     let both = |a: f64, b: f64| {
         let target = Target::Pressure(vec![Command::Constant(a), Command::Constant(b)]);
-        Drive::new(&joint, vec![muscle.clone(), muscle.clone()], target, 0.5)
+        Drive::new(
+            joint.clone(),
+            vec![muscle.clone(), muscle.clone()],
+            target,
+            0.5,
+        )
     };
     let at = equilibrium(&both(0.3, 0.3), &[0.3, 0.3]).unwrap();
     assert!(at.coordinate.abs() < 1e-10, "{}", at.coordinate);
@@ -314,14 +330,19 @@ fn identity_two_antagonists_rest_at_zero_and_oscillate_by_their_stiffness() {
 fn closed_form_relaxation_of_the_rubber() {
     // Held, its pressure goes up by a step: the pull is above the static one by g F_w e^(−t/τ) in
     // the end.
-    let model = ThickWall::new(&note_muscle());
+    let model = ThickWall::between_ends(&note_muscle());
     let held = SingleMuscle::held(&model);
-    let mut muscle = Actuated::new(&model, regulator(0.001));
+    let mut muscle = Actuated::new(model.clone(), regulator(0.001));
     muscle.rubber = Prony(vec![Branch {
         share: 0.3,
         time_constant_s: 0.2,
     }]);
-    let mut drive = Drive::new(&held, vec![muscle], steps(&[(0.0, 0.1), (0.1, 0.3)]), 1.0);
+    let mut drive = Drive::new(
+        held.clone(),
+        vec![muscle],
+        steps(&[(0.0, 0.1), (0.1, 0.3)]),
+        1.0,
+    );
     drive.initial_coordinate = Some(22.0);
     drive.tolerance = 1e-9;
     let motion = ran(&drive);
@@ -337,7 +358,7 @@ fn closed_form_relaxation_of_the_rubber() {
         motion.series.muscles[0].force_n[i] - still
     };
     close(excess(0.6) / excess(0.4), (-1.0_f64).exp(), 1e-5);
-    let ideal = Ideal::new(&note_muscle());
+    let ideal = Ideal::between_ends(&note_muscle());
     let wall = |p: f64| {
         model
             .force_n(&mut mckibben_core::model::Workspace::new(), p, 0.1)
@@ -354,10 +375,18 @@ fn closed_form_relaxation_of_the_rubber() {
 
 #[test]
 fn a_muscle_lifts_a_mass_from_its_stop() {
-    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal
+        .build(&Muscle::prototype())
+        .unwrap()
+        .into();
     let load = damped(&*model, 10.0, 400.0, (0.0, 100.0));
     let target = steps(&[(0.0, 0.0), (0.1, 0.3)]);
-    let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 1.0);
+    let drive = Drive::new(
+        load.clone(),
+        vec![Actuated::new(model.clone(), valve())],
+        target,
+        1.0,
+    );
     let motion = ran(&drive);
     // It leaves the stop where the pull is the weight.
     let lifted = motion
@@ -431,7 +460,7 @@ fn identity_a_joints_load_is_the_slope_of_its_energy_and_its_arms_that_of_its_co
 /// way.
 #[test]
 fn identity_a_syringe_stores_what_filling_needs_and_its_volume_is_the_cavitys() {
-    let model = ThickWall::new(&Muscle::prototype());
+    let model = ThickWall::between_ends(&Muscle::prototype());
     let held = SingleMuscle::held(&model);
     let liquid = Liquid::named("water", 0.0).unwrap();
     let fluid = Fluid::Liquid(LiquidFill {
@@ -446,11 +475,11 @@ fn identity_a_syringe_stores_what_filling_needs_and_its_volume_is_the_cavitys() 
     let pushed = |until_s: f64| {
         let muscle = Actuated {
             fluid: fluid.clone(),
-            ..Actuated::new(&model, syringe)
+            ..Actuated::new(model.clone(), syringe)
         };
         let command = Command::Steps(vec![(0.0, 0.0), (0.01, 40e3), (1.0, 10e3)]);
         ran(&Drive::new(
-            &held,
+            held.clone(),
             vec![muscle],
             Target::Volume(vec![command]),
             until_s,
@@ -487,7 +516,7 @@ fn identity_a_syringe_stores_what_filling_needs_and_its_volume_is_the_cavitys() 
 /// elements that followed the pressure it gave up to 4 mJ a cycle.
 #[test]
 fn bound_friction_of_a_joint_gives_no_work_while_the_pressures_swing() {
-    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::Universal.build(&note_muscle()).unwrap().into();
     let joint = elbow(0.3);
     let mut given = f64::INFINITY;
     for k in 0..8 {
@@ -501,7 +530,7 @@ fn bound_friction_of_a_joint_gives_no_work_while_the_pressures_swing() {
             };
             Command::Ramps((0..=80).map(at).collect())
         };
-        let mut muscle = Actuated::new(&*model, regulator(0.02));
+        let mut muscle = Actuated::new(model.clone(), regulator(0.02));
         muscle.friction = Some(Friction {
             presliding_mm: Some(2.0),
             ..Friction::power_law(71.46, 0.56)
@@ -509,7 +538,7 @@ fn bound_friction_of_a_joint_gives_no_work_while_the_pressures_swing() {
         let target = Target::Pressure(vec![command(1.0), command(-1.0)]);
         let drive = |until_s: f64| {
             Drive::new(
-                &joint,
+                joint.clone(),
                 vec![muscle.clone(), muscle.clone()],
                 target.clone(),
                 until_s,

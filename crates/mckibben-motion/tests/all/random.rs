@@ -1,8 +1,13 @@
 //! Drives of all kinds, drawn from a fixed seed.
 
 use crate::support::{note_muscle, regulator, sprung, steps};
-use mckibben_core::{model::ModelKind, muscle::Friction, progress::Silent};
+use mckibben_core::{
+    model::{ForceModel, ModelKind},
+    muscle::Friction,
+    progress::Silent,
+};
 use mckibben_motion::*;
+use std::sync::Arc;
 
 /// Numbers in 0 … 1, always the same.
 struct Draw(u64);
@@ -93,7 +98,7 @@ impl Draw {
 
 #[test]
 fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let draw = &mut Draw(12345);
     for _ in 0..100 {
         let load = SingleMuscle {
@@ -110,7 +115,7 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
         };
         let actuator = draw.actuator();
         let target = draw.target(matches!(actuator, Actuator::Regulator { .. }));
-        let mut muscle = Actuated::new(&*model, actuator);
+        let mut muscle = Actuated::new(model.clone(), actuator);
         let dead_volume_mm3 = 20e3 * draw.next();
         let heat = match (4.0 * draw.next()) as u32 {
             0 => Heat::Adiabatic,
@@ -141,7 +146,10 @@ fn identity_random_drives_come_to_their_end_with_their_air_and_energy() {
             "{actuator:?} {target:?} {load:?} {:?} {:?}",
             muscle.fluid, muscle.friction
         );
-        let motion = match run(&Drive::new(&load, vec![muscle], target, 1.0), &Silent) {
+        let motion = match run(
+            &Drive::new(load.clone(), vec![muscle], target, 1.0),
+            &Silent,
+        ) {
             Ok(motion) => motion,
             Err(MotionError::NeverLifted(_)) => continue,
             Err(error) => panic!("{error}: {said}"),

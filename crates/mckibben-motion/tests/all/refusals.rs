@@ -1,8 +1,14 @@
 //! What is refused, and how it is said.
 
 use crate::support::{note_muscle, regulator, steps, valve};
-use mckibben_core::{cancel::Cancel, load::Load, model::ModelKind, progress::Silent};
+use mckibben_core::{
+    cancel::Cancel,
+    load::Load,
+    model::{ForceModel, ModelKind},
+    progress::Silent,
+};
 use mckibben_motion::{verification::Vessel, *};
+use std::sync::Arc;
 
 #[test]
 fn commands_with_times_that_go_back_or_no_numbers_are_refused() {
@@ -21,14 +27,20 @@ fn commands_with_times_that_go_back_or_no_numbers_are_refused() {
 
 #[test]
 fn what_cannot_be_is_said_with_its_values() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = SingleMuscle {
         stops_mm: (0.0, 90.0),
         ..SingleMuscle::hanging(&*model, 5.0)
     };
-    let drive =
-        |target, actuator| Drive::new(&load, vec![Actuated::new(&*model, actuator)], target, 0.5);
-    let refused = |drive: &Drive<'_>| run(drive, &Silent).unwrap_err();
+    let drive = |target, actuator| {
+        Drive::new(
+            load.clone(),
+            vec![Actuated::new(model.clone(), actuator)],
+            target,
+            0.5,
+        )
+    };
+    let refused = |drive: &Drive| run(drive, &Silent).unwrap_err();
 
     let error = refused(&drive(steps(&[(0.0, 0.0), (0.1, 0.8)]), valve()));
     assert!(
@@ -64,7 +76,7 @@ fn what_cannot_be_is_said_with_its_values() {
         ..SingleMuscle::hanging(&*model, 60.0)
     };
     let drive = Drive {
-        mechanism: &heavy,
+        mechanism: Arc::new(heavy),
         ..drive(steps(&[(0.0, 0.0), (0.1, 0.1)]), valve())
     };
     let error = refused(&drive);
@@ -79,7 +91,7 @@ fn what_cannot_be_is_said_with_its_values() {
     let mut none = Vessel::default();
     none.volume_mm3 = None;
     let drive = Drive {
-        muscles: vec![Actuated::new(&none, valve())],
+        muscles: vec![Actuated::new(none.clone(), valve())],
         ..drive
     };
     assert!(
@@ -91,13 +103,18 @@ fn what_cannot_be_is_said_with_its_values() {
 
 #[test]
 fn a_run_ends_where_it_is_cancelled_too_long_or_too_slow() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = SingleMuscle {
         stops_mm: (0.0, 90.0),
         ..SingleMuscle::hanging(&*model, 5.0)
     };
     let target = steps(&[(0.0, 0.0), (0.1, 0.2)]);
-    let mut drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 0.5);
+    let mut drive = Drive::new(
+        load.clone(),
+        vec![Actuated::new(model.clone(), valve())],
+        target,
+        0.5,
+    );
     let cancel = Cancel::default();
     cancel.cancel();
     {
@@ -121,14 +138,14 @@ fn a_run_ends_where_it_is_cancelled_too_long_or_too_slow() {
 fn a_model_without_answer_ends_the_run_with_time_and_state() {
     // Thrown against nothing: an unlimited pull stretches the muscle past where its strands are
     // straight.
-    let model = mckibben_core::model::Ideal::new(&note_muscle());
+    let model = mckibben_core::model::Ideal::between_ends(&note_muscle());
     let load = SingleMuscle {
         added_mass_kg: 5.0,
         ..SingleMuscle::new(&model, Load::Force { force_n: 1e5 })
     };
     let mut drive = Drive::new(
-        &load,
-        vec![Actuated::new(&model, regulator(0.1))],
+        load.clone(),
+        vec![Actuated::new(model.clone(), regulator(0.1))],
         steps(&[(0.0, 0.3)]),
         0.5,
     );

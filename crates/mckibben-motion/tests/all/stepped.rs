@@ -7,12 +7,13 @@ use mckibben_core::{
     progress::Silent,
 };
 use mckibben_motion::*;
+use std::sync::Arc;
 
 const STEP_S: f64 = 0.05;
 /// In MPa: the load lies on the stop and is lifted within a step.
 const COMMANDS: [f64; 8] = [0.0, 0.1, 0.2, 0.2, 0.0, 0.0, 0.0, 0.15];
 
-fn drive<'a>(load: &'a SingleMuscle, model: &'a dyn ForceModel, actuator: Actuator) -> Drive<'a> {
+fn drive(load: &SingleMuscle, model: &Arc<dyn ForceModel>, actuator: Actuator) -> Drive {
     let points: Vec<(f64, f64)> = COMMANDS
         .iter()
         .enumerate()
@@ -22,39 +23,31 @@ fn drive<'a>(load: &'a SingleMuscle, model: &'a dyn ForceModel, actuator: Actuat
     // Its memory is part of the state.
     let muscle = Actuated {
         friction: Some(Friction::power_law(20.0, 0.7)),
-        ..Actuated::new(model, actuator)
+        ..Actuated::new(model.clone(), actuator)
     };
     Drive {
         output_step_s: STEP_S,
-        ..Drive::new(load, vec![muscle], steps(&points), until_s)
+        ..Drive::new(load.clone(), vec![muscle], steps(&points), until_s)
     }
 }
 
-fn stepped(simulation: &mut Simulation, drive: &Drive<'_>, commands: &[f64]) {
+fn stepped(simulation: &mut Simulation, commands: &[f64]) {
     for command in commands {
-        let target = drive.target.constant(&[*command]).unwrap();
-        simulation
-            .step(
-                &Drive {
-                    target,
-                    ..drive.clone()
-                },
-                &Silent,
-            )
-            .unwrap();
+        simulation.step(&[*command]).unwrap();
     }
 }
 
 #[test]
 fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
     for actuator in [regulator(0.01), valve()] {
-        let drive = drive(&load, &*model, actuator);
-        let (motion, mut simulation) = (ran(&drive), Simulation::new(&drive, &Silent).unwrap());
-        stepped(&mut simulation, &drive, &COMMANDS[..4]);
-        let mut copy = simulation.duplicate();
-        stepped(&mut simulation, &drive, &COMMANDS[4..]);
+        let drive = drive(&load, &model, actuator);
+        let (motion, mut simulation) = (ran(&drive), Simulation::new(&drive).unwrap());
+        stepped(&mut simulation, &COMMANDS[..4]);
+        let mut copy = simulation.clone();
+        copy.forget();
+        stepped(&mut simulation, &COMMANDS[4..]);
         assert_eq!(simulation.motion().series, motion.series);
         let events = |m: &Motion| {
             m.events
@@ -63,7 +56,7 @@ fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
                 .collect::<Vec<_>>()
         };
         assert_eq!(events(simulation.motion()), events(&motion));
-        stepped(&mut copy, &drive, &COMMANDS[4..]);
+        stepped(&mut copy, &COMMANDS[4..]);
         let rows = (0..).map_while(|i| copy.motion().series.row(i));
         assert!(rows.eq((4..).map_while(|i| motion.series.row(i))));
         assert!(
@@ -76,36 +69,20 @@ fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
 
 #[test]
 fn a_step_that_fails_leaves_all_as_it_was() {
-    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
     let load = SingleMuscle {
         stops_mm: (0.0, 90.0),
         ..SingleMuscle::hanging(&*model, 5.0)
     };
-    let drive = drive(&load, &*model, regulator(0.01));
-    let mut simulation = Simulation::new(&drive, &Silent).unwrap();
-    stepped(&mut simulation, &drive, &COMMANDS[..3]);
-    let before = (
-        simulation.motion().series.clone(),
-        simulation.time_s(&drive),
-    );
-    assert!(
-        simulation
-            .step(
-                &Drive {
-                    outside_force: f64::NAN,
-                    ..drive.clone()
-                },
-                &Silent
-            )
-            .is_err()
-    );
+    let drive = drive(&load, &model, regulator(0.01));
+    let mut simulation = Simulation::new(&drive).unwrap();
+    stepped(&mut simulation, &COMMANDS[..3]);
+    let before = (simulation.motion().series.clone(), simulation.time_s());
+    assert!(simulation.step_against(&[0.1], f64::NAN, &Silent).is_err());
     assert_eq!(
-        (
-            simulation.motion().series.clone(),
-            simulation.time_s(&drive)
-        ),
+        (simulation.motion().series.clone(), simulation.time_s()),
         before
     );
-    stepped(&mut simulation, &drive, &COMMANDS[3..]);
+    stepped(&mut simulation, &COMMANDS[3..]);
     assert_eq!(simulation.motion().series, ran(&drive).series);
 }

@@ -9,7 +9,7 @@ use mckibben_core::{
 use mckibben_motion::*;
 
 /// Runs, or says why not.
-pub fn ran(drive: &Drive<'_>) -> Motion {
+pub fn ran(drive: &Drive) -> Motion {
     run(drive, &mckibben_core::progress::Silent).unwrap()
 }
 

@@ -65,7 +65,7 @@ fn drawn(count: usize, seed: u64, kind: usize) -> Vec<Sample> {
 }
 
 fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
-    let fe = Axisymmetric::new(muscle).ok()?;
+    let fe = Axisymmetric::between_ends(muscle).ok()?;
     let workspace = &mut Workspace::new();
     let blocked_n = fe
         .force_n(workspace, pressure_mpa, 0.0)
@@ -113,12 +113,16 @@ pub fn held_out(samples: &[Sample]) -> Vec<HeldOutRow> {
             stiffness: BraidStiffness::Inextensible,
             ..m.braid().clone()
         };
-        Some(Box::new(ThickWall::new(&m.with_braid(braid).ok()?)))
+        Some(Box::new(ThickWall::between_ends(
+            &m.with_braid(braid).ok()?,
+        )))
     };
     let models: [(&str, Build<'_>); 5] = [
-        ("ideal", &|m| Some(Box::new(Ideal::new(m)))),
+        ("ideal", &|m| Some(Box::new(Ideal::between_ends(m)))),
         ("thick-wall, strands that do not stretch", &rigid),
-        ("thick-wall", &|m| Some(Box::new(ThickWall::new(m)))),
+        ("thick-wall", &|m| {
+            Some(Box::new(ThickWall::between_ends(m)))
+        }),
         ("universal-small", &|m| {
             ModelKind::UniversalSmall.build(m).ok()
         }),

@@ -129,7 +129,7 @@ pub fn universal(
     let errors = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
         let build = |s: &Sample| -> Option<Box<dyn ForceModel>> {
             chosen(s.number).then(|| {
-                Box::new(Universal::new(formula.clone(), &s.muscle)) as Box<dyn ForceModel>
+                Box::new(Universal::between_ends(formula.clone(), &s.muscle)) as Box<dyn ForceModel>
             })
         };
         shares(samples, build, |s, p| inside(s, p, &empty.range, 0.0))
@@ -195,7 +195,7 @@ fn range(samples: &[Sample]) -> UniversalRange {
 fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]]) -> Vec<Equation> {
     let formula = Arc::new(empty.clone());
     let equations = |s: &Sample| {
-        let model = Universal::new(formula.clone(), &s.muscle);
+        let model = Universal::between_ends(formula.clone(), &s.muscle);
         let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
         let equation = |p: &PullPoint| {
             let pressure = p.pressure_mpa;

@@ -30,7 +30,7 @@ fn filling(liquid: &Liquid, volume_mm3: f64) -> Filling<'_> {
 /// F/A(ε); the pump lifts the weight and nothing else.
 #[test]
 fn the_ideal_muscle_goes_where_its_volume_is() {
-    let model = Ideal::new(&Muscle::prototype());
+    let model = Ideal::between_ends(&Muscle::prototype());
     let w = &mut Workspace::new();
     let liquid = stiff();
     for e in [0.02, 0.1, 0.2] {
@@ -68,7 +68,7 @@ fn the_ideal_muscle_goes_where_its_volume_is() {
 /// dead volume.
 #[test]
 fn a_stroke_with_a_stiff_liquid_takes_what_the_cavity_grows_by() {
-    let model = Ideal::new(&Muscle::prototype());
+    let model = Ideal::between_ends(&Muscle::prototype());
     let w = &mut Workspace::new();
     let supply = LiquidSupply {
         liquid: stiff(),
@@ -90,7 +90,7 @@ fn a_stroke_with_a_stiff_liquid_takes_what_the_cavity_grows_by() {
 /// and with 2 % of gas at 3 atmospheres over the first φ = 0.98 exp(−3 pa/K) + 0.005.
 #[test]
 fn a_held_ideal_muscle_compresses_the_liquid() {
-    let model = Ideal::new(&Muscle::prototype());
+    let model = Ideal::between_ends(&Muscle::prototype());
     let w = &mut Workspace::new();
     let water = Liquid::named("water", 0.0).unwrap();
     let dead = 5000.0;
@@ -143,7 +143,7 @@ fn the_thick_wall_goes_where_an_independent_script_has_it() {
         None,
     )
     .unwrap();
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let w = &mut Workspace::new();
     let load = Load::Force { force_n: 500.0 };
     let water = Liquid::named("water", 0.01).unwrap();
@@ -197,7 +197,7 @@ fn the_thick_wall_goes_where_an_independent_script_has_it() {
 fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
     let muscle = Muscle::prototype();
     let w = &mut Workspace::new();
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let length = muscle.length_mm();
     let spring = Load::Spring {
         rate_n_per_mm: 6.0,
@@ -273,7 +273,7 @@ fn the_work_of_the_pump_is_stored_or_lifts_the_load() {
 fn shut_in_the_muscle_has_the_slope_of_its_pull_at_constant_volume() {
     let friction = Friction::power_law(10.0, 0.7);
     let muscle = Muscle::prototype().with_friction(Some(friction)).unwrap();
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let w = &mut Workspace::new();
     for (gas, direction) in [
         (0.0, Direction::Mean),
@@ -309,7 +309,7 @@ fn shut_in_the_muscle_has_the_slope_of_its_pull_at_constant_volume() {
 /// The load is lifted at the pressure that `pressure_at` gives, and below it the muscle rests.
 #[test]
 fn a_small_volume_does_not_lift_the_load() {
-    let model = ThickWall::new(&Muscle::prototype());
+    let model = ThickWall::between_ends(&Muscle::prototype());
     let w = &mut Workspace::new();
     let water = Liquid::named("water", 0.0).unwrap();
     let given = Filling {
@@ -331,7 +331,7 @@ fn a_small_volume_does_not_lift_the_load() {
 
 #[test]
 fn what_has_no_answer_is_told_with_its_numbers() {
-    let model = ThickWall::new(&Muscle::prototype());
+    let model = ThickWall::between_ends(&Muscle::prototype());
     let w = &mut Workspace::new();
     let water = Liquid::named("water", 0.0).unwrap();
     let much = Evaluation::new(&model, w, Options::default())
@@ -413,7 +413,7 @@ fn a_muscle_that_extends_grows_longer() {
         ..Braid::paper()
     };
     let muscle = Muscle::prototype().with_braid(braid).unwrap();
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let w = &mut Workspace::new();
     let liquid = stiff();
     let given = filling(&liquid, 20_000.0);

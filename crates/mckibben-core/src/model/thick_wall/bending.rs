@@ -64,7 +64,7 @@ mod tests {
             stiffness,
             ..m.braid().clone()
         };
-        ThickWall::new(&m.with_braid(braid).unwrap())
+        ThickWall::between_ends(&m.with_braid(braid).unwrap())
     }
 
     /// A beam of incompressible rubber at rest: E I = 3 μ π (Ro⁴ − Ri⁴)/4, at any wall.

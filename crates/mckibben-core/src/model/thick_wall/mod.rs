@@ -80,7 +80,7 @@ impl ThickWall {
     /// The thick-wall model of a muscle,
     /// of what is between its ends; where its terminals state a seating, a slip or a grip,
     /// [`with_ends`](crate::model::with_ends) makes the model of the whole muscle.
-    pub fn new(muscle: &Muscle) -> Self {
+    pub fn between_ends(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let lay = muscle.strand_lay();
         let k = muscle.family_stiffness_n_per_mm();

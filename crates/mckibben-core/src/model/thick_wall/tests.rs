@@ -25,7 +25,7 @@ fn muscle(stiffness: BraidStiffness) -> Muscle {
 /// Verification G: A = 8, B = 9.5, α = 25°, p = 0.3 (kinematics of Liu & Rahn 2003 \[liu2003\]).
 #[test]
 fn verification_g_rigid_strands() {
-    let model = ThickWall::new(&muscle(BraidStiffness::Inextensible));
+    let model = ThickWall::between_ends(&muscle(BraidStiffness::Inextensible));
     let rows = [
         (1.00, 697.295254, 8.0, 9.5),
         (0.95, 535.363511, 10.15312534, 11.43317686),
@@ -55,12 +55,12 @@ fn verification_g_rigid_strands() {
 
 #[test]
 fn strands_that_stretch_tend_to_rigid_ones_like_1_over_k() {
-    let rigid = ThickWall::new(&muscle(BraidStiffness::Inextensible));
+    let rigid = ThickWall::between_ends(&muscle(BraidStiffness::Inextensible));
     for e in [0.0, 0.1, 0.2] {
         let exact = rigid.response(&mut Workspace::new(), 0.3, e).unwrap();
         let mut before = f64::NAN;
         for k in [1e4, 1e5, 1e6, 1e7] {
-            let soft = ThickWall::new(&muscle(BraidStiffness::NewtonPerMm(k)))
+            let soft = ThickWall::between_ends(&muscle(BraidStiffness::NewtonPerMm(k)))
                 .response(&mut Workspace::new(), 0.3, e)
                 .unwrap();
             let error = exact.force_n - soft.force_n;
@@ -95,7 +95,7 @@ fn derivatives_are_those_of_finite_differences_and_maxwell_holds() {
         m.with_braid(braid).unwrap()
     };
     for m in [lain(&rigid, None), lain(&soft, crimp), rigid, soft] {
-        let model = ThickWall::new(&m);
+        let model = ThickWall::between_ends(&m);
         let p = 0.3;
         let e = 0.12;
         let h = 1e-5;
@@ -123,7 +123,7 @@ fn without_rubber_the_strands_carry_all() {
     let m = muscle(BraidStiffness::NewtonPerMm(300.0))
         .with_tube(tube)
         .unwrap();
-    let response = ThickWall::new(&m)
+    let response = ThickWall::between_ends(&m)
         .response(&mut Workspace::new(), 0.3, 0.1)
         .unwrap();
     let d = response.bulged_diameter_mm.unwrap();
@@ -141,7 +141,7 @@ fn without_rubber_the_strands_carry_all() {
 
 #[test]
 fn soft_strands_and_high_pressure_end_in_a_typed_error() {
-    let model = ThickWall::new(&muscle(BraidStiffness::NewtonPerMm(1.0)));
+    let model = ThickWall::between_ends(&muscle(BraidStiffness::NewtonPerMm(1.0)));
     assert!(
         matches!(
             model.force_n(&mut Workspace::new(), 1.0, 0.0),
@@ -166,7 +166,7 @@ fn without_pressure_a_shortened_tube_leaves_the_braid_and_pushes() {
         BraidStiffness::Inextensible,
         BraidStiffness::NewtonPerMm(200.0),
     ] {
-        let model = ThickWall::new(&muscle(stiffness));
+        let model = ThickWall::between_ends(&muscle(stiffness));
         let response = model.response(&mut Workspace::new(), 0.0, 0.1).unwrap();
         // Uniaxial compression of the rubber alone: nominal stress × section.
         let law = MooneyRivlin {
@@ -200,7 +200,7 @@ fn without_rubber_a_thick_braid_pulls_as_the_work_of_the_pressure_says() {
             thickness_mm,
             ..Braid::paper()
         };
-        ThickWall::new(&Muscle::new(tube, braid, Terminals::default(), None).unwrap())
+        ThickWall::between_ends(&Muscle::new(tube, braid, Terminals::default(), None).unwrap())
     };
     for (t, e) in [(0.3, 0.0), (0.3, 0.2), (1.2, 0.1)] {
         let cos = (1.0 - e) * 20f64.to_radians().cos();
@@ -230,8 +230,8 @@ fn a_sleeve_of_the_tubes_own_diameter_and_no_thickness_leave_every_digit() {
             thickness_mm: 0.0,
             ..m.braid().clone()
         };
-        let other = ThickWall::new(&m.with_braid(same).unwrap());
-        let model = ThickWall::new(&m);
+        let other = ThickWall::between_ends(&m.with_braid(same).unwrap());
+        let model = ThickWall::between_ends(&m);
         for (p, e) in [(0.1, 0.0), (0.3, 0.12), (0.0, 0.1)] {
             let response = |model: &ThickWall| model.response(&mut Workspace::new(), p, e).unwrap();
             assert_eq!(response(&model), response(&other));
@@ -270,7 +270,7 @@ fn a_thin_tube_with_a_prestretch_is_the_membrane() {
     let sin2 = 25f64.to_radians().sin().powi(2);
     let cos2 = 25f64.to_radians().cos().powi(2);
     for stretch in [0.8, 1.0, 1.25] {
-        let model = ThickWall::new(&prestretched(
+        let model = ThickWall::between_ends(&prestretched(
             wall,
             mu,
             BraidStiffness::Inextensible,
@@ -302,7 +302,7 @@ fn without_pressure_it_pulls_as_in_a_tension_test() {
     ] {
         for stretch in [0.9, 1.1, 1.4] {
             let m = prestretched(wall, 0.4, stiffness, stretch);
-            let force = ThickWall::new(&m)
+            let force = ThickWall::between_ends(&m)
                 .force_n(&mut Workspace::new(), 0.0, 0.0)
                 .unwrap();
             let section = PI * (9.5f64.powi(2) - (9.5 - wall).powi(2));
@@ -342,7 +342,7 @@ fn with_a_prestretch_the_pull_is_the_slope_of_the_energy() {
                 ..m.tube().clone()
             })
             .unwrap();
-        let model = ThickWall::new(&m);
+        let model = ThickWall::between_ends(&m);
         let p = 0.3;
         let l = 0.9;
         let h = 1e-5;

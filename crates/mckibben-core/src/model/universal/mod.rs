@@ -84,13 +84,13 @@ pub struct Universal {
 impl Universal {
     /// The formula for what is between the ends of one muscle; where its terminals state a seating,
     /// a slip or a grip, [`with_ends`](crate::model::with_ends) makes the model of the whole muscle.
-    pub fn new(formula: Arc<UniversalFormula>, muscle: &Muscle) -> Self {
+    pub fn between_ends(formula: Arc<UniversalFormula>, muscle: &Muscle) -> Self {
         let tube = muscle.tube();
         let ro = tube.outer_radius_mm();
         let mu = muscle.rubber().law.shear_modulus_mpa();
         let wall = tube.wall_mm / ro;
         let zone = EndZone {
-            wall: ThickWall::new(muscle),
+            wall: ThickWall::between_ends(muscle),
             ro,
             scale: 2.0 * PI * ro * tube.wall_mm * mu,
             half: 0.5 * tube.length_mm,

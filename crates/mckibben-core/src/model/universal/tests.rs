@@ -46,7 +46,7 @@ fn a_long_muscle_is_an_endless_one() {
         {
             let off = |length: f64| {
                 let m = muscle(1.5, length, 25.0, mooney(0.3), stiffness);
-                let endless = ThickWall::new(&m);
+                let endless = ThickWall::between_ends(&m);
                 (force(kind, &m, 0.3, e) - endless.force_n(&mut Workspace::new(), 0.3, e).unwrap())
                     .abs()
                     / endless.force_n(&mut Workspace::new(), 0.3, 0.0).unwrap()
@@ -72,8 +72,8 @@ fn a_long_muscle_of_soft_rubber_and_stiff_strands_is_ideal() {
             BraidStiffness::Inextensible,
         ] {
             let m = muscle(1.5, 2e9, 25.0, mooney(3e-8), stiffness);
-            let ideal = Ideal::new(&m).pull(0.3, e);
-            let blocked = Ideal::new(&m).pull(0.3, 0.0);
+            let ideal = Ideal::between_ends(&m).pull(0.3, e);
+            let blocked = Ideal::between_ends(&m).pull(0.3, 0.0);
             let f = force(kind, &m, 0.3, e);
             assert!(
                 (f - ideal).abs() < 3e-6 * blocked,
@@ -305,7 +305,7 @@ fn the_box_names_what_is_outside() {
 }
 
 fn large(m: &Muscle) -> Universal {
-    Universal::new(UniversalFormula::large().unwrap(), m)
+    Universal::between_ends(UniversalFormula::large().unwrap(), m)
 }
 
 /// Muscles over the box, with a pressure each.

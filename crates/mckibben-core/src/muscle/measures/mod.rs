@@ -113,7 +113,9 @@ impl Scale {
             Self::Diameter => factor * muscle.outer_diameter_mm(),
             Self::Bore => factor * muscle.inner_diameter_mm(),
             Self::Length => factor * muscle.length_mm(),
-            Self::LengthPerPull => factor * muscle.length_mm() / Ideal::new(muscle).pull(0.3, 0.0),
+            Self::LengthPerPull => {
+                factor * muscle.length_mm() / Ideal::between_ends(muscle).pull(0.3, 0.0)
+            }
         }
     }
 }

@@ -1,6 +1,8 @@
 //! The list of laws. A law is one file in this folder and one line in the list below.
 
-use super::{Biaxial, HyperelasticCard, LawConstants, LawKind, LawVisitor, Principal, RubberLaw};
+use super::{
+    Biaxial, CustomLaw, HyperelasticCard, LawConstants, LawKind, LawVisitor, Principal, RubberLaw,
+};
 
 /// From `file::Type` of every law: the modules, the enum [`Law`] and what goes to the law that it
 /// holds.
@@ -15,8 +17,11 @@ macro_rules! laws {
         /// [`RubberLaw`]: take the law apart once, outside the quadrature loop
         /// ([`RubberLaw::visit`]).
         #[derive(Debug, Clone, PartialEq)]
+        #[non_exhaustive]
         pub enum Law {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law),)*
+            /// A law of your own ([`Law::custom`]).
+            Custom(CustomLaw),
         }
 
         $(
@@ -35,6 +40,7 @@ macro_rules! laws {
             pub fn kind(&self) -> &'static LawKind {
                 match self {
                     $(Law::$law(_) => const { &LawKind::new::<$law>() },)*
+                    Law::Custom(law) => law.kind(),
                 }
             }
 
@@ -42,6 +48,7 @@ macro_rules! laws {
             pub fn values(&self) -> Vec<f64> {
                 match self {
                     $(Law::$law(law) => law.values(),)*
+                    Law::Custom(law) => law.values(),
                 }
             }
 
@@ -49,6 +56,7 @@ macro_rules! laws {
             pub fn locks_at(&self) -> Option<f64> {
                 match self {
                     $(Law::$law(law) => law.locks_at(),)*
+                    Law::Custom(law) => law.locks_at(),
                 }
             }
 
@@ -56,6 +64,7 @@ macro_rules! laws {
             pub fn card(&self) -> Option<HyperelasticCard> {
                 match self {
                     $(Law::$law(law) => law.card(),)*
+                    Law::Custom(law) => law.card(),
                 }
             }
         }
@@ -64,18 +73,21 @@ macro_rules! laws {
             fn shear_modulus_mpa(&self) -> f64 {
                 match self {
                     $(Law::$law(law) => law.shear_modulus_mpa(),)*
+                    Law::Custom(law) => law.shear_modulus_mpa(),
                 }
             }
 
             fn principal(&self, stretches: [f64; 3]) -> Principal {
                 match self {
                     $(Law::$law(law) => law.principal(stretches),)*
+                    Law::Custom(law) => law.principal(stretches),
                 }
             }
 
             fn biaxial(&self, u: f64, v: f64) -> Biaxial {
                 match self {
                     $(Law::$law(law) => law.biaxial(u, v),)*
+                    Law::Custom(law) => law.biaxial(u, v),
                 }
             }
 
@@ -83,6 +95,7 @@ macro_rules! laws {
             fn visit<V: LawVisitor>(&self, visitor: V) -> V::Output {
                 match self {
                     $(Law::$law(law) => law.visit(visitor),)*
+                    Law::Custom(law) => law.visit(visitor),
                 }
             }
         }

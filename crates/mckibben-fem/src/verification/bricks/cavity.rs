@@ -30,7 +30,7 @@ pub fn follower_pressure(rows: &mut Rows) {
             along: None,
             ..coarse(brick)
         };
-        let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).ok();
+        let model = ThreeDimensional::between_ends_with(&Muscle::prototype(), &spec).ok();
         rows.add(
             format!("{name}, (∫P dV + ∫F dL)/ΔW along a path"),
             1.0,

@@ -35,8 +35,13 @@ pub fn muscle(rows: &mut Rows) {
         keep: Match::Angle,
         ..BrickSpec::default()
     };
-    let pull =
-        |spec: &BrickSpec, p, e| pull(ThreeDimensional::with_mesh(&peers()?, spec).ok()?, p, e);
+    let pull = |spec: &BrickSpec, p, e| {
+        pull(
+            ThreeDimensional::between_ends_with(&peers()?, spec).ok()?,
+            p,
+            e,
+        )
+    };
     for (p, e, force) in [
         (0.25, 0.0, 843.49),
         (0.10, 0.10, 99.37),
@@ -71,8 +76,12 @@ pub fn muscle(rows: &mut Rows) {
 /// F and V of the default mesh against the axisymmetric ones, where the strands are taut.
 fn axisymmetric_limit(rows: &mut Rows, d: f64, s: f64) {
     let muscle = Muscle::prototype().with_section(d, s).ok();
-    let models =
-        muscle.and_then(|m| Some((ThreeDimensional::new(&m).ok()?, Axisymmetric::new(&m).ok()?)));
+    let models = muscle.and_then(|m| {
+        Some((
+            ThreeDimensional::between_ends(&m).ok()?,
+            Axisymmetric::between_ends(&m).ok()?,
+        ))
+    });
     for (p, e) in [
         (0.25, 0.0),
         (0.25, 0.1),
@@ -111,7 +120,11 @@ fn blocked(wall: f64, around: usize) -> Option<f64> {
         keep: Match::Angle,
         ..BrickSpec::default()
     };
-    pull(ThreeDimensional::with_mesh(&muscle, &spec).ok()?, 0.25, 0.0)
+    pull(
+        ThreeDimensional::between_ends_with(&muscle, &spec).ok()?,
+        0.25,
+        0.0,
+    )
 }
 
 /// I. Strands that do not stretch, at rest length: the pull tends to π D0² P (3 cos²θ0 − 1)/(4

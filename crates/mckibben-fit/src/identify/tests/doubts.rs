@@ -478,7 +478,7 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
         for seed in 0..60 {
             let fit = identified(m, names, &noisy(&truth, 4.0, 1 + 7 * seed)).unwrap();
             let muscle = fit.with_bench();
-            let model = ThickWall::new(&muscle);
+            let model = ThickWall::between_ends(&muscle);
             let w = &mut Workspace::new();
             for (i, p) in noisy(&truth, 4.0, 1000 + 13 * seed).iter().enumerate() {
                 // Between the points that were fitted, inside of their range.
@@ -491,7 +491,8 @@ fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
                 let noise = p.at.force_n - truth[i].at.force_n;
                 let pressure = p.at.pressure_mpa;
                 let branch = p.at.direction();
-                let exact = Evaluation::new(&ThickWall::new(m), w, branch).force_n(pressure, e);
+                let exact =
+                    Evaluation::new(&ThickWall::between_ends(m), w, branch).force_n(pressure, e);
                 let measured = exact.unwrap() + noise;
                 let mut model = Evaluation::new(&model, w, branch);
                 let computed = model.force_n(pressure, e).unwrap();

@@ -12,7 +12,7 @@ fn loops(deviation_n: f64, seed: u64) -> Vec<DataPoint> {
     const TURNS: [f64; 5] = [0.02, 0.1, 0.06, 0.09, 0.02];
     const STEP: f64 = 0.25 / 200.0;
     let muscle = soft();
-    let model = ThickWall::new(&muscle);
+    let model = ThickWall::between_ends(&muscle);
     let w = &mut Workspace::new();
     let mut noise = Noise(seed);
     let mut out: Vec<DataPoint> = vec![];

@@ -18,7 +18,7 @@ use mckibben_core::{
 };
 
 fn thick(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(ThickWall::new(m)))
+    Ok(Box::new(ThickWall::between_ends(m)))
 }
 
 fn with_ends(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
@@ -73,7 +73,7 @@ fn pull(pressure_mpa: f64, contraction: f64, force_n: f64) -> DataPoint {
 /// What a bench would read of a muscle, both branches where it has friction; the contraction it
 /// reads is that of the muscle less `offset`.
 fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
-    let model = ThickWall::new(m);
+    let model = ThickWall::between_ends(m);
     let branches: &[Direction] = match m.friction() {
         None => &[Direction::Mean],
         Some(_) => &[Direction::Contraction, Direction::Elongation],
@@ -106,7 +106,7 @@ fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
 
 /// Pulls at twelve contractions of each pressure.
 fn curves(m: &Muscle, pressures: &[f64], step: f64) -> Vec<DataPoint> {
-    let model = ThickWall::new(m);
+    let model = ThickWall::between_ends(m);
     let mut out = vec![];
     for &pressure_mpa in pressures {
         for contraction in (0..12).map(|i| step * f64::from(i)) {
@@ -285,8 +285,11 @@ fn volumes_without_pulls_give_the_angle_and_the_dead_volume() {
     let volume = |p: &DataPoint| {
         let at = &p.at;
         let dead_mm3 = 5000.0;
-        let inside =
-            ThickWall::new(&m).response(&mut Workspace::new(), at.pressure_mpa, at.contraction);
+        let inside = ThickWall::between_ends(&m).response(
+            &mut Workspace::new(),
+            at.pressure_mpa,
+            at.contraction,
+        );
         DataPoint {
             measured: Quantity::Volume,
             volume_mm3: Some(inside.unwrap().volume_mm3.unwrap() + dead_mm3),
@@ -448,7 +451,7 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
     let m = soft();
     let slip = 2e-3;
     let grip = 4.0;
-    let model = ThickWall::new(&m);
+    let model = ThickWall::between_ends(&m);
     let bore = std::f64::consts::PI * m.tube().inner_radius_mm().powi(2);
     let mut points = vec![];
     for length_mm in [150.0, 250.0, 400.0] {
