@@ -1,7 +1,7 @@
 //! The map of an elbow over 100 × 100 pressures: goal 0.1 s by `universal`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mckibben_core::joint::{Joint, JointModel, JointMuscle, Link, Path};
+use mckibben_core::joint::{Joint, BoundJoint, JointMuscle, Link, Path};
 use mckibben_core::model::ModelKind;
 use mckibben_core::muscle::Muscle;
 use mckibben_core::progress::Silent;
@@ -28,7 +28,7 @@ fn map(c: &mut Criterion) {
         let Ok(force) = kind.build(&muscle) else {
             continue;
         };
-        let Ok(model) = JointModel::new(&joint, vec![&*force, &*force], true) else {
+        let Ok(model) = BoundJoint::new(&joint, vec![&*force, &*force], true) else {
             continue;
         };
         group.bench_function(kind.name(), |b| {

@@ -2,14 +2,13 @@
 //! sheet.
 
 use crate::{
-    Contraction, Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
-    ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
-    borne, burst_of,
+    Contraction, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind,
+    Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero, borne,
+    burst_of,
     flags::{self, Args},
     not_measured, number,
     print::{Csv, Page, Rows, Show, Table},
     report::report,
-    said_of,
     units::{JOULES, PERCENT},
     usual_mpa,
 };
@@ -254,7 +253,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     }
     let (mut plan, burst) = planned(request)?;
     plan.expected = expected(&plan)?;
-    let said = said_of(&burst, plan.operating.pressure_mpa, 0.0);
+    let said = burst.warnings(plan.operating.pressure_mpa, 0.0);
     let wrong = |e| ProblemKind::Internal.problem(format!("the drawing cannot be drawn: {e}"));
     let files = mckibben_build::files(&plan).map_err(wrong)?;
     let mut files: Vec<BuiltFile> = files
@@ -388,7 +387,7 @@ fn pull_at(evaluation: &mut Evaluation<'_>, pressure_mpa: f64, contraction: f64)
 
 /// What is expected at the points of the first test, on their branches.
 fn expected(plan: &Plan) -> Result<Vec<PullAt>> {
-    let choice = Model::choose(&ModelFields::default())?;
+    let choice = ModelFields::default().choose()?;
     let model = choice.bound(&plan.muscle)?;
     let one = |point: &TestPoint| {
         cancel::check()?;
@@ -409,7 +408,7 @@ fn operating(
     muscle: &mckibben_core::muscle::Muscle,
     given_mpa: Option<f64>,
 ) -> Result<(Operating, Burst)> {
-    let choice = Model::choose(&ModelFields::default())?;
+    let choice = ModelFields::default().choose()?;
     let model = choice.bound(muscle)?;
     let model = &*model;
     let mut workspace = Workspace::new();

@@ -3,21 +3,17 @@
 
 use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
 use mckibben_build::highest_mpa;
+pub use mckibben_core::analysis::QUIET_MPA;
 use mckibben_core::{
     analysis::{AnalysisError, Burst, FailureMode, FailurePressure, NoBurst, burst},
     cancel,
     model::{ForceModel, ModelError},
     muscle::Muscle,
-    warning::{Warning, WarningKind},
 };
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::Mutex;
 
-/// Pressure in MPa up to which a single point or a curve says nothing of a burst pressure that is
-/// not known: that of a usual supply. Whoever builds (`design`, `check`, `joint`, `motion`,
-/// `build`) reads of it at any pressure.
-pub const QUIET_MPA: f64 = 0.6;
 /// Muscles whose burst pressure is kept.
 const KEPT: usize = 32;
 
@@ -82,43 +78,13 @@ pub fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(),
     if pressure_mpa <= most_mpa {
         return Ok(());
     }
-    let said = said_of(found, pressure_mpa, f64::INFINITY)
+    let said = found
+        .warnings(pressure_mpa, f64::INFINITY)
         .first()
         .map_or_else(String::new, ToString::to_string);
     let hint = "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the \
         burst pressure";
     Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
-}
-
-/// What is said of a burst pressure where the largest pressure is `highest_mpa`; of one that is not
-/// known only above `quiet_mpa`.
-pub fn said_of(found: &Burst, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
-    let above = match (found.least(), found.allowed()) {
-        (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
-            Some(Warning::of_burst(highest_mpa, burst_mpa, by))
-        }
-        (_, Some(allowed)) if highest_mpa > allowed.mpa => {
-            Some(Warning::above_allowed(highest_mpa, allowed))
-        }
-        _ => None,
-    };
-    let unknown = found
-        .not_checked()
-        .filter(|_| highest_mpa > quiet_mpa)
-        .map(Warning::burst_not_checked);
-    above.into_iter().chain(unknown).collect()
-}
-
-/// Puts what is said of a burst before all other warnings, and takes out what it includes.
-pub fn put_first(warnings: &mut Vec<Warning>, said: impl IntoIterator<Item = Warning>) {
-    let first = Warning::gravest(&said.into_iter().collect::<Vec<_>>());
-    if first.iter().any(|w| w.kind == WarningKind::Burst) {
-        warnings.retain(|w| w.kind != WarningKind::StrandsBreak);
-    }
-    if first.iter().any(|w| w.kind == WarningKind::AboveAllowed) {
-        warnings.retain(|w| w.kind != WarningKind::StrandTension);
-    }
-    warnings.splice(..0, first);
 }
 
 /// The pressures that a muscle bears.

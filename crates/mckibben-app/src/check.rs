@@ -9,7 +9,7 @@ use crate::{
     QuestionFields, Result, UncertaintyWords, Units, finite,
     flags::Args,
     muscle_fields::{stated, stated_schema},
-    number, percent, said_of, usual_mpa,
+    number, percent, usual_mpa,
 };
 use mckibben_core::{
     analysis::{Burst, FailureMode, FailurePressure},
@@ -243,7 +243,7 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         limits: (&burst).into(),
     };
     let findings = findings_of(&question.muscle, &burst, &values)?;
-    let said = said_of(&burst, pressure_mpa, 0.0);
+    let said = burst.warnings(pressure_mpa, 0.0);
     Ok((
         Some(values),
         said.iter().map(ToString::to_string).collect(),

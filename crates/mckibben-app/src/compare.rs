@@ -371,7 +371,7 @@ impl CompareRequest {
                 terminal: self.mesh.terminal.filter(|_| !solid || is_solid(name)),
                 ..self.mesh.clone()
             };
-            let model = Model::of(name, &mesh)?;
+            let model = mesh.model_of(name)?;
             if !models.contains(&model) {
                 models.push(model);
             }

@@ -3,12 +3,12 @@
 mod page;
 
 use crate::{
-    Contractions, LoadAnswer, LoadFields, Model, MuscleSummary, PressureLimits, Problem,
-    ProblemKind, QUIET_MPA, QuestionFields, Result, Units, check_both, figure, finite,
+    Contractions, LoadAnswer, LoadFields, MuscleSummary, PressureLimits, Problem, ProblemKind,
+    QUIET_MPA, QuestionFields, Result, Units, check_both, figure, finite,
     flags::{self, Args},
     load::loaded,
     point::Question,
-    pull, put_first, said_of, warnings,
+    pull, warnings,
 };
 use mckibben_core::{
     analysis::Evaluation,
@@ -135,7 +135,7 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         }
     }
     let burst = question.burst()?;
-    put_first(&mut family.said, said_of(&burst, highest_mpa, QUIET_MPA));
+    Warning::put_first(&mut family.said, burst.warnings(highest_mpa, QUIET_MPA));
     let mut answer = CurveAnswer {
         limits: (&burst).into(),
         model: question.model.info().name.to_string(),
@@ -517,7 +517,7 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     .map_err(|p| p.with_hint("leave it out, or draw other muscles with `test`"))?;
     let base = m.resolve()?;
     let options = asking.options(&base)?;
-    let model = Model::choose(model)?;
+    let model = model.choose()?;
     model.admit(&base)?;
     let study = thickness(&base, options, |m| model.build(m))?;
     let figure = request.figure.as_ref().map(|unit| {

@@ -1,11 +1,10 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
 use crate::{
-    BuiltFile, Contraction, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem,
+    BuiltFile, Contraction, JointFields, ModelFields, MuscleFields, MuscleSummary, Problem,
     ProblemKind, QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite,
     flags::{self, Args},
     print::{Csv, Page, Rows, Show, Table},
-    said_of,
     units::{NEWTON_METRES, PERCENT, Scale, Units},
     usual_mpa,
 };
@@ -167,7 +166,7 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
 /// A muscle as files.
 pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let target = target_of(request.target.as_deref())?;
-    let choice = Model::choose(&request.model)?;
+    let choice = request.model.choose()?;
     let muscle = request.muscle.resolve_for(&choice)?;
     let model = choice.bound(&muscle)?;
     let model = &*model;
@@ -197,7 +196,8 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let artefact = exported.to(target)?;
     let mut warnings = exported.warnings();
     warnings.extend(
-        said_of(&burst, supply_mpa, QUIET_MPA)
+        burst
+            .warnings(supply_mpa, QUIET_MPA)
             .iter()
             .map(ToString::to_string),
     );
@@ -306,7 +306,7 @@ impl Show for ExportJointAnswer {
 pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let target = target_of(request.target.as_deref())?;
     let joint = request.joint.resolve()?;
-    let choice = Model::choose(&request.model)?;
+    let choice = request.model.choose()?;
     let models = joint
         .muscles()
         .iter()
@@ -338,7 +338,7 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     warnings.extend(
         bursts
             .iter()
-            .flat_map(|b| said_of(b, supply_mpa, QUIET_MPA))
+            .flat_map(|b| b.warnings(supply_mpa, QUIET_MPA))
             .map(|w| w.to_string()),
     );
     warnings.extend(artefact.notes);

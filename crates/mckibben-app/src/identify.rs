@@ -288,7 +288,7 @@ pub fn readable(text: String) -> Result<String> {
 /// The constants of a muscle that bring the model closest to the points, with their errors.
 pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer> {
     let muscle = request.muscle.resolve()?;
-    let model = Model::choose(&request.model)?;
+    let model = request.model.choose()?;
     let Data {
         mut points,
         origin,

@@ -4,15 +4,15 @@
 mod page;
 
 use crate::{
-    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
+    ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
     TextFile, Units, above_zero, breakdown, burst_of, figure, finite,
     flags::{self, Args},
-    number, put_first, said_of, warnings,
+    number, warnings,
 };
 use mckibben_core::{
     cancel,
     joint::{
-        Joint, JointError, JointMap, JointModel, JointPoint, JointTarget, Rest, Turning,
+        BoundJoint, Joint, JointError, JointMap, JointPoint, JointTarget, Rest, Turning,
         parse_joint,
     },
     model::{ForceModel, Workspace},
@@ -120,13 +120,13 @@ const MAP_POINT_BYTES: f64 = 500.0;
 
 pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer> {
     let joint = request.joint.resolve()?;
-    let named = Model::choose(&request.model)?;
+    let named = request.model.choose()?;
     let models = joint
         .muscles()
         .iter()
         .map(|m| Ok(named.bound(&m.muscle)?.into()))
         .collect::<Result<Vec<Arc<dyn ForceModel>>>>()?;
-    let model = JointModel::new(joint.clone(), models.clone(), request.extrapolate)?;
+    let model = BoundJoint::new(joint.clone(), models.clone(), request.extrapolate)?;
     let mut solver = Solver {
         model: &model,
         workspaces: model.workspaces(),
@@ -163,10 +163,10 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let said: Vec<Warning> = bursts
         .iter()
         .enumerate()
-        .flat_map(|(i, burst)| said_of(burst, highest(i), 0.0))
+        .flat_map(|(i, burst)| burst.warnings(highest(i), 0.0))
         .collect();
     let mut warnings = Warning::gravest(&solver.warnings);
-    put_first(&mut warnings, said);
+    Warning::put_first(&mut warnings, said);
     let mut answer = JointAnswer {
         uncertainty_text: largest_uncertainty(&rows),
         limits: PressureLimits::of_all(&bursts),
@@ -197,7 +197,7 @@ fn supply(request: &JointRequest) -> Result<f64> {
 }
 
 struct Solver<'m> {
-    model: &'m JointModel,
+    model: &'m BoundJoint,
     workspaces: Vec<Workspace>,
     warnings: Vec<Warning>,
 }
@@ -427,7 +427,7 @@ fn key(kind: usize, contraction: f64) -> (usize, i64) {
 }
 
 /// Adds P′ to rows: each contraction of each kind of muscle once, on all threads.
-fn add_start_pressures(model: &JointModel, rows: &mut [JointRow]) {
+fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
     let digests: Vec<String> = model
         .joint()
         .muscles()

@@ -23,7 +23,7 @@
 //! this runs without an operating system too; only campaigns, which live on disk, need the feature
 //! `files`. A panic is a [`Problem`] as well, where [`guarded`] is around the call.
 //!
-//! Which model answers is decided in one place, [`Model::choose`].
+//! Which model answers is decided in one place, [`ModelFields::choose`].
 //!
 //! Units: mm, MPa (= N/mm²), N.
 

@@ -3,7 +3,7 @@
 
 mod page;
 
-use crate::{MeshFields, Model, Problem, ProblemKind, Result, Units, figure};
+use crate::{MeshFields, Problem, ProblemKind, Result, Units, figure};
 use mckibben_core::{muscle::Muscle, progress::Progress, size};
 use mckibben_fit::validation::{
     built_in::measurements,
@@ -131,10 +131,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
         .map(|case| case.count() * case.fits.len())
         .sum();
     size::points("cases", (points + stresses) as f64)?;
-    let model = Model::named(
-        request.model.as_deref().unwrap_or("fe"),
-        &MeshFields::default(),
-    )?;
+    let model = MeshFields::default().model(request.model.as_deref().unwrap_or("fe"))?;
     let build = |muscle: &Muscle| model.build(muscle);
     let reported = report(
         &cases,

@@ -3,165 +3,65 @@
 use crate::{
     Direction, MeshFields, ModelFields, NameOrFile, Problem, ProblemKind, Result, TextFile,
 };
-use mckibben_core::{
-    answer::Options,
-    formula::{Document, Formula, FormulaRange, UniversalFormula},
-    model::{
-        ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, unknown_model,
-        with_ends,
-    },
-    muscle::Muscle,
-};
+pub use mckibben::Model;
+use mckibben_core::{answer::Options, muscle::Muscle};
 use mckibben_fem::{
-    axisymmetric::MeshSpec,
-    elements::{Elements, section},
+    elements::Elements,
     three_dimensional::{BrickSpec, Match},
 };
-use std::sync::Arc;
 
-/// A force model that is not yet bound to a muscle: a closed form, a fitted formula, or finite
-/// elements with their mesh.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Model {
-    /// A closed form, `universal` with its built-in coefficients among them.
-    ClosedForm(ModelKind),
-    /// A formula that the paper's method or one least-squares problem fitted.
-    Formula(Arc<Formula>),
-    /// A universal formula with other coefficients than the built-in ones.
-    Universal(Arc<UniversalFormula>),
-    Elements(Elements),
-}
-
-impl Model {
-    /// Axisymmetric finite elements on the mesh that the program chooses.
-    pub const FE: Model = Model::Elements(Elements::Axisymmetric(MeshSpec {
-        through: None,
-        along: None,
-        grading: None,
-    }));
-
-    pub fn all() -> Vec<ModelEntry> {
-        ModelKind::ALL
-            .into_iter()
-            .map(ModelKind::entry)
-            .chain(Elements::ENTRIES)
-            .collect()
-    }
-
-    /// Whether a word is the name of a model already.
-    pub fn is_taken(name: &str) -> bool {
-        Self::all().iter().any(|entry| entry.name == name.trim())
-    }
-
+impl ModelFields {
     /// The model that answers a request, and the only rule about it: the one that is named; where
     /// none is, `fe`.
-    pub fn choose(fields: &ModelFields) -> Result<Self> {
-        let model = match &fields.name {
-            Some(name) => Self::of(name, &fields.mesh)?,
-            None => Self::named("fe", &fields.mesh)?,
+    pub fn choose(&self) -> Result<Model> {
+        let model = match &self.name {
+            Some(name) => self.mesh.model_of(name)?,
+            None => self.mesh.model("fe")?,
         };
-        fields.mesh.check_used(&[&model])?;
+        self.mesh.check_used(&[&model])?;
         Ok(model)
     }
+}
 
-    /// The model of a name, or of a formula's file.
-    pub(crate) fn of(name: &NameOrFile, mesh: &MeshFields) -> Result<Self> {
-        match name {
-            NameOrFile::Name(name) => Self::named(name, mesh),
-            NameOrFile::File(file) => mesh.no_terminal().and_then(|()| Self::from_formula(file)),
-        }
+/// The model of a formula's file.
+pub fn model_from_formula(file: &TextFile) -> Result<Model> {
+    if !cfg!(feature = "whole") {
+        return Err(ProblemKind::Formula
+            .problem("formula files need the full engine; this is a reduced one"));
     }
+    let read = Model::from_formula(&file.text);
+    Ok(read.map_err(|e| e.in_file(std::path::Path::new(&file.name)))?)
+}
 
-    /// The model of a name of the list.
-    pub fn named(name: &str, mesh: &MeshFields) -> Result<Self> {
-        let name = name.trim();
-        if let Ok(elements) = name.parse::<Elements>() {
-            return Ok(Self::Elements(mesh.meshed(elements)?));
-        }
-        mesh.no_terminal()?;
-        if let Ok(kind) = name.parse::<ModelKind>() {
-            return Ok(Self::ClosedForm(kind));
-        }
-        let names: Vec<_> = Self::all().into_iter().map(|entry| entry.name).collect();
-        Err(ProblemKind::Model.problem(unknown_model(name, &names).to_string()))
-    }
-
-    /// The model of a formula's file.
-    pub fn from_formula(file: &TextFile) -> Result<Self> {
-        if !cfg!(feature = "whole") {
-            return Err(ProblemKind::Formula
-                .problem("formula files need the full engine; this is a reduced one"));
-        }
-        let read =
-            Document::parse(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?;
-        Ok(match read {
-            Document::Section(formula) => Self::Formula(Arc::new(formula)),
-            Document::Universal(formula) => Self::Universal(Arc::new(formula)),
-        })
-    }
-
-    /// A muscle of the make that a formula is for.
-    pub(crate) fn made_for(&self) -> Result<Option<Muscle>> {
-        match self {
-            Self::Formula(f) => Ok(Some(f.made_for.muscle(&f.range)?)),
-            _ => Ok(None),
-        }
-    }
-
-    pub fn name(&self) -> &str {
-        match self {
-            Self::ClosedForm(kind) => kind.name(),
-            Self::Formula(formula) => &formula.name,
-            Self::Universal(formula) => &formula.name,
-            Self::Elements(elements) => elements.name(),
-        }
-    }
-
-    /// Sections, pressures and contractions that it was made for, where it is bound to some.
-    pub fn range(&self) -> Option<&FormulaRange> {
-        match self {
-            Self::Formula(f) => Some(&f.range),
-            Self::ClosedForm(ModelKind::Paper) => Some(&FormulaModel::PAPER_RANGE),
-            _ => None,
-        }
-    }
-
-    /// Refuses what would not fit into memory with this muscle.
-    pub fn admit(&self, muscle: &Muscle) -> Result<(), ModelError> {
-        match self {
-            Self::Elements(elements) => Ok(elements.admit(muscle)?),
-            _ => Ok(()),
-        }
-    }
-
-    /// A muscle that it admits, bound to it.
-    pub(crate) fn bound(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        self.admit(muscle)?;
-        self.build(muscle)
-    }
-
-    pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        match self {
-            Self::Elements(Elements::Axisymmetric(mesh)) => Ok(section(muscle, mesh)?),
-            // The others are as large as all the rest.
-            _ if !cfg!(feature = "whole") => Err(ModelError::Missing {
-                model: "this model",
-                missing: "the full engine; this is a reduced one",
-                key: "",
-            }),
-            Self::ClosedForm(kind) => kind.build(muscle),
-            Self::Formula(formula) => with_ends(muscle, |m| {
-                Ok(Box::new(FormulaModel::between_ends(formula, m)))
-            }),
-            Self::Universal(formula) => with_ends(muscle, |m| {
-                Ok(Box::new(Universal::between_ends(Arc::clone(formula), m)))
-            }),
-            Self::Elements(elements) => Ok(elements.build(muscle)?),
-        }
+/// A muscle of the make that a formula is for.
+pub(crate) fn made_for(model: &Model) -> Result<Option<Muscle>> {
+    match model {
+        Model::Formula(f) => Ok(Some(f.made_for.muscle(&f.range)?)),
+        _ => Ok(None),
     }
 }
 
 impl MeshFields {
+    /// The model of a name, or of a formula's file.
+    pub(crate) fn model_of(&self, name: &NameOrFile) -> Result<Model> {
+        match name {
+            NameOrFile::Name(name) => self.model(name),
+            NameOrFile::File(file) => self.no_terminal().and_then(|()| model_from_formula(file)),
+        }
+    }
+
+    /// The model of a name of the list, with this mesh.
+    pub fn model(&self, name: &str) -> Result<Model> {
+        match name.parse() {
+            Ok(Model::Elements(elements)) => Ok(Model::Elements(self.meshed(elements)?)),
+            Ok(model) => self.no_terminal().map(|()| model),
+            Err(unknown) => {
+                self.no_terminal()?;
+                Err(ProblemKind::Model.problem(unknown.to_string()))
+            }
+        }
+    }
+
     /// Elements with this mesh.
     fn meshed(&self, elements: Elements) -> Result<Elements> {
         let elements = match elements {

@@ -1,7 +1,8 @@
 //! From fields to a muscle, and a muscle in a few words.
 
 use crate::{
-    Model, MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units, words,
+    Model, MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units, made_for,
+    words,
 };
 use mckibben_core::{
     muscle::{
@@ -28,7 +29,7 @@ impl MuscleFields {
         let file = self.file();
         let made = match file {
             Some(_) => None,
-            None => model.made_for()?,
+            None => made_for(model)?,
         };
         let base = match (file, &made) {
             (Some(file), _) => muscle_of(file)?,

@@ -4,8 +4,8 @@
 mod page;
 
 use crate::{
-    BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, Model, Problem, ProblemKind,
-    RubberDetails, RubberSummary, TextFile,
+    BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, MeshFields, Model, Problem,
+    ProblemKind, RubberDetails, RubberSummary, TextFile,
     flags::{self, Args},
     library_details, library_muscles, rubber_details, rubbers, sleeve_details, sleeves,
 };
@@ -111,7 +111,7 @@ pub struct ModelDetails {
 
 /// A model; `None` where there is none of that name.
 pub fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
-    let Ok(model) = Model::named(name, &Default::default()) else {
+    let Ok(model) = MeshFields::default().model(name) else {
         return Ok(None);
     };
     let entry = Model::all()

@@ -5,8 +5,7 @@ mod page;
 use crate::{
     AskFields, BoundModel, Contraction, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields,
     MuscleSummary, PointQuantity, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
-    UncertaintyWords, burst_of, check_both, check_branch, flags::Args, load::loaded, put_first,
-    said_of,
+    UncertaintyWords, burst_of, check_both, check_branch, flags::Args, load::loaded,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation, source_of},
@@ -19,6 +18,7 @@ use mckibben_core::{
         NamedUnit,
         typed::{Force, Pressure},
     },
+    warning::Warning,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -339,7 +339,7 @@ impl Question {
 
 impl QuestionFields {
     pub(crate) fn ask(&self) -> Result<Question> {
-        let choice = Model::choose(&self.model)?;
+        let choice = self.model.choose()?;
         let muscle = self.muscle.resolve_for(&choice)?;
         let BoundModel {
             model,
@@ -370,7 +370,7 @@ impl Question {
     /// Data behind an answer, which warns of the highest pressure first.
     pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
-        put_first(&mut of.warnings, said_of(&burst, highest_mpa, QUIET_MPA));
+        Warning::put_first(&mut of.warnings, burst.warnings(highest_mpa, QUIET_MPA));
         Ok(Background {
             uncertainty_words: UncertaintyWords::of(of, &mut self.evaluation()),
             limits: (&burst).into(),

@@ -71,7 +71,7 @@ pub struct ShapeAnswer {
 
 pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
-    let model = Model::named("fe", &request.mesh)?;
+    let model = request.mesh.model("fe")?;
     model.admit(&muscle)?;
     let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
         return Err(ProblemKind::Model.problem("the shape is always computed by `fe`"));

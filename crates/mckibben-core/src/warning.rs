@@ -157,6 +157,20 @@ impl Warning {
         }
         out
     }
+
+    /// Puts warnings before all others, and takes out what they include.
+    pub fn put_first(all: &mut Vec<Self>, first: impl IntoIterator<Item = Self>) {
+        let first = Self::gravest(&first.into_iter().collect::<Vec<_>>());
+        for warning in &first {
+            let included = match warning.kind {
+                WarningKind::Burst => WarningKind::StrandsBreak,
+                WarningKind::AboveAllowed => WarningKind::StrandTension,
+                _ => continue,
+            };
+            all.retain(|w| w.kind != included);
+        }
+        all.splice(..0, first);
+    }
 }
 
 impl fmt::Display for Warning {

@@ -156,7 +156,7 @@ impl Muscle {
         let request = request::given(py, "force", request)?;
         run::quick(py, |_| {
             let question: QuestionFields = understood(&request)?;
-            let choice = mckibben_app::Model::choose(&question.model)?;
+            let choice = question.model.choose()?;
             Ok(Model {
                 bound: BoundModel::new(&self.held, choice, question.asking)?,
             })

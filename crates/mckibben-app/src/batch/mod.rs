@@ -12,8 +12,9 @@ pub use point::with_parameters;
 
 use crate::{
     AskFields, Model, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of,
-    check_branch, finite, put_first, ratio, said_of,
+    check_branch, finite, ratio,
 };
+use mckibben::gradient;
 use mckibben_core::{
     analysis::Evaluation,
     answer::{Answer, Options},
@@ -21,6 +22,7 @@ use mckibben_core::{
     muscle::Muscle,
     progress::Progress,
     threads::{self, Threads},
+    warning::Warning,
 };
 use mckibben_fit::identify::Target;
 use std::sync::{
@@ -141,7 +143,7 @@ impl BoundModel {
             let e = ratio(e)?;
             let workspace = &mut Workspace::new();
             let mut answer = Evaluation::new(&*self.model, workspace, self.options).point(p, e)?;
-            put_first(&mut answer.warnings, said_of(&burst, p, QUIET_MPA));
+            Warning::put_first(&mut answer.warnings, burst.warnings(p, QUIET_MPA));
             progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, points.len());
             Ok(answer)
         };
@@ -162,7 +164,7 @@ impl BoundModel {
 
     /// The constant or measure of a name, as the muscle file has it.
     pub fn parameter(&self, name: &str) -> Result<Target> {
-        parameter(self.muscle(), name)
+        Ok(gradient::parameter(self.muscle(), name)?)
     }
 
     /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the
@@ -241,17 +243,5 @@ impl BoundModel {
             Ok(Some(reason)) => Err(reason),
             _ => Ok(failed.into_inner()),
         }
-    }
-}
-
-/// The constant or measure of a muscle by its name in the muscle file.
-fn parameter(muscle: &Muscle, name: &str) -> Result<Target> {
-    let wrong = |e: String| ProblemKind::Parameter.problem(e);
-    match Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))? {
-        Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => {
-            let why = "is a property of measured data, not of the muscle: it has no derivative";
-            Err(wrong(format!("`{name}` {why}")))
-        }
-        target => Ok(target),
     }
 }

@@ -12,23 +12,18 @@
 
 use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
+use mckibben::gradient::{self, GradientError};
 use mckibben_core::{
     analysis::Evaluation,
     cancel,
-    differences::slope,
     model::{ModelError, Workspace},
-    muscle::{Braid, BraidStiffness, Muscle},
-    rubber::RubberLaw,
+    muscle::Muscle,
     warning::strand_strength_n,
 };
-use mckibben_fit::identify::{Candidate, Target};
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
 const ROUNDING: f64 = 1e-9;
-/// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of
-/// the derivative.
-const STEP: f64 = 1e-3;
 
 impl BoundModel {
     /// Answers a block; how many points have no answer, or the first of them with its reason.
@@ -224,8 +219,10 @@ impl BoundModel {
     ) -> Result<()> {
         // ∂F/∂θ first: finite elements then have the equilibrium of this very point.
         let (by_pair, by_parameters) = places.split_at_mut(if many.slopes { 2 } else { 0 });
-        let (f_p, f_e) = self.force_slopes(workspace, p, e)?;
-        self.force_by(workspace, (p, e), &many.parameters, by_parameters)?;
+        let of = (Some(&self.choice), &*self.model);
+        let known = gradient::by_parameters(of, self.options, workspace, (p, e), &many.parameters)?;
+        by_parameters.copy_from_slice(&known);
+        let (f_p, f_e) = gradient::by_point(&mut self.evaluation(workspace), p, e)?;
         let (pair, scale) = match many.wanted {
             PointQuantity::Force => ([f_p, f_e], 1.0),
             PointQuantity::Pressure => ([1.0 / f_p, -f_e / f_p], -1.0 / f_p),
@@ -240,78 +237,26 @@ impl BoundModel {
             .then_some(())
             .ok_or_else(|| self.no_slope("a requested quantity", p, e))
     }
-
-    /// ∂F/∂P and ∂F/∂ε.
-    fn force_slopes(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<(f64, f64)> {
-        let mut model = self.evaluation(workspace);
-        let response = model.response(p, e)?;
-        let f_p = model.force_per_pressure_mm2(&response)?;
-        let f_e = -model.stiffness_n_per_mm(&response)? * self.muscle().length_mm();
-        Ok((f_p, f_e))
-    }
-
-    /// ∂F/∂θ of each parameter: that of the model, else by differences.
-    fn force_by(
-        &self,
-        workspace: &mut Workspace,
-        (p, e): (f64, f64),
-        parameters: &[Target],
-        places: &mut [f64],
-    ) -> Result<()> {
-        if parameters.is_empty() {
-            return Ok(());
-        }
-        let muscle = self.muscle();
-        let names: Vec<String> = parameters.iter().map(|t| t.name(muscle)).collect();
-        if let Some(known) = self.model.force_by(workspace, p, e, &names)? {
-            places
-                .iter_mut()
-                .zip(known)
-                .for_each(|(place, v)| *place = v);
-            return Ok(());
-        }
-        // All others are held, k of the strands among them.
-        let held = stated(muscle)?;
-        for ((target, name), place) in parameters.iter().zip(&names).zip(places) {
-            let value = target
-                .value(&held)
-                .ok_or_else(|| self.no_slope(name, p, e))?;
-            let scale = match target {
-                Target::Law(_) => muscle.tube().rubber.law.shear_modulus_mpa(),
-                _ => 1.0,
-            };
-            let h = STEP * if value == 0.0 { scale } else { value.abs() };
-            *place = slope(h, |h| self.force_with(&held, *target, value + h, p, e))?;
-        }
-        Ok(())
-    }
-
-    /// The pull with another value of a parameter.
-    fn force_with(&self, held: &Muscle, target: Target, value: f64, p: f64, e: f64) -> Result<f64> {
-        let model = self
-            .choice
-            .build(&Candidate::new(held, &[(target, value)])?.muscle)?;
-        Ok(Evaluation::new(&*model, &mut Workspace::new(), self.options).force_n(p, e)?)
-    }
 }
 
 /// A muscle with other values of constants and measures, all others held as the derivatives of
 /// [`BoundModel`] hold them.
 pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Muscle> {
-    let held = stated(muscle)?;
-    let list = values
-        .iter()
-        .map(|(name, value)| Ok((super::parameter(muscle, name)?, finite(name, *value)?)));
-    Ok(Candidate::new(&held, &list.collect::<Result<Vec<_>>>()?)?.muscle)
+    for (name, value) in values {
+        finite(name, *value)?;
+    }
+    Ok(gradient::with_parameters(muscle, values)?)
 }
 
-/// The same muscle with k stated in N/mm, where it follows from other measures.
-fn stated(muscle: &Muscle) -> Result<Muscle> {
-    let Some(k) = muscle.family_stiffness_n_per_mm() else {
-        return Ok(muscle.clone());
-    };
-    Ok(muscle.with_braid(Braid {
-        stiffness: BraidStiffness::NewtonPerMm(k),
-        ..muscle.braid().clone()
-    })?)
+impl From<GradientError> for Problem {
+    fn from(error: GradientError) -> Self {
+        match error {
+            GradientError::Model(error) => error.into(),
+            GradientError::Muscle(error) => error.into(),
+            GradientError::None { .. } => {
+                Self::new(ProblemKind::NoAnswer, error.to_string(), "leave out `jac`")
+            }
+            _ => ProblemKind::Parameter.problem(error.to_string()),
+        }
+    }
 }

@@ -6,8 +6,7 @@ use super::{
     request::{OperatingPoint, TorqueWanted},
 };
 use crate::{
-    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent, put_first,
-    said_of,
+    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent,
     words::{braid_name, rubber_name},
 };
 use mckibben_build::{EndParts, Wishes};
@@ -455,7 +454,7 @@ pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
         .as_ref()
         .and_then(|closest| Burst::missing(&closest.rejected.muscle));
     missing
-        .map(|why| said_of(&Burst::unknown(why), max_pressure_mpa, 0.0))
+        .map(|why| Burst::unknown(why).warnings(max_pressure_mpa, 0.0))
         .unwrap_or_default()
 }
 
@@ -464,7 +463,7 @@ pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
 pub fn warnings(c: &Candidate) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
-    put_first(&mut all, said_of(&c.burst, c.highest_pressure_mpa, 0.0));
+    Warning::put_first(&mut all, c.burst.warnings(c.highest_pressure_mpa, 0.0));
     all
 }
 

@@ -2,7 +2,6 @@
 
 use super::{
     assumed::{SUPPLY_MPA, Stated},
-    policy::ModelPolicy,
     request::DesignRequest,
 };
 use crate::{
@@ -11,6 +10,7 @@ use crate::{
     parts::{sleeve_entries, unread, users_tubes},
     ratio, rubber, sleeve,
 };
+use mckibben::Deciding;
 use mckibben_core::{
     answer::Options,
     extremes::peak,
@@ -36,7 +36,7 @@ use std::borrow::Cow;
 /// What is searched, by which models, and what of it was assumed.
 pub struct Search {
     pub task: Task,
-    pub policy: ModelPolicy,
+    pub policy: Deciding,
     pub stated: Stated,
 }
 
@@ -63,7 +63,7 @@ impl DesignRequest {
         let (base, wanted, radius_mm) = self.demand()?;
         let count = self.count()?;
         let extends = wanted.extends();
-        let policy = ModelPolicy::choose(&self.model, extends)?;
+        let policy = self.model.deciding(extends)?;
         let range = policy.model.range();
         let tubes = match self.free_sizes(range.is_some(), extends) {
             None => Some(self.tubes_of_make()?),
@@ -193,7 +193,7 @@ impl DesignRequest {
             Some(choice) => !matches!(choice, Choice::One(_)),
             None => {
                 let has_range = |model: Model| model.range().is_some();
-                self.file().is_none() && !Model::choose(&self.model).is_ok_and(has_range)
+                self.file().is_none() && !self.model.choose().is_ok_and(has_range)
             }
         };
         let pushes = self.force_n.is_some_and(|force_n| force_n.0 < 0.0);
@@ -517,7 +517,7 @@ impl DesignRequest {
         length_mm
             .into_iter()
             .for_each(|length| fields.measures.set(&LENGTH, length));
-        let base = fields.resolve_for(&Model::choose(&self.model)?)?;
+        let base = fields.resolve_for(&self.model.choose()?)?;
         let length = base.length_mm();
         let stroke = self.stroke_mm.map(f64::from);
         stroke

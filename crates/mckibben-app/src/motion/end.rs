@@ -8,7 +8,7 @@ use crate::{
 use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
-    joint::{JointModel, Turning},
+    joint::{BoundJoint, Turning},
     model::Workspace,
     warning::Warning,
 };
@@ -128,7 +128,7 @@ impl Moved {
             .and_then(|[angle, _]| angle.last().copied());
         let angle_deg = run.motion.equilibrium_angle_deg.or(last)?;
         let (low, high) = joint.range_deg();
-        let model = JointModel::new(joint.clone(), self.models.clone(), true).ok()?;
+        let model = BoundJoint::new(joint.clone(), self.models.clone(), true).ok()?;
         let workspaces = &mut model.workspaces();
         let pressures_mpa = pressures_mpa.get(..self.models.len())?;
         let point = model

@@ -14,10 +14,11 @@ pub use request::{MotionRequest, MotionSweep, StepFields};
 pub use simulated::SimulatedDrive;
 
 use crate::{
-    Model, MuscleFields, PressureLimits, Problem, ProblemKind, Result, TextFile, burst_of, figure,
-    finite, put_first, said_of,
+    MuscleFields, PressureLimits, Problem, ProblemKind, Result, TextFile, burst_of, figure, finite,
 };
-use mckibben_core::{extremes::peak, muscle::file::FileError, progress::Progress};
+use mckibben_core::{
+    extremes::peak, muscle::file::FileError, progress::Progress, warning::Warning,
+};
 use mckibben_motion::{
     Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target, drive_names,
     parse_drive, run_as_far, size, with_value,
@@ -34,7 +35,7 @@ impl MotionRequest {
     }
 
     fn moved(&self) -> Result<Moved> {
-        let choice = Model::choose(&self.model)?;
+        let choice = self.model.choose()?;
         let subject = match (&self.drive, &self.step) {
             (Some(drive), _) => Self::names_of(drive)?.subject,
             (None, Some(_)) => Subject::Muscle(String::new()),
@@ -155,9 +156,9 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let burst = bursts.iter().enumerate().flat_map(|(i, burst)| {
         let reached = runs.iter().zip(&drives);
         let highest_mpa = peak(reached.map(|(run, (_, drive))| highest_mpa(run, drive, i)));
-        said_of(burst, highest_mpa, 0.0)
+        burst.warnings(highest_mpa, 0.0)
     });
-    put_first(&mut warnings, burst.collect::<Vec<_>>());
+    Warning::put_first(&mut warnings, burst.collect::<Vec<_>>());
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else {
         return Err(Problem::missing("drive", "a drive file"));

@@ -10,7 +10,7 @@ use crate::{
     Contractions, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA,
     RequestedPoint, Result, Units, burst_of, check_count, check_test, contractions, figure,
     flags::{self, Args},
-    forces, list, put_first, reach, said_of, steps, warnings,
+    forces, list, reach, steps, warnings,
 };
 use files::ShapeFiles;
 use mckibben_core::{
@@ -24,6 +24,7 @@ use mckibben_core::{
     progress::Progress,
     status::Status,
     units::typed::{Force, List, Pressure},
+    warning::Warning,
     warning::overloaded,
 };
 use mckibben_fem::{
@@ -161,7 +162,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         Problem::refuse_unused(&[("of_largest", request.of_largest)], why)?;
     }
     let muscle = request.muscle.resolve()?;
-    let model = Model::choose(&request.model)?;
+    let model = request.model.choose()?;
     let Model::Elements(elements) = &model else {
         return Err(no_elements(model.name()));
     };
@@ -215,7 +216,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let burst = burst_of(&model, &*simulation)?;
     let highest_mpa = peak(questions.iter().map(|q| q.pressure_mpa));
-    put_first(&mut warnings, said_of(&burst, highest_mpa, QUIET_MPA));
+    Warning::put_first(&mut warnings, burst.warnings(highest_mpa, QUIET_MPA));
     Ok(SimulateAnswer {
         model: simulation.info().name.to_string(),
         test: request.test,

@@ -1,7 +1,7 @@
 //! Arrays of points.
 
 use mckibben_app::{
-    ArrayError, AskFields, BoundModel, ForceRequest, Many, Model, ModelFields, MuscleFields,
+    ArrayError, AskFields, BoundModel, ForceRequest, Many, ModelFields, MuscleFields,
     PointQuantity, ProblemKind, QuestionFields, force, with_parameters,
 };
 use mckibben_core::{
@@ -23,7 +23,7 @@ fn named(model: &str) -> ModelFields {
 }
 
 fn bound_to(muscle: &Muscle, model: &str) -> BoundModel {
-    let model = Model::choose(&named(model)).unwrap();
+    let model = named(model).choose().unwrap();
     BoundModel::new(muscle, model, AskFields::default()).unwrap()
 }
 

@@ -1,6 +1,6 @@
 //! Pressures for an angle, a torque and a stiffness.
 
-use super::{JointError, JointModel, JointPoint, Result, Turning};
+use super::{BoundJoint, JointError, JointPoint, Result, Turning};
 use crate::{analysis::Sweep, model::Workspace, muscle::Direction};
 
 /// Parts into which the pulls that give the torque are cut in search of the stiffness.
@@ -42,7 +42,7 @@ impl JointPoint {
     }
 }
 
-impl JointModel {
+impl BoundJoint {
     /// The muscles at an angle in rad, up to a pressure.
     fn here(&self, workspaces: &mut [Workspace], angle: f64, max_pressure_mpa: f64) -> Vec<Here> {
         let one = |(i, workspace): (usize, &mut Workspace)| {
@@ -145,7 +145,7 @@ impl JointModel {
 
 /// The pulls that give a torque.
 struct Line<'l> {
-    model: &'l JointModel,
+    model: &'l BoundJoint,
     here: &'l [Here],
     /// Σ F Δ′ in N mm
     needed: f64,

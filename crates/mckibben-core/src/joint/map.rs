@@ -1,6 +1,6 @@
 //! Which angles and stiffnesses a joint reaches.
 
-use super::{JointError, JointModel, Rest, Result, ShutStiffness, model::Fixed};
+use super::{BoundJoint, JointError, Rest, Result, ShutStiffness, model::Fixed};
 use crate::{
     extremes::ends,
     model::{Interval, ModelError, Quantity, Workspace},
@@ -69,7 +69,7 @@ pub struct JointMap {
 /// A rest, or the pressures without one and why.
 type Place = Result<Option<MapPoint>, (Vec<f64>, JointError)>;
 
-impl JointModel {
+impl BoundJoint {
     /// The map with `count` pressures of each muscle from 0 to `max_pressure_mpa`.
     ///
     /// # Errors

@@ -26,7 +26,7 @@ pub use error::{JointError, Result};
 pub use file::{JointFile, JointKeys, parse_joint};
 pub use inverse::JointTarget;
 pub use map::{JointMap, MapGap, MapPoint};
-pub use model::{JointModel, JointPoint, MuscleState, Turning};
+pub use model::{BoundJoint, JointPoint, MuscleState, Turning};
 pub use path::{Path, Shortening};
 pub use rest::Rest;
 pub use shut::ShutStiffness;

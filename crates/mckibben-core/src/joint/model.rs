@@ -82,7 +82,7 @@ pub struct JointPoint {
 
 /// A joint whose muscles have models.
 #[derive(Clone)]
-pub struct JointModel {
+pub struct BoundJoint {
     joint: Arc<Joint>,
     models: Vec<Arc<dyn ForceModel>>,
     /// Whether its models answer outside of their ranges.
@@ -99,7 +99,7 @@ pub struct Fixed<'w> {
     pub free: Vec<Option<f64>>,
 }
 
-impl JointModel {
+impl BoundJoint {
     /// A joint with a model of each of its muscles.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! Where a joint comes to rest.
 
-use super::{JointError, JointModel, Result, model::Fixed};
+use super::{BoundJoint, JointError, Result, model::Fixed};
 use crate::{
     analysis::{find_root, places},
     model::Workspace,
@@ -50,7 +50,7 @@ impl Rest {
     }
 }
 
-impl JointModel {
+impl BoundJoint {
     /// Every rest at pressures, by rising angle, with a torque from outside in N m that turns to +;
     /// at least one is stable. They lie between neighbouring angles at which every muscle has a
     /// state.
@@ -69,7 +69,7 @@ impl JointModel {
     /// The same, and the first angle of the range at which a muscle has no state, with the reason.
     ///
     /// # Errors
-    /// As of [`JointModel::rests`].
+    /// As of [`BoundJoint::rests`].
     pub fn rests_and_gap(
         &self,
         workspaces: &mut [Workspace],

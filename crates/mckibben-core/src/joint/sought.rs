@@ -1,10 +1,10 @@
 //! The ± of what was sought of a joint, from that of its torque: of a rest angle ±τ/|∂τ/∂φ|, of a
 //! pressure ±τ/|∂τ/∂P|.
 
-use super::{JointModel, JointPoint};
+use super::{BoundJoint, JointPoint};
 use crate::{answer::FLAT_MPA, model::Workspace};
 
-impl JointModel {
+impl BoundJoint {
     /// 95 % half-width in degrees of the angle at which a joint rests; `None` where it is wider
     /// than the range of the angle, or not known.
     pub fn angle_uncertainty_deg(&self, point: &JointPoint) -> Option<f64> {

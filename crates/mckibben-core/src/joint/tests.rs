@@ -23,8 +23,8 @@ fn models(joint: &Joint, kind: ModelKind) -> Vec<Arc<dyn ForceModel>> {
         .collect()
 }
 
-fn bound(joint: &Joint, models: &[Arc<dyn ForceModel>]) -> JointModel {
-    JointModel::new(joint.clone(), models.to_vec(), true).unwrap()
+fn bound(joint: &Joint, models: &[Arc<dyn ForceModel>]) -> BoundJoint {
+    BoundJoint::new(joint.clone(), models.to_vec(), true).unwrap()
 }
 
 #[test]
@@ -554,13 +554,13 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
         (&thick, 0.25, "wall_ratio 0.3"),
     ] {
         let models = models(joint, ModelKind::Universal);
-        let strict = JointModel::new(joint.clone(), models.clone(), false).unwrap();
+        let strict = BoundJoint::new(joint.clone(), models.clone(), false).unwrap();
         let error = strict.map(supply, 3, &Silent).unwrap_err().to_string();
         assert!(
             error.contains("outside the range") && error.contains(said),
             "{error}"
         );
-        let open = JointModel::new(joint.clone(), models, true).unwrap();
+        let open = BoundJoint::new(joint.clone(), models, true).unwrap();
         assert!(
             open.outside(supply)
                 .unwrap()
@@ -569,7 +569,7 @@ fn a_map_outside_of_a_models_range_is_refused_or_said() {
         );
     }
     let models = models(&within, ModelKind::Universal);
-    let strict = JointModel::new(within, models, false).unwrap();
+    let strict = BoundJoint::new(within, models, false).unwrap();
     assert!(strict.outside(0.25).unwrap().is_empty() && strict.map(0.25, 3, &Silent).is_ok());
 }
 
@@ -831,7 +831,7 @@ fn what_is_not_of_the_joint_is_refused() {
     assert!(model.rests(w, &[0.2, 0.1], f64::NAN).is_err());
     let wide = Muscle::prototype().with_section(30.0, 1.5).unwrap();
     let other = ModelKind::Universal.build(&wide).unwrap();
-    let wrong = JointModel::new(joint.clone(), vec![both[0].clone(), other.into()], true);
+    let wrong = BoundJoint::new(joint.clone(), vec![both[0].clone(), other.into()], true);
     let said = wrong.err().map(|error| error.to_string()).unwrap();
     assert!(
         said.starts_with("muscle 2: its model is that of another"),

@@ -15,10 +15,10 @@
 //! the model, of a rubber or of a braid makes both muscles stiffer, so that it adds fully; and as a
 //! square beside it Σ Δ″ ±F.
 
-use super::{JointModel, JointPoint, model::MuscleState};
+use super::{BoundJoint, JointPoint, model::MuscleState};
 use crate::built::{UncertaintyParts, stiffness_uncertainty_n_per_mm};
 
-impl JointModel {
+impl BoundJoint {
     /// The parts of the ± of the torque in N m; `None` where that of a muscle's pull is not known.
     pub(super) fn torque_uncertainty(&self, muscles: &[MuscleState]) -> Option<UncertaintyParts> {
         let mut each = muscles.iter().map(|m| {

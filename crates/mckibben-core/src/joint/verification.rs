@@ -1,6 +1,6 @@
 //! Joints against virtual work, symmetry and their own inverses.
 
-use super::{Joint, JointModel, JointMuscle, JointSpring, JointTarget, Link, Path, Rest, Turning};
+use super::{BoundJoint, Joint, JointMuscle, JointSpring, JointTarget, Link, Path, Rest, Turning};
 use crate::{
     analysis::{Evaluation, Options},
     load::GRAVITY_M_PER_S2,
@@ -71,9 +71,9 @@ fn ideals(joint: &Joint) -> Vec<Ideal> {
         .collect()
 }
 
-fn model(joint: &Joint, ideals: &[Ideal]) -> Option<JointModel> {
+fn model(joint: &Joint, ideals: &[Ideal]) -> Option<BoundJoint> {
     let shared = |m: &Ideal| Arc::new(m.clone()) as Arc<dyn ForceModel>;
-    JointModel::new(joint.clone(), ideals.iter().map(shared).collect(), true).ok()
+    BoundJoint::new(joint.clone(), ideals.iter().map(shared).collect(), true).ok()
 }
 
 fn virtual_work() -> Option<Vec<VerificationRow>> {

@@ -472,7 +472,7 @@ fn combinations_that_are_no_muscle_say_why() {
 /// these torques by the joint's own equations; a grid of radii holds no smaller muscle.
 #[test]
 fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle() {
-    use mckibben_core::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
+    use mckibben_core::joint::{BoundJoint, Joint, JointMuscle, Link, Path, Turning};
     let torque = |(torque_nm, angle_deg)| TorqueWanted {
         torque_nm,
         angle_deg,
@@ -512,7 +512,7 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
     )
     .unwrap();
     let model: Arc<dyn ForceModel> = Arc::new(ThickWall::between_ends(&best.muscle));
-    let model = JointModel::new(built, vec![model.clone(), model], true).unwrap();
+    let model = BoundJoint::new(built, vec![model.clone(), model], true).unwrap();
     let w = &mut [Workspace::new(), Workspace::new()][..];
     let least = torques.iter().map(
         |&TorqueWanted {

@@ -5,7 +5,7 @@ use super::{
     files::{compiled_and_run, numbers, python, runs},
 };
 use mckibben_core::{
-    joint::{Joint, JointModel, Turning, parse_joint},
+    joint::{BoundJoint, Joint, Turning, parse_joint},
     model::ForceModel,
     model::ModelKind,
     muscle::{Muscle, file::parse_muscle},
@@ -91,7 +91,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
         let models: Vec<&dyn ForceModel> = joint.muscles().iter().map(|_| &*model).collect();
         let exported = ExportedJoint::fit(&joint, &models, "elbow", SUPPLY_MPA).unwrap();
         let shared = joint.muscles().iter().map(|_| Arc::from(fe(&muscle)));
-        let core = JointModel::new(joint.clone(), shared.collect(), true).unwrap();
+        let core = BoundJoint::new(joint.clone(), shared.collect(), true).unwrap();
         let (folder, w) = (tempfile::tempdir().unwrap(), &mut core.workspaces());
         for target in ["c", "python"] {
             for file in exported.to(Target::named(target).unwrap()).unwrap().files {
@@ -198,7 +198,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
 fn elbow_by_universal(
     supply_mpa: f64,
     targets: &[&str],
-    test: impl Fn(&std::path::Path, &JointModel),
+    test: impl Fn(&std::path::Path, &BoundJoint),
 ) {
     named_by_universal("elbow", supply_mpa, targets, test);
 }
@@ -208,7 +208,7 @@ fn named_by_universal(
     name: &str,
     supply_mpa: f64,
     targets: &[&str],
-    test: impl Fn(&std::path::Path, &JointModel),
+    test: impl Fn(&std::path::Path, &BoundJoint),
 ) {
     let muscle: Muscle = parse_muscle(include_str!("../../../../examples/biceps.toml")).unwrap();
     let file = parse_joint(include_str!("../../../../examples/elbow.toml")).unwrap();
@@ -216,7 +216,7 @@ fn named_by_universal(
     let model: Arc<dyn ForceModel> = ModelKind::Universal.build(&muscle).unwrap().into();
     let models: Vec<&dyn ForceModel> = vec![&*model; 2];
     let exported = ExportedJoint::fit(&joint, &models, name, supply_mpa).unwrap();
-    let core = JointModel::new(joint.clone(), vec![model.clone(); 2], true).unwrap();
+    let core = BoundJoint::new(joint.clone(), vec![model.clone(); 2], true).unwrap();
     let folder = tempfile::tempdir().unwrap();
     for target in targets {
         for file in exported.to(Target::named(target).unwrap()).unwrap().files {

@@ -3,7 +3,7 @@
 use super::sweep::case;
 use mckibben_core::{
     cancel::{Cancel, Cancelled},
-    joint::{Joint, JointModel, JointMuscle, Link, Path, Turning},
+    joint::{BoundJoint, Joint, JointMuscle, Link, Path, Turning},
     model::{ForceModel, ModelError, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Bulk, Muscle, file::parse_muscle},
     random::rounds,
@@ -423,7 +423,7 @@ fn an_antagonistic_joint_has_the_torques_of_an_independent_derivation() {
     .unwrap();
     let fe = Axisymmetric::between_ends(&narrow()).unwrap();
     let fe: Arc<dyn ForceModel> = Arc::new(fe);
-    let model = JointModel::new(joint, vec![fe.clone(), fe], false).unwrap();
+    let model = BoundJoint::new(joint, vec![fe.clone(), fe], false).unwrap();
     let workspaces = &mut [Workspace::new(), Workspace::new()];
     for (angle_deg, torque, stiffness) in [
         (0.0, 5.16760, 7.5500),

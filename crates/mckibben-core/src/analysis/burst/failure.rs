@@ -1,6 +1,6 @@
 //! How a muscle fails, at which pressure, and why that is not known.
 
-use crate::muscle::Muscle;
+use crate::{muscle::Muscle, warning::Warning};
 use serde::Serialize;
 use std::fmt;
 use thiserror::Error;
@@ -25,6 +25,10 @@ pub const BUCKLING: f64 = 2.0;
 /// A relief valve opens at this multiple of the pressure that is set: it needs about a tenth to
 /// close again, and a regulator holds its pressure within 2 to 5 %.
 pub const RELIEF: f64 = 1.1;
+
+/// Pressure in MPa up to which a single point or a curve says nothing of a burst pressure that is
+/// not known: that of a usual supply. Whoever builds reads of it at any pressure.
+pub const QUIET_MPA: f64 = 0.6;
 
 /// How a muscle fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -289,6 +293,25 @@ impl Burst {
             .filter_map(of)
             .chain(rated)
             .reduce(|a, b| if b.mpa < a.mpa { b } else { a })
+    }
+
+    /// What is said of it where the largest pressure is `highest_mpa`; of one that is not known only
+    /// above `quiet_mpa`.
+    pub fn warnings(&self, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
+        let above = match (self.least(), self.allowed()) {
+            (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
+                Some(Warning::of_burst(highest_mpa, burst_mpa, by))
+            }
+            (_, Some(allowed)) if highest_mpa > allowed.mpa => {
+                Some(Warning::above_allowed(highest_mpa, allowed))
+            }
+            _ => None,
+        };
+        let unknown = self
+            .not_checked()
+            .filter(|_| highest_mpa > quiet_mpa)
+            .map(Warning::burst_not_checked);
+        above.into_iter().chain(unknown).collect()
     }
 
     /// Why the strength of the strands was not checked.

@@ -24,8 +24,8 @@ mod radii;
 pub mod strands;
 
 pub use failure::{
-    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROVED, RELIEF,
-    SAFETY, Safety,
+    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROVED,
+    QUIET_MPA, RELIEF, SAFETY, Safety,
 };
 
 use super::error::Result;

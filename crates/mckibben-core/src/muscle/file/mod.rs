@@ -43,7 +43,7 @@ pub use with::with_keys;
 pub use write::to_toml;
 
 use super::Muscle;
-use std::path::Path;
+use std::{fmt, path::Path, str::FromStr};
 
 /// Reads a muscle file.
 ///
@@ -55,6 +55,22 @@ pub fn read_muscle(path: impl AsRef<Path>) -> Result<Muscle, FileError> {
     read_text(path)
         .and_then(|text| parse_muscle(&text))
         .map_err(|e| e.in_file(path))
+}
+
+/// As [`parse_muscle`] reads it.
+impl FromStr for Muscle {
+    type Err = FileError;
+
+    fn from_str(text: &str) -> Result<Self, FileError> {
+        parse_muscle(text)
+    }
+}
+
+/// The text of its file, as [`to_toml`] writes it.
+impl fmt::Display for Muscle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&to_toml(self))
+    }
 }
 
 /// The text of a file written by hand.

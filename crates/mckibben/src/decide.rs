@@ -1,0 +1,97 @@
+//! Design with the models that every front end takes.
+
+use crate::Model;
+use mckibben_core::{
+    model::{ForceModel, ModelError, ModelKind},
+    muscle::Muscle,
+    progress::Silent,
+};
+use mckibben_design::{
+    Build, Design, Models, Open, SearchedMuscles, Spec, SpecError, Task, near_the_box,
+};
+
+/// Which model ranks the muscles of a search, and which one decides in the end.
+pub struct Deciding {
+    /// What searches the muscles that it is good for, where the other one only decides.
+    quick: Option<(Model, SearchedMuscles)>,
+    /// What searches all others, and decides.
+    pub model: Model,
+}
+
+impl Deciding {
+    /// One model that searches and decides.
+    pub fn by(model: Model) -> Self {
+        Self { quick: None, model }
+    }
+
+    /// Finite elements decide of what a closed form has found, of muscles that pull or push.
+    pub fn usual(extends: bool) -> Self {
+        // `universal` was not fitted for muscles that extend.
+        let quick: (ModelKind, SearchedMuscles) = if extends {
+            (ModelKind::ThickWall, |_| true)
+        } else {
+            (ModelKind::Universal, near_the_box)
+        };
+        Self {
+            quick: Some((quick.0.into(), quick.1)),
+            model: Model::FE,
+        }
+    }
+
+    /// Does something with the models of a search.
+    pub fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
+        let look = |m: &Muscle| self.look(m);
+        let decide = |m: &Muscle| self.model.bound(m);
+        let settle = self
+            .quick
+            .as_ref()
+            .map(|quick| (&decide as &Build<'_>, quick.1));
+        work(Models {
+            search: &look,
+            settle,
+        })
+    }
+
+    /// Name of the model that searches.
+    pub fn searches(&self) -> &str {
+        self.quick
+            .as_ref()
+            .map_or(&self.model, |quick| &quick.0)
+            .name()
+    }
+
+    /// The model that searches, bound to a muscle.
+    fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        match &self.quick {
+            Some((quick, is_good)) if is_good(muscle) => quick.build(muscle),
+            _ => self.model.bound(muscle),
+        }
+    }
+}
+
+/// The muscles that meet a specification, by finite elements; where none does, what would have to
+/// give.
+///
+/// ```no_run
+/// use mckibben::{design, prelude::*};
+///
+/// // 700 N at 15 % with at most 0.25 MPa, 200 mm between the terminals.
+/// let wanted = design::OperatingPoint { force_n: 700.0, contraction: 0.15 };
+/// let spec = design::Spec::new(vec![wanted], 0.25);
+/// let found = mckibben::decide(&design::Spec { base: spec.base.with_length(200.0)?, ..spec })?;
+/// for one in &found.outcome.candidates {
+///     println!("{:.1} mm at {:.3} MPa", one.muscle.outer_diameter_mm(), one.pressure_mpa);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`SpecError`] where the specification cannot be searched; that nothing fits is an outcome.
+pub fn decide(spec: &Spec) -> Result<Design, SpecError> {
+    let task = Task {
+        spec: spec.clone(),
+        radius_mm: None,
+        open: Open::default(),
+    };
+    Deciding::usual(spec.wanted.extends()).with_models(|models| task.solve(models, &Silent))
+}

@@ -1,0 +1,202 @@
+//! Derivatives of a pull by pressure, contraction, and constants and measures of the muscle.
+
+use crate::{Model, MuscleModel};
+use mckibben_core::{
+    analysis::{Evaluation, Options},
+    differences::slope,
+    model::{ForceModel, ModelError, Workspace},
+    muscle::{Braid, BraidStiffness, Muscle, MuscleError},
+    rubber::RubberLaw,
+};
+use mckibben_fit::identify::{Candidate, ParameterError, Target};
+use thiserror::Error;
+
+/// The derivatives of a pull.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Gradient {
+    /// F in N.
+    pub force_n: f64,
+    /// ∂F/∂P in mm² (= N/MPa).
+    pub by_pressure_mm2: f64,
+    /// ∂F/∂ε in N.
+    pub by_contraction_n: f64,
+    /// ∂F/∂θ of each constant or measure that was named, in N per unit of it (MPa, N/mm, mm,
+    /// degrees).
+    pub by_parameters: Vec<f64>,
+}
+
+/// Why there is no derivative.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum GradientError {
+    /// A name that is no constant or measure of the muscle.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// A quantity of measured data, not of a muscle.
+    #[error("`{0}` is a property of measured data, not of the muscle: it has no derivative")]
+    OfData(String),
+    /// A derivative that is no number, or that the model does not have.
+    #[error("{model} has no derivative by {by} at P = {pressure_mpa}\u{a0}MPa, ε = {contraction}")]
+    None {
+        /// The model's name.
+        model: String,
+        /// By what.
+        by: String,
+        /// P.
+        pressure_mpa: f64,
+        /// ε.
+        contraction: f64,
+    },
+    /// The model has no answer there.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// There is no muscle with a value next to that of the parameter.
+    #[error(transparent)]
+    Muscle(#[from] MuscleError),
+}
+
+/// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of
+/// the derivative.
+const STEP: f64 = 1e-3;
+
+/// The constant or measure of a muscle by its name in the muscle file.
+///
+/// # Errors
+/// [`GradientError`] with the nearest name.
+pub fn parameter(muscle: &Muscle, name: &str) -> Result<Target, GradientError> {
+    match Target::parse(name, muscle)? {
+        Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => {
+            Err(GradientError::OfData(name.into()))
+        }
+        target => Ok(target),
+    }
+}
+
+/// A muscle with other values of constants and measures, all others held as derivatives hold them.
+///
+/// # Errors
+/// [`GradientError`] for a name that is none, or a value that no muscle has.
+pub fn with_parameters(
+    muscle: &Muscle,
+    values: &[(impl AsRef<str>, f64)],
+) -> Result<Muscle, GradientError> {
+    let held = stated(muscle)?;
+    let values = values.iter();
+    let list: Result<Vec<_>, GradientError> = values
+        .map(|(name, value)| Ok((parameter(muscle, name.as_ref())?, *value)))
+        .collect();
+    Ok(Candidate::new(&held, &list?)?.muscle)
+}
+
+/// The same muscle with k stated in N/mm, where it follows from other measures: by the diameter,
+/// say, the strands' k stays what it is.
+fn stated(muscle: &Muscle) -> Result<Muscle, MuscleError> {
+    let Some(k) = muscle.family_stiffness_n_per_mm() else {
+        return Ok(muscle.clone());
+    };
+    muscle.with_braid(Braid {
+        stiffness: BraidStiffness::NewtonPerMm(k),
+        ..muscle.braid().clone()
+    })
+}
+
+/// ∂F/∂P and ∂F/∂ε of a model: its own, or differences of its pull.
+///
+/// # Errors
+/// [`ModelError`] where it has no answer.
+pub fn by_point(model: &mut Evaluation<'_>, p: f64, e: f64) -> Result<(f64, f64), ModelError> {
+    let response = model.response(p, e)?;
+    let by_pressure = model.force_per_pressure_mm2(&response)?;
+    let stiffness = model.stiffness_n_per_mm(&response)?;
+    Ok((by_pressure, -stiffness * model.model.muscle().length_mm()))
+}
+
+/// ∂F/∂θ of each parameter: that of the model, else by differences of models that `choice` makes,
+/// all other constants and measures held.
+///
+/// # Errors
+/// [`GradientError`] where one of them has none.
+pub fn by_parameters(
+    (choice, model): (Option<&Model>, &dyn ForceModel),
+    options: Options,
+    workspace: &mut Workspace,
+    (p, e): (f64, f64),
+    parameters: &[Target],
+) -> Result<Vec<f64>, GradientError> {
+    if parameters.is_empty() {
+        return Ok(vec![]);
+    }
+    let muscle = model.muscle();
+    let names: Vec<String> = parameters.iter().map(|t| t.name(muscle)).collect();
+    if let Some(known) = model.force_by(workspace, p, e, &names)? {
+        return Ok(known);
+    }
+    let held = stated(muscle)?;
+    let one = |(target, name): (&Target, &String)| {
+        let none = || GradientError::None {
+            model: model.info().name.to_string(),
+            by: name.clone(),
+            pressure_mpa: p,
+            contraction: e,
+        };
+        let (choice, value) = choice.zip(target.value(&held)).ok_or_else(none)?;
+        let scale = match target {
+            Target::Law(_) => muscle.tube().rubber.law.shear_modulus_mpa(),
+            _ => 1.0,
+        };
+        let step = STEP * if value == 0.0 { scale } else { value.abs() };
+        slope(step, |change| {
+            let other = Candidate::new(&held, &[(*target, value + change)])?.muscle;
+            let other = choice.build(&other)?;
+            Ok(Evaluation::new(&*other, &mut Workspace::new(), options).force_n(p, e)?)
+        })
+    };
+    parameters.iter().zip(&names).map(one).collect()
+}
+
+impl MuscleModel {
+    /// F with its derivatives by pressure, contraction, and constants and measures of the muscle,
+    /// named as in the muscle file, all others held.
+    ///
+    /// Finite elements and `universal` have exact ones; of models that have none they are
+    /// fourth-order differences, whose error is below 1e-9 of the derivative.
+    ///
+    /// ```
+    /// use mckibben::prelude::*;
+    ///
+    /// let mut model = Model::FE.of(&Muscle::prototype())?;
+    /// let by = model.gradient(0.25, 0.10, &["tube.wall_thickness", "tube.material.c10"])?;
+    /// assert!(by.by_pressure_mm2 > 0.0 && by.by_contraction_n < 0.0);
+    /// assert!(by.by_parameters[0] < 0.0, "a thicker wall pulls less");
+    /// let typo = model.gradient(0.25, 0.10, &["tube.wal"]).unwrap_err();
+    /// assert!(typo.to_string().contains("did you mean tube.wall"), "{typo}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`GradientError`]: a name that is none, with the nearest one; a point without an answer.
+    pub fn gradient(
+        &mut self,
+        pressure_mpa: f64,
+        contraction: f64,
+        parameters: &[&str],
+    ) -> Result<Gradient, GradientError> {
+        let names = parameters.iter();
+        let list: Result<Vec<_>, _> = names.map(|name| parameter(self.muscle(), name)).collect();
+        let list = list?;
+        let force_n = self.force_n(pressure_mpa, contraction)?;
+        let (choice, model, options) = (self.choice.clone(), self.shared(), self.options());
+        let point = (pressure_mpa, contraction);
+        let of = (choice.as_ref(), &*model);
+        let by_parameters = by_parameters(of, options, &mut self.workspace, point, &list)?;
+        let (by_pressure_mm2, by_contraction_n) =
+            by_point(&mut self.evaluation(), pressure_mpa, contraction)?;
+        Ok(Gradient {
+            force_n,
+            by_pressure_mm2,
+            by_contraction_n,
+            by_parameters,
+        })
+    }
+}

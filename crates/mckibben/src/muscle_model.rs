@@ -1,0 +1,237 @@
+//! A muscle with a model of it, and the memory in which the model works.
+
+use crate::Model;
+use mckibben_core::{
+    analysis::{AnalysisError, Burst, Evaluation, NoBurst, QUIET_MPA, burst},
+    answer::{Answer, Options},
+    model::{ForceModel, ModelError, Reference, Workspace},
+    muscle::{Direction, Muscle},
+    threads,
+    warning::Warning,
+};
+use std::{
+    fmt,
+    sync::{Arc, OnceLock},
+};
+
+/// What a muscle answers by a model: owned, for the whole muscle, ends included.
+///
+/// Units are MPa, N and contraction ratios ε = ΔL/L0. A question outside of the model's range is an
+/// error, unless [`extrapolating`](Self::extrapolating). Neighbouring questions are cheap, as finite
+/// elements go on from the last equilibrium; what is answered does not depend on them. A clone is
+/// independent: each thread takes one.
+///
+/// ```
+/// use mckibben::prelude::*;
+///
+/// let muscle: Muscle = "[tube]\nouter_diameter = '40 mm'\nwall_thickness = '2 mm'".parse()?;
+/// let mut model = Model::FE.of(&muscle)?;
+/// let at = model.answer(0.25, 0.10)?;
+/// // The model's pull, and what a muscle that is built will pull.
+/// let built = at.built.ok_or("no ± is known")?;
+/// assert!(built.predicted_low_n < at.response.force_n);
+/// let p = model.pressure_mpa(500.0, 0.10)?;
+/// assert!((model.force_n(p, 0.10)? - 500.0).abs() < 1e-3);
+/// assert!(model.force_n(50.0, 0.10).is_err(), "no rubber tube is meant to bear 500 bar");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct MuscleModel {
+    model: Arc<dyn ForceModel>,
+    /// What the model was made by; nothing of one of your own.
+    pub(crate) choice: Option<Model>,
+    options: Options,
+    /// Follows from the model alone; sought when it is asked for.
+    burst: Arc<OnceLock<Burst>>,
+    pub(crate) workspace: Workspace,
+}
+
+impl Clone for MuscleModel {
+    fn clone(&self) -> Self {
+        Self {
+            model: Arc::clone(&self.model),
+            choice: self.choice.clone(),
+            options: self.options,
+            burst: Arc::clone(&self.burst),
+            workspace: Workspace::new(),
+        }
+    }
+}
+
+impl fmt::Debug for MuscleModel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("MuscleModel")
+            .field("model", &self.model.info().name)
+            .field("options", &self.options)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Model {
+    /// This model of a muscle.
+    ///
+    /// # Errors
+    /// [`ModelError`] where the muscle does not state what the model needs, or where a mesh would
+    /// not fit into memory.
+    pub fn of(&self, muscle: &Muscle) -> Result<MuscleModel, ModelError> {
+        Ok(MuscleModel {
+            choice: Some(self.clone()),
+            ..MuscleModel::new(self.bound(muscle)?)
+        })
+    }
+}
+
+type Analysed<T> = Result<T, AnalysisError>;
+
+impl MuscleModel {
+    /// A model of your own, or any other that is bound to its muscle.
+    pub fn new(model: impl ForceModel + 'static) -> Self {
+        let muscle = model.muscle();
+        let by_map = matches!(model.info().accuracy.reference, Reference::ForceMap(_));
+        let options = Options {
+            direction: muscle.job().and_then(|job| job.branch).unwrap_or_default(),
+            friction_share: if by_map { 0.0 } else { muscle.friction_share() },
+            ..Options::default()
+        };
+        Self {
+            options: options.for_muscle(muscle),
+            model: Arc::new(model),
+            choice: None,
+            burst: Arc::default(),
+            workspace: Workspace::new(),
+        }
+    }
+
+    /// The same that answers outside of the model's range too, with a warning.
+    #[must_use]
+    pub fn extrapolating(mut self) -> Self {
+        self.options.extrapolate = true;
+        self
+    }
+
+    /// The same on a branch of the hysteresis loop: while the muscle shortens or lengthens.
+    #[must_use]
+    pub fn on_branch(mut self, direction: Direction) -> Self {
+        self.options.direction = direction;
+        self
+    }
+
+    /// The same with negative forces where the muscle would have to push, instead of slack.
+    #[must_use]
+    pub fn two_sided(mut self) -> Self {
+        self.options.two_sided = true;
+        self
+    }
+
+    /// The muscle.
+    pub fn muscle(&self) -> &Muscle {
+        self.model.muscle()
+    }
+
+    /// How questions are answered.
+    pub fn options(&self) -> Options {
+        self.options
+    }
+
+    /// What the model is, without memory: for [`joint`](crate::joint), [`motion`](crate::motion) and
+    /// curves.
+    pub fn shared(&self) -> Arc<dyn ForceModel> {
+        Arc::clone(&self.model)
+    }
+
+    /// The model with its memory, for whatever is not here.
+    pub fn evaluation(&mut self) -> Evaluation<'_> {
+        Evaluation::new(&*self.model, &mut self.workspace, self.options)
+    }
+
+    /// F(P, ε) in N; 0 where the muscle is slack.
+    ///
+    /// # Errors
+    /// [`ModelError`] outside of the model's range or where it has no answer.
+    pub fn force_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        let mut model = self.evaluation();
+        model.check_range(pressure_mpa, contraction)?;
+        match model.borne_force_n(pressure_mpa, contraction) {
+            Ok(force_n) if force_n >= 0.0 || self.options.two_sided => Ok(force_n),
+            // Slack, or an error: the whole answer tells which.
+            _ => Ok(self
+                .evaluation()
+                .point(pressure_mpa, contraction)?
+                .response
+                .force_n),
+        }
+    }
+
+    /// Everything that is known of a point: pull, what a muscle that is built pulls with its ±,
+    /// volume, stiffness, start pressure, warnings.
+    ///
+    /// # Errors
+    /// As those of [`force_n`](Self::force_n).
+    pub fn answer(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
+        let answer = self.evaluation().answer(pressure_mpa, contraction)?;
+        Ok(self.warned(answer))
+    }
+
+    /// P(F, ε) in MPa: the lowest pressure above the start pressure at which it pulls so much.
+    ///
+    /// # Errors
+    /// [`AnalysisError::NoPressure`] with the nearest pull that it reaches, or the model's.
+    pub fn pressure_mpa(&mut self, force_n: f64, contraction: f64) -> Analysed<f64> {
+        self.evaluation().sought_pressure(force_n, contraction)
+    }
+
+    /// The same with everything that is known there.
+    ///
+    /// # Errors
+    /// As those of [`pressure_mpa`](Self::pressure_mpa).
+    pub fn pressure(&mut self, force_n: f64, contraction: f64) -> Analysed<Answer> {
+        let answer = self.evaluation().pressure(force_n, contraction)?;
+        Ok(self.warned(answer))
+    }
+
+    /// ε(F, P): the contraction at which a pressure gives a pull.
+    ///
+    /// # Errors
+    /// [`AnalysisError::NoContraction`] with the nearest pull that it reaches, or the model's.
+    pub fn contraction(&mut self, force_n: f64, pressure_mpa: f64) -> Analysed<f64> {
+        self.evaluation().sought_contraction(force_n, pressure_mpa)
+    }
+
+    /// The contraction of the muscle that nothing holds.
+    ///
+    /// # Errors
+    /// As those of [`contraction`](Self::contraction).
+    pub fn free_contraction(&mut self, pressure_mpa: f64) -> Analysed<f64> {
+        self.contraction(0.0, pressure_mpa)
+    }
+
+    /// Pulls in N at many points, on all threads; each has the digits that it has alone.
+    pub fn forces_n(&self, points: &[(f64, f64)]) -> Vec<Result<f64, ModelError>> {
+        let (model, options) = (&self.model, self.options);
+        threads::map(points, |&(p, e)| {
+            Self {
+                model: Arc::clone(model),
+                choice: None,
+                options,
+                burst: Arc::default(),
+                workspace: Workspace::new(),
+            }
+            .force_n(p, e)
+        })
+    }
+
+    /// The pressures at which the parts of the muscle fail.
+    pub fn burst(&self) -> Burst {
+        *self
+            .burst
+            .get_or_init(|| burst(&*self.model).unwrap_or(Burst::unknown(NoBurst::NO_ANSWER)))
+    }
+
+    /// An answer with what is said of its pressure before all other warnings.
+    fn warned(&self, mut answer: Answer) -> Answer {
+        let said = self
+            .burst()
+            .warnings(answer.response.pressure_mpa, QUIET_MPA);
+        Warning::put_first(&mut answer.warnings, said);
+        answer
+    }
+}
