@@ -38,6 +38,8 @@ mod any_model;
 mod decide;
 #[cfg(feature = "fit")]
 pub mod gradient;
+#[cfg(feature = "fit")]
+mod identify;
 mod joint_model;
 mod muscle_model;
 pub mod prelude;
@@ -60,3 +62,12 @@ pub use mckibben_fit as fit;
 #[cfg(feature = "motion")]
 pub use mckibben_motion as motion;
 pub use muscle_model::MuscleModel;
+
+/// The Rust programs of README and book are run as those of the documentation.
+#[cfg(all(doctest, feature = "fem", feature = "fit", feature = "motion"))]
+mod pages {
+    #[doc = include_str!("../../../README.md")]
+    struct Readme;
+    #[doc = include_str!("../../../docs/rust.md")]
+    struct Rust;
+}
