@@ -193,7 +193,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
 }
 
 /// The elbow of the examples by its model `universal`, exported.
-fn elbow_by_universal(
+pub fn elbow_by_universal(
     supply_mpa: f64,
     targets: &[&str],
     test: impl Fn(&std::path::Path, &JointModel<'_>),
