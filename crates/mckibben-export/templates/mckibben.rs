@@ -194,11 +194,16 @@ fn functions(q: Real) -> (Functions, Functions) {
     (phi, slope)
 }
 
+/// Value and slope of each function at the one and at the other end of a part.
+fn ends<'a>(from: &'a Node, to: &'a Node) -> impl Iterator<Item = ((&'a Real, &'a Real), (&'a Real, &'a Real))> {
+    let begin = from.value_n.iter().zip(&from.slope_n);
+    begin.zip(to.value_n.iter().zip(&to.slope_n))
+}
+
 /// Values and slopes at both ends of a part, with these weights.
 fn weighted([v0, v1, v2, v3]: [Real; 4], from: &Node, to: &Node) -> Functions {
-    let ends = from.value_n.iter().zip(&from.slope_n).zip(to.value_n.iter().zip(&to.slope_n));
     let mut all = [0.0; FUNCTIONS];
-    for (one, ((a0, b0), (a1, b1))) in all.iter_mut().zip(ends) {
+    for (one, ((a0, b0), (a1, b1))) in all.iter_mut().zip(ends(from, to)) {
         *one = v0 * a0 + v1 * b0 + v2 * a1 + v3 * b1;
     }
     all
@@ -276,16 +281,14 @@ impl Muscle {
         for pair in self.nodes.windows(2).take(k.part) {
             if let [from, to] = pair {
                 let g = to.contraction - from.contraction;
-                let ends = from.value_n.iter().zip(&from.slope_n).zip(to.value_n.iter().zip(&to.slope_n));
-                for (sum, ((a0, b0), (a1, b1))) in sums.iter_mut().zip(ends) {
+                for (sum, ((a0, b0), (a1, b1))) in sums.iter_mut().zip(ends(from, to)) {
                     *sum += 0.5 * g * (a0 + a1 + g / 6.0 * (b0 - b1));
                 }
             }
         }
         let (t, h, s3) = (k.t, k.h, k.t * k.t * k.t);
         let s4 = s3 * t;
-        let ends = k.from.value_n.iter().zip(&k.from.slope_n).zip(k.to.value_n.iter().zip(&k.to.slope_n));
-        for (sum, ((a0, b0), (a1, b1))) in sums.iter_mut().zip(ends) {
+        for (sum, ((a0, b0), (a1, b1))) in sums.iter_mut().zip(ends(k.from, k.to)) {
             let slopes = (0.5 * t * t - 2.0 / 3.0 * s3 + 0.25 * s4) * b0 + (0.25 * s4 - s3 / 3.0) * b1;
             *sum += h * ((t - s3 + 0.5 * s4) * a0 + (s3 - 0.5 * s4) * a1 + h * slopes);
         }

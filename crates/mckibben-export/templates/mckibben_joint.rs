@@ -105,6 +105,19 @@ fn sine_and_cosine(angle: Real) -> (Real, Real) {
     }
 }
 
+impl Held {
+    /// The pull that it has of one that is wanted.
+    fn pull(&self, wanted: Real) -> Real {
+        if !(wanted > self.least) {
+            self.least
+        } else if wanted < self.most {
+            wanted
+        } else {
+            self.most
+        }
+    }
+}
+
 impl Path {
     fn at(&self, angle: Real) -> At {
         if self.radius_m != 0.0 {
@@ -224,13 +237,7 @@ impl<const N: usize> Joint<N> {
         let mut all = Pulled { pressures: [0.0; N], stiffness: place.passive, is_slack: false };
         let muscles = self.muscles.iter().zip(&place.held).zip([first, rest]);
         for (pressure, (((muscle, _), held), pull)) in all.pressures.iter_mut().zip(muscles) {
-            let force = if !(pull > held.least) {
-                held.least
-            } else if pull < held.most {
-                pull
-            } else {
-                held.most
-            };
+            let force = held.pull(pull);
             let at = &held.at;
             if pull > 1e-6 * held.most {
                 *pressure = nearest(muscle.pressure_pa(pull, at.length));
@@ -252,13 +259,7 @@ impl<const N: usize> Joint<N> {
         let [low, high] = if ends[0] < ends[1] { ends } else { [ends[1], ends[0]] };
         let rounding = 1e-6 * first.most;
         let is_there = low <= first.most + rounding && high >= first.least - rounding;
-        let low = if !(low > first.least) {
-            first.least
-        } else if low < first.most {
-            low
-        } else {
-            first.most
-        };
+        let low = first.pull(low);
         let high = if !(high < first.most) {
             first.most
         } else if high > low {

@@ -277,3 +277,132 @@ fn identity_rust_has_the_bits_of_c() {
         assert_eq!(by_c.len(), by_rust.len());
     }
 }
+
+/// An identity: the root of the file is that of IEEE 754, to the last bit, of numbers of all sizes;
+/// its sine and cosine are those of the standard library in double precision within the distance of
+/// neighbouring numbers at 1.
+#[test]
+fn identity_root_sine_and_cosine_of_rust() {
+    if !runs("rustc") {
+        return;
+    }
+    let main = "mod joint_elbow;\nuse joint_elbow::*;\nfn main() {\nlet mut state = \
+        0x9e37_79b9_7f4a_7c15_u64;\nlet mut next = || { state ^= state << 13; state ^= state >> 7; \
+        state ^= state << 17; state };\nlet special = [0.0, 1.0, 2.0, 4.0, Real::MIN_POSITIVE, \
+        Real::MAX, Real::INFINITY, 1.0 - Real::EPSILON / 2.0, 1.0 + Real::EPSILON];\nfor i in \
+        0..300_000 {\nlet value = special.get(i).copied().unwrap_or_else(|| Real::from_bits(next() \
+        as _)).abs();\nassert!(root_of(value).to_bits() == value.sqrt().to_bits() || \
+        value.is_nan() && root_of(value).is_nan(), \"{value:e}\");\n}\n\
+        assert!(root_of(-1.0).is_nan());\nlet mut most = 0.0_f64;\nfor i in -300_000..=300_000 \
+        {\nlet angle = i as Real / 3e3;\nlet (s, c) = turned(angle);\nlet (sine, cosine) = (angle as \
+        f64).sin_cos();\nmost = most.max((s as f64 - sine).abs()).max((c as f64 - \
+        cosine).abs());\n}\nassert!(turned(Real::INFINITY).0.is_nan());\nprintln!(\"{}\", most / \
+        Real::EPSILON as f64);\n}\n";
+    elbow_by_universal(0.3, &["rust"], |folder, _| {
+        let file = folder.join("joint_elbow.rs");
+        let text = std::fs::read_to_string(&file).unwrap()
+            + "pub fn root_of(value: Real) -> Real { root(value) }\npub fn turned(angle: Real) -> (Real, \
+               Real) { sine_and_cosine(angle) }\n";
+        std::fs::write(file, text).unwrap();
+        for (precision, _) in PRECISIONS {
+            let most: f64 = printed(folder, main, precision).trim().parse().unwrap();
+            println!("{precision}: sine and cosine within {most} units in the last place of 1");
+            assert!(most <= 1.0, "{precision}: {most}");
+        }
+    });
+}
+
+/// An identity: torque, stiffness, slopes, limits, friction and pressures of a joint are those of C
+/// at random states, as near as rounding of sine and cosine lets them.
+#[test]
+fn identity_joints_of_rust_are_those_of_c() {
+    if !runs("rustc") || !runs("cc") {
+        return;
+    }
+    let mut random = Random(12);
+    let states = Vec::from_iter((0..rounds(300)).map(|_| {
+        [
+            random.between(-1.2, 1.2),
+            random.between(-1e4, 3.2e5),
+            random.between(-1e4, 3.2e5),
+            random.between(-6.0, 6.0),
+        ]
+    }));
+    let table = |open: &str, close: &str| {
+        let row = |s: &[f64; 4]| {
+            format!(
+                "{open}{:e}, {:e}, {:e}, {:e}{close}",
+                s[0], s[1], s[2], s[3]
+            )
+        };
+        states.iter().map(row).collect::<Vec<_>>().join(",\n")
+    };
+    let count = states.len();
+    let c = format!(
+        "#include \"joint_elbow.h\"\n#include <stdio.h>\nstatic const double states[{count}][4] = \
+         {{{}}};\nint main(void) {{\nfor (int i = 0; i < {count}; i++) {{\nconst mckibben_joint *j = \
+         &joint_elbow;\nconst mckibben_real a = MCKIBBEN_R(states[i][0]), p[2] = \
+         {{MCKIBBEN_R(states[i][1]), MCKIBBEN_R(states[i][2])}}, t = \
+         MCKIBBEN_R(states[i][3]);\nmckibben_real k, d[2], l[2], q[2], r[2];\nunsigned s, \
+         u;\nconst mckibben_real torque = mckibben_joint_torque(j, p, a, &k, d, \
+         &s);\nmckibben_joint_limits(j, a, l);\nmckibben_joint_pressures(j, a, t, MCKIBBEN_R(9), q, r, \
+         &u);\nprintf(\"%.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %u %u\\n\", \
+         (double)torque, (double)k, 1e6 * (double)d[0], 1e6 * (double)d[1], (double)l[0], \
+         (double)l[1], (double)mckibben_joint_friction(j, p, a, MCKIBBEN_R(1), MCKIBBEN_R(0.1)), 1e-5 \
+         * (double)q[0], 1e-5 * (double)q[1], (double)r[1], s & ~1u, u & ~1u);\n}}\nreturn 0;\n}}\n",
+        table("{", "}")
+    );
+    let rust = format!(
+        "mod joint_elbow;\nuse joint_elbow::*;\nstatic STATES: [[f64; 4]; {count}] = [{}];\nfn main() \
+         {{\nlet j = &JOINT_ELBOW;\nlet why = |a: Answer<[Real; 2]>| a.err().map_or(0, |o| \
+         o.status & !1);\nfor s in STATES {{\nlet [a, p, q, t] = s.map(|v| v as Real);\nlet p = [p, \
+         q];\nlet [d, e] = nearest(j.torque_per_pressure_m3(p, a)).map(f64::from);\nlet l = \
+         j.limits_nm(a);\nlet q = j.pressures_pa(a, t, Some(9.0));\nlet [v, w] = \
+         nearest(q).map(f64::from);\nprintln!(\"{{}} {{}} {{}} {{}} {{}} {{}} {{}} {{}} {{}} {{}} {{}} \
+         {{}}\", nearest(j.torque_nm(p, a)), nearest(j.stiffness_nm_per_rad(p, a)), 1e6 * d, 1e6 * e, \
+         l[0], l[1], nearest(j.friction_nm(p, a, 1.0, 0.1)), 1e-5 * v, 1e-5 * w, \
+         nearest(j.reached_nm_per_rad(a, t))[1], j.status(p, a) & !1, why(q));\n}}\n}}\n",
+        table("[", "]")
+    );
+    elbow_by_universal(0.3, &["c", "rust"], |folder, _| {
+        // With a friction that the example does not state.
+        let none = "MCKIBBEN_R(0e0), MCKIBBEN_R(0e0), MCKIBBEN_R(0e0)";
+        for (name, from, to) in [
+            (
+                "muscle_elbow_1.h",
+                none,
+                "MCKIBBEN_R(30), MCKIBBEN_R(5), MCKIBBEN_R(0)",
+            ),
+            (
+                "muscle_elbow_2.h",
+                none,
+                "MCKIBBEN_R(30), MCKIBBEN_R(5), MCKIBBEN_R(0)",
+            ),
+            (
+                "joint_elbow.rs",
+                "friction_n: [0e0, 0e0]",
+                "friction_n: [30.0, 5.0]",
+            ),
+        ] {
+            let text = std::fs::read_to_string(folder.join(name)).unwrap();
+            assert!(text.contains(from));
+            std::fs::write(folder.join(name), text.replace(from, to)).unwrap();
+        }
+        for ((precision, flag), near) in PRECISIONS.into_iter().zip([1e-13, 1e-5]) {
+            let arguments = ["-ffp-contract=off", "-O1", "mckibben.c", flag];
+            let by_c = numbers(&compiled_and_run(folder, &c, &arguments));
+            let by_rust = numbers(&printed(folder, &rust, precision));
+            assert!(by_c.len() == count && by_rust.len() == count);
+            let mut most = [0.0_f64; 12];
+            for ((wanted, found), state) in by_c.iter().zip(&by_rust).zip(&states) {
+                for (most, (a, b)) in most.iter_mut().zip(wanted.iter().zip(found)) {
+                    *most = most.max((a - b).abs());
+                }
+                assert_eq!(wanted[10..], found[10..], "{precision} {state:?}");
+            }
+            assert!(by_rust.iter().any(|row| row[6].abs() > 0.1));
+            println!("{precision}: {most:?}");
+            assert!(most.iter().all(|off| *off <= near), "{precision}: {most:?}");
+        }
+    });
+}
