@@ -99,7 +99,7 @@ fn files_of_rust_need_no_std_test_themselves_and_do_not_panic() {
         )
         .unwrap();
         for (precision, _) in PRECISIONS {
-            for edition in ["2015", "2018", "2021", "2024"] {
+            for edition in ["2015", "2021", "2024"] {
                 for root in [file, "firmware.rs"] {
                     let library = [
                         "--edition",
