@@ -154,6 +154,70 @@ def main_c(points, count):
     return "\n".join(lines) + "\n"
 
 
+# Cortex-M4 with a unit of single precision.
+CORTEX_M4 = (
+    "arm-none-eabi-gcc",
+    "-mcpu=cortex-m4",
+    "-mthumb",
+    "-mfloat-abi=hard",
+    "-mfpu=fpv4-sp-d16",
+)
+
+
+def on_cortex_m4(folder, *words):
+    """The numbers that `all` of these sources puts, on the board netduinoplus2 of QEMU, with semihosting."""
+    (folder / "board.ld").write_text("""ENTRY(_start)
+MEMORY { FLASH (rx): ORIGIN = 0x08000000, LENGTH = 512K RAM (rwx): ORIGIN = 0x20000000, LENGTH = 128K }
+SECTIONS {
+  .text : { KEEP(*(.vectors)) *(.text*) *(.rodata*) . = ALIGN(4); } > FLASH
+  .init_array : { *(.init*) *(.fini*) *(.preinit*) } > FLASH
+  .ARM.exidx : { *(.ARM.exidx*) } > FLASH
+  .data : { *(.data*) } > RAM
+  .bss : { __bss_start__ = .; *(.bss*) *(COMMON) __bss_end__ = .; end = .; } > RAM
+}
+""")
+    (folder / "start.c").write_text("""extern int main(void);
+static int semi(int op, void *arg) { register int r0 __asm__("r0") = op; register void *r1 __asm__("r1") = arg; __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory"); return r0; }
+void put(long value) { char text[16]; int at = 15; unsigned long v = value < 0 ? 0ul - (unsigned long)value : (unsigned long)value; text[at] = 0; text[--at] = '\\n'; do { text[--at] = (char)('0' + v % 10); v /= 10; } while (v); if (value < 0) text[--at] = '-'; semi(4, &text[at]); }
+extern void all(void);
+void reset(void) { *(volatile unsigned *)0xE000ED88 |= 0xFu << 20; __asm__ volatile("dsb\\nisb"); all(); int stop[2] = {0x20026, 0}; semi(0x18, (void *)0x20026); (void)stop; for (;;) {} }
+__attribute__((section(".vectors"), used)) void *const vectors[2] = {(void *)0x20020000, (void *)reset};
+""")
+    run(
+        *CORTEX_M4,
+        "-nostartfiles",
+        "-T",
+        "board.ld",
+        "-Wl,-e,reset",
+        "start.c",
+        *words,
+        "-lm",
+        "-o",
+        "arm.elf",
+        cwd=folder,
+    )
+    done = run(
+        "qemu-system-arm",
+        "-M",
+        "netduinoplus2",
+        "-nographic",
+        "-semihosting-config",
+        "enable=on,target=native",
+        "-kernel",
+        "arm.elf",
+        cwd=folder,
+        ok=False,
+        timeout=60,
+    )
+    return [int(v) for v in re.findall(r"-?\d+", done.stdout + done.stderr)]
+
+
+def flash(file, folder):
+    """Bytes of code of an object file."""
+    listed = run("arm-none-eabi-size", "-A", file, cwd=folder).stdout
+    return sum(map(int, re.findall(r"^\.text\S*\s+(\d+)", listed, re.M)))
+
+
 def c():
     folder, _, seconds = export("c")
     strict = [
@@ -203,87 +267,14 @@ def c():
         "-fdata-sections",
         "-Wl,--gc-sections",
     ]
-    # Cortex-M4 with single-precision unit, on the board netduinoplus2 of QEMU, with semihosting.
-    (folder / "arm.c").write_text("""#include <stdio.h>
-extern void all(void);
-void put(long value) { printf("%ld\\n", value); }
-int main(void) { all(); fflush(stdout); return 0; }
-""")
     begun = time.monotonic()
-    arm = [
-        "arm-none-eabi-gcc",
-        "-mcpu=cortex-m4",
-        "-mthumb",
-        "-mfloat-abi=hard",
-        "-mfpu=fpv4-sp-d16",
-        *flags,
-    ]
-    (folder / "board.ld").write_text("""ENTRY(_start)
-MEMORY { FLASH (rx): ORIGIN = 0x08000000, LENGTH = 512K RAM (rwx): ORIGIN = 0x20000000, LENGTH = 128K }
-SECTIONS {
-  .text : { KEEP(*(.vectors)) *(.text*) *(.rodata*) . = ALIGN(4); } > FLASH
-  .init_array : { *(.init*) *(.fini*) *(.preinit*) } > FLASH
-  .ARM.exidx : { *(.ARM.exidx*) } > FLASH
-  .data : { *(.data*) } > RAM
-  .bss : { __bss_start__ = .; *(.bss*) *(COMMON) __bss_end__ = .; end = .; } > RAM
-}
-""")
-    (folder / "start.c").write_text("""extern int main(void);
-static int semi(int op, void *arg) { register int r0 __asm__("r0") = op; register void *r1 __asm__("r1") = arg; __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory"); return r0; }
-void put(long value) { char text[16]; int at = 15; unsigned long v = value < 0 ? 0ul - (unsigned long)value : (unsigned long)value; text[at] = 0; text[--at] = '\\n'; do { text[--at] = (char)('0' + v % 10); v /= 10; } while (v); if (value < 0) text[--at] = '-'; semi(4, &text[at]); }
-extern void all(void);
-void reset(void) { *(volatile unsigned *)0xE000ED88 |= 0xFu << 20; __asm__ volatile("dsb\\nisb"); all(); int stop[2] = {0x20026, 0}; semi(0x18, (void *)0x20026); (void)stop; for (;;) {} }
-__attribute__((section(".vectors"), used)) void *const vectors[2] = {(void *)0x20020000, (void *)reset};
-""")
-    run(
-        *arm,
-        "-nostartfiles",
-        "-T",
-        "board.ld",
-        "-Wl,-e,reset",
-        "start.c",
-        "points.c",
-        "mckibben.c",
-        "-lm",
-        "-o",
-        "arm.elf",
-        cwd=folder,
-    )
-    done = run(
-        "qemu-system-arm",
-        "-M",
-        "netduinoplus2",
-        "-nographic",
-        "-semihosting-config",
-        "enable=on,target=native",
-        "-kernel",
-        "arm.elf",
-        cwd=folder,
-        ok=False,
-        timeout=60,
-    )
-    values = (
-        np.array([int(v) for v in re.findall(r"-?\d+", done.stdout + done.stderr)])
-        / 1000
-    )
-    assert len(values) == len(expected), (
-        len(values),
-        len(expected),
-        done.stdout[:300],
-        done.stderr[:300],
-    )
+    arm = [*CORTEX_M4, *flags]
+    printed = on_cortex_m4(folder, *flags, "points.c", "mckibben.c")
+    values = np.array(printed) / 1000
+    assert len(values) == len(expected), (len(values), len(expected))
     error = np.abs(values - expected).max() / blocked
     run(*arm, "-c", "mckibben.c", cwd=folder)
-    text = sum(
-        map(
-            int,
-            re.findall(
-                r"^\.text\S*\s+(\d+)",
-                run("arm-none-eabi-size", "-A", "mckibben.o", cwd=folder).stdout,
-                re.M,
-            ),
-        )
-    )
+    text = flash("mckibben.o", folder)
     assert error < 1e-4, error
     assert text <= 2176, text
     noted(
@@ -355,6 +346,79 @@ int main(void) {
         "c",
         f"ATmega2560 float, simavr: {cycles[0]} cycles a pull, {cycles[1]} an inverse",
         f"{error:.1e}",
+        f"{text} B flash, all functions",
+        time.monotonic() - begun,
+    )
+
+
+THUMB = "thumbv7em-none-eabihf"
+
+
+def rust():
+    """The file of Rust on the host, and on a Cortex-M4 in QEMU: there its numbers have the bits of those of C."""
+    if not shutil.which("rustc"):
+        print("rust | rustc | not installed")
+        return
+    folder, _, seconds = export("rust")
+    c_folder, _, _ = export("c")
+    begun = time.monotonic()
+    size = (folder / "muscle_prototype.rs").stat().st_size
+    for real in ("double", "float"):
+        cfg = ("--cfg", f"mckibben_{real}", "-D", "warnings")
+        run("rustc", *cfg, "--test", "muscle_prototype.rs", "-o", "tests", cwd=folder)
+        run(folder / "tests")
+    noted(
+        "rust",
+        "x86-64, f64 and f32, no warning",
+        "its own test: 1e-12, f32 1e-4",
+        f"{size} B of source",
+        seconds + time.monotonic() - begun,
+    )
+    library = run("rustc", "--print", "target-libdir", "--target", THUMB, ok=False)
+    if not list(pathlib.Path(library.stdout.strip() or "none").glob("libcore*")):
+        print(f"rust | {THUMB} | not installed (rustup target add {THUMB})")
+        return
+    begun = time.monotonic()
+    at = list(zip(P, L, np.where(F > 0, F, 0.1 * blocked)))[::7]
+    (c_folder / "bits.c").write_text(
+        '#include "muscle_prototype.h"\n#include <string.h>\nextern void put(long value);\n'
+        "static void say(float value) { long bits; memcpy(&bits, &value, sizeof bits); put(bits); }\n"
+        f"static const mckibben_real at[{len(at)}][3] = {{\n"
+        + "".join(f"{{{p:.9e}f, {l:.9e}f, {f:.9e}f}},\n" for p, l, f in at)
+        + "};\nvoid all(void) { const mckibben_muscle *m = &muscle_prototype; "
+        f"for (int i = 0; i < {len(at)}; i++) {{ const float p = at[i][0], l = at[i][1], f = at[i][2]; "
+        "say(mckibben_force(m, p, l, 0)); say(mckibben_stiffness(m, p, l, 0)); say(mckibben_volume(m, p, l, 0)); "
+        "say(mckibben_pressure(m, f, l, 0)); say(mckibben_contraction(m, f, p, 0)); } }\n"
+    )
+    (folder / "firmware.rs").write_text(
+        "#![no_std]\nmod muscle_prototype;\nuse muscle_prototype::*;\n"
+        'extern "C" { fn put(value: i32); }\n'
+        "#[panic_handler]\nfn stop(_: &core::panic::PanicInfo) -> ! { loop {} }\n"
+        "fn say(answer: Answer) { unsafe { put(nearest(answer).to_bits() as i32) } }\n"
+        f"static AT: [[Real; 3]; {len(at)}] = [\n"
+        + "".join(f"[{p:.9e}, {l:.9e}, {f:.9e}],\n" for p, l, f in at)
+        + '];\n#[no_mangle]\npub extern "C" fn all() { let m = &MUSCLE_PROTOTYPE; for [p, l, f] in AT { '
+        "say(m.force_n(p, l)); say(m.stiffness_n_per_m(p, l)); say(m.volume_m3(p, l)); "
+        "say(m.pressure_pa(f, l)); say(m.contraction(f, p)); } }\n"
+    )
+    target = ("--target", THUMB, "-C", "panic=abort", "-C", "opt-level=s")
+    strict = ("--edition", "2021", "-D", "warnings")
+    static = ("--crate-type", "staticlib", "firmware.rs", "-o", "libfirmware.a")
+    run("rustc", *target, *strict, *static, cwd=folder)
+    by_rust = on_cortex_m4(folder, "libfirmware.a")
+    flags = ("-std=c99", "-Os", "-DMCKIBBEN_FLOAT")
+    by_c = on_cortex_m4(c_folder, *flags, "bits.c", "mckibben.c")
+    assert len(by_c) == 5 * len(at) and by_rust == by_c, [
+        (i, a, b) for i, (a, b) in enumerate(zip(by_rust, by_c)) if a != b
+    ][:10]
+    code = ("--crate-type", "lib", "--emit", "obj", "-o", "muscle.o")
+    run("rustc", *target, *code, "muscle_prototype.rs", cwd=folder)
+    text = flash("muscle.o", folder)
+    assert text <= 6400, text
+    noted(
+        "rust",
+        f"Cortex-M4 float ({THUMB}), QEMU",
+        f"the bits of C, {len(by_c)} numbers",
         f"{text} B flash, all functions",
         time.monotonic() - begun,
     )
@@ -1102,4 +1166,4 @@ def run_parts(*parts):
 
 
 if __name__ == "__main__":
-    run_parts(python, c, sketch, observer, mjcf, mjcf_plugin, states, robot)
+    run_parts(python, c, rust, sketch, observer, mjcf, mjcf_plugin, states, robot)

@@ -17,6 +17,7 @@ need aarch64-linux-gnu-gcc gcc-aarch64-linux-gnu libc6-dev-arm64-cross
 if [ ${#packages[@]} -gt 0 ]; then
     (apt-get update -qq && apt-get install -y -qq --no-install-recommends "${packages[@]}") >/dev/null
 fi
+rustup target add thumbv7em-none-eabihf >/dev/null 2>&1 || echo "thumbv7em-none-eabihf could not be installed: its part is left out"
 venv=${CARGO_TARGET_DIR:-target}/venv-exports
 test -x "$venv/bin/python" || python3 -m venv "$venv"
 "$venv/bin/python" -m pip install --quiet numpy scipy jax mujoco fmpy unicorn

@@ -8385,7 +8385,7 @@ class JointCommands:
         Parameters
         ----------
         target
-            The target: `c`, `python`, `mjcf` or `fmu`.
+            The target: `c`, `rust`, `python`, `mjcf` or `fmu`.
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         pressure_mpa : MPa

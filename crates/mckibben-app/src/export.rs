@@ -248,7 +248,7 @@ pub struct ExportJointRequest {
     #[serde(deserialize_with = "ModelFields::or_name")]
     #[command(flatten)]
     pub model: ModelFields,
-    /// The target: `c`, `python`, `mjcf` or `fmu`.
+    /// The target: `c`, `rust`, `python`, `mjcf` or `fmu`.
     #[arg(long = "as")]
     pub target: Option<String>,
     /// Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower]

@@ -5,6 +5,7 @@ mod fmu;
 mod mjcf;
 mod opensim;
 mod python;
+mod rust;
 mod zip;
 
 use crate::{
@@ -33,8 +34,9 @@ pub struct Target {
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         c::TARGET,
+        rust::TARGET,
         python::TARGET,
         mjcf::TARGET,
         fmu::TARGET,

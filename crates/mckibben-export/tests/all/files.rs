@@ -6,10 +6,10 @@ use mckibben_export::{Content, ExportError, ExportedMuscle, Form, OK, Point, Tar
 use sha2::{Digest, Sha256};
 use std::{fmt::Write as _, io::Read as _, path::Path, process::Command, sync::LazyLock};
 
-static PROTOTYPE: LazyLock<ExportedMuscle> =
+pub static PROTOTYPE: LazyLock<ExportedMuscle> =
     LazyLock::new(|| exported(&Muscle::prototype(), 0.25).unwrap());
 /// With a rope, which adds to each length.
-static ROPED: LazyLock<ExportedMuscle> = LazyLock::new(|| {
+pub static ROPED: LazyLock<ExportedMuscle> = LazyLock::new(|| {
     let mut muscle = PROTOTYPE.clone();
     muscle.cord_m = 0.06;
     muscle
@@ -94,7 +94,7 @@ pub fn runs(program: &str) -> bool {
 }
 
 /// Points in the box, outside of it, and slack.
-fn points() -> Vec<(f64, f64)> {
+pub fn points() -> Vec<(f64, f64)> {
     let form = &PROTOTYPE.form;
     let mut out = vec![];
     for i in -1..=11 {
@@ -189,7 +189,9 @@ fn an_unknown_target_is_named_with_those_that_there_are() {
     let error = Target::named("csv").unwrap_err();
     assert!(matches!(error, ExportError::Target { .. }));
     assert!(
-        error.to_string().contains("c, python, mjcf, fmu, opensim"),
+        error
+            .to_string()
+            .contains("c, rust, python, mjcf, fmu, opensim"),
         "{error}"
     );
 }
@@ -280,7 +282,7 @@ fn compare_with_c(flags: &[&str], tolerance: f64) {
     }
 }
 
-fn compare_rows(rows: &[Vec<f64>], tolerance: f64, at: fn(&Form, f64, f64) -> Point) {
+pub fn compare_rows(rows: &[Vec<f64>], tolerance: f64, at: fn(&Form, f64, f64) -> Point) {
     let form = &PROTOTYPE.form;
     let full = form.point_at(form.supply_pa, 0.0);
     let scales = [
@@ -682,6 +684,17 @@ fn names_are_code_in_no_language() {
                 Some("c") if !text.contains("mujoco/") && runs("cc") => {
                     read("cc", &["-std=c99", "-fsyntax-only"])
                 }
+                Some("rs") if runs("rustc") => read(
+                    "rustc",
+                    &[
+                        "-D",
+                        "warnings",
+                        "--crate-type",
+                        "lib",
+                        "--emit",
+                        "metadata",
+                    ],
+                ),
                 Some("py" | "fmu" | "xml" | "osim") if runs("python3") => {
                     read("python3", &["-c", reads])
                 }
@@ -692,7 +705,7 @@ fn names_are_code_in_no_language() {
     }
 }
 
-/// Names that C, its library or Python has: behind a prefix they are none.
+/// Names that C, its library, Rust or Python has: behind a prefix they are none.
 #[test]
 fn names_of_languages_and_libraries_are_names_of_muscles() {
     if !runs("cc") {
@@ -709,6 +722,11 @@ fn names_of_languages_and_libraries_are_names_of_muscles() {
         let main = std::fs::read_to_string(folder.path().join(example)).unwrap();
         let text = compiled_and_run(folder.path(), &main, &["mckibben.c"]);
         assert!(text.contains("status 0"), "{name}");
+        if runs("rustc") {
+            write(&muscle, "rust", folder.path());
+            let file = muscle.identifier() + ".rs";
+            super::rust::rustc(folder.path(), &["--crate-type", "lib", &file]);
+        }
     }
 }
 

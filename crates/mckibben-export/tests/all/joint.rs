@@ -3,6 +3,7 @@
 use super::{
     fe,
     files::{compiled_and_run, numbers, python, runs},
+    rust::{printed, rustc},
 };
 use mckibben_core::{
     joint::{BoundJoint, Joint, Turning, parse_joint},
@@ -75,11 +76,35 @@ fn by_python(folder: &std::path::Path, states: &[[f64; 3]], wanted: &[[f64; 3]])
     Some([first.to_vec(), second.to_vec()])
 }
 
-/// At random states (1000 with `MCKIBBEN_TIMES=10`) torque and stiffness of C and Python are those
+fn by_rust(
+    folder: &std::path::Path,
+    count: usize,
+    states: &[[f64; 3]],
+    wanted: &[[f64; 3]],
+) -> Rows {
+    let main = format!(
+        "mod joint_elbow;\nuse joint_elbow::*;\nfn main() {{\nlet j = &JOINT_ELBOW;\nfor [a, p1, p2] in \
+         {states:?} as [[f64; 3]; {}] {{\nlet p: [Real; {count}] = std::array::from_fn(|i| [p1, \
+         p2][i]);\nlet d = nearest(j.torque_per_pressure_m3(p, a));\nlet l = \
+         j.limits_nm(a);\nprintln!(\"{{}} {{}} {{}} {{}} {{}} {{}} {{}}\", nearest(j.torque_nm(p, a)), \
+         nearest(j.stiffness_nm_per_rad(p, a)), d[0], d.get(1).unwrap_or(&0.0), l[0], l[1], \
+         j.status(p, a));\n}}\nfor [a, t, k] in {wanted:?} as [[f64; 3]; {}] {{\nlet p = \
+         j.pressures_pa(a, t, Some(k).filter(|k| *k != 0.0));\nlet s = p.err().map_or(0, |o| \
+         o.status);\nlet p = nearest(p);\nprintln!(\"{{}} {{}} {{s}}\", p[0], \
+         p.get(1).unwrap_or(&0.0));\n}}\n}}\n",
+        states.len(),
+        wanted.len(),
+    );
+    let rows = numbers(&printed(folder, &main, "mckibben_double"));
+    let (first, second) = rows.split_at(states.len());
+    [first.to_vec(), second.to_vec()]
+}
+
+/// At random states (1000 with `MCKIBBEN_TIMES=10`) torque and stiffness of C, Rust and Python are those
 /// of `joint` by finite elements within the stated errors, slopes in the pressures by differences;
 /// the pressures for a torque and a stiffness give them in `joint`.
 #[test]
-fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
+fn c_rust_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
     for (i, text) in JOINTS.iter().enumerate() {
         let muscle: Muscle =
             parse_muscle(include_str!("../../../../examples/biceps.toml")).unwrap();
@@ -93,7 +118,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
         let shared = joint.muscles().iter().map(|_| Arc::from(fe(&muscle)));
         let core = BoundJoint::new(joint.clone(), shared.collect(), true).unwrap();
         let (folder, w) = (tempfile::tempdir().unwrap(), &mut core.workspaces());
-        for target in ["c", "python"] {
+        for target in ["c", "rust", "python"] {
             for file in exported.to(Target::named(target).unwrap()).unwrap().files {
                 std::fs::write(folder.path().join(file.name), file.content.bytes()).unwrap();
             }
@@ -133,6 +158,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
         }));
         let mut hosts = vec![];
         hosts.extend(runs("cc").then(|| by_c(folder.path(), &states, &wanted)));
+        hosts.extend(runs("rustc").then(|| by_rust(folder.path(), count, &states, &wanted)));
         hosts.extend(by_python(folder.path(), &states, &wanted));
         let (torque_nm, stiffness) = (
             exported.torque_error_nm,
@@ -195,7 +221,7 @@ fn c_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
 }
 
 /// The elbow of the examples by its model `universal`, exported.
-fn elbow_by_universal(
+pub fn elbow_by_universal(
     supply_mpa: f64,
     targets: &[&str],
     test: impl Fn(&std::path::Path, &BoundJoint),
@@ -305,7 +331,7 @@ fn identity_what_the_inverse_answers_the_joint_does_and_a_jump_is_no_answer() {
 /// As of one muscle: no pressure of what is not a number, and a status.
 #[test]
 fn identity_what_is_not_a_number_gives_no_pressure() {
-    elbow_by_universal(0.3, &["c", "python"], |folder, _| {
+    elbow_by_universal(0.3, &["c", "rust", "python"], |folder, _| {
         let wrong = ["NAN", "INFINITY", "-INFINITY"];
         let mut main = "#include \"joint_elbow.h\"\n#include <stdio.h>\n#include <math.h>\nstatic \
             void at(double a, double t, double k) { double p[2], r[2]; unsigned s; \
@@ -319,6 +345,11 @@ fn identity_what_is_not_a_number_gives_no_pressure() {
             );
         }
         main += "return 0; }\n";
+        let rust = "mod joint_elbow;\nuse joint_elbow::*;\nfn main() {\nlet at = |a, t, k| match \
+            JOINT_ELBOW.pressures_pa(a, t, k) { Ok(p) => println!(\"{} {} 0\", p[0], p[1]), Err(o) => \
+            println!(\"{} {} {}\", o.nearest[0], o.nearest[1], o.status & NO_ANSWER) };\nfor v in \
+            [Real::NAN, Real::INFINITY, -Real::INFINITY] { at(v, 1.0, None); at(0.3, v, None); at(0.3, \
+            v, Some(9.0)); at(0.3, 1.0, Some(v)); }\n}\n";
         let script = "import numpy as n, joint_elbow as j\nfor v in (n.nan, n.inf, -n.inf):\n for a, \
             t, k in ((v, 1., None), (.3, v, None), (.3, v, 9.), (.3, 1., v)):\n  print(*(float(x[0]) \
             for x in j.pressures(n.array([t]), n.array([a]), k and n.array([k]))), \
@@ -328,6 +359,7 @@ fn identity_what_is_not_a_number_gives_no_pressure() {
         hosts.extend(
             runs("cc").then(|| numbers(&compiled_and_run(folder, &main, &["-O1", "mckibben.c"]))),
         );
+        hosts.extend(runs("rustc").then(|| numbers(&printed(folder, rust, "mckibben_double"))));
         hosts.extend(python(folder, "numpy", &script));
         for rows in hosts {
             assert_eq!(rows, vec![vec![0.0, 0.0, 8.0]; 12]);
@@ -409,7 +441,7 @@ fn joints_of_every_name_compile_for_every_target() {
         "a name that is longer than what identifiers of muscles hold",
     ];
     for name in names {
-        let targets = ["c", "python", "mjcf", "fmu"];
+        let targets = ["c", "rust", "python", "mjcf", "fmu"];
         named_by_universal(name, 0.3, &targets, |folder, _| {
             let files = std::fs::read_dir(folder).unwrap();
             let mut files =
@@ -431,6 +463,9 @@ fn joints_of_every_name_compile_for_every_target() {
                 if file.starts_with("joint") && file.ends_with("_example.c") && runs("cc") {
                     let said = compiled_and_run(folder, &text, &["mckibben.c"]);
                     assert!(said.contains("status 0"), "{name}: {said}");
+                }
+                if file.ends_with(".rs") && runs("rustc") {
+                    rustc(folder, &["--crate-type", "lib", file]);
                 }
                 let module = file
                     .strip_suffix(".py")

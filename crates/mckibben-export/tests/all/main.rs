@@ -12,6 +12,7 @@ mod form;
 mod joint;
 mod memory;
 mod refused;
+mod rust;
 
 use mckibben_core::{model::ForceModel, muscle::Muscle};
 use mckibben_export::{BoxRequest, ExportError, ExportedMuscle};

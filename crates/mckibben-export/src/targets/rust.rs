@@ -1,0 +1,139 @@
+//! Rust: one file without `std` and other crates, for firmware.
+
+use super::common;
+use crate::{
+    Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
+    template::{list, lists, number, render},
+};
+use mckibben_core::joined;
+
+pub const TARGET: Target = Target {
+    name: "rust",
+    about: "one Rust file without std, f32 or f64, for firmware",
+    needs: "Rust from 1.84; no crate and no heap",
+    loses: "nothing of the form",
+    make,
+    joint: Some(joint),
+};
+
+/// Templates: the functions of muscles and of joints, the numbers of each, and a test of a muscle.
+const FUNCTIONS: &str = include_str!("../../templates/mckibben.rs");
+const MUSCLE: &str = include_str!("../../templates/muscle.rs");
+const MUSCLE_TEST: &str = include_str!("../../templates/muscle_test.rs");
+const JOINT_FUNCTIONS: &str = include_str!("../../templates/mckibben_joint.rs");
+const JOINT: &str = include_str!("../../templates/joint.rs");
+
+const SQUARE: [&str; 2] = ["[", "]"];
+/// Shares of the supply and of the way from rest to the upper end of the contractions at which a
+/// file tests itself; the first gives the scales.
+const TESTED: [(f64, f64); 5] = [(1.0, 0.0), (0.3, 0.0), (0.5, 0.1), (0.8, 0.4), (0.9, 0.2)];
+
+/// One file: these templates.
+fn artefact(
+    id: String,
+    about: &'static str,
+    (templates, facts): (&[&str], &[String]),
+    values: &[(&'static str, String)],
+) -> Result<Artefact> {
+    let text = render(&templates.concat(), facts, values);
+    Ok(Artefact {
+        files: vec![File::text(id + ".rs", about, text)],
+        notes: vec![],
+    })
+}
+
+fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
+    let about = "functions and numbers of the muscle";
+    artefact(
+        muscle.identifier(),
+        about,
+        (&[FUNCTIONS, MUSCLE, MUSCLE_TEST], &muscle.facts()),
+        &values(muscle),
+    )
+}
+
+/// The joint, and the numbers of its muscles.
+fn joint(joint: &ExportedJoint) -> Result<Artefact> {
+    let mut values = joint.values(SQUARE, number);
+    let path = |p: &[f64]| {
+        let (origin, insertion) = (
+            list(&p[1..3], SQUARE, number),
+            list(&p[3..5], SQUARE, number),
+        );
+        format!(
+            "Path {{ radius_m: {}, origin_m: {origin}, insertion_m: {insertion} }}",
+            number(p[0])
+        )
+    };
+    let paths = Vec::from_iter(joint.numbers()[..15].chunks_exact(5).map(path));
+    let held =
+        joint.muscles.iter().zip(&paths).map(|(muscle, path)| {
+            format!("(&{}, {path})", muscle.identifier().to_ascii_uppercase())
+        });
+    values.extend([
+        ("muscles", joined(held, ", ")),
+        ("rope_path", paths[2].clone()),
+    ]);
+    let muscles = joint
+        .muscles
+        .iter()
+        .map(|muscle| render(MUSCLE, &[], &self::values(muscle)));
+    let muscles = muscles.collect::<String>();
+    let about = "functions and numbers of the joint and of its muscles";
+    artefact(
+        joint.identifier(),
+        about,
+        (
+            &[FUNCTIONS, JOINT_FUNCTIONS, &muscles, JOINT],
+            &joint.facts(),
+        ),
+        &values,
+    )
+}
+
+fn values(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
+    let form = &muscle.form;
+    let id = muscle.identifier();
+    let node = |(k, contraction): (usize, &f64)| {
+        let at = |rows: &[Vec<f64>; 5]| list(&rows.each_ref().map(|row| row[k]), SQUARE, number);
+        format!(
+            "        Node {{ contraction: {}, value_n: {}, slope_n: {} }},",
+            number(*contraction),
+            at(&form.a),
+            at(&form.b)
+        )
+    };
+    let tested = TESTED.map(|(q, share)| {
+        let (pressure_pa, contraction) = (q * form.supply_pa, share * form.contraction_high);
+        let length_m = muscle.cord_m + (1.0 - contraction) * form.length_m;
+        let point = form.point_at(pressure_pa, contraction);
+        vec![
+            pressure_pa,
+            length_m,
+            point.force_n,
+            point.stiffness_n_per_m,
+            point.force_per_pressure_m2,
+            point.volume_m3,
+        ]
+    });
+    // Slopes jump where the muscle becomes slack.
+    let pulls = |row: &Vec<f64>| row[2] > 0.01 * muscle.blocked_force_n;
+    let tested = Vec::from_iter(tested.into_iter().filter(pulls));
+    let mut values = common(muscle);
+    values.extend([
+        ("ID", id.to_ascii_uppercase()),
+        ("id", id),
+        ("low", number(form.contraction_low)),
+        ("high", number(form.contraction_high)),
+        (
+            "nodes",
+            joined(form.contractions.iter().enumerate().map(node), "\n"),
+        ),
+        ("volume", list(&form.v, SQUARE, number)),
+        ("friction", list(&form.friction_n, SQUARE, number)),
+        ("presliding", number(form.presliding_m)),
+        ("tested", tested.len().to_string()),
+        ("points", lists(&tested, SQUARE, number)),
+    ]);
+    values
+}
