@@ -142,6 +142,29 @@ impl Spec {
         }
     }
 
+    /// A pull in N at a contraction with a supply in MPa, and the rest as of [`Spec::new`].
+    pub fn pull(force_n: f64, contraction: f64, max_pressure_mpa: f64) -> Self {
+        let point = OperatingPoint {
+            force_n,
+            contraction,
+        };
+        Self::new(vec![point], max_pressure_mpa)
+    }
+
+    /// The same with one length between the terminals in mm.
+    #[must_use]
+    pub fn length_mm(mut self, length_mm: f64) -> Self {
+        self.length_mm = Some(Values::List(vec![length_mm]));
+        self
+    }
+
+    /// The same with lower and upper end of the outer diameter in mm.
+    #[must_use]
+    pub fn outer_diameter_mm(mut self, low_mm: f64, high_mm: f64) -> Self {
+        self.outer_diameter_mm = Values::Interval(low_mm, high_mm);
+        self
+    }
+
     /// Whether one muscle must do, and no bundle is tried in its place.
     pub(crate) fn is_alone(&self) -> bool {
         self.count == 1 && self.most_side_by_side <= 1

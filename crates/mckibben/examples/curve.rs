@@ -8,7 +8,10 @@ use std::error::Error;
 pub fn main() -> Result<(), Box<dyn Error>> {
     let mut model = Model::FE.of(&Muscle::prototype())?;
     let points: Vec<(f64, f64)> = (0..=10).map(|i| (0.25, 0.025 * f64::from(i))).collect();
-    let pulls = model.forces_n(&points).into_iter().collect::<Result<Vec<_>, _>>()?;
+    let pulls = model
+        .forces_n(&points)
+        .into_iter()
+        .collect::<Result<Vec<_>, _>>()?;
     for ((_, contraction), pull) in points.iter().zip(&pulls) {
         println!("{:5.1} %  {pull:7.1} N", 100.0 * contraction);
     }

@@ -23,6 +23,9 @@ pub fn main() -> Result<(), Box<dyn Error>> {
 
     // With equal pressures it rests in the middle.
     let rest = elbow.rests(&[0.2, 0.2], 0.0)?;
-    assert!(rest.iter().any(|r| r.is_stable() && r.angle_deg().abs() < 1e-3));
+    assert!(
+        rest.iter()
+            .any(|r| r.is_stable() && r.angle_deg().abs() < 1e-3)
+    );
     Ok(())
 }

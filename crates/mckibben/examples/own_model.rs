@@ -55,7 +55,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // τ = 2 k r ΔP (1 − ε/ε0) at the neutral angle, and no derivative that it does not have.
     let mut joint = JointModel::antagonists(&model, 20.0, 0.10, (-45.0, 45.0))?;
     let torque_nm = joint.at(&[0.2, 0.1], 0.0)?.torque_nm;
-    assert!((torque_nm - 6000.0 * 0.020 * 0.1 * 0.6).abs() < 1e-9, "{torque_nm}");
+    assert!(
+        (torque_nm - 6000.0 * 0.020 * 0.1 * 0.6).abs() < 1e-9,
+        "{torque_nm}"
+    );
     assert!(model.gradient(0.2, 0.10, &["tube.wall_thickness"]).is_err());
     Ok(())
 }

@@ -11,9 +11,7 @@ const HOSE: &str = r#"
 outer_diameter = "20 mm"
 wall_thickness = "2 mm"
 length = "250 mm"
-
-[tube.material]
-name = "dragon-skin-30"
+rubber = "dragon-skin-30"
 
 [braid]
 angle = "25 deg"
@@ -36,7 +34,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // The inverses: which pressure, which contraction.
     let pressure_mpa = model.pressure_mpa(150.0, 0.10)?;
     let free = model.free_contraction(0.3)?;
-    println!("150 N at 10 % take {pressure_mpa:.3} MPa; free at {:.1} %", 100.0 * free);
+    println!(
+        "150 N at 10 % take {pressure_mpa:.3} MPa; free at {:.1} %",
+        100.0 * free
+    );
 
     assert!((model.force_n(pressure_mpa, 0.10)? - 150.0).abs() < 1e-3);
     assert!(model.force_n(0.3, free)? < 1e-3);

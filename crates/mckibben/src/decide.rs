@@ -73,12 +73,10 @@ impl Deciding {
 /// give.
 ///
 /// ```no_run
-/// use mckibben::{design, prelude::*};
+/// use mckibben::design::Spec;
 ///
 /// // 700 N at 15 % with at most 0.25 MPa, 200 mm between the terminals.
-/// let wanted = design::OperatingPoint { force_n: 700.0, contraction: 0.15 };
-/// let spec = design::Spec::new(vec![wanted], 0.25);
-/// let found = mckibben::decide(&design::Spec { base: spec.base.with_length(200.0)?, ..spec })?;
+/// let found = mckibben::decide(&Spec::pull(700.0, 0.15, 0.25).length_mm(200.0))?;
 /// for one in &found.outcome.candidates {
 ///     println!("{:.1} mm at {:.3} MPa", one.muscle.outer_diameter_mm(), one.pressure_mpa);
 /// }

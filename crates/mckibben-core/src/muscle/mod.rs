@@ -317,6 +317,22 @@ impl Muscle {
         })
     }
 
+    /// The same muscle with another length between its terminals.
+    pub fn with_length(&self, length_mm: f64) -> Result<Self, MuscleError> {
+        self.with_tube(Tube {
+            length_mm,
+            ..self.parts.tube.clone()
+        })
+    }
+
+    /// The same muscle of another rubber.
+    pub fn with_rubber(&self, rubber: Rubber) -> Result<Self, MuscleError> {
+        self.with_tube(Tube {
+            rubber,
+            ..self.parts.tube.clone()
+        })
+    }
+
     /// The same muscle with another braid.
     pub fn with_braid(&self, braid: Braid) -> Result<Self, MuscleError> {
         self.with_parts(Parts {

@@ -21,7 +21,7 @@ impl Law {
     /// [`check_law`](super::check_law) finds an energy whose derivatives are wrong.
     ///
     /// ```
-    /// use mckibben_core::{model::*, muscle::{Muscle, Rubber, Tube}, rubber::*};
+    /// use mckibben_core::{model::*, muscle::{Muscle, Rubber}, rubber::*};
     ///
     /// /// W = μ/2 (I1 − 3) + b (I1 − 3)⁴
     /// #[derive(Debug)]
@@ -57,9 +57,8 @@ impl Law {
     ///
     /// let law = Law::custom(Stiffening { mu_mpa: 0.2, b_mpa: 0.001 });
     /// check_law(&law)?;
-    /// let muscle = Muscle::prototype();
-    /// let tube = Tube { rubber: Rubber::new(law), ..muscle.tube().clone() };
-    /// let model = ModelKind::ThickWall.build(&muscle.with_tube(tube)?)?;
+    /// let muscle = Muscle::prototype().with_rubber(Rubber::new(law))?;
+    /// let model = ModelKind::ThickWall.build(&muscle)?;
     /// assert!(model.force_n(&mut Workspace::new(), 0.25, 0.1)? > 400.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
