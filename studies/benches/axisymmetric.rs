@@ -9,7 +9,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use mckibben_core::model::{ForceModel, Workspace};
 use mckibben_core::muscle::Muscle;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
-use mckibben_fem::simulation::{Detail, Given, Simulation};
+use mckibben_fem::simulation::{Detail, Given, ElementModel};
 use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::solver::curve::Curve;
 use mckibben_fem::solver::newton::NewtonSystem;

@@ -19,7 +19,7 @@ fn load(model: &dyn ForceModel) -> SingleMuscle {
 
 fn drive(model: &Arc<dyn ForceModel>, command: Command) -> Option<Drive> {
     let valve = Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).ok()?));
-    let target = Target::Pressure(vec![command]);
+    let target = Commanded::Pressure(vec![command]);
     let muscles = vec![Actuated::new(model.clone(), valve)];
     Some(Drive {
         output_step_s: 1e-3,

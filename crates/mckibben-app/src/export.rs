@@ -13,7 +13,7 @@ use mckibben_core::{
     model::{ForceModel, Workspace},
     units::typed::{Length, Pressure},
 };
-use mckibben_export::{BoxRequest, ExportedJoint, ExportedMuscle, Target};
+use mckibben_export::{BoxRequest, ExportTarget, ExportedJoint, ExportedMuscle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -23,7 +23,7 @@ use std::path::Path;
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ExportRequest {
-    /// Target; `--list` describes them
+    /// ExportTarget; `--list` describes them
     #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
     pub target: Option<String>,
     /// Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is
@@ -136,7 +136,7 @@ pub struct ExportListRequest {}
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct ExportListAnswer {
     /// One for each host.
-    pub targets: Vec<Target>,
+    pub targets: Vec<ExportTarget>,
 }
 
 impl Show for ExportListAnswer {
@@ -159,7 +159,7 @@ impl Show for ExportListAnswer {
 
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
     Ok(ExportListAnswer {
-        targets: Target::ALL.into(),
+        targets: ExportTarget::ALL.into(),
     })
 }
 
@@ -214,13 +214,14 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     })
 }
 
-fn target_of(target: Option<&str>) -> Result<Target> {
+fn target_of(target: Option<&str>) -> Result<ExportTarget> {
     let missing = || {
         let message = "`target` is missing: what the muscle is exported for";
-        let hint = format!("one of {}", Target::names());
+        let hint = format!("one of {}", ExportTarget::names());
         Problem::new(ProblemKind::Usage, message, hint).in_field("target")
     };
-    Target::named(target.ok_or_else(missing)?).map_err(|e| Problem::from(e).in_field("target"))
+    ExportTarget::named(target.ok_or_else(missing)?)
+        .map_err(|e| Problem::from(e).in_field("target"))
 }
 
 /// The name that is given, or that of the file.

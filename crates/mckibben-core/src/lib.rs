@@ -46,11 +46,15 @@
 pub mod analysis;
 pub mod answer;
 pub mod built;
+#[doc(hidden)]
 pub mod catalogue;
 pub mod curve;
+#[doc(hidden)]
 pub mod differences;
+#[doc(hidden)]
 pub mod extremes;
 pub mod formula;
+#[doc(hidden)]
 pub mod hash;
 pub mod joint;
 pub mod liquid;
@@ -59,18 +63,24 @@ pub mod model;
 pub mod muscle;
 pub mod prelude;
 pub mod progress;
+#[doc(hidden)]
 pub mod random;
 pub mod refused;
 pub mod rubber;
+#[doc(hidden)]
 pub mod size;
 pub mod sleeve;
 pub mod status;
+#[doc(hidden)]
 pub mod study;
+#[doc(hidden)]
 pub mod threads;
+#[doc(hidden)]
 pub mod verification;
 pub mod warning;
 
 pub use mckibben_units as units;
+#[doc(hidden)]
 pub use mckibben_units::{cancel, clean, joined, nearest};
 
 /// The paper whose formula (11) is [`model::FormulaModel::paper`] and whose method makes formulas

@@ -299,6 +299,11 @@ impl Spec {
             BraidChoice::StrandLengthPerTurn(list) => list.len() as f64,
             BraidChoice::Sleeves(list) => list.len() as f64,
         };
+        if braids == 0.0 {
+            return Err(SpecError::Refused(
+                "the list of braids is empty: give one angle or sleeve at least".into(),
+            ));
+        }
         let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
         let lengths = self.length_mm.as_ref().map_or(1.0, count);
         let all = sections * lengths * braids * self.rubbers.len().max(1) as f64;

@@ -11,7 +11,7 @@ pub type Result<T, E = ExportError> = std::result::Result<T, E>;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ExportError {
     /// No target of this name.
-    #[error("there is no target \"{0}\"; the targets are {names}", names = crate::Target::names())]
+    #[error("there is no target \"{0}\"; the targets are {names}", names = crate::ExportTarget::names())]
     Target(String),
     /// The muscle does not pull at the supply.
     #[error("the muscle does not pull at the supply of {0}\u{a0}MPa: there is nothing to export")]

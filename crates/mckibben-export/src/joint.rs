@@ -2,7 +2,7 @@
 //! joint.
 
 use crate::{
-    Artefact, BoxRequest, ExportError, ExportedMuscle, MARK, Result, Target, muscle::plain,
+    Artefact, BoxRequest, ExportError, ExportTarget, ExportedMuscle, MARK, Result, muscle::plain,
     template::list,
 };
 use mckibben_core::{
@@ -130,7 +130,7 @@ impl ExportedJoint {
     }
 
     /// The files for a target.
-    pub fn to(&self, target: Target) -> Result<Artefact> {
+    pub fn to(&self, target: ExportTarget) -> Result<Artefact> {
         let make = target.joint.ok_or_else(|| {
             ExportError::Host(format!(
                 "{} has no joint of this kind: export its muscles one by one",

@@ -1,5 +1,5 @@
 //! A muscle for controllers and simulators: one closed form of pull and volume ([`Form`]), fitted
-//! to a force model with its error ([`ExportedMuscle`]), and written for a host ([`Target`]); a
+//! to a force model with its error ([`ExportedMuscle`]), and written for a host ([`ExportTarget`]); a
 //! joint of one or two of them ([`ExportedJoint`]).
 //!
 //! Units at the hosts' interface: Pa, m, N, m³. Each artefact names muscle, version, hash, error
@@ -23,7 +23,7 @@ pub use joint::ExportedJoint;
 use mckibben_core::extremes::peak;
 pub use mckibben_io::files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
-pub use targets::Target;
+pub use targets::ExportTarget;
 
 /// The program in the first line of a file.
 const MARK: &str = "exported by mckibben";

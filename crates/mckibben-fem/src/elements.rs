@@ -4,7 +4,7 @@ use crate::{
     FemError, Result,
     axisymmetric::{self, Axisymmetric, MeshSpec},
     seated::with_ends,
-    simulation::Simulation,
+    simulation::ElementModel,
     three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate},
 };
 use mckibben_core::{
@@ -87,7 +87,7 @@ impl Elements {
     ///
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
-    pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>> {
+    pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ElementModel>> {
         match self {
             Self::Axisymmetric(spec) => section(muscle, spec),
             Self::ThreeDimensional(spec) => Ok(with_ends(
@@ -102,7 +102,7 @@ impl Elements {
 }
 
 /// The axisymmetric model of a muscle.
-pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn Simulation>> {
+pub fn section(muscle: &Muscle, spec: &MeshSpec) -> Result<Box<dyn ElementModel>> {
     Ok(with_ends(
         muscle,
         Box::new(Axisymmetric::between_ends_with(

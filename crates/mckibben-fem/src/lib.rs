@@ -23,7 +23,7 @@
 //! use mckibben_core::model::{ForceModel, Workspace};
 //! use mckibben_core::muscle::Muscle;
 //! use mckibben_fem::axisymmetric::Axisymmetric;
-//! use mckibben_fem::simulation::{Detail, Simulation};
+//! use mckibben_fem::simulation::{Detail, ElementModel};
 //!
 //! let (muscle, workspace) = (Axisymmetric::between_ends(&Muscle::prototype())?, &mut Workspace::new());
 //! let force = muscle.force_n(workspace, 0.25, 0.10)?;
@@ -42,18 +42,22 @@
 #![allow(clippy::needless_range_loop)]
 
 pub mod axisymmetric;
+#[doc(hidden)]
 pub mod element;
 pub mod elements;
 mod error;
+#[doc(hidden)]
 pub mod load;
 pub mod output;
 pub mod results;
 mod seated;
 pub mod simulation;
+#[doc(hidden)]
 pub mod solver;
 pub mod three_dimensional;
+#[doc(hidden)]
 pub mod verification;
 
 pub use error::{FemError, Result};
 pub use seated::with_ends;
-pub use simulation::Simulation;
+pub use simulation::ElementModel;

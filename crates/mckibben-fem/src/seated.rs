@@ -4,7 +4,7 @@
 use crate::{
     FemError, Result,
     results::{Sensitivity, Solution},
-    simulation::{Detail, Given, Simulation},
+    simulation::{Detail, ElementModel, Given},
     solver::curve::{Curve, CurvePoint, falling},
 };
 use mckibben_core::{
@@ -15,7 +15,7 @@ use mckibben_core::{
 
 /// The elements themselves where `muscle` does not describe its ends, else the whole muscle;
 /// `model` is of [`Muscle::between_ends`].
-pub fn with_ends(muscle: &Muscle, model: Box<dyn Simulation>) -> Box<dyn Simulation> {
+pub fn with_ends(muscle: &Muscle, model: Box<dyn ElementModel>) -> Box<dyn ElementModel> {
     if muscle.ends().give() {
         Box::new(Seated::new(model, muscle))
     } else {
@@ -23,7 +23,7 @@ pub fn with_ends(muscle: &Muscle, model: Box<dyn Simulation>) -> Box<dyn Simulat
     }
 }
 
-type Whole = Seated<dyn Simulation>;
+type Whole = Seated<dyn ElementModel>;
 
 /// An error of the muscle between its ends, which are displaced by `displacement_mm`, with
 /// contractions of the whole muscle.
@@ -208,7 +208,7 @@ fn at_pressure(mut point: CurvePoint, given_mpa: Option<f64>) -> CurvePoint {
     point
 }
 
-impl Simulation for Whole {
+impl ElementModel for Whole {
     fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution> {
         let stated_mpa = given.pressure_mpa();
         let (given, displacement, e) = given_between(self, workspace, given)?;

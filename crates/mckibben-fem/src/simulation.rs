@@ -312,7 +312,7 @@ impl<D: Divided> ForceModel for FiniteElements<D> {
 }
 
 /// A finite-element model of a muscle.
-pub trait Simulation: ForceModel {
+pub trait ElementModel: ForceModel {
     /// An equilibrium with everything that is known of it.
     ///
     /// # Errors
@@ -332,7 +332,7 @@ pub trait Simulation: ForceModel {
     ) -> Curve;
 }
 
-impl<D: Divided> Simulation for FiniteElements<D> {
+impl<D: Divided> ElementModel for FiniteElements<D> {
     fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution, FemError> {
         self.led_to(workspace, given)?.body.solution(self.muscle())
     }
@@ -368,7 +368,7 @@ impl<D: Divided> Simulation for FiniteElements<D> {
 
 /// Free contraction: ε without a pull.
 pub fn free_contraction(
-    model: &dyn Simulation,
+    model: &dyn ElementModel,
     workspace: &mut Workspace,
     pressure_mpa: f64,
 ) -> Result<f64, FemError> {

@@ -56,7 +56,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut drive = Drive::new(
         load.clone(),
         vec![actuated],
-        Target::Pressure(vec![command]),
+        Commanded::Pressure(vec![command]),
         1.0,
     );
     drive.output_step_s = 0.01;

@@ -124,7 +124,7 @@ impl Actuated {
 
 /// What is commanded.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Target {
+pub enum Commanded {
     /// Gauge pressures in MPa, one for each muscle: by the regulator, or by the law of the valve.
     Pressure(Vec<Command>),
     /// Openings of the valves, −1 … 1, one for each muscle; an on–off valve fills above ½, vents
@@ -141,7 +141,7 @@ pub enum Target {
     },
 }
 
-impl Target {
+impl Commanded {
     /// All commands.
     pub fn commands(&self) -> &[Command] {
         match self {
@@ -170,7 +170,7 @@ pub struct Drive {
     /// Where the air comes from.
     pub supply: Supply,
     /// What is commanded.
-    pub target: Target,
+    pub target: Commanded,
     /// The end in s; it begins at 0.
     pub until_s: f64,
     /// Time between two points of the series in s.
@@ -192,7 +192,7 @@ impl Drive {
     pub fn new(
         mechanism: impl Mechanism + 'static,
         muscles: Vec<Actuated>,
-        target: Target,
+        target: Commanded,
         until_s: f64,
     ) -> Self {
         Self {
@@ -279,7 +279,7 @@ impl Drive {
     fn check_commands(&self) -> Result<()> {
         self.target.commands().iter().try_for_each(Command::check)?;
         match &self.target {
-            Target::Pressure(commands) => {
+            Commanded::Pressure(commands) => {
                 self.count(commands.len(), "commands")?;
                 for command in commands {
                     let (low, high) = command.bounds();
@@ -294,21 +294,21 @@ impl Drive {
                 }
                 Ok(())
             }
-            Target::Opening(commands) => {
+            Commanded::Opening(commands) => {
                 self.count(commands.len(), "commands")?;
                 commands
                     .iter()
                     .try_for_each(|c| c.check_bounds("a commanded opening", -1.0, 1.0))
             }
-            Target::Volume(commands) => self.count(commands.len(), "commands"),
-            Target::Position { pid, .. } => pid.check(),
+            Commanded::Volume(commands) => self.count(commands.len(), "commands"),
+            Commanded::Position { pid, .. } => pid.check(),
         }
     }
 
     /// Whether a muscle's actuator goes with its command and with what fills it.
     fn check_muscle(&self, number: usize, muscle: &Actuated) -> Result<()> {
         muscle.check()?;
-        let opened = !self.target.is_pressure() && !matches!(self.target, Target::Volume(_));
+        let opened = !self.target.is_pressure() && !matches!(self.target, Commanded::Volume(_));
         let has_regulator = matches!(muscle.actuator, Actuator::Regulator { .. });
         MotionError::require(!(opened && has_regulator), || {
             format!(
@@ -318,7 +318,7 @@ impl Drive {
         })?;
         let actuator = muscle.actuator.name();
         let volume = match &self.target {
-            Target::Volume(commands) => commands.get(number - 1),
+            Commanded::Volume(commands) => commands.get(number - 1),
             _ => None,
         };
         match (&muscle.actuator, volume) {

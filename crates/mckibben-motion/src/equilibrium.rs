@@ -1,7 +1,7 @@
 //! Where a drive rests.
 
 use crate::{
-    ATMOSPHERE_MPA, Drive, MotionError, PidOutput, Result, Target, ValveKind,
+    ATMOSPHERE_MPA, Commanded, Drive, MotionError, PidOutput, Result, ValveKind,
     error::within,
     state::State,
     system::{Switch, System},
@@ -130,10 +130,10 @@ impl System {
     fn at_start(&self) -> Result<Equilibrium> {
         let supply_mpa = self.drive.supply.pressure_mpa;
         match &self.drive.target {
-            Target::Pressure(commands) => {
+            Commanded::Pressure(commands) => {
                 self.rests_at(self.stated_or(commands.iter().map(|c| c.value(0.0))))
             }
-            Target::Opening(commands) => {
+            Commanded::Opening(commands) => {
                 let filled = commands.iter().zip(&self.drive.muscles).map(|(c, m)| {
                     let least = match m.actuator.kind() {
                         Some(ValveKind::OnOff {
@@ -151,14 +151,14 @@ impl System {
                 self.rests_at(self.stated_or(filled))
             }
             // Syringes are full, and the muscles without pressure.
-            Target::Volume(commands) => {
+            Commanded::Volume(commands) => {
                 for command in commands {
                     let start = command.value(0.0);
                     within("the commanded volume at the start in mm³", start, 0.0, 0.0)?;
                 }
                 self.rests_at(self.stated_or(vec![0.0; self.members.len()]))
             }
-            Target::Position { command, pid } => self.held_at(command.value(0.0), pid.output),
+            Commanded::Position { command, pid } => self.held_at(command.value(0.0), pid.output),
         }
     }
 
@@ -250,7 +250,7 @@ impl System {
             now.mass_g = muscle.fluid.medium().mass_g(now.absolute_mpa, volume);
             now.branches_n.fill(member.wall_n(p, &at));
             let first = match &drive.target {
-                Target::Pressure(c) => c.get(i).map(|c| c.value(0.0)),
+                Commanded::Pressure(c) => c.get(i).map(|c| c.value(0.0)),
                 _ => None,
             };
             let full = |h: f64| first.is_some_and(|first| first >= drive.supply.pressure_mpa - h);
@@ -267,11 +267,11 @@ impl System {
                 }
                 _ => Switch::Hold,
             };
-            if let (Some(opening), Target::Opening(c)) = (&mut now.opening, &drive.target) {
+            if let (Some(opening), Commanded::Opening(c)) = (&mut now.opening, &drive.target) {
                 *opening = c.get(i).map_or(0.0, |c| c.value(0.0));
             }
         }
-        if let (Some(controller), Target::Position { pid, .. }) =
+        if let (Some(controller), Commanded::Position { pid, .. }) =
             (&mut state.controller, &drive.target)
         {
             controller.filtered = start.coordinate * drive.mechanism.position_per_coordinate();

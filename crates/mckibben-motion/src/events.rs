@@ -1,7 +1,7 @@
 //! Stops, slack, switching and reversals: which they are, when they come, and what they change.
 
 use crate::{
-    Result, Target, ValveKind,
+    Commanded, Result, ValveKind,
     state::State,
     system::{Point, Switch, System},
 };
@@ -92,7 +92,7 @@ impl System {
                 .muscles
                 .iter()
                 .any(|m| matches!(m.actuator.kind(), Some(ValveKind::OnOff { .. })))
-                && !matches!(self.drive.target, Target::Pressure(_));
+                && !matches!(self.drive.target, Commanded::Pressure(_));
         // Signals of the valves follow from the state alone where the command is a pressure.
         let point = if needed {
             self.point(t, state)?

@@ -1,7 +1,7 @@
 //! What is commanded at a time, and the air or liquid that it lets into a muscle and out of it.
 
 use crate::{
-    ATMOSPHERE_MPA, Actuated, Actuator, Flow, Fluid, PidOutput, Syringe, Target, ValveKind,
+    ATMOSPHERE_MPA, Actuated, Actuator, Commanded, Flow, Fluid, PidOutput, Syringe, ValveKind,
     air::Cavity,
     control::Control,
     fluid::{FluidRates, Medium},
@@ -12,7 +12,7 @@ use crate::{
 impl System {
     /// What the controller does, where there is one.
     pub fn control(&self, t: f64, state: &State) -> Option<Control> {
-        let Target::Position { command, pid } = &self.drive.target else {
+        let Commanded::Position { command, pid } = &self.drive.target else {
             return None;
         };
         let controller = state.controller?;
@@ -30,13 +30,13 @@ impl System {
     /// The command of a muscle: a pressure in MPa, or else an opening or a volume.
     pub fn command(&self, t: f64, muscle: usize, control: Option<Control>) -> f64 {
         match &self.drive.target {
-            Target::Pressure(c) | Target::Opening(c) | Target::Volume(c) => {
+            Commanded::Pressure(c) | Commanded::Opening(c) | Commanded::Volume(c) => {
                 let value = c
                     .get(muscle)
                     .map_or(0.0, |c| c.value_within(t, self.within.get()));
                 value + self.offset.get() * self.turns(muscle)
             }
-            Target::Position { pid, .. } => {
+            Commanded::Position { pid, .. } => {
                 let u = control.map_or(0.0, |c| c.output) * self.turns(muscle);
                 match pid.output {
                     PidOutput::Opening => u,

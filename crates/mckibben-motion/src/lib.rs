@@ -2,7 +2,7 @@
 //!
 //! A [`Drive`] says what moves ([`Mechanism`]: [`SingleMuscle`] with a load, or a joint), what
 //! pulls ([`Actuated`]: a force model, its air, its valve, its friction), what is commanded
-//! ([`Target`]) and for how long; [`run`] integrates it into a [`Motion`]. Around that: [`Linear`]
+//! ([`Commanded`]) and for how long; [`run`] integrates it into a [`Motion`]. Around that: [`Linear`]
 //! (the system about an equilibrium: eigenvalues, frequency response, bandwidth) and [`size`] (the
 //! smallest valve that is quick enough).
 //!
@@ -18,7 +18,7 @@
 //! let model = Ideal::between_ends(&Muscle::prototype());
 //! let load = SingleMuscle { stops_mm: (0.0, 100.0), ..SingleMuscle::hanging(&model, 10.0) };
 //! let valve = Valve::new(Orifice::new(0.5, 0.3)?);
-//! let target = Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]);
+//! let target = Commanded::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]);
 //! let drive = Drive::new(load.clone(), vec![Actuated::new(model.clone(), Actuator::Valve(valve))], target, 1.0);
 //! let motion = run(&drive, &mckibben_core::progress::Silent)?;
 //! assert!(motion.rise_time_s.is_some());
@@ -76,7 +76,7 @@ pub use air::{
 pub use catalogue::{NamedValve, conductance_of_rated_flow, valve_named, valves};
 pub use command::Command;
 pub use control::{Pid, PidOutput};
-pub use drive::{Actuated, Actuator, Drive, Supply, Target};
+pub use drive::{Actuated, Actuator, Commanded, Drive, Supply};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use error::{MotionError, OnStop, Result};
 pub use events::{Event, EventKind};

@@ -1,7 +1,7 @@
 //! The drive about an equilibrium, as a linear system.
 
 use crate::{
-    Command, Drive, MotionError, Result, Target, integrate::Equations, metrics::reached,
+    Command, Commanded, Drive, MotionError, Result, integrate::Equations, metrics::reached,
     system::System,
 };
 use mckibben_core::analysis::bisect;
@@ -39,7 +39,9 @@ impl Linear {
     /// As of [`Linear::new`].
     pub fn at_state_reached(drive: &Drive, side: f64) -> Result<Self> {
         let mut held = Drive {
-            target: Target::Pressure(reached(drive).into_iter().map(Command::Constant).collect()),
+            target: Commanded::Pressure(
+                reached(drive).into_iter().map(Command::Constant).collect(),
+            ),
             initial_coordinate: None,
             ..drive.clone()
         };

@@ -1,6 +1,6 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
-use crate::{Command, Drive, Motion, MotionEnd, Moves, StepFigures, Target, system::System};
+use crate::{Command, Commanded, Drive, Motion, MotionEnd, Moves, StepFigures, system::System};
 use mckibben_core::{
     analysis::bisect,
     extremes::{ends, peak},
@@ -252,14 +252,14 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
         Moves::Creeps
     };
     let equilibrium = match &drive.target {
-        Target::Pressure(commands) => {
+        Commanded::Pressure(commands) => {
             let pressures: Vec<f64> = commands
                 .iter()
                 .map(|c| c.value_within(until, until))
                 .collect();
             system.at_pressures(&pressures).ok().map(|e| e.coordinate)
         }
-        Target::Opening(_) | Target::Volume(_) | Target::Position { .. } => None,
+        Commanded::Opening(_) | Commanded::Volume(_) | Commanded::Position { .. } => None,
     };
     Some((
         MotionEnd {

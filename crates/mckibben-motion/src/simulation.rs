@@ -1,7 +1,7 @@
 //! A drive in a control loop: one step of constant commands after the other.
 
 use crate::{
-    Command, Drive, Motion, MotionError, Result, Target,
+    Command, Commanded, Drive, Motion, MotionError, Result,
     member::Memory,
     run::Integration,
     state::State,
@@ -23,7 +23,7 @@ use mckibben_core::progress::{Progress, Silent};
 /// let model = ModelKind::Universal.build(&Muscle::prototype())?;
 /// let load = SingleMuscle { stops_mm: (0.0, 80.0), ..SingleMuscle::hanging(&*model, 10.0) };
 /// let muscle = Actuated::new(model, Actuator::Regulator { time_constant_s: 0.05 });
-/// let target = Target::Pressure(vec![Command::Constant(0.0)]);
+/// let target = Commanded::Pressure(vec![Command::Constant(0.0)]);
 /// let drive = Drive { output_step_s: 1e-3, ..Drive::new(load, vec![muscle], target, 1.0) };
 ///
 /// let mut simulation = Simulation::new(&drive)?;
@@ -40,7 +40,7 @@ use mckibben_core::progress::{Progress, Silent};
 pub struct Simulation {
     system: System,
     /// The target of the drive, before any step.
-    target: Target,
+    target: Commanded,
     done: usize,
     state: State,
     motion: Motion,
@@ -284,7 +284,7 @@ impl Simulation {
     }
 }
 
-impl Target {
+impl Commanded {
     /// The same with constant commands; `None` where they are not as many as it has.
     pub fn constant(&self, values: &[f64]) -> Option<Self> {
         if values.len() != self.commands().len() {

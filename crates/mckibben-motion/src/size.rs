@@ -1,7 +1,7 @@
 //! The smallest valve that is quick enough.
 
 use crate::{
-    Actuator, Command, Drive, Motion, MotionError, Result, Target, equilibrium,
+    Actuator, Command, Commanded, Drive, Motion, MotionError, Result, equilibrium,
     metrics::{changes, rise_time},
     run,
 };
@@ -44,7 +44,7 @@ pub fn size(drive: &Drive, rise_time_s: f64, progress: &dyn Progress) -> Result<
          pump"
             .into()
     })?;
-    let (Some(given), Target::Pressure(commands)) = (valve, &drive.target) else {
+    let (Some(given), Commanded::Pressure(commands)) = (valve, &drive.target) else {
         return Err(no_rise());
     };
     let begin = changes(drive).first().copied().ok_or_else(no_rise)?;

@@ -1,7 +1,7 @@
 //! The state of a drive: what is integrated, by name. Only this file has the order in which the
 //! integrator sees it.
 
-use crate::{ATMOSPHERE_MPA, Actuator, Drive, MotionError, Result, Target, ValveKind};
+use crate::{ATMOSPHERE_MPA, Actuator, Commanded, Drive, MotionError, Result, ValveKind};
 
 /// The state of one muscle, or its rates.
 #[derive(Clone, Default)]
@@ -178,7 +178,7 @@ impl Layout {
                 ..MuscleState::default()
             }
         });
-        let controlled = matches!(drive.target, Target::Position { .. });
+        let controlled = matches!(drive.target, Commanded::Position { .. });
         let pushes = drive
             .muscles
             .iter()
@@ -270,7 +270,7 @@ mod tests {
             tracking_s: 0.1,
             output,
         };
-        let target = Target::Position {
+        let target = Commanded::Position {
             command: Command::Constant(0.1),
             pid,
         };
@@ -302,7 +302,7 @@ mod tests {
                 time_constant_s: 0.1,
             },
         );
-        let target = Target::Pressure(vec![Command::Constant(0.1)]);
+        let target = Commanded::Pressure(vec![Command::Constant(0.1)]);
         let layout = Layout::new(&Drive::new(load.clone(), vec![muscle], target, 1.0));
         assert!(matches!(
             layout.check(&mut State::default()),

@@ -1,7 +1,7 @@
 //! The equations of motion of a drive.
 
 use crate::{
-    ATMOSPHERE_MPA, Drive, Fluid, MotionError, PidOutput, Result, Target,
+    ATMOSPHERE_MPA, Commanded, Drive, Fluid, MotionError, PidOutput, Result,
     air::{Cavity, cavity_area_mm2},
     fluid::{FluidRates, Medium},
     integrate::Equations,
@@ -413,7 +413,7 @@ fn sizes(drive: &Drive, members: &[Member], layout: &Layout) -> State {
             exhausted_g: mass_g,
         };
     }
-    if let (Some(size), Target::Position { pid, .. }) = (&mut scale.controller, &drive.target) {
+    if let (Some(size), Commanded::Position { pid, .. }) = (&mut scale.controller, &drive.target) {
         *size = ControllerState {
             integral: if pid.output == PidOutput::Opening {
                 1.0

@@ -3,7 +3,7 @@
 //! `cargo run --release -p mckibben --example controller`
 
 use mckibben::{
-    motion::{Actuated, Actuator, Command, Drive, Simulation, SingleMuscle, Target},
+    motion::{Actuated, Actuator, Command, Commanded, Drive, Simulation, SingleMuscle},
     prelude::*,
 };
 use std::{error::Error, time::Instant};
@@ -18,7 +18,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let regulator = Actuator::Regulator {
         time_constant_s: 0.02,
     };
-    let target = Target::Pressure(vec![Command::Constant(0.0)]);
+    let target = Commanded::Pressure(vec![Command::Constant(0.0)]);
     let drive = Drive {
         output_step_s: 1e-3,
         ..Drive::new(load, vec![Actuated::new(model, regulator)], target, 1.0)

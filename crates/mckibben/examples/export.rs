@@ -3,7 +3,7 @@
 //! `cargo run --release -p mckibben --example export --features export`
 
 use mckibben::{
-    export::{BoxRequest, ExportedMuscle, Target},
+    export::{BoxRequest, ExportTarget, ExportedMuscle},
     prelude::*,
 };
 use std::error::Error;
@@ -16,7 +16,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         contraction_high: None,
     };
     let muscle = ExportedMuscle::fit(&*model, "prototype", wanted)?;
-    let files = muscle.to(Target::named("c")?)?.files;
+    let files = muscle.to(ExportTarget::named("c")?)?.files;
     for file in &files {
         println!("{}: {} bytes", file.name, file.content.bytes().len());
     }

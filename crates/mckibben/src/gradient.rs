@@ -192,11 +192,23 @@ impl MuscleModel {
         let by_parameters = by_parameters(of, options, &mut self.workspace, point, &list)?;
         let (by_pressure_mm2, by_contraction_n) =
             by_point(&mut self.evaluation(), pressure_mpa, contraction)?;
-        Ok(Gradient {
+        let gradient = Gradient {
             force_n,
             by_pressure_mm2,
             by_contraction_n,
             by_parameters,
-        })
+        };
+        let named = ["the pressure", "the contraction"].iter().chain(parameters);
+        let values = [by_pressure_mm2, by_contraction_n];
+        let mut all = named.zip(values.iter().chain(&gradient.by_parameters));
+        match all.find(|(_, value)| !value.is_finite()) {
+            Some((by, _)) => Err(GradientError::None {
+                model: self.shared().info().name.to_string(),
+                by: (*by).to_owned(),
+                pressure_mpa,
+                contraction,
+            }),
+            None => Ok(gradient),
+        }
     }
 }

@@ -24,7 +24,7 @@ type Result<T> = std::result::Result<T, JointError>;
 /// let muscle = Model::UNIVERSAL.of(&Muscle::prototype())?;
 /// let mut elbow = JointModel::antagonists(&muscle, 25.0, 0.10, (-60.0, 60.0))?;
 /// let at = elbow.at(&[0.2, 0.1], 10.0)?;
-/// let set = elbow.pressures(10.0, at.torque_nm, at.stiffness_nm_per_rad, 0.6)?;
+/// let set = elbow.pressures(10.0, at.torque_nm, at.stiffness_nm_per_rad, 0.5)?;
 /// assert!((set.pressures_mpa[0] - 0.2).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

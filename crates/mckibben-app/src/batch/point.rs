@@ -14,7 +14,7 @@ use super::{BoundModel, Many, PointQuantity};
 use crate::{Problem, ProblemKind, Result, finite, ratio};
 use mckibben::gradient::{self, GradientError};
 use mckibben_core::{
-    analysis::Evaluation,
+    analysis::{ATMOSPHERE_MPA, Evaluation},
     cancel,
     model::{ModelError, Workspace},
     muscle::Muscle,
@@ -74,10 +74,7 @@ impl BoundModel {
         let range = &self.model.info().range;
         // No muscle shortens by its whole length: the same bounds as those of a single question.
         let (pressures, contractions) = if self.options.extrapolate {
-            (
-                (f64::NEG_INFINITY, f64::INFINITY),
-                (-1.0 + 1e-9, 1.0 - 1e-9),
-            )
+            ((-ATMOSPHERE_MPA, f64::INFINITY), (-1.0 + 1e-9, 1.0 - 1e-9))
         } else {
             (
                 range.pressure_mpa,

@@ -12,7 +12,7 @@ use mckibben_core::{
     model::Workspace,
     warning::Warning,
 };
-use mckibben_motion::{Coordinate, DriveFile, Motion, Moves, Target};
+use mckibben_motion::{Commanded, Coordinate, DriveFile, Motion, Moves};
 
 /// A contraction that is nearer to a stop than this is on it.
 const ON_STOP: f64 = 1e-6;
@@ -95,12 +95,12 @@ impl Moved {
 
     /// The ± of the end of a motion.
     pub fn end_uncertainty(&self, run: &mut MotionRun, file: &DriveFile) {
-        let controlled = matches!(file.target, Target::Position { .. });
+        let controlled = matches!(file.target, Commanded::Position { .. });
         if run.motion.end.is_none() || controlled {
             return;
         }
         let pressures: Option<Vec<f64>> = match &file.target {
-            Target::Pressure(list) => Some(list.iter().map(|c| c.value(file.until_s)).collect()),
+            Commanded::Pressure(list) => Some(list.iter().map(|c| c.value(file.until_s)).collect()),
             _ if run.motion.at_rest() != Some(true) => None,
             _ => run
                 .motion

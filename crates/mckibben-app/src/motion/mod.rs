@@ -20,7 +20,7 @@ use mckibben_core::{
     extremes::peak, muscle::file::FileError, progress::Progress, warning::Warning,
 };
 use mckibben_motion::{
-    Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, Target, drive_names,
+    Commanded, Drive, DriveFile, Linear, Motion, MotionError, Names, Subject, Tables, drive_names,
     parse_drive, run_as_far, size, with_value,
 };
 use moved::Moved;
@@ -192,7 +192,7 @@ fn highest_mpa(run: &MotionRun, drive: &DriveFile, muscle: usize) -> f64 {
         .iter()
         .copied();
     let commanded = match &drive.target {
-        Target::Pressure(list) => list.get(muscle).map(|command| command.bounds().1),
+        Commanded::Pressure(list) => list.get(muscle).map(|command| command.bounds().1),
         _ => None,
     };
     peak(reached.chain(commanded))
@@ -205,7 +205,7 @@ fn go(
     progress: &dyn Progress,
 ) -> Result<(Motion, Option<f64>)> {
     let bandwidth_hz = |side: f64| {
-        let of_pressure = matches!(&drive.target, Target::Pressure(list) if !list.is_empty());
+        let of_pressure = matches!(&drive.target, Commanded::Pressure(list) if !list.is_empty());
         of_pressure
             .then(|| Linear::at_state_reached(drive, side))?
             .ok()?

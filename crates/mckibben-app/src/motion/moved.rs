@@ -2,7 +2,7 @@
 
 use crate::{Model, Problem, ProblemKind, Result};
 use mckibben_core::{joint::Joint, model::ForceModel, muscle::Friction};
-use mckibben_motion::{Actuated, Drive, DriveFile, SingleMuscle, Target};
+use mckibben_motion::{Actuated, Commanded, Drive, DriveFile, SingleMuscle};
 use std::sync::Arc;
 
 /// What a drive moves, with its models.
@@ -70,9 +70,9 @@ impl Moved {
     }
 
     /// The commands of a file. A joint with one muscle takes one.
-    pub fn target(&self, file: &DriveFile) -> Target {
+    pub fn target(&self, file: &DriveFile) -> Commanded {
         let mut target = file.target.clone();
-        if let (Target::Pressure(list) | Target::Opening(list) | Target::Volume(list), 1) =
+        if let (Commanded::Pressure(list) | Commanded::Opening(list) | Commanded::Volume(list), 1) =
             (&mut target, self.models.len())
         {
             list.truncate(1);

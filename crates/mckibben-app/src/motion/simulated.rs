@@ -3,7 +3,7 @@
 use super::MotionRequest;
 use crate::{Problem, ProblemKind, Result, finite};
 use mckibben_core::progress::Progress;
-use mckibben_motion::{Coordinate, Drive, Motion, Simulation, Target};
+use mckibben_motion::{Commanded, Coordinate, Drive, Motion, Simulation};
 
 /// A drive that is stepped: each step holds its commands constant.
 #[derive(Clone)]
@@ -46,7 +46,7 @@ impl SimulatedDrive {
             let message = format!("the drive has {wanted} commands, not {given}");
             return Err(ProblemKind::Usage.problem(message).in_field("command"));
         }
-        let is_angle = self.is_joint() && matches!(self.drive.target, Target::Position { .. });
+        let is_angle = self.is_joint() && matches!(self.drive.target, Commanded::Position { .. });
         let inside = |v: &f64| if is_angle { v.to_radians() } else { *v };
         Ok(commands.iter().map(inside).collect())
     }
@@ -103,10 +103,10 @@ impl SimulatedDrive {
     /// there are.
     pub fn commands(&self) -> (&'static str, usize) {
         match &self.drive.target {
-            Target::Pressure(list) => ("pressure", list.len()),
-            Target::Opening(list) => ("opening", list.len()),
-            Target::Volume(list) => ("volume", list.len()),
-            Target::Position { .. } => ("position", 1),
+            Commanded::Pressure(list) => ("pressure", list.len()),
+            Commanded::Opening(list) => ("opening", list.len()),
+            Commanded::Volume(list) => ("volume", list.len()),
+            Commanded::Position { .. } => ("position", 1),
         }
     }
 

@@ -33,7 +33,7 @@ use mckibben_fem::{
     elements::Elements,
     output::{Extent, Shape, deck},
     results::Solution,
-    simulation::{Given, Simulation, free_contraction},
+    simulation::{ElementModel, Given, free_contraction},
     three_dimensional::ThreeDimensional,
     with_ends,
 };
@@ -117,8 +117,8 @@ impl Meshed {
     }
 
     /// The whole muscle, whose ends may be displaced; it shares its equilibria with these elements.
-    fn simulation(&self, whole: &Muscle) -> Box<dyn Simulation> {
-        let model: Box<dyn Simulation> = match self {
+    fn simulation(&self, whole: &Muscle) -> Box<dyn ElementModel> {
+        let model: Box<dyn ElementModel> = match self {
             Self::Axisymmetric(model) => model.clone(),
             Self::ThreeDimensional(model) => model.clone(),
         };
@@ -236,7 +236,7 @@ impl SimulateRequest {
     /// The requested points, curve by curve.
     fn questions(
         &self,
-        model: &dyn Simulation,
+        model: &dyn ElementModel,
         workspace: &mut Workspace,
     ) -> Result<Vec<RequestedPoint>> {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || {
@@ -309,7 +309,7 @@ fn no_elements(model: &str) -> Problem {
 /// A point with what it means: slack, collapsed, or an answer. A slack muscle is what it is at its
 /// free contraction.
 fn solved(
-    model: &dyn Simulation,
+    model: &dyn ElementModel,
     workspace: &mut Workspace,
     requested: RequestedPoint,
     two_sided: bool,

@@ -9,7 +9,7 @@ use mckibben_core::{
 };
 use mckibben_fem::{
     axisymmetric::Axisymmetric,
-    simulation::{Detail, Simulation},
+    simulation::{Detail, ElementModel},
 };
 pub use mckibben_fit::measured::{distinct, same};
 use serde::Serialize;

@@ -1,5 +1,6 @@
 //! A model with its memory and options, and what it says on a branch of the hysteresis loop.
 
+use super::ATMOSPHERE_MPA;
 use crate::{
     cancel,
     model::{ForceModel, ModelError, Response, Result, ThickWall, Workspace, pivoting_n_per_mm},
@@ -164,11 +165,17 @@ impl<'a> Evaluation<'a> {
     /// That the work goes on, and the point is one.
     fn check_point(&self, pressure_mpa: f64, contraction: f64) -> Result<()> {
         cancel::check().map_err(ModelError::Cancelled)?;
-        if pressure_mpa.is_finite() && contraction.is_finite() {
+        if !(pressure_mpa.is_finite() && contraction.is_finite()) {
+            let name = &self.model.info().name;
+            return Err(ModelError::not_finite(name, pressure_mpa, contraction));
+        }
+        if pressure_mpa >= -ATMOSPHERE_MPA {
             return Ok(());
         }
-        let name = &self.model.info().name;
-        Err(ModelError::not_finite(name, pressure_mpa, contraction))
+        Err(ModelError::NoEquilibrium(format!(
+            "a gauge pressure of {pressure_mpa}\u{a0}MPa lies below vacuum, \
+             -{ATMOSPHERE_MPA}\u{a0}MPa"
+        )))
     }
 
     /// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does

@@ -82,7 +82,11 @@ impl BoundJoint {
         progress: &dyn Progress,
     ) -> Result<JointMap> {
         self.outside(max_pressure_mpa)?;
-        let count = count.max(2);
+        if count < 2 {
+            return Err(JointError::Refused(format!(
+                "a map has 2 pressures of each muscle at least, not {count}"
+            )));
+        }
         let steps = (count - 1) as f64;
         let grid: Vec<f64> = (0..count)
             .map(|i| max_pressure_mpa * i as f64 / steps)

@@ -3,12 +3,12 @@
 
 use super::common;
 use crate::{
-    Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
+    Artefact, ExportTarget, ExportedJoint, ExportedMuscle, File, Result,
     template::{list, lists, number, render},
 };
 use mckibben_core::joined;
 
-pub const TARGET: Target = Target {
+pub const TARGET: ExportTarget = ExportTarget {
     name: "c",
     about: "C99 header and source, double or float, for controllers and simulators",
     needs: "a C99 compiler; of its library only sqrt, of a joint sin and cos too",

@@ -21,13 +21,13 @@ use super::{
     fit,
 };
 use crate::{
-    Artefact, ExportError, ExportedJoint, ExportedMuscle, File, HostError, Result, Target,
+    Artefact, ExportError, ExportTarget, ExportedJoint, ExportedMuscle, File, HostError, Result,
     muscle::LIMIT,
     template::{number, render},
 };
 use mckibben_core::joint::{JointSpring, Path};
 
-pub const TARGET: Target = Target {
+pub const TARGET: ExportTarget = ExportTarget {
     name: "mjcf",
     about: "MuJoCo: native actuators on a tendon, without plugin or callback; beside them the form \
         itself as a plugin in C; each as a part of any model, and a scene",

@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector};
 /// A target of `export`.
 #[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]
 #[schemars(rename = "ExportTarget")]
-pub struct Target {
+pub struct ExportTarget {
     /// Its word for `target`.
     pub name: &'static str,
     /// What it is.
@@ -32,7 +32,7 @@ pub struct Target {
     pub(crate) joint: Option<fn(&ExportedJoint) -> Result<Artefact>>,
 }
 
-impl Target {
+impl ExportTarget {
     /// All of them.
     pub const ALL: [Self; 6] = [
         c::TARGET,
@@ -59,7 +59,7 @@ impl Target {
 
 impl ExportedMuscle {
     /// The files for a target.
-    pub fn to(&self, target: Target) -> Result<Artefact> {
+    pub fn to(&self, target: ExportTarget) -> Result<Artefact> {
         (target.make)(self)
     }
 }

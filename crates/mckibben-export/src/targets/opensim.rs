@@ -10,14 +10,14 @@
 
 use super::fit;
 use crate::{
-    Artefact, ExportError, ExportedMuscle, File, Result, Target,
+    Artefact, ExportError, ExportTarget, ExportedMuscle, File, Result,
     muscle::LIMIT,
     template::{number, render},
 };
 use mckibben_core::extremes::peak;
 use std::f64::consts::PI;
 
-pub const TARGET: Target = Target {
+pub const TARGET: ExportTarget = ExportTarget {
     name: "opensim",
     about: "an OpenSim model: a McKibbenActuator beside a force by an expression, without plugin",
     needs: "OpenSim 4.6 or later",

@@ -2,12 +2,12 @@
 
 use super::common;
 use crate::{
-    Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
+    Artefact, ExportTarget, ExportedJoint, ExportedMuscle, File, Result,
     template::{list, lists, number, render},
 };
 use mckibben_core::joined;
 
-pub const TARGET: Target = Target {
+pub const TARGET: ExportTarget = ExportTarget {
     name: "python",
     about: "one Python file, the same for NumPy, JAX (jit, vmap, grad) and PyTorch",
     needs: "NumPy, or the library of the arrays that it is given",

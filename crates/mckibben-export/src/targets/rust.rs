@@ -2,12 +2,12 @@
 
 use super::common;
 use crate::{
-    Artefact, ExportedJoint, ExportedMuscle, File, Result, Target,
+    Artefact, ExportTarget, ExportedJoint, ExportedMuscle, File, Result,
     template::{list, lists, number, render},
 };
 use mckibben_core::joined;
 
-pub const TARGET: Target = Target {
+pub const TARGET: ExportTarget = ExportTarget {
     name: "rust",
     about: "one Rust file without std, f32 or f64, for firmware",
     needs: "Rust from 1.84; no crate and no heap",

@@ -2,7 +2,7 @@
 
 use super::exported;
 use mckibben_core::muscle::{Braid, BraidStiffness, Friction, Muscle, Terminals, Tube};
-use mckibben_export::{Content, ExportError, ExportedMuscle, Form, OK, Point, Target};
+use mckibben_export::{Content, ExportError, ExportTarget, ExportedMuscle, Form, OK, Point};
 use sha2::{Digest, Sha256};
 use std::{fmt::Write as _, io::Read as _, path::Path, process::Command, sync::LazyLock};
 
@@ -16,7 +16,11 @@ pub static ROPED: LazyLock<ExportedMuscle> = LazyLock::new(|| {
 });
 
 pub fn write(muscle: &ExportedMuscle, target: &str, folder: &Path) {
-    for file in muscle.to(Target::named(target).unwrap()).unwrap().files {
+    for file in muscle
+        .to(ExportTarget::named(target).unwrap())
+        .unwrap()
+        .files
+    {
         std::fs::write(folder.join(file.name), file.content.bytes()).unwrap();
     }
 }
@@ -137,7 +141,7 @@ fn is_shared(name: &str) -> bool {
 
 #[test]
 fn every_file_names_muscle_version_hash_and_error() {
-    for target in Target::ALL {
+    for target in ExportTarget::ALL {
         let made = PROTOTYPE.to(target).unwrap();
         let target = target.name;
         assert!(!made.files.is_empty());
@@ -186,7 +190,7 @@ fn every_file_names_muscle_version_hash_and_error() {
 
 #[test]
 fn an_unknown_target_is_named_with_those_that_there_are() {
-    let error = Target::named("csv").unwrap_err();
+    let error = ExportTarget::named("csv").unwrap_err();
     assert!(matches!(error, ExportError::Target { .. }));
     assert!(
         error
@@ -331,7 +335,10 @@ fn c_in_single_precision_errs_by_less_than_1e_4() {
 
 /// Writes the files of a unit of a muscle, of those of target `fmu` by its place, into one folder.
 pub fn unpack_unit(muscle: &ExportedMuscle, place: usize, folder: &Path) {
-    let files = muscle.to(Target::named("fmu").unwrap()).unwrap().files;
+    let files = muscle
+        .to(ExportTarget::named("fmu").unwrap())
+        .unwrap()
+        .files;
     let bytes = files[place].content.bytes();
     let mut unit = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
     for i in 0..unit.len() {
@@ -645,7 +652,7 @@ fn names_are_code_in_no_language() {
         <script>ran</script> \u{202e}${y} \\ '#";
     let mut hostile = PROTOTYPE.clone();
     (hostile.name, hostile.model, hostile.muscle_file) = (NAME.into(), NAME.into(), NAME.into());
-    for target in Target::ALL {
+    for target in ExportTarget::ALL {
         let folder = tempfile::tempdir().unwrap();
         write(&hostile, target.name, folder.path());
         for file in hostile.to(target).unwrap().files {
@@ -750,7 +757,7 @@ fn scenes_have_values_that_mujoco_reads() {
     for (muscle, supply_mpa) in [(narrow, 0.6), (super::form::prestretched(), 0.25)] {
         let made = exported(&muscle, supply_mpa)
             .unwrap()
-            .to(Target::named("mjcf").unwrap())
+            .to(ExportTarget::named("mjcf").unwrap())
             .unwrap();
         let text = text_of(made.files[1].content.bytes());
         for (key, places) in [

@@ -12,7 +12,7 @@ use mckibben_core::{
     muscle::{Muscle, file::parse_muscle},
     random::{Random, rounds},
 };
-use mckibben_export::{ExportError, ExportedJoint, Target};
+use mckibben_export::{ExportError, ExportTarget, ExportedJoint};
 use std::sync::Arc;
 
 /// Two muscles on pulleys with a weight; a muscle between two points against a spring on a rope;
@@ -119,7 +119,11 @@ fn c_rust_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
         let core = BoundJoint::new(joint.clone(), shared.collect(), true).unwrap();
         let (folder, w) = (tempfile::tempdir().unwrap(), &mut core.workspaces());
         for target in ["c", "rust", "python"] {
-            for file in exported.to(Target::named(target).unwrap()).unwrap().files {
+            for file in exported
+                .to(ExportTarget::named(target).unwrap())
+                .unwrap()
+                .files
+            {
                 std::fs::write(folder.path().join(file.name), file.content.bytes()).unwrap();
             }
         }
@@ -215,7 +219,9 @@ fn c_rust_and_python_are_the_joint_of_the_program_within_the_stated_errors() {
                 "{i}: {compared:?}"
             );
         }
-        let no_host = exported.to(Target::named("opensim").unwrap()).unwrap_err();
+        let no_host = exported
+            .to(ExportTarget::named("opensim").unwrap())
+            .unwrap_err();
         assert!(matches!(no_host, ExportError::Host(_)));
     }
 }
@@ -245,7 +251,11 @@ fn named_by_universal(
     let core = BoundJoint::new(joint.clone(), vec![model.clone(); 2], true).unwrap();
     let folder = tempfile::tempdir().unwrap();
     for target in targets {
-        for file in exported.to(Target::named(target).unwrap()).unwrap().files {
+        for file in exported
+            .to(ExportTarget::named(target).unwrap())
+            .unwrap()
+            .files
+        {
             std::fs::write(folder.path().join(file.name), file.content.bytes()).unwrap();
         }
     }

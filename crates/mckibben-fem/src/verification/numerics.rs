@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem},
-    simulation::{Given, Simulation},
+    simulation::{ElementModel, Given},
     solver::{
         body::Control,
         newton::{NewtonOptions, NewtonSystem as _},

@@ -7,7 +7,7 @@ use super::Rows;
 use crate::{
     axisymmetric::Axisymmetric,
     load::cavity::volume,
-    simulation::{Given, Simulation},
+    simulation::{ElementModel, Given},
 };
 use mckibben_core::{model::Workspace, muscle::Muscle};
 
@@ -54,7 +54,7 @@ pub fn follower_pressure(rows: &mut Rows) {
 
 /// (∫P dV + ∫F dL)/ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV =
 /// [PV] − ∫V dP.
-pub fn balance(model: &dyn Simulation) -> Option<f64> {
+pub fn balance(model: &dyn ElementModel) -> Option<f64> {
     const STEPS: usize = 32;
     let p = |t: f64| 0.10 + 0.15 * t;
     let e = |t: f64| 0.02 + 0.08 * t;

@@ -11,7 +11,7 @@ use mckibben_core::{
 use mckibben_fem::{
     FemError,
     axisymmetric::{Axisymmetric, MeshSpec},
-    simulation::{Detail, Given, Simulation, free_contraction},
+    simulation::{Detail, ElementModel, Given, free_contraction},
 };
 use std::sync::Arc;
 

@@ -9,7 +9,7 @@ use mckibben_core::{
 use mckibben_fem::{
     FemError,
     axisymmetric::Axisymmetric,
-    simulation::{Detail, Given, Simulation},
+    simulation::{Detail, ElementModel, Given},
 };
 use std::f64::consts::PI;
 

@@ -6,7 +6,7 @@ use mckibben_core::{
 };
 use mckibben_fem::{
     elements::Elements,
-    simulation::{Detail, Given, Simulation, free_contraction},
+    simulation::{Detail, ElementModel, Given, free_contraction},
 };
 
 fn pull(pressure_mpa: f64, force_n: f64) -> Given {
@@ -23,15 +23,15 @@ fn blocked(contraction: f64, force_n: f64) -> Given {
     }
 }
 
-fn fe(muscle: &Muscle) -> Box<dyn Simulation> {
+fn fe(muscle: &Muscle) -> Box<dyn ElementModel> {
     "fe".parse::<Elements>().unwrap().build(muscle).unwrap()
 }
 
-fn with_ends(terminals: Terminals) -> Box<dyn Simulation> {
+fn with_ends(terminals: Terminals) -> Box<dyn ElementModel> {
     fe(&Muscle::prototype().with_terminals(terminals).unwrap())
 }
 
-fn elements(seating_mm: f64) -> Box<dyn Simulation> {
+fn elements(seating_mm: f64) -> Box<dyn ElementModel> {
     with_ends(Terminals {
         seating_mm: Some(seating_mm),
         ..Terminals::default()
@@ -41,7 +41,7 @@ fn elements(seating_mm: f64) -> Box<dyn Simulation> {
 /// Searches and curves of a muscle through a point give its pull, contraction, pressure and volume,
 /// within a relative difference.
 fn searches_and_curves_meet(
-    model: &dyn Simulation,
+    model: &dyn ElementModel,
     (p, e): (f64, f64),
     point: &Response,
     most: f64,
@@ -138,7 +138,7 @@ fn the_slope_by_length_is_that_of_differences() {
     assert!((slopes[0] + stiffness).abs() < 1e-9 * stiffness);
 }
 
-fn slipping() -> Box<dyn Simulation> {
+fn slipping() -> Box<dyn ElementModel> {
     let terminals = Terminals {
         seating_mm: Some(1.5),
         slip_mm_per_n: Some(4e-3),

@@ -6,7 +6,7 @@ use mckibben_core::{
 };
 use mckibben_fem::{
     FemError,
-    simulation::{Detail, Given, Simulation},
+    simulation::{Detail, ElementModel, Given},
     three_dimensional::{BrickSpec, ThreeDimensional},
 };
 

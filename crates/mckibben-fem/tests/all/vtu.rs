@@ -8,7 +8,7 @@ use mckibben_core::{
 use mckibben_fem::{
     axisymmetric::{Axisymmetric, MeshSpec},
     output::{Shape, VtuError, VtuFile, VtuSeries},
-    simulation::{Given, Simulation as _},
+    simulation::{ElementModel as _, Given},
 };
 use std::{
     f64::consts::{PI, TAU},

@@ -83,6 +83,7 @@ pub fn not_free(target: Target, muscle: &Muscle) -> IdentifyError {
 /// volumes, [`identify`] with the [`default_targets`] that are not fixed: a stiffness that the data
 /// do not determine keeps the value of the muscle.
 pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
+    super::run::check(request.points)?;
     let has_volumes = request
         .points
         .iter()

@@ -65,6 +65,16 @@ pub enum DataError {
         /// Free parameters.
         parameters: usize,
     },
+    /// A number that no muscle gives.
+    #[error("line {line}: the {quantity} is {value}, which no muscle has; check number and unit")]
+    Impossible {
+        /// Line of the point.
+        line: u64,
+        /// Which of its numbers.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// Errors stated for some points only.
     #[error(
         "{stated} of {all} points state their error (first without: line {line}): state the errors \

@@ -156,8 +156,23 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
     Ok((points.iter().map(one).collect(), stated > 0))
 }
 
+/// Refuses numbers that are none.
+pub(super) fn check(points: &[DataPoint]) -> Result<(), DataError> {
+    let wrong = points
+        .iter()
+        .find_map(|p| p.impossible().map(|found| (p.line, found)));
+    wrong.map_or(Ok(()), |(line, (quantity, value))| {
+        Err(DataError::Impossible {
+            line,
+            quantity,
+            value,
+        })
+    })
+}
+
 /// Identifies the free parameters of a muscle so that its model comes closest to the points.
 pub fn identify(request: &Request<'_>) -> Result<Identification> {
+    check(request.points)?;
     let directed;
     let points = if request.history {
         directed = history::directed(request.points)?;

@@ -4,6 +4,7 @@ use mckibben_core::muscle::{
     Direction, Measure, Muscle, MuscleError,
     measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL},
 };
+use mckibben_io::table::Meaning;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_with_macros::skip_serializing_none;
@@ -110,6 +111,24 @@ pub struct DataPoint {
 }
 
 impl DataPoint {
+    /// The first of its numbers that is no measurement of a muscle, by its name.
+    pub(crate) fn impossible(&self) -> Option<(&'static str, f64)> {
+        let (pressure, force) = (Meaning::Pressure.most(), Meaning::Force.most());
+        let numbers = [
+            ("pressure", Some(self.at.pressure_mpa), pressure),
+            ("contraction", Some(self.at.contraction), 1.0),
+            ("force", Some(self.at.force_n), force),
+            ("volume", self.volume_mm3, Meaning::Volume.most()),
+            ("error", self.error, f64::MAX),
+            ("weight", Some(self.weight), f64::MAX),
+        ];
+        let mut known = numbers
+            .into_iter()
+            .filter_map(|(name, v, most)| Some((name, v?, most)));
+        let (name, value, _) = known.find(|(_, v, most)| v.is_nan() || v.abs() > *most)?;
+        Some((name, value))
+    }
+
     /// A measured pull of the muscle itself.
     pub fn new(at: MeasuredPoint) -> Self {
         Self {

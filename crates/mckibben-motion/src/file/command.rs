@@ -7,7 +7,7 @@ use super::{
 use crate::{
     command::Command,
     control::{Pid, PidOutput},
-    drive::Target,
+    drive::Commanded,
 };
 use mckibben_core::{
     muscle::file::{FileError, Source},
@@ -91,7 +91,7 @@ impl Commands<'_> {
         &self,
         keys: OfCommand<P>,
         controller: Option<OfController>,
-    ) -> Result<Target, FileError> {
+    ) -> Result<Commanded, FileError> {
         let what = if self.about_joint {
             OverTime::Angle
         } else {
@@ -99,7 +99,7 @@ impl Commands<'_> {
         };
         let position = keys.position.map(|position| {
             let position = self.read(position, "command.position", what)?;
-            Ok(Target::Position {
+            Ok(Commanded::Position {
                 command: if self.about_joint {
                     position.scaled(std::f64::consts::PI / 180.0)
                 } else {
@@ -113,11 +113,11 @@ impl Commands<'_> {
         let volumes = [keys.volume, keys.volume_1, keys.volume_2];
         let targets = [
             self.commands(pressures, "command.pressure", OverTime::Pressure)?
-                .map(Target::Pressure),
+                .map(Commanded::Pressure),
             self.commands(valves, "command.valve", OverTime::Opening)?
-                .map(Target::Opening),
+                .map(Commanded::Opening),
             self.commands(volumes, "command.volume", OverTime::Volume)?
-                .map(Target::Volume),
+                .map(Commanded::Volume),
             position.transpose()?,
         ];
         let mut given = targets.into_iter().flatten();
@@ -308,7 +308,7 @@ mod tests {
         assert_eq!(drive("0.2", ""), drive("'0.2'", ""));
         assert_eq!(drive("0.2", ""), drive("'2 bar'", ""));
         let own = "time_s,angle_deg,pressure_1_mpa,pressure_2_mpa\n0,1,0.2,0.1\n1,2,0.3,0.1\n";
-        let Target::Pressure(commands) = drive("'table:t.csv'", own) else {
+        let Commanded::Pressure(commands) = drive("'table:t.csv'", own) else {
             panic!()
         };
         assert_eq!(commands[0].value(0.0), 0.2);

@@ -6,7 +6,7 @@ mod liquid;
 mod valve;
 
 use crate::{
-    drive::{Actuator, Supply, Target},
+    drive::{Actuator, Commanded, Supply},
     fluid::Fluid,
     viscoelastic::Prony,
 };
@@ -82,7 +82,7 @@ pub struct DriveFile {
     /// Viscoelasticity of the rubber.
     pub rubber: Prony,
     /// What is commanded.
-    pub target: Target,
+    pub target: Commanded,
     /// The end in s.
     pub until_s: f64,
     /// Time between two points of the series in s; a thousandth of the run where it is not given.
@@ -382,7 +382,7 @@ mod tests {
         );
         assert_eq!(
             drive.target,
-            Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])])
+            Commanded::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])])
         );
         assert_eq!((drive.until_s, drive.output_step_s), (5.0, 0.005));
     }
@@ -423,7 +423,7 @@ mod tests {
         );
         assert_eq!(
             drive.target,
-            Target::Volume(vec![Command::Ramps(vec![(0.0, 0.0), (2.0, 15e3)])])
+            Commanded::Volume(vec![Command::Ramps(vec![(0.0, 0.0), (2.0, 15e3)])])
         );
     }
 

@@ -7,8 +7,8 @@
 
 use super::{Vessel, driven, opening, ran};
 use crate::{
-    Actuated, Actuator, Command, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion, Pump,
-    Restriction, SingleMuscle, Syringe, Target, ValveKind,
+    Actuated, Actuator, Command, Commanded, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion,
+    Pump, Restriction, SingleMuscle, Syringe, ValveKind,
 };
 use mckibben_core::{
     analysis::{Evaluation, Options},
@@ -145,7 +145,7 @@ impl Hanging {
         ran(&driven(
             &load,
             muscle,
-            Target::Volume(vec![ramp]),
+            Commanded::Volume(vec![ramp]),
             (6.0, 1e-8),
         ))
     }

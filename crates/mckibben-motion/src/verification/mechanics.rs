@@ -2,8 +2,8 @@
 
 use super::{driven, opening, ran};
 use crate::{
-    ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Drive, Fluid, Heat, Linear, Orifice,
-    Prony, SingleMuscle, Target, Valve, equilibrium,
+    ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Commanded, Drive, Fluid, Heat,
+    Linear, Orifice, Prony, SingleMuscle, Valve, equilibrium,
 };
 use mckibben_core::{
     extremes::ends,
@@ -79,7 +79,7 @@ fn balances() -> Option<Vec<VerificationRow>> {
         let motion = ran(&driven(
             &load,
             muscle,
-            Target::Pressure(vec![steps]),
+            Commanded::Pressure(vec![steps]),
             (1.5, 1e-9),
         ));
         let share = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
@@ -235,7 +235,7 @@ fn loops() -> Vec<VerificationRow> {
             ran(&driven(
                 &spring,
                 muscle,
-                Target::Pressure(vec![sine]),
+                Commanded::Pressure(vec![sine]),
                 (periods / hz, 1e-8),
             ))
         };
@@ -275,7 +275,7 @@ fn convergence() -> Vec<VerificationRow> {
         let drive = driven(
             &load,
             muscle,
-            Target::Pressure(vec![steps]),
+            Commanded::Pressure(vec![steps]),
             (0.5, relative),
         );
         ran(&drive)?.series.coordinate.last().copied()

@@ -9,7 +9,7 @@ mod vessel;
 
 pub use vessel::{Vessel, after, pressure};
 
-use crate::{Actuated, Command, Drive, Motion, SingleMuscle, Target, run};
+use crate::{Actuated, Command, Commanded, Drive, Motion, SingleMuscle, run};
 use mckibben_core::{progress::Silent, verification::VerificationRow};
 
 /// Every case, one after the other.
@@ -29,7 +29,7 @@ fn ran(drive: &Drive) -> Option<Motion> {
 fn driven(
     load: &SingleMuscle,
     muscle: Actuated,
-    target: Target,
+    target: Commanded,
     (until_s, relative): (f64, f64),
 ) -> Drive {
     let mut drive = Drive::new(load.clone(), vec![muscle], target, until_s);
@@ -38,6 +38,6 @@ fn driven(
 }
 
 /// Valves at an opening.
-fn opening(share: f64) -> Target {
-    Target::Opening(vec![Command::Constant(share)])
+fn opening(share: f64) -> Commanded {
+    Commanded::Opening(vec![Command::Constant(share)])
 }

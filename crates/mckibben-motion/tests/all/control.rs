@@ -112,7 +112,7 @@ fn identity_an_integral_controller_leaves_no_error() {
         tracking_s: 0.2,
         output,
     };
-    let target = |pid| Target::Position {
+    let target = |pid| Commanded::Position {
         command: Command::Steps(vec![(0.0, 0.1), (0.1, 0.2)]),
         pid,
     };
@@ -156,7 +156,7 @@ fn two_antagonists_follow_an_angle() {
         tracking_s: 0.2,
         output: PidOutput::Pressure { bias_mpa: 0.2 },
     };
-    let target = Target::Position {
+    let target = Commanded::Position {
         command: Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)]),
         pid,
     };

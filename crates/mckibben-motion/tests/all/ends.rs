@@ -94,7 +94,7 @@ fn without_a_damper_a_load_swings_and_with_one_it_rests() {
     let drive = Drive::new(
         load.clone(),
         vec![Actuated::new(model.clone(), valve())],
-        Target::Pressure(vec![sine]),
+        Commanded::Pressure(vec![sine]),
         2.0,
     );
     assert_eq!(ran(&drive).end, None);

@@ -23,7 +23,7 @@ fn shut(model: &Arc<dyn ForceModel>, load: &SingleMuscle, heat: Heat) -> Drive {
     Drive::new(
         load.clone(),
         vec![muscle],
-        Target::Opening(vec![Command::Constant(0.0)]),
+        Commanded::Opening(vec![Command::Constant(0.0)]),
         1.0,
     )
 }
@@ -74,7 +74,7 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
         ..SingleMuscle::hanging(&*model, 10.0)
     };
     let drive = |command: Command, until_s: f64| {
-        let target = Target::Pressure(vec![command]);
+        let target = Commanded::Pressure(vec![command]);
         Drive::new(
             load.clone(),
             vec![Actuated::new(model.clone(), regulator(0.02))],
@@ -122,7 +122,7 @@ fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
     let joint = elbow(0.5);
     let muscle = Actuated::new(model.clone(), regulator(0.01));
     let drive = |first: Command, second: Command, until_s: f64| {
-        let target = Target::Pressure(vec![first, second]);
+        let target = Commanded::Pressure(vec![first, second]);
         Drive::new(
             joint.clone(),
             vec![muscle.clone(), muscle.clone()],
@@ -167,7 +167,7 @@ fn identity_the_bandwidth_is_that_of_the_state_reached_on_each_side_of_the_valve
         ..SingleMuscle::hanging(&*model, 10.0)
     };
     let hertz = |actuator: Actuator, command: Command, side: f64| {
-        let target = Target::Pressure(vec![command]);
+        let target = Commanded::Pressure(vec![command]);
         let drive = Drive::new(
             load.clone(),
             vec![Actuated::new(model.clone(), actuator)],

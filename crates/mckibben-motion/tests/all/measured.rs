@@ -53,7 +53,7 @@ fn reaches(points: &[(f64, f64)], share: f64) -> f64 {
 fn lifted(model: &ThickWall, mass_kg: f64, pressure_mpa: f64, conductance: f64) -> Vec<(f64, f64)> {
     let load = damped(model, mass_kg, 300.0, (0.0, 200.0));
     let valve = Actuator::Valve(Valve::new(Orifice::new(conductance, 0.3).unwrap()));
-    let opened = Target::Opening(vec![Command::Constant(1.0)]);
+    let opened = Commanded::Opening(vec![Command::Constant(1.0)]);
     let mut muscle = Actuated::new(model.clone(), valve);
     muscle.initial_pressure_mpa = Some(0.0);
     let mut drive = Drive::new(load.clone(), vec![muscle], opened, 2.0);
@@ -137,7 +137,7 @@ fn release_speeds_fall_with_the_load_as_measured() {
         let mut drive = Drive::new(
             load.clone(),
             vec![muscle],
-            Target::Opening(vec![Command::Constant(0.0)]),
+            Commanded::Opening(vec![Command::Constant(0.0)]),
             0.5,
         );
         drive.initial_coordinate = Some(0.0);

@@ -94,7 +94,7 @@ fn identity_a_slow_loop_lies_on_the_static_branches() {
         let mut drive = Drive::new(
             spring.clone(),
             vec![driven],
-            Target::Pressure(vec![ramps]),
+            Commanded::Pressure(vec![ramps]),
             40.0,
         );
         drive.tolerance = 1e-8;
@@ -145,7 +145,7 @@ fn identity_a_muscle_does_not_creep_under_a_load_and_small_oscillations() {
     let mut drive = Drive::new(
         load.clone(),
         vec![driven],
-        Target::Pressure(vec![sine]),
+        Commanded::Pressure(vec![sine]),
         60.0,
     );
     drive.output_step_s = 2.0;
@@ -239,7 +239,7 @@ fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
         ..Air::default()
     });
     muscle.initial_pressure_mpa = Some(0.2);
-    let target = Target::Opening(vec![Command::Constant(0.0)]);
+    let target = Commanded::Opening(vec![Command::Constant(0.0)]);
     let mut drive = Drive::new(load.clone(), vec![muscle], target, 1.0);
     drive.initial_coordinate = Some(20.0);
     drive.tolerance = 1e-9;
@@ -295,7 +295,7 @@ fn identity_two_antagonists_rest_at_zero_and_oscillate_by_their_stiffness() {
     let joint = elbow(0.0);
     let muscle = Actuated::new(model.clone(), regulator(0.01));
     let both = |a: f64, b: f64| {
-        let target = Target::Pressure(vec![Command::Constant(a), Command::Constant(b)]);
+        let target = Commanded::Pressure(vec![Command::Constant(a), Command::Constant(b)]);
         Drive::new(
             joint.clone(),
             vec![muscle.clone(), muscle.clone()],
@@ -481,7 +481,7 @@ fn identity_a_syringe_stores_what_filling_needs_and_its_volume_is_the_cavitys() 
         ran(&Drive::new(
             held.clone(),
             vec![muscle],
-            Target::Volume(vec![command]),
+            Commanded::Volume(vec![command]),
             until_s,
         ))
     };
@@ -535,7 +535,7 @@ fn bound_friction_of_a_joint_gives_no_work_while_the_pressures_swing() {
             presliding_mm: Some(2.0),
             ..Friction::power_law(71.46, 0.56)
         });
-        let target = Target::Pressure(vec![command(1.0), command(-1.0)]);
+        let target = Commanded::Pressure(vec![command(1.0), command(-1.0)]);
         let drive = |until_s: f64| {
             Drive::new(
                 joint.clone(),

@@ -55,7 +55,7 @@ impl Draw {
         })
     }
 
-    fn target(&mut self, regulated: bool) -> Target {
+    fn target(&mut self, regulated: bool) -> Commanded {
         let sine = |frequency_hz| Command::Sine {
             mean: 0.25,
             amplitude: 0.2,
@@ -68,10 +68,10 @@ impl Draw {
                 (0.05, 0.1 + 0.4 * self.next()),
                 (0.5, 0.3 * self.next()),
             ]),
-            1 => Target::Pressure(vec![sine(1.0 + 5.0 * self.next())]),
+            1 => Commanded::Pressure(vec![sine(1.0 + 5.0 * self.next())]),
             2 if !regulated => {
                 let opened = vec![(0.0, -1.0), (0.05, 1.0), (0.3, 0.0), (0.6, -1.0)];
-                Target::Opening(vec![Command::Steps(opened)])
+                Commanded::Opening(vec![Command::Steps(opened)])
             }
             _ => {
                 let output = if regulated {
@@ -87,7 +87,7 @@ impl Draw {
                     tracking_s: 0.1,
                     output,
                 };
-                Target::Position {
+                Commanded::Position {
                     command: Command::Steps(vec![(0.0, 0.05), (0.1, 0.2 * self.next())]),
                     pid,
                 }

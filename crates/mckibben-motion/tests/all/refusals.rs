@@ -50,7 +50,7 @@ fn what_cannot_be_is_said_with_its_values() {
         "{error}"
     );
     let error = refused(&drive(
-        Target::Opening(vec![Command::Constant(1.0)]),
+        Commanded::Opening(vec![Command::Constant(1.0)]),
         regulator(0.1),
     ));
     assert!(

@@ -98,6 +98,6 @@ pub fn regulator(time_constant_s: f64) -> Actuator {
     Actuator::Regulator { time_constant_s }
 }
 
-pub fn steps(points: &[(f64, f64)]) -> Target {
-    Target::Pressure(vec![Command::Steps(points.to_vec())])
+pub fn steps(points: &[(f64, f64)]) -> Commanded {
+    Commanded::Pressure(vec![Command::Steps(points.to_vec())])
 }

@@ -13,12 +13,12 @@ use super::{
     zip::zip,
 };
 use crate::{
-    Artefact, ExportedJoint, ExportedMuscle, File, Result, Target, form::NODES,
+    Artefact, ExportTarget, ExportedJoint, ExportedMuscle, File, Result, form::NODES,
     joint::JOINT_NUMBERS, template::render,
 };
 use variables::{Variable, description, settings};
 
-pub const TARGET: Target = Target {
+pub const TARGET: ExportTarget = ExportTarget {
     name: "fmu",
     about: "Functional Mock-up Units of FMI 2.0 and of FMI 3.0, with the pressure or a valve as \
         input, Model Exchange and Co-Simulation, with libraries and their sources",
