@@ -319,6 +319,7 @@ impl Spec {
 
 /// Why a specification cannot be searched at all.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SpecError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]

@@ -9,6 +9,7 @@ pub type Result<T, E = ExportError> = std::result::Result<T, E>;
 
 /// Why a muscle cannot be exported.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ExportError {
     /// No target of this name.
     #[error("there is no target \"{0}\"; the targets are {names}", names = crate::ExportTarget::names())]

@@ -8,6 +8,7 @@ pub type Result<T, E = MotionError> = std::result::Result<T, E>;
 
 /// Why a motion was refused, or ended early.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum MotionError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]

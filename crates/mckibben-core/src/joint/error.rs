@@ -8,6 +8,7 @@ pub type Result<T, E = JointError> = std::result::Result<T, E>;
 
 /// Why a joint has no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum JointError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]

@@ -8,6 +8,7 @@ pub type Result<T, E = IdentifyError> = std::result::Result<T, E>;
 
 /// Why nothing was identified. Lines are those of the data file.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum IdentifyError {
     /// Refused: field, value, what it must be.
     #[error("{0}")]
@@ -49,6 +50,7 @@ pub enum IdentifyError {
 
 /// Why data cannot be fitted.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DataError {
     /// Not more points than parameters.
     #[error(
