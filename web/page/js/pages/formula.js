@@ -1,5 +1,6 @@
 // A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
 import {
+  block,
   button,
   download,
   el,
@@ -8,7 +9,7 @@ import {
   remark,
   smallPrint,
 } from "../dom.js";
-import { bench, form, job } from "../form.js";
+import { bench, fieldsOf, form, job } from "../form.js";
 import {
   PUBLISHED,
   errorsView,
@@ -44,33 +45,29 @@ pressures = "0..0.25:0.01 MPa"
 const COMPUTED = /** @type {const} */ ("campaign");
 
 /** How a formula is fitted. @type {Field[]} */
-export const HOW = [
-  {
-    key: "method",
-    field: "method",
-    label: "Method",
-    options: [
-      ["paper", "seven steps (Antonelli 2018)"],
-      ["global", "one least-squares problem"],
-    ],
-    value: "paper",
-  },
-  {
-    key: "hold",
-    field: "hold_out_mm",
-    label: "Diameters kept out",
-    kind: "length",
-    list: true,
-    hint: "45 mm",
-  },
-  {
-    key: "at",
-    field: "at",
-    label: "Maps at",
-    kind: "pressure",
-    value: "2.5 bar",
-  },
-];
+export const HOW = fieldsOf([
+  [
+    "method",
+    "method",
+    "Method",
+    undefined,
+    {
+      options: [
+        ["paper", "seven steps (Antonelli 2018)"],
+        ["global", "one least-squares problem"],
+      ],
+      value: "paper",
+    },
+  ],
+  [
+    "hold",
+    "hold_out_mm",
+    "Diameters kept out",
+    "length",
+    { list: true, hint: "45 mm" },
+  ],
+  ["at", "at", "Maps at", "pressure", "2.5 bar"],
+]);
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -89,8 +86,8 @@ export const mount = (main) => {
   );
   const how = form(HOW, () => (made ? fit.run() : paint()));
   const table1 = smallPrint(),
-    errors = el("div"),
-    figures = el("div"),
+    errors = block(),
+    figures = block(),
     shown = surfaces();
   const about = { fields: how, shown: [errors, shown.element, figures] };
   const campaign = job(
