@@ -632,7 +632,7 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, errors, context } = await blank();
     await page.goto(url());
     await page
-      .getByRole("button", { name: "Open a muscle or an example" })
+      .getByRole("button", { name: "Open a muscle or example" })
       .click();
     const cards = page.locator("dialog .gallery").first().locator(".card");
     await soon(async () => assert.equal(await cards.count(), 8));

@@ -46,7 +46,7 @@ function drawn(c, share) {
   const round = (/** @type {string} */ kind, /** @type {number} */ r) =>
     `<circle class="${kind}" cx="${x + COIN / 2}" cy="${y + COIN / 2}" r="${r}"/>`;
   return (
-    `<svg viewBox="${-wide - 6 * font} ${-font} ${2 * wide + 13 * font + COIN} ${tall + 2 * font}" font-size="${font}" role="img" ` +
+    `<svg viewBox="${-wide - 8 * font} ${-font} ${2 * wide + 16 * font + COIN} ${tall + 2 * font}" font-size="${font}" role="img" ` +
     `aria-label="The muscle lifts its load, drawn to scale beside a coin">` +
     `<path class="bar" d="M${-wide} 0H${wide}M0 ${2 * plug + length}V${weight - up}" stroke-width="${font / 6}"/>` +
     `${all.join("")}${steel(weight, "ghost")}${steel(weight - up, "steel")}` +
@@ -75,7 +75,7 @@ export function liftView() {
   );
   return {
     element: block("stand", box, play.button),
-    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer @param {boolean} moves */
+    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer @param {number | boolean} moves */
     show({ candidates }, moves) {
       [one] = candidates;
       draw(1);

@@ -76,7 +76,7 @@ export const mount = (main) => {
     lift = liftView(),
     fields = form(WANTED, () => ask());
   const result = block(),
-    head = el("h2", { "aria-live": "polite" }, "Searching …"),
+    head = el("h2", { "aria-live": "polite" }),
     chips = block("row chips"),
     act = rowOf();
 
@@ -154,6 +154,7 @@ export const mount = (main) => {
     // Enter and a pause in typing ask the same.
     if (JSON.stringify(request) === of) return;
     of = JSON.stringify(request);
+    if (!answers[chosen]) head.textContent = "Searching …";
     answers = [];
     paint();
     // The first answer comes first.
@@ -207,7 +208,7 @@ export const mount = (main) => {
         chips,
         result,
         rowOf(
-          button("Open a muscle or an example", openDialog, { class: "bare" }),
+          button("Open a muscle or example", openDialog, { class: "bare" }),
           button(
             "Compare measurements",
             () => {
@@ -220,7 +221,7 @@ export const mount = (main) => {
     ),
   );
   // A page that brings its engine loads that of the search when it is asked for.
-  const isLarge = engine().files.length > 0;
+  const isLarge = engine().files.length;
   lift.show(REFERENCE, isLarge);
   return {
     async load() {
