@@ -812,6 +812,7 @@ inBrowser(({ name, url, open, blank }) => {
       const own = await served(program);
       const { page, context } = await blank();
       await page.goto(`${own.url}#formula`);
+      await page.getByText("Advanced", { exact: true }).click();
       const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
       await plan.fill(
         (await plan.inputValue())

@@ -649,6 +649,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("a campaign is cancelled, begun again, and its formula downloaded", async () => {
     const { page, context } = await open("#formula");
+    await page.getByText("Advanced", { exact: true }).click();
     const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
     const usual = await plan.inputValue();
     await plan.fill(

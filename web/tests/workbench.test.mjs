@@ -287,6 +287,7 @@ inBrowser(({ name, url, open, blank }) => {
       .setInputFiles(`${root}examples/bench.csv`);
     await reads(page, ".middle", "bench.csv: 10 points");
     await go(page, "Formula");
+    await page.getByText("Advanced", { exact: true }).click();
     await page.getByRole("textbox", { name: "Plan (TOML)" }).fill("# mine\n");
     await go(page, "Design");
     // What was found is there at once, without a question.

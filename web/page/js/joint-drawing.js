@@ -61,7 +61,7 @@ export function jointDrawing(point, angle, supply, m) {
     m.r * ((most * Math.PI) / 180) +
     m.diameter
   );
-  const width = arm * 1.25 - left + 0.1 * m.length;
+  const width = arm * 1.25 - left + 0.2 * m.length;
   const tall =
     2 *
     Math.max(
@@ -85,7 +85,7 @@ export function jointDrawing(point, angle, supply, m) {
     `<text x="${arm * 0.2}" y="${-tall / 2 + 0.05 * m.length}">colour: pressure, 0 to ` +
     `${showPressure(supply, 3)}</text>`;
   return (
-    `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" ` +
+    `<svg class="section joint" viewBox="${left - m.diameter} ${-tall / 2} ${width} ${tall}" ` +
     `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>` +
     `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle ` +
     `r="${0.02 * m.length}" fill="currentColor"/>` +

@@ -11,6 +11,8 @@ import { loadMeasures, muscle } from "./muscle.js";
 import { notice } from "./notice.js";
 import { offline } from "./offline.js";
 import { PLACES, pageOf, viewsOf } from "./pages.js";
+// The first screen comes with the frame.
+import "./pages/start.js";
 import { printing } from "./print.js";
 import { sketches } from "./sketch.js";
 import { keys } from "./state.js";

@@ -5,6 +5,7 @@ import {
   download,
   el,
   faded,
+  folded,
   heading,
   remark,
   smallPrint,
@@ -142,7 +143,7 @@ export const mount = (main) => {
         remark(
           "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018).",
         ),
-        plan,
+        folded("Advanced", plan),
         campaign.element,
         table1,
         how.element,
