@@ -30,7 +30,7 @@ function drawn(c, share) {
     plug = 0.6 * diameter,
     weight = 2 * plug + 1.05 * rest,
     tall = weight + half;
-  const font = tall / 36,
+  const font = tall / (innerWidth < 900 ? 24 : 36),
     wide = Math.max(half, beside),
     x = beside + font,
     y = plug + rest / 2,
@@ -42,7 +42,7 @@ function drawn(c, share) {
       `<g transform="translate(${(i - (across - 1) / 2) * most} ${plug}) rotate(90)">${one}</g>`,
   );
   const steel = (/** @type {number} */ top, /** @type {string} */ kind) =>
-    `<rect class="${kind}" x="${-half}" y="${top}" width="${2 * half}" height="${half}" rx="${half / 10}"/>`;
+    `<rect class="${kind}" x="${-half}" y="${top}" width="${2 * half}" height="${half}"/>`;
   const round = (/** @type {string} */ kind, /** @type {number} */ r) =>
     `<circle class="${kind}" cx="${x + COIN / 2}" cy="${y + COIN / 2}" r="${r}"/>`;
   return (

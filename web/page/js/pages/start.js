@@ -76,7 +76,7 @@ export const mount = (main) => {
     lift = liftView(),
     fields = form(WANTED, () => ask());
   const result = block(),
-    head = el("h2", { "aria-live": "polite" }),
+    head = el("h2", { class: "grow", "aria-live": "polite" }),
     chips = block("row chips"),
     act = rowOf();
 
@@ -204,7 +204,7 @@ export const mount = (main) => {
         ),
         what.list,
         fields.element,
-        block("row", el("span", { class: "grow" }, head), act),
+        block("row", head, act),
         chips,
         result,
         rowOf(
