@@ -6,7 +6,7 @@ import { clamp, showForce, showLength } from "./units.js";
 
 /** Diameter of a coin of one euro. */
 const COIN = 23.25;
-/** @typedef {Pick<Candidate, "count" | "outer_diameter_mm" | "length_mm" | "angle_deg" | "bulged_diameter_mm"> & { points: { contraction: number, force_n: number }[] }} Lifting */
+/** @typedef {Pick<Candidate, "count" | "outer_diameter_mm" | "length_mm" | "angle_deg"> & Partial<Pick<Candidate, "bulged_diameter_mm">> & { points: { contraction: number, force_n: number }[] }} Lifting */
 
 /** @param {string} text @param {number} x @param {number} y @param {string} [anchor] */
 const words = (text, x, y, anchor = "start") =>

@@ -50,7 +50,6 @@ const REFERENCE = {
       outer_diameter_mm: 30,
       length_mm: 285,
       angle_deg: 28,
-      bulged_diameter_mm: 45,
       points: [{ contraction: 0.15, force_n: 210 }],
     },
   ],
@@ -147,20 +146,25 @@ export const mount = (main) => {
   }
   async function ask() {
     const read = await fields.read();
-    if (!read) return;
+    if (!read) {
+      of = "";
+      return dim([result, head], true);
+    }
     const { mass_kg, torque_nm, angle_deg, ...request } = read;
     if (mass_kg) request.load = `mass:${mass_kg}kg`;
     if (torque_nm) request.torques = [{ torque_nm, angle_deg }];
     // Enter and a pause in typing ask the same.
-    if (JSON.stringify(request) === of) return;
-    of = JSON.stringify(request);
+    const next = JSON.stringify(request);
+    if (next === of) return;
+    of = next;
     if (!answers[chosen]) head.textContent = "Searching …";
     answers = [];
     paint();
     // The first answer comes first.
-    search(chosen, request, () =>
+    const first = chosen;
+    search(first, request, () =>
       WISHES.forEach((_, i) => {
-        if (i !== chosen && !answers[i]) search(i, request);
+        if (i !== first) search(i, request);
       }),
     );
   }
@@ -200,7 +204,7 @@ export const mount = (main) => {
         el(
           "h1",
           {},
-          "A McKibben muscle is a rubber tube in a braided sleeve that gets thicker and shorter under pressure, and so pulls.",
+          "A McKibben muscle is a rubber tube in a braided sleeve that gets thicker and shorter under pressure and pulls.",
         ),
         what.list,
         fields.element,
@@ -208,9 +212,9 @@ export const mount = (main) => {
         chips,
         result,
         rowOf(
-          button("Open a muscle or example", openDialog, { class: "bare" }),
+          button("Open a muscle", openDialog, { class: "bare" }),
           button(
-            "Compare measurements",
+            "Measurements",
             () => {
               location.hash = "#data";
             },
