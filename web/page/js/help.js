@@ -8,9 +8,7 @@ import { pageOf } from "./pages.js";
 
 /** How a page is used, in a few sentences. @type {Record<string, string[]>} */
 const HOW = {
-  start: [
-    "Type what the muscle must do. The answer says what to take, what to set, and how sure that is.",
-  ],
+  start: ["The answer says what to take, what to set, and how sure that is."],
   muscle: [
     "Drag a slider, the right end of the muscle, the gauge or a curve; Ctrl and wheel zoom.",
     "Type a value with any unit into a field: 1.2in, 36psi, 2.5 bar. A click on a unit changes it everywhere.",

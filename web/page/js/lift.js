@@ -47,7 +47,7 @@ function drawn(c, share) {
     `<circle class="${kind}" cx="${x + COIN / 2}" cy="${y + COIN / 2}" r="${r}"/>`;
   return (
     `<svg viewBox="${-wide - 8 * font} ${-font} ${2 * wide + 16 * font + COIN} ${tall + 2 * font}" font-size="${font}" role="img" ` +
-    `aria-label="The muscle lifts its load, drawn to scale beside a coin">` +
+    `aria-label="The muscle to scale, beside a coin">` +
     `<path class="bar" d="M${-wide} 0H${wide}M0 ${2 * plug + length}V${weight - up}" stroke-width="${font / 6}"/>` +
     `${all.join("")}${steel(weight, "ghost")}${steel(weight - up, "steel")}` +
     `<path class="way" d="M${left} ${weight}v${-way}M${left - font} ${weight}h${font}m0 ${-way}h${-font}"/>` +
@@ -69,14 +69,14 @@ export function liftView() {
   };
   const play = playing(
     "Move",
-    (share) =>
-      draw(share === 1 ? 1 : clamp(0.5 - 0.7 * Math.cos(80 * share), 0, 1)),
+    (share) => draw(clamp(0.5 - 0.7 * Math.cos(78.54 * share), 0, 1)),
     () => (still ? 3000 : 60_000),
   );
   return {
     element: block("stand", box, play.button),
     /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer @param {number | boolean} moves */
     show({ candidates }, moves) {
+      if (one === candidates[0]) return;
       [one] = candidates;
       draw(1);
       if (moves && !still) play.start();
