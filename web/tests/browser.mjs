@@ -194,8 +194,8 @@ export function trapping(words) {
 export const alive = (page, timeout = 20_000) =>
   page.waitForFunction(
     () =>
-      /model|Slack/.test(
-        document.querySelector(".stage .say b")?.textContent ?? "",
+      /alone|Slack/.test(
+        document.querySelector(".stage .say")?.textContent ?? "",
       ),
     undefined,
     { timeout },
@@ -212,9 +212,15 @@ export function asBuilt({ uncertainty_words: { built } }) {
     /^(\S+)\sN \((\S+)\sN to (\S+)\sN, 95 %\)/.exec(built) ?? [];
   return `${three[0]} N (${three[1]} to ${three[2]} N)`;
 }
-/** Both as they stand on the stage. @param {any} said */
-export const asShown = (said) =>
-  `${modelPull(said)} (model ${said.model})as built ${asBuilt(said)}`;
+/** Both as they stand on the stage, as built first. @param {any} said */
+export const asShown = (said) => {
+  const moves = /** @type {Record<string, string>} */ ({
+    contraction: " while it shortens",
+    elongation: " while it lengthens",
+  });
+  const way = moves[said.predicted_direction ?? "contraction"] ?? "";
+  return `${asBuilt(said)}as built${way}; ${said.model} alone ${modelPull(said)}`;
+};
 
 /** What a page holds, when nothing comes any more. @param {import("playwright-core").Page} page */
 export async function meter(page) {
@@ -250,6 +256,7 @@ export async function go(page, where, timeout = 20_000) {
   const name = where.toLowerCase(),
     { place } = PAGES.find((one) => one.name === name) ?? PAGES[0];
   if (place) await page.locator(`#pages a[data-place=${place}]`).click();
+  else if (name === "start") await page.locator(".brand a").click();
   else {
     await page.getByRole("button", { name: "Help", exact: true }).click();
     await page.locator("dialog").getByRole("link", { name: "About" }).click();
@@ -268,6 +275,13 @@ export async function go(page, where, timeout = 20_000) {
   await shown
     .and(page.locator(`main[data-shown=${name}]`))
     .waitFor({ timeout });
+}
+/** What stands behind the sign ⋯ of a chart: its table, or a file of it. @param {import("playwright-core").Page | import("playwright-core").Locator} of the page for its first chart, or a region @param {string} what */
+export async function ofChart(of, what) {
+  const menu = of.locator(".chart .menu, .menu").first(),
+    one = menu.getByRole("button", { name: what, exact: true });
+  if (!(await one.isVisible())) await menu.locator("summary").click();
+  await one.click();
 }
 /** Files through the window Open. @param {import("playwright-core").Page} page @param {any} files */
 export async function openFiles(page, files) {

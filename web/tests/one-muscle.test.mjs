@@ -11,6 +11,7 @@ import {
   asShown,
   go,
   modelPull,
+  ofChart,
   openFiles,
   pull,
   served,
@@ -21,12 +22,12 @@ import { ask, inBrowser, program, root, shots } from "./sites.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "page-"));
 /**
- * The winner of a design where it is opened: the model's pull, of the mean of both branches, and that as built, which
- * meets the requirement. @param {any} found
+ * The winner of a design where it is opened, on the branch of its job: the model's pull, and that as built, which meets
+ * the requirement. @param {any} found
  */
 const designed = ({ candidates: [best], model, uncertainty_words }) => {
-  const [{ model_force_n: pull, friction_n: friction }] = best.points;
-  return asShown({ force_n: pull - friction, model, uncertainty_words });
+  const [{ model_force_n: force_n, predicted_direction }] = best.points;
+  return asShown({ force_n, model, predicted_direction, uncertainty_words });
 };
 const bar = (/** @type {number} */ mpa, digits = 3) =>
   `${Number((10 * mpa).toPrecision(digits))} bar`;
@@ -85,7 +86,9 @@ inBrowser(({ name, url, open, blank }) => {
   ) => {
     const [download] = await Promise.all([
       page.waitForEvent("download"),
-      page.getByRole("button", { name: button, exact: true }).first().click(),
+      button === "CSV"
+        ? ofChart(page, button)
+        : page.getByRole("button", { name: button, exact: true }).click(),
     ]);
     return readFileSync(/** @type {string} */ (await download.path()), "utf8");
   };
@@ -227,7 +230,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("every measure of the program has a field, and those that few muscles state belong to the muscle of every page", async () => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
-    const box = page.locator("details", { hasText: "More measures" }),
+    const box = page.locator("details", { hasText: "More properties" }),
       is = (/** @type {string} */ name, /** @type {string} */ value) =>
         page.waitForFunction(
           ([name, value]) =>
@@ -241,7 +244,7 @@ inBrowser(({ name, url, open, blank }) => {
         );
     await soon(async () => assert.equal(await box.getAttribute("open"), null));
     await page.getByText("Ends", { exact: true }).first().click();
-    await page.getByText("More measures", { exact: true }).click();
+    await page.getByText("More properties", { exact: true }).click();
     await page.screenshot({
       path: `${shots}/more-${name}.png`,
       fullPage: true,
@@ -316,7 +319,7 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(
       page,
       "[aria-label='both in numbers']",
-      `Pull${said.split(" (model")[0]}`,
+      `Pull${said.split("alone ")[1]}`,
     );
     await go(page, "Muscle");
     await reads(page, PULL, said);
@@ -349,7 +352,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () =>
       assert.equal(
         await opened.page
-          .locator("details", { hasText: "More measures" })
+          .locator("details", { hasText: "More properties" })
           .getAttribute("open"),
         "",
       ),
@@ -465,7 +468,7 @@ inBrowser(({ name, url, open, blank }) => {
     assert.ok(best, "it fits");
     await reads(
       page,
-      ".middle h2",
+      ".side h2",
       `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm`,
     );
     await page.locator("tr.pick").first().click();
@@ -520,6 +523,35 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("the way that the muscle moves is chosen once: Live, Sweep and the saved file have that branch", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    const branch = ["--branch", "elongation"];
+    await page
+      .getByRole("combobox", { name: "Friction" })
+      .selectOption("elongation");
+    const said = ask("force", "-p", "2.5bar", "-e", "15%", ...branch);
+    await reads(page, PULL, asShown(said));
+    await page.reload();
+    await reads(page, PULL, asShown(said));
+    const copy = join(folder, `branch-${name}.toml`);
+    writeFileSync(copy, await saved(page, "Save"));
+    assert.equal(
+      asShown(ask("force", copy, "-p", "2.5bar", "-e", "15%")),
+      asShown(said),
+    );
+    await go(page, "Sweep");
+    await page.waitForSelector(".plot svg.curves", { timeout: 30_000 });
+    const row = (await saved(page, "CSV"))
+      .split("\n")
+      .map((line) => line.split(","))
+      .find(([curve, x]) => /as built/.test(curve) && Number(x) === 3);
+    const at = ask("force", "-p", "3bar", "-e", "15%", ...branch);
+    assert.ok(Math.abs(Number(row?.[2]) / at.predicted_n - 1) < 1e-6, `${row}`);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
   test("Enter starts a design, and its winner opens as the muscle that was designed", async () => {
     const { page, context } = await open(
       "#muscle?k=inextensible&p=2.5bar&e=15%25",
@@ -532,7 +564,7 @@ inBrowser(({ name, url, open, blank }) => {
       [best] = found.candidates;
     await reads(
       page,
-      ".middle h2",
+      ".side h2",
       `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(best.wall_mm.toPrecision(4))} mm`,
     );
     await page.locator("tr.pick").first().click();
@@ -780,6 +812,7 @@ inBrowser(({ name, url, open, blank }) => {
       const own = await served(program);
       const { page, context } = await blank();
       await page.goto(`${own.url}#formula`);
+      await page.getByText("Advanced", { exact: true }).click();
       const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
       await plan.fill(
         (await plan.inputValue())

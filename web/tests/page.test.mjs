@@ -7,6 +7,7 @@ import {
   alive,
   asBuilt,
   asShown,
+  ofChart,
   openFiles,
   pull,
   soon,
@@ -376,7 +377,7 @@ inBrowser(({ name, url, open, blank }) => {
     ]) {
       const [download] = await Promise.all([
         page.waitForEvent("download"),
-        page.getByRole("button", { name: button, exact: true }).first().click(),
+        ofChart(page, button),
       ]);
       assert.ok(download.suggestedFilename().endsWith(end));
       const bytes = readFileSync(/** @type {string} */ (await download.path()));
@@ -387,7 +388,7 @@ inBrowser(({ name, url, open, blank }) => {
         );
       if (end === ".png") assert.equal(bytes.subarray(1, 4).toString(), "PNG");
     }
-    await page.getByRole("button", { name: "Table" }).first().click();
+    await ofChart(page, "Table");
     await soon(async () =>
       assert.ok((await page.locator(".chart table tr").count()) > 20),
     );
@@ -407,7 +408,7 @@ inBrowser(({ name, url, open, blank }) => {
       "2.5bar",
     ).candidates[0];
     await page
-      .locator(".middle h2")
+      .locator(".side h2")
       .first()
       .filter({
         hasText: `${Number(best.outer_diameter_mm.toPrecision(4))} mm`,
@@ -417,7 +418,7 @@ inBrowser(({ name, url, open, blank }) => {
     await map.locator("svg image").waitFor({ timeout: 30_000 });
     const [cells] = await Promise.all([
       page.waitForEvent("download"),
-      map.getByRole("button", { name: "CSV" }).click(),
+      ofChart(map, "CSV"),
     ]);
     const lines = readFileSync(/** @type {string} */ (await cells.path()))
       .toString()
@@ -448,7 +449,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForSelector("table", { timeout: 60_000 });
     const map = page.getByRole("region", { name: "design map" }),
       target = page.getByRole("region", { name: "design target" });
-    await map.getByRole("button", { name: "Table" }).click();
+    await ofChart(map, "Table");
     await map.locator("tbody tr").nth(28).waitFor({ timeout: 30_000 });
     const fitting = () =>
       map.locator("tbody tr").filter({ hasNotText: "misses" }).count();
@@ -562,7 +563,7 @@ inBrowser(({ name, url, open, blank }) => {
       "2.5bar",
     );
     await page
-      .locator(".middle h2")
+      .locator(".side h2")
       .first()
       .filter({
         hasText: `${Number(said.candidates[0].outer_diameter_mm.toPrecision(4))} mm`,
@@ -580,7 +581,7 @@ inBrowser(({ name, url, open, blank }) => {
     );
     await page.getByText("Nothing fits.").waitFor({ timeout: 60_000 });
     await soon(async () =>
-      assert.ok((await page.locator(".middle li").count()) > 0),
+      assert.ok((await page.locator(".side li").count()) > 0),
     );
     const target = page.getByRole("region", { name: "design target" });
     await soon(async () =>
@@ -635,7 +636,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForSelector(".problem");
     await page.getByRole("combobox", { name: "Pressure" }).selectOption("P1");
     await page
-      .getByRole("combobox", { name: "in", exact: true })
+      .getByRole("combobox", { name: "Unit", exact: true })
       .first()
       .selectOption("bar");
     await page.getByText("unnamed.csv: 2 points.").waitFor({ timeout: 30_000 });
@@ -648,6 +649,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("a campaign is cancelled, begun again, and its formula downloaded", async () => {
     const { page, context } = await open("#formula");
+    await page.getByText("Advanced", { exact: true }).click();
     const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
     const usual = await plan.inputValue();
     await plan.fill(
@@ -696,7 +698,7 @@ inBrowser(({ name, url, open, blank }) => {
     );
     await page
       .locator("summary")
-      .filter({ hasText: "Another muscle 2" })
+      .filter({ hasText: "Different second muscle" })
       .click();
     const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
     await page.getByLabel("Open muscle 2 (TOML)").setInputFiles({
@@ -732,7 +734,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () => {
       const [download] = await Promise.all([
         page.waitForEvent("download"),
-        way.getByRole("button", { name: "CSV", exact: true }).click(),
+        ofChart(way, "CSV"),
       ]);
       const rows = readFileSync(
         /** @type {string} */ (await download.path()),
@@ -755,6 +757,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("narrow and very wide, larger text, less motion", async () => {
     for (const [width, height] of [
       [400, 800],
+      [1024, 768],
       [3840, 2160],
     ]) {
       const { page, context } = await open("#muscle", {
@@ -843,7 +846,7 @@ inBrowser(({ name, url, open, blank }) => {
           : /** @type {any} */ (usual).call(this, kind, ...rest);
       };
     });
-    await page.goto(url());
+    await page.goto(`${url()}#muscle`);
     await alive(page);
     await page.waitForSelector("svg.section clipPath", { state: "attached" });
     await context.close();

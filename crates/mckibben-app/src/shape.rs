@@ -2,12 +2,12 @@
 //! front ends that draw it in space.
 
 use crate::{
-    MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite, given_mpa, pull,
-    ratio,
+    AskFields, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite,
+    given_mpa, pull, ratio,
 };
 use mckibben_core::{
     analysis::Evaluation,
-    answer::{Answer, Options},
+    answer::Answer,
     model::Workspace,
     muscle::Muscle,
     units::typed::{Force, Pressure, Ratio},
@@ -89,7 +89,6 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
         point_and_shape((&fe, &muscle), workspace, pressure_mpa, request)?;
     let stations = Stations::from_section(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
-    let arrays = stations.nodes.into_iter().chain(stations.strands);
     Ok(ShapeAnswer {
         point,
         shape_contraction,
@@ -97,7 +96,12 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
         strands: muscle.braid().strands.map(|s| s.count),
         stations: count,
         across: stations.across,
-        arrays: arrays.map(|(name, list)| (name.to_owned(), list)).collect(),
+        arrays: stations
+            .nodes
+            .into_iter()
+            .chain(stations.strands)
+            .map(|(name, list)| (name.to_owned(), list))
+            .collect(),
         muscle: (&muscle).into(),
     })
 }
@@ -111,7 +115,7 @@ fn point_and_shape(
 ) -> Result<(Answer, f64, Section), Problem> {
     // The same equilibria, of the whole muscle, whose ends may be displaced.
     let whole = with_ends(muscle, Box::new(fe.clone()));
-    let mut evaluation = Evaluation::new(&*whole, workspace, Options::default());
+    let mut evaluation = Evaluation::new(&*whole, workspace, AskFields::default().options(muscle)?);
     let contraction = match request.force_n {
         Some(force_n) => {
             let force_n = finite("force_n", force_n)?;

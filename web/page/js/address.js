@@ -9,7 +9,7 @@ function parse(of = location.hash) {
     cut = hash.indexOf("?");
   const [page, query] =
     cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
-  return { page: page || "muscle", params: new URLSearchParams(query) };
+  return { page: page || "start", params: new URLSearchParams(query) };
 }
 
 /** Whether a link of this page leads nowhere on another computer. */
@@ -19,7 +19,7 @@ export const isLocal = () =>
 /**
  * The page of the address, with its words; those that a damaged link has lost. Of one that changes meanwhile, the new
  * one: what was typed counts.
- * @returns {Promise<{ page: string, params: URLSearchParams, lost: string[], bare: boolean }>}
+ * @returns {Promise<{ page: string, params: URLSearchParams, lost: string[] }>}
  */
 export async function read() {
   const of = location.hash,
@@ -35,7 +35,7 @@ export async function read() {
   }
   await Promise.all([...params.values()].map(pack));
   if (location.hash !== of) return read();
-  return { page, params, lost, bare: !location.hash.includes("?") };
+  return { page, params, lost };
 }
 
 /** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */
@@ -75,7 +75,7 @@ export const onWritten = written.stay;
  */
 export function write(to) {
   if (pageOf(parse(to).page) !== pageOf(parse().page)) return;
-  if (to === location.hash || (to === "#muscle" && !location.hash)) return;
+  if (to === location.hash) return;
   history.replaceState(null, "", to);
   written.tell();
 }

@@ -65,8 +65,8 @@ const PATIENCE = 1500;
 
 /** A place for questions of a page: one is on its way at most, and of those that wait only the newest is asked. */
 export class Slot {
-  /** `stays`: it does not end with the page. @param {{ lane?: LaneName, busy?: (on: boolean) => void, stays?: boolean }} [options] */
-  constructor({ lane = "side", busy, stays } = {}) {
+  /** @param {{ lane?: LaneName, busy?: (on: boolean) => void }} [options] */
+  constructor({ lane = "side", busy } = {}) {
     this.lane = lane;
     this.busy = busy;
     /** @type {AbortController | undefined} */ this.flying = undefined;
@@ -74,7 +74,7 @@ export class Slot {
     this.since = 0;
     this.timer = 0;
     this.patience = 0;
-    if (!stays) atEnd(() => this.end());
+    atEnd(() => this.end());
   }
 
   /**

@@ -5,7 +5,7 @@ import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 import { notice, noticeProblem } from "./notice.js";
 import { openDialog } from "./open.js";
-import { show } from "./units.js";
+import { showLength } from "./units.js";
 import { thumbnail } from "./thumbnail.js";
 import { names } from "./steps.js";
 
@@ -48,7 +48,7 @@ function shareButton() {
       if (isLocal()) {
         await save();
         return notice(
-          "A link to this page works on this computer alone. The muscle was saved as a file: send that.",
+          "This link works only on your computer. The muscle was saved: send the file instead.",
         );
       }
       await navigator.clipboard.writeText(location.href).then(
@@ -57,8 +57,7 @@ function shareButton() {
       );
     },
     {
-      title:
-        "Copy the link to this view, or save the file where a link would not work elsewhere",
+      title: "Copy the link to this view, or save the file",
     },
   );
 }
@@ -101,7 +100,7 @@ export function muscleBar(walk, renamed) {
       });
       const s = muscle.shown;
       line.textContent = s
-        ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}`
+        ? `D0 ${showLength(s.outer_diameter_mm)}, s ${showLength(s.wall_mm)}, L0 ${showLength(s.length_mm)}`
         : "";
       const of =
         s && [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].join();

@@ -101,3 +101,23 @@ export function ground(length, radius) {
     `stroke-width="${of(0.3)}" stroke-linecap="round"/>`
   );
 }
+
+/**
+ * A muscle in use as SVG, in a frame of so many millimetres.
+ * @param {Candidate} c @param {number} wide @param {number} tall
+ */
+export function picture(c, wide, tall) {
+  const {
+      outer_diameter_mm: diameter,
+      points: [at],
+    } = c,
+    e = Number(at?.contraction ?? 0);
+  const now = contracted(diameter, c.angle_deg, e),
+    length = c.length_mm * (1 - e),
+    { angle } = now;
+  const bulged = c.bulged_diameter_mm ?? now.bulged;
+  return (
+    `<svg viewBox="${-0.14 * wide} ${-tall / 2} ${1.24 * wide} ${1.3 * tall}" aria-hidden="true">` +
+    `${ground(length, bulged / 2)}${body({ length, diameter, bulged, angle })}</svg>`
+  );
+}

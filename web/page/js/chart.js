@@ -1,6 +1,6 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
 import { atEnd } from "./life.js";
-import { block, button, csv, download, el } from "./dom.js";
+import { block, button, csv, download, el, menu } from "./dom.js";
 import { table } from "./form.js";
 import { Lines } from "./lines.js";
 import { KINDS } from "./plot.js";
@@ -54,10 +54,7 @@ export class Chart extends Lines {
       "row",
       tools ?? null,
       el("span", { class: "grow" }),
-      this.asTable,
-      save("csv"),
-      save("svg"),
-      save("png"),
+      menu(this.asTable, save("csv"), save("svg"), save("png")),
     );
     this.element = el(
       "section",

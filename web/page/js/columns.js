@@ -47,13 +47,13 @@ export function columnChoice(changed) {
       else chosen.delete(quantity);
       changed();
     };
-    const column = choice(label, [["", "as headings say"]], "", (heading) =>
+    const column = choice(label, [["", "Automatic"]], "", (heading) =>
       put(heading, now()[1]),
     );
     const unit = choice(
-      "in",
+      "Unit",
       [
-        ["", "as it says"],
+        ["", "From the heading"],
         ...kinds
           .flatMap(unitsOf)
           .map((u) => /** @type {[string, string]} */ ([u, u])),

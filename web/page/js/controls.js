@@ -173,10 +173,7 @@ class Quantity {
    */
   #asText(v) {
     const { kind } = this.spec;
-    return (
-      number(outside(kind, v), 6).replace("−", "-") +
-      (kind === "ratio" ? " %" : "")
-    );
+    return number(outside(kind, v), 6) + (kind === "ratio" ? " %" : "");
   }
   /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
   #step() {

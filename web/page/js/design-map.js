@@ -1,10 +1,10 @@
 // The map of a design: what fits over diameter and wall, by `universal`: the pressure that each muscle needs, and the
 // limit that others miss.
 import { Slot } from "./ask.js";
-import { picture as drawnMuscle } from "./candidates.js";
+import { picture as drawnMuscle } from "./body.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
 import { Chart, KINDS, viridisAt } from "./chart.js";
-import { el, heading, token } from "./dom.js";
+import { el, heading } from "./dom.js";
 import {
   corners,
   levels,
@@ -14,7 +14,14 @@ import {
   valueBetween,
 } from "./map.js";
 import { muscle } from "./muscle.js";
-import { evenly, outside, show, unitName } from "./units.js";
+import { token } from "./theme.js";
+import {
+  evenly,
+  outside,
+  showLength,
+  showPressure,
+  unitName,
+} from "./units.js";
 
 /**
  * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
@@ -80,7 +87,7 @@ export function designMap(linked) {
       { p: Number(answer.max_pressure_mpa), e },
     );
     picked.replaceChildren(
-      `D0 ${show("length", d)}, s ${show("length", s)}: `,
+      `D0 ${showLength(d)}, s ${showLength(s)}: `,
       el("a", { href: link }, "see this muscle"),
     );
   }
@@ -143,10 +150,10 @@ function hovering(chart, of) {
     const [d, s] = measures(at[0], at[1]);
     const one = found.fits.get(`${nearest(found.D, d)},${nearest(found.S, s)}`);
     if (!one) return;
-    const size = `D0 ${show("length", one.outer_diameter_mm, 3)}, s ${show("length", one.wall_mm, 2)}`;
+    const size = `D0 ${showLength(one.outer_diameter_mm, 3)}, s ${showLength(one.wall_mm, 2)}`;
     const [needs, bulge] = [
-      show("pressure", one.pressure_mpa, 3),
-      show("length", one.bulged_diameter_mm, 3),
+      showPressure(one.pressure_mpa, 3),
+      showLength(one.bulged_diameter_mm, 3),
     ];
     card.innerHTML = drawnMuscle(
       one,

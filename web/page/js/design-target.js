@@ -3,7 +3,14 @@ import { Slot } from "./ask.js";
 import { Chart, KINDS, isobars } from "./chart.js";
 import { el, heading, remark } from "./dom.js";
 import { candidate, fields } from "./state.js";
-import { outside, show, unitName } from "./units.js";
+import {
+  forceAxis,
+  outside,
+  ratioAxis,
+  showForce,
+  showPressure,
+  showRatio,
+} from "./units.js";
 
 /** @typedef {{ force_n: number, contraction: number }} Target */
 const digits = (/** @type {number} */ v, /** @type {number} */ n) =>
@@ -39,8 +46,8 @@ export function designTarget(act) {
     const room = (/** @type {number} */ v) =>
       series.length ? {} : { range: [0, 1.5 * v] };
     chart.show({
-      x: "contraction ε [%]",
-      y: `pull F [${unitName("force")}]`,
+      x: ratioAxis,
+      y: forceAxis(),
       series,
       xaxis: room(100 * target.contraction || 10),
       yaxis: series.length ? undefined : room(outside("force", target.force_n)),
@@ -50,7 +57,7 @@ export function designTarget(act) {
   function mark() {
     if (!target) return;
     chart.mark(100 * target.contraction, outside("force", target.force_n));
-    words.textContent = `${show("force", target.force_n)} at ${show("ratio", target.contraction, 3)}.`;
+    words.textContent = `${showForce(target.force_n)} at ${showRatio(target.contraction, 3)}.`;
   }
   /** @param {number} x @param {number} y @param {boolean} settled */
   function drag(x, y, settled) {
@@ -101,7 +108,7 @@ export function designTarget(act) {
           extrapolate: true,
         },
         ({ points }) => {
-          const name = `best muscle at ${show("pressure", answer.max_pressure_mpa, 3)}`;
+          const name = `best muscle at ${showPressure(answer.max_pressure_mpa, 3)}`;
           series = isobars(
             { name, end: "best muscle", colour: KINDS[0], strong: true },
             points,

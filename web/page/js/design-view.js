@@ -1,5 +1,7 @@
 // The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
-import { picture } from "./candidates.js";
+import { address } from "./address.js";
+import { picture } from "./body.js";
+import { pack } from "./deflate.js";
 import {
   button,
   capital,
@@ -13,7 +15,19 @@ import {
   smallPrint,
 } from "./dom.js";
 import { table, warnings } from "./form.js";
-import { asBuilt, number, outside, show, unitName } from "./units.js";
+import { muscle } from "./muscle.js";
+import { prototype } from "./state.js";
+import {
+  asBuilt,
+  number,
+  outside,
+  show,
+  showForce,
+  showLength,
+  showPressure,
+  showRatio,
+  unitName,
+} from "./units.js";
 import { inWords } from "./words.js";
 
 /** Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string, string>} Prices */
@@ -69,10 +83,10 @@ function columns(prices, liquid) {
     [
       "± of the pull",
       unitName("force"),
-      (c) => (c.uncertainty_n ? `± ${show("force", c.uncertainty_n, 2)}` : "–"),
+      (c) => (c.uncertainty_n ? `± ${showForce(c.uncertainty_n, 2)}` : "–"),
       (c) => c.uncertainty_n && outside("force", c.uncertainty_n),
     ],
-    quantity("guaranteed at", "pressure", (c) => c.sure_pressure_mpa, 3),
+    quantity("95 % certain at", "pressure", (c) => c.sure_pressure_mpa, 3),
     quantity("width in use", "length", (c) => c.bulged_diameter_mm),
     quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
     liquid
@@ -132,6 +146,19 @@ function rowsOf(candidates, prices) {
   return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))];
 }
 
+/** A candidate as its own file: branch and required pulls are in it. @param {Design["answer"]} answer */
+export async function openCandidate({ candidates, muscle_files = [] }, i = 0) {
+  const { pressure_mpa: p, points } = candidates[i],
+    state = {
+      ...prototype(),
+      file: muscle_files[i].text,
+      p,
+      e: points[0].contraction,
+    };
+  await pack(state.file);
+  location.hash = address("muscle", muscle.paramsOf(state));
+}
+
 /** The decision: what each line is about, and the line. @param {Design["answer"]} answer */
 export const decisionView = ({ decision = [] }) =>
   el(
@@ -147,41 +174,40 @@ export const decisionView = ({ decision = [] }) =>
  * The decision, and how to ask for a muscle that is sure.
  * @param {Design["answer"]} answer @param {(words: Record<string, string>) => void} ask
  */
-function head(answer, ask) {
+export function headView(answer, ask) {
   const [best] = answer.candidates,
     words = answer.uncertainty_words,
     { joint } = best;
   const size =
-    `Outer diameter ${show("length", best.outer_diameter_mm, 4)}, wall ${show("length", best.wall_mm)}, ` +
-    `length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
+    `Outer diameter ${showLength(best.outer_diameter_mm, 4)}, wall ${showLength(best.wall_mm)}, ` +
+    `length ${showLength(best.length_mm)}, braid ${show("angle", best.angle_deg)}`;
   const sentences = [
     words?.built && `As built ${words.built}.`,
     words?.text && `${words.text}.`,
   ].filter(Boolean);
-  return [
+  return there([
     heading(size),
     decisionView(answer),
     joint &&
       paragraph(
-        `Pulley of radius ${show("length", joint.radius_mm, 3)}, ` +
-          `${show("ratio", joint.contraction_at_neutral, 3)} contracted at the neutral angle.`,
+        `Pulley of radius ${showLength(joint.radius_mm, 3)}, ` +
+          `${showRatio(joint.contraction_at_neutral, 3)} contracted at the neutral angle.`,
       ),
     !answer.searched.guaranteed &&
-      button("Design for a guaranteed pull (95 %)", () =>
-        ask({ sure: "95 %" }),
-      ),
+      button("Design for 95 % certainty", () => ask({ sure: "95 %" })),
     sentences.length > 0 && remark(inWords(sentences.join(" "))),
-  ];
+    warnings(answer.warnings),
+  ]);
 }
 
 /** What stands beside the first muscle. @param {Design["answer"]} answer */
 function choices({ choices = [] }) {
   const rows = choices.map((c) => [
     c.name,
-    show("length", c.envelope_mm, 3),
-    show("length", c.length_mm),
-    show("pressure", c.pressure_mpa, 3),
-    `${show("force", c.predicted_low_n, 2)} to ${show("force", c.predicted_high_n, 2)}`,
+    showLength(c.envelope_mm, 3),
+    showLength(c.length_mm),
+    showPressure(c.pressure_mpa, 3),
+    `${showForce(c.predicted_low_n, 2)} to ${showForce(c.predicted_high_n, 2)}`,
     c.parts,
   ]);
   return (
@@ -196,11 +222,11 @@ function choices({ choices = [] }) {
 /** Where it is asked at several points. @param {Candidate} best */
 function points(best) {
   const rows = best.points.map((p) => [
-    show("force", p.force_n),
+    showForce(p.force_n),
     asBuilt(p),
-    show("force", p.model_force_n),
-    show("ratio", p.contraction, 3),
-    show("pressure", p.pressure_mpa, 3),
+    showForce(p.model_force_n),
+    showRatio(p.contraction, 3),
+    showPressure(p.pressure_mpa, 3),
   ]);
   return (
     rows.length > 1 &&
@@ -230,9 +256,8 @@ const there = (list) => list.flatMap((part) => (part ? [part] : []));
 /**
  * What was found.
  * @param {Design["answer"]} answer @param {Prices} prices
- * @param {{ open: (c: Candidate) => void, ask: (words: Record<string, string>) => void }} act
  */
-export function foundView(answer, prices, { open, ask }) {
+export function foundView(answer, prices) {
   const { candidates, assumptions = [] } = answer,
     list = shownColumns(candidates, prices);
   const rows = candidates.map((c) => [
@@ -245,15 +270,13 @@ export function foundView(answer, prices, { open, ask }) {
   const save = () =>
     download("design.csv", csv(rowsOf(candidates, prices)), "text/csv");
   const words =
-    `${answer.fitting} of ${answer.looked_at} muscles fit; searched with ${answer.searched_with}, computed ` +
-    `by ${answer.model}. Click one to show it. Guaranteed at: the lower end meets the requirement there.`;
+    `${answer.fitting} of ${answer.looked_at} muscles fit. ` +
+    `Click one to show it. 95 % certain at: pull minus ± meets the requirement.`;
   return there([
-    ...head(answer, ask),
     choices(answer),
-    warnings(answer.warnings),
     table(["", ...list.map(([name]) => name)], rows, {
       text,
-      pick: (i) => open(candidates[i]),
+      pick: (i) => openCandidate(answer, i),
       label: "Muscles that fit, best first",
     }),
     el(
@@ -285,8 +308,8 @@ function boughtView({ bought }) {
   const one = (
     /** @type {NonNullable<Design["answer"]["bought"]>[number]} */ b,
   ) =>
-    `${b.product} (${b.name}, L0 ${show("length", b.length_mm)}): as built ${show("force", b.force_n)} ± ${show("force", b.uncertainty_n, 2)} ` +
-    `at ${show("ratio", b.wanted.contraction, 3)} and ${show("pressure", b.pressure_mpa, 3)}`;
+    `${b.product} (${b.name}, L0 ${showLength(b.length_mm)}): as built ${showForce(b.force_n)} ± ${showForce(b.uncertainty_n, 2)} ` +
+    `at ${showRatio(b.wanted.contraction, 3)} and ${showPressure(b.pressure_mpa, 3)}`;
   return bought?.length
     ? smallPrint(`Sold muscles that fit: ${bought.map(one).join("; ")}.`)
     : null;
@@ -296,8 +319,7 @@ function boughtView({ bought }) {
 export function closestView(answer) {
   const c = answer.closest,
     size =
-      c &&
-      `D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}`;
+      c && `D0 ${showLength(c.outer_diameter_mm)}, s ${showLength(c.wall_mm)}`;
   return there([
     heading("Nothing fits."),
     c &&
@@ -319,7 +341,7 @@ export function closestView(answer) {
 /** @param {Design["answer"]} answer */
 export function rejectedView({ rejected }) {
   const sizes = (/** @type {number[]} */ list) =>
-    list.map((v) => show("length", v));
+    list.map((v) => showLength(v));
   const rows = (rejected ?? []).map((r) => [
     ...sizes([r.outer_diameter_mm, r.wall_mm, r.length_mm]),
     inWords(r.reason),

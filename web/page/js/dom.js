@@ -42,7 +42,7 @@ export const smallPrint = (...children) =>
   el("p", { class: "small" }, ...children);
 /** What is said where there is nothing yet. @param {Child[]} children */
 export const faded = (...children) => el("p", { class: "soft" }, ...children);
-/** Things that belong together. @param {string} classes @param {Child[]} children */
+/** Things that belong together. @param {string} [classes] @param {Child[]} children */
 export const block = (classes, ...children) =>
   el("div", { class: classes }, ...children);
 /** Buttons, fields and words in a row. @param {Child[]} children */
@@ -51,12 +51,26 @@ export const rowOf = (...children) => el("p", { class: "row" }, ...children);
 export const folded = (summary, ...children) =>
   el("details", {}, el("summary", {}, summary), ...children);
 
+/** What is seldom needed, behind one sign; it closes after a click. @param {Child[]} children */
+export function menu(...children) {
+  const box = el(
+    "details",
+    { class: "menu" },
+    el("summary", { "aria-label": "More" }, "⋯"),
+    el("div", { class: "row", onclick: () => (box.open = false) }, ...children),
+  );
+  return box;
+}
+
 /**
  * A button.
  * @param {string} text @param {(event: MouseEvent) => unknown} act @param {Record<string, unknown>} [more] attributes
  */
 export const button = (text, act, more) =>
   el("button", { type: "button", onclick: act, ...more }, text);
+
+/** The one that matters most. @param {string} text @param {(event: MouseEvent) => unknown} act */
+export const mainButton = (text, act) => button(text, act, { class: "main" });
 
 /** Names to choose from, where they are not there yet. @param {HTMLSelectElement} select @param {string[]} names */
 export function addOptions(select, names) {
@@ -75,10 +89,6 @@ export const optionsOf = (list) =>
 /** @param {string} id @returns {HTMLElement} */
 export const byId = (id) =>
   /** @type {HTMLElement} */ (document.getElementById(id));
-
-/** A colour of the theme. @param {string} name */
-export const token = (name) =>
-  getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 let spoken = 0;
 /** Says something to screen readers once things have settled. @param {string} text */

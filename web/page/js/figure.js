@@ -1,6 +1,7 @@
 // Figures of the engine (data: panels, axes, series, marks) as charts.
 import { Chart, KINDS, shade } from "./chart.js";
-import { block, capital, el, remark, token } from "./dom.js";
+import { block, capital, el, remark } from "./dom.js";
+import { token } from "./theme.js";
 
 /** @typedef {NonNullable<Commands["curve"]["answer"]["figure"]>} Figure */
 /** @typedef {Figure["panels"][number]} Panel */
@@ -14,7 +15,7 @@ export class Figures {
     /** @type {Chart[]} */ this.charts = [];
     this.caption = remark();
     this.grid = block("charts");
-    this.element = el("div", {}, this.grid, this.caption);
+    this.element = block("", this.grid, this.caption);
     this.element.hidden = true;
   }
 

@@ -1,5 +1,5 @@
 // Files that the engine made: each as a download, and all of them in one archive.
-import { block, button, download, el, paragraph } from "./dom.js";
+import { block, button, download, el, mainButton, paragraph } from "./dom.js";
 import { number } from "./units.js";
 import { zip } from "./zip.js";
 
@@ -40,6 +40,6 @@ export function filesView(files, archive) {
     "files",
     el("ul", { class: "plain" }, ...rows),
     files.length > 1 &&
-      paragraph(button(`All files (${archive}.zip)`, every, { class: "main" })),
+      paragraph(mainButton(`All files (${archive}.zip)`, every)),
   );
 }

@@ -9,8 +9,9 @@ import {
   capital,
   dim,
   el,
-  optionsOf,
+  mainButton,
   problemBox,
+  optionsOf,
 } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
@@ -58,19 +59,11 @@ function fieldRow(f, submit) {
   const below = el("p", { id: `${id}w`, hidden: true });
   const line = el(
     "div",
-    {
-      class: "choice",
-      style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)",
-    },
+    { class: "choice" },
     el("label", { for: id }, f.label),
     input,
   );
-  const row = el(
-    "div",
-    { style: "margin-bottom:8px", hidden: f.hidden },
-    line,
-    below,
-  );
+  const row = el("div", { hidden: f.hidden }, line, below);
   sketched(row, f.field, f.key);
   return { input, say: saying(input, below), row };
 }
@@ -244,6 +237,20 @@ class Form {
   }
 }
 
+/**
+ * Fields: key, name in the request, label, kind, and the usual text or all else.
+ * @param {[key: string, field: string, label: string, kind?: Kind, more?: string | Partial<Field>][]} rows
+ * @returns {Field[]}
+ */
+export const fieldsOf = (rows) =>
+  rows.map(([key, field, label, kind, more]) => ({
+    key,
+    field,
+    label,
+    kind,
+    ...(typeof more === "string" ? { value: more } : more),
+  }));
+
 /** A form of quantities. @param {Field[]} fields @param {() => void} submit */
 export const form = (fields, submit) => new Form(fields, submit);
 
@@ -263,14 +270,14 @@ export function job(
   take,
   { fields, shown = [] } = {},
 ) {
-  const start = button(label, () => run(), { class: "main" });
+  const start = mainButton(label, () => run());
   const stop = button("Cancel", () => ends?.abort(), { hidden: true });
   const bar = el("progress", {
     hidden: true,
     "aria-label": `${label}: progress`,
   });
   const words = el("span", { class: "small soft" });
-  const said = el("div");
+  const said = block();
   /** @type {AbortController | undefined} */ let ends;
   let runs = 0;
   async function run() {
@@ -314,7 +321,7 @@ export function job(
   }
   atEnd(() => ends?.abort());
   return {
-    element: el("div", {}, block("row", start, stop, bar, words), said),
+    element: block("", block("row", start, stop, bar, words), said),
     run,
   };
 }

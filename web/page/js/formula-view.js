@@ -15,7 +15,14 @@ import { Figures } from "./figure.js";
 import { table } from "./form.js";
 import { atEnd } from "./life.js";
 import { levels, picture, sampled, valueBetween } from "./map.js";
-import { evenly, number, outside, show, unitName } from "./units.js";
+import {
+  evenly,
+  number,
+  outside,
+  ratioAxis,
+  showLength,
+  unitName,
+} from "./units.js";
 
 /** The paper's formula, with the box that it was fitted in. */
 export const PUBLISHED = {
@@ -128,7 +135,7 @@ export function surfaces() {
         : [...viridisAt((v - low) / (high - low || 1), 1), 255],
     );
     chart.show({
-      x: "contraction ε [%]",
+      x: ratioAxis,
       y: label,
       z: `pull F [${unit}]`,
       picture: image,
@@ -152,8 +159,8 @@ export function surfaces() {
           steps(range.contraction, 21),
         ],
         middle = { outer_diameter_mm: D[5], wall_mm: S[5] };
-      wallTitle.textContent = `Pull over contraction and wall, D0 ${show("length", D[5])}`;
-      diameterTitle.textContent = `Pull over contraction and diameter, s ${show("length", S[5])}`;
+      wallTitle.textContent = `Pull over contraction and wall, D0 ${showLength(D[5])}`;
+      diameterTitle.textContent = `Pull over contraction and diameter, s ${showLength(S[5])}`;
       const name =
         formula === PUBLISHED
           ? "paper"

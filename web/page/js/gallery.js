@@ -11,71 +11,95 @@ import { unitsInAddress } from "./units.js";
 /**
  * A muscle of the gallery: its file, or its name in the library; D0, s, L0 and the strand angle for its picture; what
  * it is, and the page that it is shown on, with words of the address and files of that page.
- * @typedef {{ file?: string, part?: string, size: number[], title: string, about: string, page?: string, words?: Words,
- *   joint?: string, data?: string }} Entry
+ * @typedef {[title: string, about: string, size: number[], of: { file?: string, part?: string, page?: string,
+ *   words?: Words, joint?: string, data?: string }]} Entry
  */
 /** @type {Entry[]} */
 export const GALLERY = [
-  {
-    file: "prototype.toml",
-    size: [30, 3, 285, 28],
-    title: "Reference muscle (Antonelli 2018)",
-    about: "30 mm, soft rubber, braid at 28°",
-    words: { p: "2.5bar", e: "15%" },
-  },
-  {
-    file: "tondu2012.toml",
-    size: [14, 0.49, 300, 20],
-    title: "Tondu 2012",
-    about: "A slender hand-made muscle with measured friction",
-    words: { p: "3bar", e: "10%" },
-  },
-  {
-    part: "lib:dmsp-10-250",
-    size: [13, 1.25, 250, 26.6],
-    title: "Festo DMSP-10",
-    about: "Industrial, 10 mm inside; identified from a test",
-    words: { p: "5bar", e: "10%" },
-  },
-  {
-    part: "lib:dmsp-20-300",
-    size: [23, 1.5, 300, 25],
-    title: "Festo DMSP-20",
-    about: "Industrial, 20 mm inside; identified from a test",
-    words: { p: "5bar", e: "10%" },
-  },
-  {
-    file: "shop.toml",
-    size: [9.525, 1.5875, 200, 14],
-    title: "From shop parts",
-    about: "Latex hose in an expandable sleeve, made by hand",
-    words: { p: "3bar", e: "10%" },
-  },
-  {
-    file: "thin.toml",
-    size: [2, 0.4, 120, 18],
-    title: "A thin muscle",
-    about: "2 mm, for fingers and bundles",
-    words: { p: "1bar", e: "2%" },
-  },
-  {
-    file: "biceps.toml",
-    size: [20, 1.5, 220, 24],
-    title: "An elbow",
-    about: "Two muscles against each other on a pulley",
-    page: "joint",
-    joint: "elbow.toml",
-    words: { p: "2bar", e: "12%" },
-  },
-  {
-    file: "bench.toml",
-    size: [20, 1.5, 200, 25],
-    title: "A bench test, identified",
-    about: "Measured points, and the constants that follow from them",
-    page: "data",
-    data: "bench.csv",
-    words: { p: "2bar", e: "10%", free: "modulus" },
-  },
+  [
+    "Reference muscle (Antonelli 2018)",
+    "30 mm, soft rubber, braid at 28°",
+    [30, 3, 285, 28],
+    {
+      file: "prototype.toml",
+
+      words: { p: "2.5bar", e: "15%" },
+    },
+  ],
+  [
+    "Tondu 2012",
+    "A slender hand-made muscle with measured friction",
+    [14, 0.49, 300, 20],
+    {
+      file: "tondu2012.toml",
+
+      words: { p: "3bar", e: "10%" },
+    },
+  ],
+  [
+    "Festo DMSP-10",
+    "Industrial, 10 mm inside",
+    [13, 1.25, 250, 26.6],
+    {
+      part: "lib:dmsp-10-250",
+
+      words: { p: "5bar", e: "10%" },
+    },
+  ],
+  [
+    "Festo DMSP-20",
+    "Industrial, 20 mm inside",
+    [23, 1.5, 300, 25],
+    {
+      part: "lib:dmsp-20-300",
+
+      words: { p: "5bar", e: "10%" },
+    },
+  ],
+  [
+    "From shop parts",
+    "Latex hose in an expandable sleeve",
+    [9.525, 1.5875, 200, 14],
+    {
+      file: "shop.toml",
+
+      words: { p: "3bar", e: "10%" },
+    },
+  ],
+  [
+    "A thin muscle",
+    "2 mm, for fingers and bundles",
+    [2, 0.4, 120, 18],
+    {
+      file: "thin.toml",
+
+      words: { p: "1bar", e: "2%" },
+    },
+  ],
+  [
+    "An elbow",
+    "Two muscles on a pulley",
+    [20, 1.5, 220, 24],
+    {
+      file: "biceps.toml",
+
+      page: "joint",
+      joint: "elbow.toml",
+      words: { p: "2bar", e: "12%" },
+    },
+  ],
+  [
+    "A bench test, identified",
+    "Measured points, and the constants that follow from them",
+    [20, 1.5, 200, 25],
+    {
+      file: "bench.toml",
+
+      page: "data",
+      data: "bench.csv",
+      words: { p: "2bar", e: "10%", free: "modulus" },
+    },
+  ],
 ];
 
 /** @param {string} name */
@@ -86,7 +110,7 @@ export async function example(name) {
   return answer.text();
 }
 
-/** Opens an entry: the address of its page with its muscle. @param {Entry} entry */
+/** Opens an entry: the address of its page with its muscle. @param {Entry[3]} entry */
 async function openEntry({
   file = "",
   part,
@@ -119,18 +143,14 @@ async function openEntry({
 export const gallery = (fail, opened, list = GALLERY) =>
   block(
     "gallery",
-    ...list.map((entry) => {
-      const {
-        title,
-        about,
-        page,
-        size: [outer_diameter_mm, wall_mm, length_mm, angle_deg],
-      } = entry;
-      const picture = thumbnail(
-        { outer_diameter_mm, wall_mm, length_mm, angle_deg },
-        undefined,
-        page,
-      );
+    ...list.map(([title, about, size, entry]) => {
+      const [outer_diameter_mm, wall_mm, length_mm, angle_deg] = size;
+      const picture = thumbnail({
+        outer_diameter_mm,
+        wall_mm,
+        length_mm,
+        angle_deg,
+      });
       return card(
         () => openEntry(entry).then(() => opened?.(), fail),
         el("span", {}, picture),

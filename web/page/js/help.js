@@ -8,13 +8,12 @@ import { pageOf } from "./pages.js";
 
 /** How a page is used, in a few sentences. @type {Record<string, string[]>} */
 const HOW = {
+  start: ["The answer says what to take, what to set, and how sure that is."],
   muscle: [
-    "Drag a slider, the right end of the muscle, the gauge or a curve.",
+    "Drag a slider, the right end of the muscle, the gauge or a curve; Ctrl and wheel zoom.",
     "Type a value with any unit into a field: 1.2in, 36psi, 2.5 bar. A click on a unit changes it everywhere.",
-    "Hold the contraction or a load. The numbers beside the muscle carry their ±.",
   ],
   design: [
-    "Type the pull, the contraction and the pressure of your supply, and press Enter.",
     "Click a muscle of the table to see it move. The map shows what else would fit, and which limit the others miss.",
   ],
   joint: [
@@ -23,15 +22,12 @@ const HOW = {
   ],
   motion: [
     "Select the step, the valve and the load, and press Run. Then drag the time.",
-    "Open a drive file for other commands than a step.",
   ],
   sweep: [
     "Select a measure, its range and a result, and press Compute. The ring marks the muscle as it is.",
-    "The chart has its table, and saves CSV.",
   ],
   rubber: [
     "Drop a table of stretches and stresses. Fit lists the laws with their constants.",
-    "A button puts the recommended law into the muscle.",
   ],
   files: [
     "Each card makes files of the muscle above. The report is one HTML file.",
@@ -44,11 +40,9 @@ const HOW = {
   formula: [
     "Change the plan, compute it, and fit a formula. Then download the formula as a file.",
   ],
-  compare: ["Each side begins as the muscle above. Type what differs."],
   parts: [
-    "Filter the lists. A button puts a part into the muscle. What no seller states is marked as estimated.",
+    "Filter the lists. A button puts a part into the muscle. Values missing from data sheets are marked.",
   ],
-  about: ["Compute the verification here: it takes about a minute."],
 };
 
 /** The page of the book, from this one. @param {string} place such as `commands#commands` */
@@ -66,7 +60,7 @@ export function helpLink() {
       el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
       paragraph(
         "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your " +
-          "gestures. Every view has a link.",
+          "gestures.",
       ),
       paragraph(
         el(
@@ -85,9 +79,6 @@ export function helpLink() {
         : remark(
             "The book comes with the program: ",
             el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`),
-            ". On the command line: ",
-            el("code", {}, "mckibben help"),
-            ".",
           ),
     ]);
   const element = button("Help", open);

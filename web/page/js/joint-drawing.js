@@ -3,7 +3,14 @@
 import { niceUp } from "./bench/round.js";
 import { body, contracted } from "./body.js";
 import { KINDS, pressureColour } from "./chart.js";
-import { number, outside, show, unitName } from "./units.js";
+import {
+  number,
+  outside,
+  showLength,
+  showPressure,
+  showRatio,
+  unitName,
+} from "./units.js";
 
 /**
  * Radius, limits and contraction at the neutral angle of the joint; length, diameter and braid angle of its muscle.
@@ -31,7 +38,7 @@ function tube(m, which, point, supply, left) {
   const text =
     p === undefined
       ? String(which)
-      : `${which}: ${show("pressure", p, 3)}, ${show("ratio", e, 3)}`;
+      : `${which}: ${showPressure(p, 3)}, ${showRatio(e, 3)}`;
   const place =
     which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
   return (
@@ -54,7 +61,7 @@ export function jointDrawing(point, angle, supply, m) {
     m.r * ((most * Math.PI) / 180) +
     m.diameter
   );
-  const width = arm * 1.25 - left + 0.1 * m.length;
+  const width = arm * 1.25 - left + 0.2 * m.length;
   const tall =
     2 *
     Math.max(
@@ -72,13 +79,13 @@ export function jointDrawing(point, angle, supply, m) {
     scale =
       `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}` +
       `h${bar}v${-0.015 * m.length}" fill="none" class="line"/><text x="${left + bar + 4}" ` +
-      `y="${tall / 2 - 0.01 * m.length}">${show("length", bar, 2)}</text>`;
+      `y="${tall / 2 - 0.01 * m.length}">${showLength(bar, 2)}</text>`;
   const wall = `<path d="M${left - 0.5 * m.diameter} ${-m.r - m.diameter}V${m.r + m.diameter}" class="wall"/>`;
   const legend =
     `<text x="${arm * 0.2}" y="${-tall / 2 + 0.05 * m.length}">colour: pressure, 0 to ` +
-    `${show("pressure", supply, 3)}</text>`;
+    `${showPressure(supply, 3)}</text>`;
   return (
-    `<svg class="section joint" viewBox="${left - 0.04 * m.length} ${-tall / 2} ${width} ${tall}" ` +
+    `<svg class="section joint" viewBox="${left - m.diameter} ${-tall / 2} ${width} ${tall}" ` +
     `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>` +
     `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle ` +
     `r="${0.02 * m.length}" fill="currentColor"/>` +

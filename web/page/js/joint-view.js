@@ -3,11 +3,20 @@ import { niceUp } from "./bench/round.js";
 import { KINDS, pressureColour } from "./chart.js";
 import { capital, el, remark } from "./dom.js";
 import { reachable } from "./joint-drawing.js";
-import { interval, number, outside, show, unitName } from "./units.js";
+import {
+  interval,
+  number,
+  outside,
+  showForce,
+  showPressure,
+  showRatio,
+  unitName,
+} from "./units.js";
 
 /** @typedef {NonNullable<JointAnswer["map"]>} Reached */
 /** @typedef {NonNullable<Reached["points"][number]>} Reach */
 
+const ANGULAR = "angular-stiffness";
 /** The angle under the pointer in degrees. @param {HTMLElement} stage @param {PointerEvent} event */
 export function angleAt(stage, event) {
   const svg = stage.querySelector("svg"),
@@ -35,13 +44,13 @@ export function numbersView(point, which) {
       stiffness_uncertainty_nm_per_rad: u,
     },
   ) =>
-    `${number(outside("angular-stiffness", k), 3)}${half(u && outside("angular-stiffness", u))} ` +
-    unitName("angular-stiffness");
+    `${number(outside(ANGULAR, k), 3)}${half(u && outside(ANGULAR, u))} ` +
+    unitName(ANGULAR);
   const closed = [
     point.stiffness_shut_isothermal_nm_per_rad,
     point.stiffness_shut_adiabatic_nm_per_rad,
   ].flatMap((k) =>
-    typeof k === "number" ? [number(outside("angular-stiffness", k), 3)] : [],
+    typeof k === "number" ? [number(outside(ANGULAR, k), 3)] : [],
   );
   const built = interval("torque", [
     point.predicted_nm,
@@ -50,23 +59,23 @@ export function numbersView(point, which) {
   ]);
   // Less than a milligram's weight is what the solution leaves of a slack muscle.
   const pull = (/** @type {number | null | undefined} */ n) =>
-    show("force", Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
+    showForce(Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
   const rows = /** @type {[string, string][]} */ ([
-    ["pressure 1", show("pressure", point.pressure_1_mpa, 3)],
-    ["pressure 2", show("pressure", point.pressure_2_mpa, 3)],
+    ["pressure 1", showPressure(point.pressure_1_mpa, 3)],
+    ["pressure 2", showPressure(point.pressure_2_mpa, 3)],
     ["stiffness", stiffness(point)],
     ...(closed.length
       ? [
           [
             "stiffness, valves closed",
-            `${closed.join(" to ")} ${unitName("angular-stiffness")}`,
+            `${closed.join(" to ")} ${unitName(ANGULAR)}`,
           ],
         ]
       : []),
     ["pulls", `${pull(point.force_1_n)}, ${pull(point.force_2_n)}`],
     [
       "contractions",
-      `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`,
+      `${showRatio(point.contraction_1, 3)}, ${showRatio(point.contraction_2, 3)}`,
     ],
   ]);
   const words = point.words
@@ -141,8 +150,8 @@ export function torqueChart({ answer, angles, pairs }, point) {
 /** Rest angles and stiffnesses that it reaches. @param {Reached} map @returns {Spec} */
 export function reachChart(map) {
   const points = map.points.filter((q) => q !== null),
-    unit = unitName("pressure"),
-    stiffness = "angular-stiffness";
+    unit = unitName("pressure");
+
   const mean = (/** @type {Reach} */ { pressures_mpa: list }) =>
     outside("pressure", list.reduce((a, b) => a + b, 0) / list.length);
   const most = Math.max(1e-9, ...points.map(mean)),
@@ -153,7 +162,7 @@ export function reachChart(map) {
       (q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i,
     );
     const name = `${number(i * step, 3)} to ${number((i + 1) * step, 3)} ${unit}`;
-    const y = of.map((q) => outside(stiffness, q.stiffness_nm_per_rad));
+    const y = of.map((q) => outside(ANGULAR, q.stiffness_nm_per_rad));
     const x = of.map((q) => q.angle_deg),
       colour = pressureColour(i + 0.5, count);
     const legend = i ? name : `mean pressure ${name}`,
@@ -170,7 +179,7 @@ export function reachChart(map) {
   });
   return {
     x: "rest angle φ [°]",
-    y: `stiffness [${unitName(stiffness)}]`,
+    y: `stiffness [${unitName(ANGULAR)}]`,
     z: `mean pressure [${unit}]`,
     series,
   };

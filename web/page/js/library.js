@@ -1,11 +1,20 @@
 // Muscles of the library: identified from measured points, each a button that opens it.
 import { address } from "./address.js";
 import { engine } from "./ask.js";
-import { block, button, capital, download, el, heading, rowOf } from "./dom.js";
+import {
+  block,
+  button,
+  capital,
+  download,
+  el,
+  heading,
+  mainButton,
+  rowOf,
+} from "./dom.js";
 import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 import { card, thumbnail } from "./thumbnail.js";
-import { show } from "./units.js";
+import { showForce, showLength, showPressure } from "./units.js";
 
 /** @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Entry */
 
@@ -25,14 +34,10 @@ export async function openPart(name, at = {}) {
  */
 export const muscleButtons = (file, put, keep, name) =>
   rowOf(
-    button(
-      put,
-      async () => {
-        await muscle.take(file);
-        location.hash = address("muscle", muscle.params());
-      },
-      { class: "main" },
-    ),
+    mainButton(put, async () => {
+      await muscle.take(file);
+      location.hash = address("muscle", muscle.params());
+    }),
     button(keep, () =>
       download(fileName(name, ".toml"), file, "application/toml"),
     ),
@@ -42,9 +47,9 @@ export const muscleButtons = (file, put, keep, name) =>
 function entryCard(entry, opened, fail) {
   const { name, blocked_force_n: force } = entry;
   const pull = force
-    ? `, ${show("force", force)} blocked at ${show("pressure", entry.pressure_mpa, 3)} (model fe)`
+    ? `, ${showForce(force)} blocked at ${showPressure(entry.pressure_mpa, 3)} (model fe)`
     : "";
-  const size = `D0 ${show("length", entry.outer_diameter_mm, 3)}, L0 ${show("length", entry.length_mm)}`;
+  const size = `D0 ${showLength(entry.outer_diameter_mm, 3)}, L0 ${showLength(entry.length_mm)}`;
   const box = card(
     () => openPart(name).then(opened, fail),
     el("span", {}, thumbnail(entry)),
@@ -70,5 +75,5 @@ export function library(fail, opened) {
         ),
       fail,
     );
-  return el("div", {}, heading("Identified from measured points"), box);
+  return block("", heading("Identified from measured points"), box);
 }

@@ -1,5 +1,6 @@
 // Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
-import { button, el, say, token } from "./dom.js";
+import { block, button, el, say } from "./dom.js";
+import { token } from "./theme.js";
 import { colourOf, drawing, frame, nearest, reachOf, valueAt } from "./plot.js";
 import { between, clamp, number } from "./units.js";
 
@@ -37,7 +38,7 @@ export class Lines {
       undefined;
     /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ this.marked =
       undefined;
-    this.drawn = el("div");
+    this.drawn = block();
     this.ring = el("i", { class: "ring", hidden: true });
     this.dot = el("i", { class: "dot", hidden: true });
     this.tip = el("div", { class: "tip small", hidden: true });

@@ -2,7 +2,7 @@
 import { engine, loadUnits } from "./ask.js";
 import { address, onWritten, read, write } from "./address.js";
 import { muscleBar } from "./bar.js";
-import { button, byId, el, paragraph, problemBox } from "./dom.js";
+import { byId, el, mainButton, paragraph, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
 import { helpLink } from "./help.js";
 import { keepWords, keeping, onKept, wordsOf } from "./kept.js";
@@ -11,12 +11,13 @@ import { loadMeasures, muscle } from "./muscle.js";
 import { notice } from "./notice.js";
 import { offline } from "./offline.js";
 import { PLACES, pageOf, viewsOf } from "./pages.js";
+// The first screen comes with the frame.
+import "./pages/start.js";
 import { printing } from "./print.js";
 import { sketches } from "./sketch.js";
 import { keys } from "./state.js";
 import { record, step } from "./steps.js";
 import { themeButton } from "./theme.js";
-import { welcome } from "./welcome.js";
 
 const main = byId("main");
 /** @typedef {{ load: (params: URLSearchParams) => Promise<void> }} View */
@@ -136,7 +137,6 @@ function frame(name) {
   help.show(name);
   document.title = `${text} – mckibben workbench`;
   document.body.dataset.page = name;
-  document.body.classList.toggle("first", name === "muscle");
 }
 
 /** How often a page could not be loaded: browsers keep a failure with its address. @type {Record<string, number>} */
@@ -154,7 +154,7 @@ async function pageOfServer(name) {
 
 async function route() {
   const mine = ++routes,
-    { page: wanted, params, lost, bare } = await read();
+    { page: wanted, params, lost } = await read();
   if (mine !== routes) return;
   const { name } = pageOf(wanted);
   if (name !== wanted)
@@ -164,7 +164,6 @@ async function route() {
       "The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.",
     );
   frame(name);
-  welcome(bare && name === "muscle");
   try {
     if (shown?.name !== name) {
       const { mount } = await pageOfServer(name);
@@ -194,7 +193,7 @@ function fail(problem) {
   leave();
   main.replaceChildren(
     problemBox(problem),
-    paragraph(button("Try again", start, { class: "main" })),
+    paragraph(mainButton("Try again", start)),
   );
 }
 
@@ -228,20 +227,14 @@ for (const event of ["pointerdown", "pointerup", "pointercancel"]) {
 }
 /** A field in which somebody types has an undo of its own. @type {EventTarget | null} */ let typing =
   null;
-addEventListener(
-  "input",
-  ({ target }) => {
-    typing = target;
-  },
-  true,
-);
-addEventListener(
-  "change",
-  () => {
-    typing = null;
-  },
-  true,
-);
+for (const event of ["input", "change"])
+  addEventListener(
+    event,
+    ({ target, type }) => {
+      typing = type === "input" ? target : null;
+    },
+    true,
+  );
 addEventListener(
   "keydown",
   (event) => {

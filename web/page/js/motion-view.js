@@ -1,7 +1,14 @@
 // A motion as people see it: pressures, the way of muscle or joint over time, and its figures.
 import { KINDS } from "./chart.js";
 import { table } from "./form.js";
-import { number, outside, show, unitName } from "./units.js";
+import {
+  number,
+  outside,
+  ratioAxis,
+  showPressure,
+  showRatio,
+  unitName,
+} from "./units.js";
 
 /** Whether it is a joint's. @param {Run} run */
 export const isJoint = (run) => Boolean(run.series.angle_deg);
@@ -59,7 +66,7 @@ export function wayChart(run) {
     };
   return {
     x: "time [s]",
-    y: "contraction ε [%]",
+    y: ratioAxis,
     series: [
       {
         name: "contraction",
@@ -88,7 +95,7 @@ export function figures(run) {
     [
       ["Rise time, 10–90 %", time(run.rise_time_s)],
       ["Settling time, 2 %", time(run.settling_time_s)],
-      ["Overshoot", show("ratio", run.overshoot, 3)],
+      ["Overshoot", showRatio(run.overshoot, 3)],
       ["Filled within 2 % after", time(run.fill_time_s)],
       run.liquid_volume_mm3 == null
         ? [
@@ -107,11 +114,11 @@ export function figures(run) {
 export function stateLine(run, i) {
   const { series: s } = run;
   const both = [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) =>
-    p ? [show("pressure", p[i], 3)] : [],
+    p ? [showPressure(p[i], 3)] : [],
   );
   if (isJoint(run))
     return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
-  return `${show("pressure", s.pressure_mpa?.[i], 3)}, ${number(100 * (s.contraction?.[i] ?? NaN), 3)} %`;
+  return `${showPressure(s.pressure_mpa?.[i], 3)}, ${number(100 * (s.contraction?.[i] ?? NaN), 3)} %`;
 }
 
 /** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */

@@ -19,7 +19,13 @@ import {
   MEASURES,
 } from "./state.js";
 import { nameIn, named } from "./toml.js";
-import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
+import {
+  show,
+  showLength,
+  typed,
+  unitsFromAddress,
+  unitsInAddress,
+} from "./units.js";
 import { braidName, learn, partName } from "./words.js";
 
 const measure = (/** @type {string} */ key) =>
@@ -142,7 +148,7 @@ export class MuscleState {
 
   /** The muscle file that says the same; what engines without a file are asked by. */
   file() {
-    const of = JSON.stringify(this.fields());
+    const of = JSON.stringify(fields(this.state, this.p));
     if (this.written?.of !== of) {
       const file = canonical(this.state, (command, request) =>
         engine().ask(command, request),
@@ -170,7 +176,7 @@ export class MuscleState {
   line(s = this.shown) {
     if (!s) return "none yet";
     const [D, wall, L] = [s.outer_diameter_mm, s.wall_mm, s.length_mm].map(
-      (v) => show("length", v),
+      (v) => showLength(v),
     );
     return `D0 ${D}, s ${wall}, L0 ${L}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`;
   }

@@ -1,6 +1,6 @@
 // Open: a file of any kind, a muscle of the gallery, of the library, or of the project.
 import { dialog } from "./dialog.js";
-import { button, el, problemBox, rowOf } from "./dom.js";
+import { block, el, mainButton, problemBox, rowOf } from "./dom.js";
 import { takeFiles } from "./drop.js";
 import { gallery } from "./gallery.js";
 import { library } from "./library.js";
@@ -8,7 +8,7 @@ import { shelf } from "./project.js";
 
 export function openDialog() {
   dialog("Open a muscle", (close) => {
-    const said = el("div");
+    const said = block();
     const fail = (/** @type {unknown} */ problem) =>
       said.replaceChildren(problemBox(problem));
     const input = el("input", {
@@ -26,7 +26,7 @@ export function openDialog() {
     });
     return [
       rowOf(
-        button("Choose files", () => input.click(), { class: "main" }),
+        mainButton("Choose files", () => input.click()),
         input,
         el(
           "span",

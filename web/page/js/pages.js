@@ -16,100 +16,98 @@ export const PLACES = [
 /** @typedef {{ name: string, place: string, text: string, about: string, help: string }} Page */
 /** @type {Page[]} */
 export const PAGES = [
-  {
-    name: "muscle",
-    place: "muscle",
-    text: "Live",
-    help: "workbench",
-    about:
-      "Drag the muscle, a slider or a curve: finite elements answer at once.",
-  },
-  {
-    name: "design",
-    place: "design",
-    text: "Design",
-    help: "commands#commands",
-    about:
-      "State the pull that you need: this page finds muscles that give it, and ranks them.",
-  },
-  {
-    name: "joint",
-    place: "joint",
-    text: "Joint",
-    help: "joints",
-    about:
-      "Two muscles pull against each other on a pulley: torque, stiffness and pressures of a joint.",
-  },
-  {
-    name: "motion",
-    place: "joint",
-    text: "Motion",
-    help: "motion",
-    about:
-      "Open a valve: how fast the muscle fills, and how it moves its load.",
-  },
-  {
-    name: "sweep",
-    place: "muscle",
-    text: "Sweep",
-    help: "workbench",
-    about: "Vary one measure of the muscle, the pressure or the contraction.",
-  },
-  {
-    name: "data",
-    place: "data",
-    text: "Points",
-    help: "identify",
-    about:
-      "Compare measured points with the models, and identify the constants of your own muscle.",
-  },
-  {
-    name: "rubber",
-    place: "data",
-    text: "Rubber",
-    help: "rubber",
-    about: "Fit laws to a test of your own rubber, and put it into the muscle.",
-  },
-  {
-    name: "formula",
-    place: "data",
-    text: "Formula",
-    help: "models",
-    about:
-      "Compute a campaign of muscles, and fit one formula to it for a controller or a spreadsheet.",
-  },
-  {
-    name: "compare",
-    place: "muscle",
-    text: "Compare",
-    help: "models",
-    about: "See two muscles, or two models of one muscle, side by side.",
-  },
-  {
-    name: "parts",
-    place: "parts",
-    text: "Parts",
-    help: "parts",
-    about:
-      "Tubes, sleeves and rubbers that you can buy or cast, and measured muscles.",
-  },
-  {
-    name: "files",
-    place: "files",
-    text: "Files",
-    help: "workbench",
-    about:
-      "Report, workshop, controllers, simulators and finite elements: the muscle as files.",
-  },
-  {
-    name: "about",
-    place: "",
-    text: "About",
-    help: "validation",
-    about:
-      "How accurate the results are, how they were verified, and where the data come from.",
-  },
-];
+  [
+    "muscle",
+    "muscle",
+    "Live",
+    "workbench",
+    "Drag the muscle, a slider or a curve: finite elements answer at once.",
+  ],
+  ["start", "", "Start", "workbench", ""],
+  [
+    "design",
+    "design",
+    "Design",
+    "commands#commands",
+    "State the pull that you need: this page finds muscles that give it, and ranks them.",
+  ],
+  [
+    "joint",
+    "joint",
+    "Joint",
+    "joints",
+    "Two muscles pull against each other on a pulley: torque, stiffness and pressures of a joint.",
+  ],
+  [
+    "motion",
+    "joint",
+    "Motion",
+    "motion",
+    "Open a valve: how fast the muscle fills, and how it moves its load.",
+  ],
+  [
+    "sweep",
+    "muscle",
+    "Sweep",
+    "workbench",
+    "Vary one measure of the muscle, the pressure or the contraction.",
+  ],
+  [
+    "data",
+    "data",
+    "Points",
+    "identify",
+    "Compare measured points with the models, and identify the constants of your own muscle.",
+  ],
+  [
+    "rubber",
+    "data",
+    "Rubber",
+    "rubber",
+    "Fit laws to a test of your own rubber, and put it into the muscle.",
+  ],
+  [
+    "formula",
+    "data",
+    "Formula",
+    "models",
+    "Compute a campaign of muscles, and fit one formula to it for a controller or a spreadsheet.",
+  ],
+  [
+    "compare",
+    "muscle",
+    "Compare",
+    "models",
+    "See two muscles, or two models of one muscle, side by side.",
+  ],
+  [
+    "parts",
+    "parts",
+    "Parts",
+    "parts",
+    "Tubes, sleeves and rubbers that you can buy or cast, and measured muscles.",
+  ],
+  [
+    "files",
+    "files",
+    "Files",
+    "workbench",
+    "Report, workshop, controllers, simulators and finite elements: the muscle as files.",
+  ],
+  [
+    "about",
+    "",
+    "About",
+    "validation",
+    "How accurate the results are, how they were verified, and where the data come from.",
+  ],
+].map(([name, place, text, help, about]) => ({
+  name,
+  place,
+  text,
+  help,
+  about,
+}));
 /** @param {string} name */
 export const pageOf = (name) =>
   PAGES.find((page) => page.name === name) ?? PAGES[0];

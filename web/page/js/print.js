@@ -62,7 +62,7 @@ function picture() {
 function sheet() {
   const numbers = [
     ...document.querySelectorAll(
-      "main .numbers dl, main .controls table, main .middle > div > .scroll > table",
+      "main .numbers dl, main .controls table, main .below > .scroll > table, main .middle > div > .scroll > table",
     ),
   ].map((part) => part.cloneNode(true));
   const notes = document.querySelector("main .warnings")?.cloneNode(true);
@@ -82,8 +82,8 @@ function sheet() {
     picture(),
     block(
       "columns",
-      el("div", {}, heading("Inputs"), list(inputs())),
-      el("div", {}, heading("Numbers"), .../** @type {Node[]} */ (numbers)),
+      block("", heading("Inputs"), list(inputs())),
+      block("", heading("Numbers"), .../** @type {Node[]} */ (numbers)),
     ),
     notes ?? null,
     el(

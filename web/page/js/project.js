@@ -1,6 +1,6 @@
 // A project: several muscles, measured points, joint and drive in one file, and in this tab until it is closed.
 import { address } from "./address.js";
-import { button, download, el, remark, rowOf } from "./dom.js";
+import { block, button, download, el, remark, rowOf } from "./dom.js";
 import { everything, fileOf, keepFile, replaceAll } from "./kept.js";
 import { pack } from "./deflate.js";
 import { muscle } from "./muscle.js";
@@ -154,9 +154,8 @@ export function shelf(fail, close) {
     );
   }
   paint();
-  return el(
-    "div",
-    {},
+  return block(
+    "",
     el("h3", {}, "Project"),
     remark(
       "Several muscles with their measured points, joint and drive. It lasts until this tab is closed; save it as a file.",

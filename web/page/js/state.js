@@ -104,8 +104,9 @@ export const LOAD = /** @type {const} @satisfies {Measure} */ ({
 
 /** @type {readonly Measure[]} */
 export const POINT = [PRESSURE, CONTRACTION, LOAD];
-/** Words of the address that are no quantities. */
-const NAMES = ["rubber", "braid"];
+/** Parts by name; words of the address that are no quantities: those, and which way the muscle moves. */
+const NAMES = ["rubber", "braid"],
+  WORDS = [...NAMES, "branch"];
 /** Stiffnesses that have a name. */
 export const STIFFNESS_NAMES = ["inextensible", "paper"];
 export const FILE = "file";
@@ -170,13 +171,21 @@ export function say(state, key, value) {
   return { ...state, said };
 }
 
-/** The muscle of a request. @param {State} state @returns {MuscleFields} */
-export function fields({ file, said }) {
+/**
+ * The muscle of a request; its branch stands in the job of its file, which has a pressure.
+ * @param {State} state @returns {MuscleFields}
+ */
+export function fields({ file, said }, pressure = 0.1) {
   /** @type {Record<string, unknown>} */
   const out = file ? { file: { name: "muscle.toml", text: file } } : {};
   for (const { key, field } of MEASURES)
     if (said[key] !== undefined) out[field] = said[key];
   for (const key of NAMES) if (said[key] !== undefined) out[key] = said[key];
+  if (said.branch)
+    out.with = [
+      `job.branch=${said.branch}`,
+      ...(file.includes("[job]") ? [] : [`job.pressure=${pressure}MPa`]),
+    ];
   return out;
 }
 
@@ -217,7 +226,7 @@ export async function canonical(state, ask) {
   return /** @type {string} */ (
     (
       await ask("check", {
-        muscle: fields(state),
+        muscle: fields(state, state.p || undefined),
         muscle_file: true,
         only_data: true,
       })
@@ -269,7 +278,7 @@ export function words({ file, said, p, e, F }, typed) {
     if (value !== undefined)
       out[key] = typeof value === "number" ? typed(kind, value) : value;
   }
-  for (const key of NAMES)
+  for (const key of WORDS)
     if (said[key] !== undefined) out[key] = String(said[key]);
   out.p = typed("pressure", p);
   if (F === undefined) out.e = typed("ratio", e);
@@ -314,14 +323,14 @@ export function fromWords(params, readings) {
   });
   const stiffness = params.get("k") ?? "";
   if (STIFFNESS_NAMES.includes(stiffness)) said.k = stiffness;
-  for (const key of NAMES)
+  for (const key of WORDS)
     if (params.get(key)) said[key] = params.get(key) ?? "";
   return { state: { file: params.get(FILE) ?? "", said, ...at }, wrong };
 }
 
 /** Keys of the address that are the muscle's. */
 export const keys = () =>
-  [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
+  [...MEASURES, ...POINT].map(({ key }) => key).concat(WORDS, FILE);
 
 /** A joint of two muscles; a link where it has a mass. @param {boolean} hasMass */
 const template = (hasMass) =>

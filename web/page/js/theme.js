@@ -13,6 +13,15 @@ export function isDark() {
   return theme ? theme === "dark" : system().matches;
 }
 
+/** A colour of the theme. @param {string} name */
+export function token(name) {
+  const [light = "", dark = light] =
+    getComputedStyle(document.documentElement)
+      .getPropertyValue(name)
+      .match(/#\w+/g) ?? [];
+  return isDark() ? dark : light;
+}
+
 /** Another theme; that of the system without a word. @param {string | undefined} theme */
 export function setTheme(theme) {
   const { dataset } = document.documentElement;

@@ -20,43 +20,24 @@ function drawing({ outer_diameter_mm: D, length_mm: L, angle_deg: angle }) {
 }
 
 /**
- * What a muscle of the gallery is besides a muscle: two of them on a pulley, or measured points over it.
- * @type {Record<string, (of: MuscleMeasures) => string>}
- */
-const BESIDE = {
-  joint: (of) =>
-    '<circle cx="78" cy="20" r="9" class="port"/><path d="M78 20 92 8" class="arm"/>' +
-    `<path d="M10 11h58M10 29h58" class="rope"/><g transform="translate(2 2) scale(.62 .5)">${drawing(of)}</g>` +
-    `<g transform="translate(2 20) scale(.62 .5)">${drawing(of)}</g>`,
-  data: (of) =>
-    `<g opacity=".35">${drawing(of)}</g><path d="M8 35 30 24 52 16 88 8" class="fit"/><g class="points">` +
-    '<circle cx="14" cy="34" r="2.2"/><circle cx="32" cy="21" r="2.2"/><circle cx="50" cy="18.5" r="2.2"/>' +
-    '<circle cx="68" cy="11" r="2.2"/><circle cx="84" cy="10" r="2.2"/></g>',
-};
-
-/**
  * A card to click.
- * @param {() => unknown} act @param {Element} picture @param {string} title @param {string[]} lines the last is small
+ * @param {() => unknown} act @param {Element} picture @param {string} title @param {string} about
  */
-export function card(act, picture, title, ...lines) {
-  const last = lines.length - 1;
+export function card(act, picture, title, about) {
   picture.classList.add("picture");
   return el(
     "button",
     { type: "button", class: "card", onclick: act },
     picture,
     el("b", {}, title),
-    ...lines.map((text, i) =>
-      el("span", { class: i === last && "small soft" }, text),
-    ),
+    el("span", { class: "small soft" }, about),
   );
 }
 
 /**
  * @param {MuscleMeasures | undefined} of nothing leaves it empty @param {string} [label] without one it is decoration
- * @param {string} [page] what it is shown for
  */
-export function thumbnail(of, label, page = "") {
+export function thumbnail(of, label) {
   const box = el("span", {
     class: "thumbnail",
     "aria-hidden": label ? undefined : "true",
@@ -69,7 +50,7 @@ export function thumbnail(of, label, page = "") {
     of &&
     [of.outer_diameter_mm, of.wall_mm, of.length_mm].every((x) => x > 0)
   )
-    svg.innerHTML = (BESIDE[page] ?? drawing)(of);
+    svg.innerHTML = drawing(of);
   box.append(svg);
   return box;
 }

@@ -123,6 +123,17 @@ export const show = (kind, value, digits = 4) =>
   value === null || value === undefined
     ? "–"
     : `${number(outside(kind, value), digits)}${unitName(kind) === "°" ? "°" : " " + unitName(kind)}`.trimEnd();
+const shown =
+  (/** @type {string} */ kind) =>
+  (
+    /** @type {number | null | undefined} */ value,
+    /** @type {number} */ digits = 4,
+  ) =>
+    show(kind, value, digits);
+export const showLength = shown("length"),
+  showForce = shown("force"),
+  showPressure = shown("pressure"),
+  showRatio = shown("ratio");
 /** As it is typed and stands in an address, to the last digit: `2.5bar`. @param {string} kind @param {number} value */
 export function typed(kind, value) {
   const shown = [6, 9, 12, 15]
@@ -160,8 +171,9 @@ function pointed(text) {
  * @param {string} kind @param {string} typed @returns {{ text: string, value?: number, note?: string }}
  */
 export function meant(kind, typed) {
-  const text = pointed(typed),
-    comma = text === typed ? {} : { note: `${typed} was read as ${text}.` };
+  const plain = typed.replaceAll("−", "-"),
+    text = pointed(plain),
+    comma = text === plain ? {} : { note: `${typed} was read as ${text}.` };
   if (
     !/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ||
     !Number.isFinite(Number(text))
@@ -221,7 +233,11 @@ export const builtPull = (q) =>
 export const asBuilt = (answer) => interval("force", builtPull(answer));
 /** @param {{ model: string, force_n: number }} answer */
 export const modelPull = ({ model, force_n: force }) =>
-  `${show("force", force)} (model ${model})`;
+  `${model} alone ${show("force", force)}`;
+
+/** What axes of charts are called. */
+export const ratioAxis = "contraction ε [%]",
+  forceAxis = () => `pull F [${unitName("force")}]`;
 
 /** Changes a unit everywhere, to the next one or to one by name. @param {string} kind @param {string} [name] */
 export function changeUnit(kind, name) {

@@ -72,6 +72,15 @@ fn a_shape_says_what_force_says() {
     ] {
         assert_eq!(shape[key], force[key], "{key}");
     }
+    // On the branch of the muscle file's job.
+    let lowers = json!({
+        "pressure_mpa": 0.2,
+        "contraction": 0.1,
+        "muscle": { "with": ["job.branch=elongation", "job.pressure=2bar"] },
+    });
+    let (branch, said) = (reply("shape", lowers.clone()), reply("force", lowers));
+    assert_eq!(branch["force_n"], said["force_n"]);
+    assert!(branch["force_n"].as_f64() > shape["force_n"].as_f64());
     let slack = reply("shape", json!({ "pressure_mpa": 0.1, "contraction": 0.3 }));
     assert_eq!(
         (&slack["slack"], &slack["force_n"]),

@@ -1,7 +1,7 @@
 // The controls of the page Muscle: its state, its measures, its ends.
 import { engine } from "../ask.js";
 import { choice, quantity } from "../controls.js";
-import { capital, el, folded } from "../dom.js";
+import { block, capital, el, folded } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
   CONTRACTION,
@@ -45,7 +45,7 @@ export function controlsView(store) {
   };
   const picks = choices(store);
   /** What a named sleeve needs is beside it. */
-  const needed = el("div");
+  const needed = block();
   const element = section(make, picks, needed);
   const homes = new Map(
     STRANDS.map(({ key }) => [
@@ -63,10 +63,11 @@ export function controlsView(store) {
   /** Opens what holds a measure that the address or the file states. */
   function revealAll() {
     const { file, said } = muscle.state;
+    // Every file that was written states the density.
     const stated = (/** @type {string} */ key) =>
       said[key] !== undefined ||
       muscle.wrong.has(key) ||
-      (file && muscle.value(key) !== undefined);
+      (file && key !== "density_kg_per_m3" && muscle.value(key) !== undefined);
     [...ENDS, ...MORE]
       .filter(({ key }) => stated(key))
       .forEach(({ key }) => reveal(key));
@@ -126,10 +127,16 @@ export function controlsView(store) {
 }
 
 /** @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks @param {Node} needed */
-function section(make, { rubber, braid, strands, held }, needed) {
+function section(make, { rubber, braid, strands, held, branch }, needed) {
   const group = (/** @type {string} */ name, /** @type {Node[]} */ ...list) =>
     folded(name, ...list);
-  const state = [make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)];
+  const state = [
+    make(PRESSURE),
+    held.element,
+    make(CONTRACTION),
+    make(LOAD),
+    branch.element,
+  ];
   const tube = [
     ...QUANTITIES.map(make),
     rubber.element,
@@ -156,7 +163,7 @@ function choices(store) {
     ["", ""],
     ["inextensible", "inextensible"],
     ["paper", "braid (Antonelli 2018)"],
-    ["k", "of this stiffness"],
+    ["k", "Custom stiffness"],
   ]);
   return {
     rubber: choice("Rubber", [["", ""]], "", (name) =>
@@ -167,6 +174,17 @@ function choices(store) {
     ),
     strands: choice("Strands", names, "", (name) =>
       store.changed("k", name === "k" ? stiffness() : name, true),
+    ),
+    branch: choice(
+      "Friction",
+      [
+        ["", "usual"],
+        ["contraction", "while it shortens"],
+        ["mean", "mean of both ways"],
+        ["elongation", "while it lengthens"],
+      ],
+      "",
+      (way) => store.changed("branch", way, true),
     ),
     held: choice(
       "Hold",
@@ -190,18 +208,16 @@ function moreMeasures(make) {
       "fieldset",
       {},
       el("legend", {}, GROUPS[group] ?? capital(group)),
-      ...MORE.filter((m) => m.group === group).map((m) =>
-        el("div", {}, make(m)),
-      ),
+      ...MORE.filter((m) => m.group === group).map((m) => block("", make(m))),
     );
-  return folded("More measures", ...groups.map(box));
+  return folded("More properties", ...groups.map(box));
 }
 
 /**
  * Every control as file, address and engine have it.
  * @param {Record<string, ReturnType<typeof quantity>>} controls @param {ReturnType<typeof choices>} picks
  */
-function sync(controls, { rubber, braid, strands, held }) {
+function sync(controls, { rubber, braid, strands, held, branch }) {
   const { said, F } = muscle.state,
     { shown } = muscle;
   for (const key of Object.keys(controls)) controls[key].set(muscle.value(key));
@@ -211,7 +227,7 @@ function sync(controls, { rubber, braid, strands, held }) {
     said.strand_area_mm2 !== undefined;
   if (said.rubber === undefined)
     rubber.first(partName(shown?.rubber) || "silicone (Antonelli 2018)");
-  if (said.braid === undefined) braid.first(shown?.sleeve ?? "own angle");
+  if (said.braid === undefined) braid.first(shown?.sleeve ?? "Custom angle");
   if (said.k === undefined)
     strands.first(
       said.braid
@@ -224,6 +240,7 @@ function sync(controls, { rubber, braid, strands, held }) {
   braid.set(String(said.braid ?? ""));
   strands.set(typeof said.k === "number" ? "k" : String(said.k ?? ""));
   held.set(F === undefined ? "e" : "F");
+  branch.set(String(said.branch ?? ""));
   controls.F.element.hidden = F === undefined;
   controls.e.element.hidden = F !== undefined;
   // A named sleeve has its angle, and may need to be said what its strands are.

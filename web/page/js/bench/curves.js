@@ -1,21 +1,24 @@
 // Curves of the page Muscle: a family, the curve of the present state and as built, other models, and measured points.
 import { Slot } from "../ask.js";
-import { Chart, KINDS, builtAt } from "../chart.js";
-import { block, el, tabs } from "../dom.js";
+import { Chart, builtAt } from "../chart.js";
+import { choice } from "../controls.js";
+import { folded, tabs } from "../dom.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { onTheme } from "../theme.js";
-import { outside, unitName } from "../units.js";
+import { forceAxis, outside, ratioAxis, unitName } from "../units.js";
 import { along } from "./along.js";
 import {
   FAMILY,
   OVERLAYS,
+  allowedOf,
   builtContraction,
   familyOf,
   familySeries,
   overlay,
   ownOf,
   ownSeries,
+  permitted,
   reachOf,
 } from "./family.js";
 import { Points } from "./points.js";
@@ -43,10 +46,17 @@ export class Curves {
     this.timer = 0;
     /** Questions, and when the hand that moves gets curves again. */
     this.turn = this.due = 0;
-    this.over = overlayChoice(store, () => {
-      this.ask();
-      store.settle();
-    });
+    this.over = choice(
+      "Another model",
+      ["", ...OVERLAYS].map((name) => [name, name || "none"]),
+      store.wanted.over,
+      (over) => {
+        store.wanted.over = over;
+        this.ask();
+        store.settle();
+      },
+    );
+    this.advanced = folded("Advanced", this.over.element);
     const choose = (/** @type {string} */ test) => {
       store.look({ test });
       this.draw();
@@ -160,46 +170,30 @@ export class Curves {
   }
 
   askOver() {
-    const { test, over } = this.store.wanted,
-      of = muscle.fields(),
-      contractions = reachOf(this.store, FAMILY);
-    const names = test === "isobaric" ? over.split(",").filter(Boolean) : [];
-    const key = JSON.stringify([names, of, muscle.p, contractions]);
-    if (key === this.keys.over) return;
-    this.keys.over = key;
-    const found = /** @type {CurveAnswer[]} */ ([]),
-      test_ = /** @type {const} */ ("isobaric");
-    const common = {
-      test: test_,
-      muscle: of,
+    const { test, over } = this.store.wanted;
+    const asked = {
+      test: /** @type {const} */ ("isobaric"),
+      muscle: muscle.fields(),
+      model: { name: test === "isobaric" ? over : "" },
       extrapolate: true,
       pressures_mpa: [muscle.p],
-      contractions,
+      contractions: reachOf(this.store, FAMILY),
     };
-    const next = () => {
-      if (this.keys.over !== key) return;
-      const name = names.shift(),
-        take = (/** @type {CurveAnswer} */ answer) => {
-          found.push(answer);
-          next();
-        };
-      if (name)
-        return this.slots.over.ask(
-          "curve",
-          { ...common, model: { name } },
-          take,
-          next,
-        );
-      this.overlays = found;
+    const key = JSON.stringify(asked);
+    if (key === this.keys.over) return;
+    this.keys.over = key;
+    const take = (/** @type {CurveAnswer[]} */ ...answers) => {
+      this.overlays = answers;
       this.draw();
     };
-    next();
+    if (!asked.model.name) return take();
+    this.slots.over.ask("curve", asked, take, () => take());
   }
 
   draw() {
     const { store, family, chart, points } = this,
       { test } = store.wanted;
-    this.over.element.hidden = points.element.hidden = test !== "isobaric";
+    this.advanced.hidden = points.element.hidden = test !== "isobaric";
     if (test === "along") {
       if (store.shape) chart.show(along(store.shape));
       return chart.mark();
@@ -208,20 +202,23 @@ export class Curves {
     const mine = this.own?.test === test ? this.own.answer : undefined,
       { top } = family;
     const series = [
-      ...familySeries(family.answer, test, top, mine),
+      ...familySeries(family.answer, test, top, mine, allowedOf(store)),
       ...(mine ? ownSeries(mine, test, top) : []),
     ];
-    if (test === "isobaric")
+    if (test === "isobaric") {
+      series.unshift(...permitted(family.answer, store));
       series.push(...this.overlays.map(overlay), ...points.series(top));
+    }
     const [pressure, force] = [
       `pressure p [${unitName("pressure")}]`,
-      `pull F [${unitName("force")}]`,
+      forceAxis(),
     ];
-    const ratio = "contraction ε [%]";
+    const ratio = ratioAxis;
     chart.show({
       x: test === "isobaric" ? ratio : pressure,
       y: test === "isotonic" ? ratio : force,
       series,
+      marks: test === "isobaric" ? required() : [],
       exact: (s, x, take) => this.exact(s, x, take),
     });
     this.mark();
@@ -274,45 +271,20 @@ export class Curves {
   load() {
     const { test, over } = this.store.wanted;
     this.tab.set(test);
-    this.over.set(over.split(","));
+    this.over.set(over);
   }
 }
 
+/** The points that the muscle's file says that it must reach. */
+const required = () =>
+  [
+    ...muscle.state.file.matchAll(
+      /force = "([\d.]+) N", contraction = ([\d.]+)/g,
+    ),
+  ].map(([, force, contraction]) => ({
+    x: 100 * Number(contraction),
+    y: outside("force", Number(force)),
+    text: "required",
+  }));
 /** Whether the muscle states its friction: its loop is known then. */
 const friction = () => typeof muscle.shown?.friction_coefficient === "number";
-
-/** @param {Store} store @param {() => void} changed */
-function overlayChoice(store, changed) {
-  const boxes = OVERLAYS.map((name) =>
-    el("input", {
-      type: "checkbox",
-      id: `over-${name}`,
-      onchange() {
-        store.wanted.over = OVERLAYS.filter((_, i) => boxes[i].checked).join(
-          ",",
-        );
-        changed();
-      },
-    }),
-  );
-  const dash = (/** @type {number} */ i) =>
-    el("i", {
-      style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle`,
-    });
-  const labels = OVERLAYS.map((name, i) =>
-    el("label", { for: `over-${name}` }, boxes[i], ` ${name} `, dash(i)),
-  );
-  return {
-    element: block(
-      "row small",
-      el("span", { class: "soft" }, "Other models at this pressure:"),
-      ...labels,
-    ),
-    /** @param {string[]} names */
-    set(names) {
-      OVERLAYS.forEach((name, i) => {
-        boxes[i].checked = names.includes(name);
-      });
-    },
-  };
-}

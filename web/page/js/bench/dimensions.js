@@ -2,7 +2,7 @@
 // rest, and the angle of a strand.
 import { dragging } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { clamp, evenly, show } from "../units.js";
+import { clamp, evenly, showLength } from "../units.js";
 
 /** @typedef {[number, number]} Place */
 const SVG = "http://www.w3.org/2000/svg";
@@ -58,8 +58,8 @@ export function dimensions(stage, store, view) {
       strand[strand.length - 1],
     ];
     handles.forEach((one, i) => {
-      // On a narrow page they would lie on each other: there are sliders.
-      one.style.display = (i < 3 ? wide : turns) ? "" : "none";
+      // On a narrow page more than two would lie on each other: there are sliders.
+      one.style.display = i < 2 || (i < 3 ? wide : turns) ? "" : "none";
       one.setAttribute("transform", `translate(${at(spots[i])})`);
     });
   }
@@ -251,10 +251,10 @@ function drawing(
     `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}">${text}</text>`;
   const below = middle(line),
     above = off(top, GAP + 4);
-  const atRest = `dashed: at rest ⌀ ${show("length", 2 * restRadius, 4)}, L0 ${show("length", restLength, 4)}`;
+  const atRest = `dashed: at rest ⌀ ${showLength(2 * restRadius, 4)}, L0 ${showLength(restLength, 4)}`;
   return (
-    `${ghost}${long}${round}${words([below[0], below[1] + 15], `L ${show("length", shape.length_mm, 4)}`)}` +
-    `${words(above, `⌀ ${show("length", shape.bulged_diameter_mm ?? 2 * restRadius, 4)}`)}` +
+    `${ghost}${long}${round}${words([below[0], below[1] + 15], `L ${showLength(shape.length_mm, 4)}`)}` +
+    `${words(above, `⌀ ${showLength(shape.bulged_diameter_mm ?? 2 * restRadius, 4)}`)}` +
     (wide > 560 ? words([12, tall - 46], atRest, "start") : "")
   );
 }

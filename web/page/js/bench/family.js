@@ -9,7 +9,7 @@ import {
   withBuilt,
 } from "../chart.js";
 import { muscle } from "../muscle.js";
-import { evenly, inside, outside, show } from "../units.js";
+import { evenly, inside, outside, show, showPressure } from "../units.js";
 import { niceUp, twoDigits } from "./round.js";
 
 /** @typedef {CurveAnswer["points"][number]} Point */
@@ -48,13 +48,17 @@ export function familyOf(store, measured) {
   );
   const top = inside("pressure", count * step),
     over = steps(FAMILY, top);
-  if (test === "isobaric" && measured.length)
+  if (test === "isobaric") {
+    const list = measured.length ? measured : pressures,
+      allowed = allowedOf(store);
     return {
       top: Math.max(top, ...measured),
-      request: { pressures_mpa: measured, contractions },
+      request: {
+        pressures_mpa: allowed < 1.5 * top ? [...list, allowed] : list,
+        contractions,
+      },
     };
-  if (test === "isobaric")
-    return { top, request: { pressures_mpa: pressures, contractions } };
+  }
   if (test === "isometric")
     return {
       top,
@@ -65,6 +69,36 @@ export function familyOf(store, measured) {
     Math.max(1, twoDigits(x * blocked)),
   );
   return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
+}
+
+/** The pressure that the muscle may have. @param {Store} store */
+export const allowedOf = ({ facts }) =>
+  facts.characteristics?.allowed_pressure_mpa ?? Infinity;
+
+/**
+ * What is permitted: up to the allowed pressure, and to the stretch that the law was fitted to.
+ * @param {CurveAnswer} answer @param {Store} store @returns {Series[]}
+ */
+export function permitted({ fixed, points }, store) {
+  const count = points.length / fixed.length,
+    i = fixed.indexOf(allowedOf(store)),
+    most = store.facts.fitted_to_stretch ?? Infinity;
+  const list = points
+    .slice(i * count, (i + 1) * count)
+    .filter((q) => "force_n" in q && Number(q.max_stretch) <= most);
+  if (i < 0 || !list.length) return [];
+  const { x, y } = isobar(list);
+  return [
+    {
+      name: "permitted",
+      legend: "permitted",
+      band: true,
+      silent: true,
+      colour: "#009E73",
+      x: [0, ...x, x[x.length - 1]],
+      y: [0, ...y, 0],
+    },
+  ];
 }
 
 /** The curve through the present state. @param {Store} store @param {number} top */
@@ -116,12 +150,16 @@ export const builtContraction = (q) =>
 
 /**
  * @param {CurveAnswer} answer @param {string} test @param {number} top
- * @param {CurveAnswer | undefined} own a curve that is drawn besides
+ * @param {CurveAnswer | undefined} own a curve that is drawn besides @param {number} most the border of what is permitted, no curve
  */
-export function familySeries(answer, test, top, own) {
+export function familySeries(answer, test, top, own, most) {
   const count = answer.points.length / answer.fixed.length;
   return answer.fixed.flatMap((fixed, i) => {
-    if (own && Math.abs(own.fixed[0] - fixed) < 1e-9) return [];
+    if (
+      (own && Math.abs(own.fixed[0] - fixed) < 1e-9) ||
+      (fixed === most && i === answer.fixed.length - 1)
+    )
+      return [];
     const name = named(fixed, test),
       colour =
         test === "isobaric"
@@ -188,7 +226,8 @@ export function ownSeries(answer, test, top) {
 export function overlay(answer) {
   const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
   return /** @type {Series} */ ({
-    name: `${answer.model} at ${show("pressure", answer.fixed[0], 3)}`,
+    name: `${answer.model} at ${showPressure(answer.fixed[0], 3)}`,
+    end: answer.model,
     dash: "dash",
     colour,
     smooth: true,

@@ -1,8 +1,18 @@
 // The numbers of the page Muscle: the pull of the model and as built, the parts of the ±, the margins, and what the engine warns of.
-import { engine } from "../ask.js";
-import { button, capital, el, remark } from "../dom.js";
+import { block, button, capital, el, remark } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { asBuilt, clamp, interval, modelPull, number, show } from "../units.js";
+import {
+  asBuilt,
+  clamp,
+  interval,
+  modelPull,
+  number,
+  show,
+  showForce,
+  showLength,
+  showPressure,
+  showRatio,
+} from "../units.js";
 import { inWords } from "../words.js";
 import { partsView } from "./parts.js";
 import { solveView } from "./solve.js";
@@ -11,7 +21,7 @@ import { tornadoView } from "./tornado.js";
 /** @param {Store} store */
 export function numbersView(store) {
   const element = el("section", { class: "numbers", "aria-label": "Numbers" });
-  const meters = el("div"),
+  const meters = block(),
     notes = el("ul", { class: "warnings" });
   const parts = partsView(store),
     tornado = tornadoView(store),
@@ -39,12 +49,11 @@ export function numbersView(store) {
         return [el("dt", {}, name), value];
       });
       const head = [
-        el("dt", { class: "head" }, "Pull"),
-        el("dd", { class: "head" }, pull),
-        el("dt", {}, "As built"),
-        el("dd", {}, built),
+        el("dt", {}, "Pull as built"),
+        el("dd", { class: "head" }, built),
+        el("dt", {}, "Model"),
+        el("dd", {}, pull),
       ];
-      const basis = `As built: median and 95 % of muscles like this one. ${engine().about}.`;
       element.replaceChildren(
         el("dl", {}, ...head, ...lines),
         parts.element,
@@ -52,7 +61,7 @@ export function numbersView(store) {
         notes,
         solve.element,
         tornado.element,
-        remark(basis),
+        remark("As built: median and 95 % of muscles like this one."),
       );
     }
     put(pull, point.slack ? "slack" : modelPull(point));
@@ -79,7 +88,7 @@ function rows({ facts }, point) {
   const c = facts.characteristics;
   return [
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
-    ["Contraction", show("ratio", point.contraction, 3)],
+    ["Contraction", showRatio(point.contraction, 3)],
     [
       "Contraction as built",
       interval("ratio", [
@@ -88,21 +97,21 @@ function rows({ facts }, point) {
         facts.said?.predicted_high,
       ]),
     ],
-    ["Bulged diameter", show("length", point.bulged_diameter_mm)],
+    ["Bulged diameter", showLength(point.bulged_diameter_mm)],
     ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],
-    ["Threshold pressure", show("pressure", facts.start, 3)],
-    ["Blocked force", show("force", c?.blocked_force_n)],
-    ["Free contraction", show("ratio", c?.free_contraction, 3)],
+    ["Threshold pressure", showPressure(facts.start, 3)],
+    ["Blocked force", showForce(c?.blocked_force_n)],
+    ["Free contraction", showRatio(c?.free_contraction, 3)],
     [
       "Burst pressure",
       c?.burst_pressure_mpa
-        ? show("pressure", c.burst_pressure_mpa, 3)
+        ? showPressure(c.burst_pressure_mpa, 3)
         : "not known",
     ],
     [
       "Allowed pressure",
       c?.allowed_pressure_mpa
-        ? show("pressure", c.allowed_pressure_mpa, 3)
+        ? showPressure(c.allowed_pressure_mpa, 3)
         : "not known",
     ],
     ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
@@ -124,11 +133,9 @@ function margins({ facts }, point) {
       (x) => number(x, 3),
       1,
     ),
-    meter("Pull", point.force_n, c?.blocked_force_n, (x) =>
-      show("force", x, 3),
-    ),
+    meter("Pull", point.force_n, c?.blocked_force_n, (x) => showForce(x, 3)),
     meter("Contraction", point.contraction, c?.free_contraction, (x) =>
-      show("ratio", x, 3),
+      showRatio(x, 3),
     ),
   ].filter((m) => m !== null);
 }

@@ -1,7 +1,7 @@
 // What a muscle that is built will pull, the parts of the ±, and what to measure.
 import { el, remark } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { show } from "../units.js";
+import { showForce } from "../units.js";
 import { inWords } from "../words.js";
 
 /** Names of the parts that are no words yet. @type {Record<string, string>} */
@@ -42,7 +42,7 @@ export function partsView(store) {
       words?.bench && `To measure: ${words.bench}.`,
     ].filter(Boolean);
     const next = JSON.stringify([
-      parts.map(([name, value]) => [name, show("force", value, 2)]),
+      parts.map(([name, value]) => [name, showForce(value, 2)]),
       said,
     ]);
     if (next === key) return;
@@ -65,7 +65,7 @@ function row(name, value, most) {
   });
   return [
     el("dt", {}, PARTS[name] ?? name),
-    el("dd", {}, `± ${show("force", value, 2)}`),
+    el("dd", {}, `± ${showForce(value, 2)}`),
     el("dd", { class: "wide" }, bar),
   ];
 }

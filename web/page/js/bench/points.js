@@ -5,7 +5,7 @@ import { block, button, el, problemBox } from "../dom.js";
 import { job } from "../form.js";
 import { measured, onMeasured } from "../measured.js";
 import { muscle } from "../muscle.js";
-import { outside, show } from "../units.js";
+import { outside, showForce, showPressure } from "../units.js";
 
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;
@@ -19,7 +19,7 @@ export class Points {
     /** @type {import("../measured.js").Point[]} */ this.list = [];
     this.key = "";
     this.words = el("span");
-    this.said = el("div");
+    this.said = block();
     // The shear modulus that fits them best becomes the muscle's.
     const fit = job(
       "Fit the rubber",
@@ -98,7 +98,7 @@ export class Points {
       request,
       ({ models: [m], points: count }) => {
         if (!m || m.rms_n === null || m.rms_n === undefined) return;
-        const residuals = `${show("force", m.rms_n, 3)} rms, ${show("force", m.max_n, 3)} the largest`;
+        const residuals = `${showForce(m.rms_n, 3)} rms, ${showForce(m.max_n, 3)} the largest`;
         this.words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
       },
       (problem) => {
@@ -124,7 +124,7 @@ export class Points {
   series(top) {
     return [...new Set(this.list.map((q) => q.pressure_mpa))].map((p) => {
       const at = this.list.filter((q) => q.pressure_mpa === p),
-        name = `measured at ${show("pressure", p, 3)}`;
+        name = `measured at ${showPressure(p, 3)}`;
       const [x, y] = [
         at.map((q) => 100 * q.contraction),
         at.map((q) => outside("force", q.force_n)),

@@ -2,11 +2,11 @@
 import { engine } from "../ask.js";
 import { button, el, folded } from "../dom.js";
 import { isAbort } from "../engine/problem.js";
-import { form } from "../form.js";
+import { fieldsOf, form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
-import { show } from "../units.js";
+import { show, showForce } from "../units.js";
 import { inWords } from "../words.js";
 
 /** Secants at most, and as near as this, as a share of the wanted pull. */
@@ -21,22 +21,16 @@ export function solveView(store) {
     ...QUANTITIES.filter((m) => m.key !== "L"),
   ];
   const asked = form(
-    [
-      {
-        key: "what",
-        field: "what",
-        label: "Solve for",
-        value: PRESSURE.key,
-        options: choices.map((m) => [m.key, m.label]),
-      },
-      {
-        key: "pull",
-        field: "force_n",
-        label: "Wanted pull",
-        kind: "force",
-        hint: "500 N",
-      },
-    ],
+    fieldsOf([
+      [
+        "what",
+        "what",
+        "Solve for",
+        undefined,
+        { value: PRESSURE.key, options: choices.map((m) => [m.key, m.label]) },
+      ],
+      ["pull", "force_n", "Wanted pull", "force", { hint: "500 N" }],
+    ]),
     () => solve(),
   );
   const said = el("p", { class: "small", role: "status" });
@@ -59,7 +53,7 @@ export function solveView(store) {
         choices.find((m) => m.key === what)
       );
       const value = await solved(measure, force, signal);
-      said.textContent = `${measure.label} ${show(measure.kind, value, 4)} gives ${show("force", force, 4)}.`;
+      said.textContent = `${measure.label} ${show(measure.kind, value, 4)} gives ${showForce(force, 4)}.`;
       store.changed(measure.key, value, true);
     } catch (problem) {
       if (!signal.aborted)

@@ -6,7 +6,17 @@ import { gauge } from "../gauge.js";
 import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { PRESSURE } from "../state.js";
-import { asBuilt, clamp, evenly, modelPull, number, show } from "../units.js";
+import {
+  asBuilt,
+  clamp,
+  evenly,
+  modelPull,
+  number,
+  show,
+  showLength,
+  showPressure,
+  showRatio,
+} from "../units.js";
 import { View, reach } from "../view3d.js";
 import { dimensions } from "./dimensions.js";
 import { niceUp } from "./round.js";
@@ -21,22 +31,13 @@ const SHOWN = /** @type {[string, string, string][]} */ ([
   ["strand_tension_n", "Tension of a strand", "force"],
   ["strand_angle_deg", "Angle of the strands", "angle"],
 ]);
-const HINT =
-  "Drag to turn; drag the right end to contract; Ctrl and wheel, or two fingers, to zoom; double-click to reset";
 
 /** @param {Store} store @param {HTMLElement} busy */
 export function stageView(store, busy) {
   const said = el("p", { class: "say" }),
     scale = block("bar"),
     legend = block("legend");
-  const stage = el(
-    "div",
-    { class: "stage", title: HINT },
-    said,
-    scale,
-    legend,
-    busy,
-  );
+  const stage = el("div", { class: "stage" }, said, scale, legend, busy);
   const dial = gauge(stage, (pressure, settled) =>
     store.changed("p", pressure, settled),
   );
@@ -51,7 +52,7 @@ export function stageView(store, busy) {
     const line = el("span", {
       style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px`,
     });
-    scale.replaceChildren(line, show("length", step, 3));
+    scale.replaceChildren(line, showLength(step, 3));
   };
   const drawn = () => {
     paintScale();
@@ -143,19 +144,24 @@ export function stageView(store, busy) {
   };
 }
 
+const MOVES = {
+  contraction: " while it shortens",
+  elongation: " while it lengthens",
+  mean: "",
+};
 /** The pull in words. @param {NonNullable<Store["shape"]>} shape @param {NonNullable<Store["point"]>} point */
 function sentence(shape, point) {
   if (point.slack)
     return [
       el("b", {}, "Slack"),
       el("br"),
-      `The muscle is slack: contracted by ${show("ratio", shape.shape_contraction, 3)}, no pull.`,
+      `The muscle is slack: contracted by ${showRatio(shape.shape_contraction, 3)}, no pull.`,
     ];
-  const at = `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`;
+  const at = `at ${showPressure(point.pressure_mpa, 3)} and ${showRatio(point.contraction, 3)}`;
   return [
-    el("b", {}, modelPull(point)),
+    el("b", {}, asBuilt(point)),
     el("br"),
-    `as built ${asBuilt(point)}`,
+    `as built${MOVES[point.predicted_direction ?? "mean"]}; ${modelPull(point)}`,
     el("br"),
     at,
   ];

@@ -4,7 +4,7 @@ import { block, el, folded, remark } from "../dom.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
-import { number, outside, show, unitName } from "../units.js";
+import { number, outside, show, showForce, unitName } from "../units.js";
 
 /** Changes, by keys of measures. @type {Record<string, number>} */
 const STEPS = { D: 1, s: 0.1, L: 1, angle: 1, p: 0.01, e: 0.01 };
@@ -67,7 +67,7 @@ export function tornadoView(store) {
         bar(m, changes, Math.max(1e-9, size(found[0][1]))),
       ),
     );
-    words.textContent = `Change of the pull of ${show("force", at.force_n, 3)}, all else as it is: to the right more pull.`;
+    words.textContent = `Change of the pull of ${showForce(at.force_n, 3)}, all else as it is: to the right more pull.`;
   }
 
   const soon = () => {
@@ -111,5 +111,5 @@ function bar(m, changes, reach) {
     {},
     changes.length === 2 ? changes.map(signed).join(", ") : "–",
   );
-  return el("div", {}, label, value, el("i", {}, ...changes.map(piece)));
+  return block("", label, value, el("i", {}, ...changes.map(piece)));
 }

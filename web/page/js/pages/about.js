@@ -1,20 +1,12 @@
 // Verification, validation, sources, limits.
 import { engine } from "../ask.js";
 import { DOCUMENTATION } from "../kind.js";
-import {
-  block,
-  button,
-  el,
-  heading,
-  paragraph,
-  remark,
-  rowOf,
-} from "../dom.js";
+import { block, button, el, heading, paragraph, rowOf } from "../dom.js";
 import { job, table } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscle } from "../muscle.js";
 import { isKept, keepAll } from "../offline.js";
-import { number, show } from "../units.js";
+import { number, showForce } from "../units.js";
 
 /** The verification was computed here: it is there again when one comes back. */
 const CHECKED = "checked";
@@ -77,11 +69,7 @@ const TABLES = [
     "rms",
     "Validation: pull of measured muscles",
     ["rms residual", "blocked force", "rms / blocked force"],
-    (c) => [
-      show("force", c.ours, 3),
-      show("force", c.reference, 4),
-      percent(c.error),
-    ],
+    (c) => [showForce(c.ours, 3), showForce(c.reference, 4), percent(c.error)],
   ],
   [
     "validation",
@@ -101,8 +89,8 @@ const TABLES = [
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const cases = el("div");
-  const models = el("div");
+  const cases = block();
+  const models = block();
   const check = job(
     "Compute them here",
     "validate",
@@ -136,9 +124,8 @@ export const mount = (main) => {
       "prose",
       heading("What this is"),
       paragraph(
-        "A McKibben muscle is a rubber tube in a braided sleeve: pressurised, it bulges, shortens and pulls. This " +
-          "page solves its non-linear finite-element model (axisymmetric, incompressible rubber of any law, " +
-          "elastic strands, bonded ends) at every step of a slider, and shows the results.",
+        "This page solves a non-linear finite-element model of a McKibben muscle (axisymmetric, incompressible rubber, " +
+          "elastic strands, bonded ends) at every step of a slider.",
       ),
       paragraph(
         "Your data stay on your computer: ",
@@ -148,9 +135,7 @@ export const mount = (main) => {
       heading("Accuracy"),
       paragraph(
         "As built is what a muscle that you build will pull: the median, and the interval that 95 % of measured " +
-          "muscles keep. It becomes narrower when you identify your own muscle in Measurements. The " +
-          "model includes the thickness of the braid, the gap before first contact, the slip of the ends, the " +
-          "history of the rubber and the friction between strands only if the muscle file states them.",
+          "muscles keep. It becomes narrower when you identify your own muscle in Measurements.",
       ),
       withoutNetwork(),
       heading("Verification and validation"),
@@ -165,9 +150,6 @@ export const mount = (main) => {
       paragraph(
         "mckibben is free software under MIT or Apache 2.0. The documentation lists the sources and terms of formulas, rubbers and measured muscles. ",
         DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it."),
-      ),
-      remark(
-        "The command line, Rust, Python and HTTP offer the same commands under the same names: `mckibben --help`.",
       ),
     ),
   );

@@ -15,7 +15,7 @@ import {
   problemBox,
   remark,
 } from "../dom.js";
-import { form, table, warnings } from "../form.js";
+import { fieldsOf, form, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
 import {
   QUANTITIES,
@@ -26,7 +26,18 @@ import {
   shownValue,
   side as asked,
 } from "../state.js";
-import { asBuilt, number, onUnits, show, unitName } from "../units.js";
+import {
+  asBuilt,
+  forceAxis,
+  number,
+  onUnits,
+  ratioAxis,
+  show,
+  showForce,
+  showLength,
+  showPressure,
+  showRatio,
+} from "../units.js";
 import { View } from "../view3d.js";
 import { braidName, partName } from "../words.js";
 
@@ -49,35 +60,31 @@ function sideForm(name, ask) {
     /** @type {Measure} */ { key, field, label, kind },
     more = {},
   ) => ({ key: name + key, field, label, kind, ...more });
-  const model = {
-    key: `${name}model`,
-    field: "model",
-    label: "Model",
-    options: MODELS,
-    value: name === "b" ? "thick-wall" : "fe",
-  };
+  const [model, rubber, braid, pressure, contraction] = fieldsOf([
+    [
+      `${name}model`,
+      "model",
+      "Model",
+      undefined,
+      { options: MODELS, value: name === "b" ? "thick-wall" : "fe" },
+    ],
+    [`${name}rubber`, "rubber", "Rubber"],
+    [`${name}braid`, "braid", "Braid"],
+    [`${name}p`, "pressure_mpa", "Pressure", "pressure"],
+    [`${name}e`, "contraction", "Contraction", "ratio"],
+  ]);
   const fields = form(
     name === "a"
       ? [model]
       : [
           model,
           ...QUANTITIES.map((m) => measure(m)),
-          { key: `${name}rubber`, field: "rubber", label: "Rubber" },
-          { key: `${name}braid`, field: "braid", label: "Braid" },
+          rubber,
+          braid,
           measure(STIFFNESS, { or: STIFFNESS_NAMES }),
           ...STRANDS.map((m) => measure(m, { hidden: true })),
-          {
-            key: `${name}p`,
-            field: "pressure_mpa",
-            label: "Pressure",
-            kind: "pressure",
-          },
-          {
-            key: `${name}e`,
-            field: "contraction",
-            label: "Contraction",
-            kind: "ratio",
-          },
+          pressure,
+          contraction,
         ],
     ask,
   );
@@ -90,7 +97,7 @@ function sideOf(name, { ask, paint }) {
   const fields = sideForm(name, ask),
     stage = el("div", { class: "stage", style: "height:220px" }),
     which = remark(),
-    said = el("div");
+    said = block();
   const view = new View(stage);
   const point = new Slot(),
     shape = new Slot({ lane: "state" }),
@@ -201,10 +208,10 @@ function sideOf(name, { ask, paint }) {
         );
       }
       put("rubber", partName(muscle.shown?.rubber));
-      put("braid", muscle.shown?.sleeve ?? "own angle");
+      put("braid", muscle.shown?.sleeve ?? "Custom angle");
       put("k", braidName(muscle.shown?.braid));
-      fields.usual(`${name}p`, show("pressure", muscle.p));
-      fields.usual(`${name}e`, show("ratio", muscle.e));
+      fields.usual(`${name}p`, showPressure(muscle.p));
+      fields.usual(`${name}e`, showRatio(muscle.e));
     },
   };
   return side;
@@ -213,12 +220,12 @@ function sideOf(name, { ask, paint }) {
 /** Rows of the numbers. @type {[string, (x: Commands["force"]["answer"]) => string][]} */
 const ROWS = [
   ["model", (x) => x.model],
-  ["pull", (x) => (x.slack ? "slack" : show("force", x.force_n))],
+  ["pull", (x) => (x.slack ? "slack" : showForce(x.force_n))],
   ["as built", asBuilt],
   ["stiffness", (x) => show("stiffness", x.stiffness_n_per_mm, 3)],
-  ["bulged diameter", (x) => show("length", x.bulged_diameter_mm)],
+  ["bulged diameter", (x) => showLength(x.bulged_diameter_mm)],
   ["cavity", (x) => (x.volume_mm3 ? show("volume", x.volume_mm3, 3) : "–")],
-  ["threshold pressure", (x) => show("pressure", x.start_pressure_mpa, 3)],
+  ["threshold pressure", (x) => showPressure(x.start_pressure_mpa, 3)],
   ["largest stretch", (x) => number(x.max_stretch, 3)],
 ];
 
@@ -231,11 +238,11 @@ export const mount = (main) => {
   const chart = new Chart("compare", {
       tools: heading("Pull over contraction"),
     }),
-    numbers = el("div");
+    numbers = block();
   main.replaceChildren(
     block(
       "pair",
-      el("div", {}, sides[0].element, numbers, chart.element),
+      block("", sides[0].element, numbers, chart.element),
       b.element,
     ),
   );
@@ -271,8 +278,8 @@ export const mount = (main) => {
         : [],
     );
     chart.show({
-      x: "contraction ε [%]",
-      y: `pull F [${unitName("force")}]`,
+      x: ratioAxis,
+      y: forceAxis(),
       series,
     });
   }

@@ -6,7 +6,6 @@ import {
   block,
   button,
   dim,
-  el,
   faded,
   heading,
   paragraph,
@@ -14,13 +13,13 @@ import {
   remark,
 } from "../dom.js";
 import { Figures } from "../figure.js";
-import { bench, form, job, table, warnings } from "../form.js";
+import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { GALLERY, gallery } from "../gallery.js";
 import { fileOf, keepFile } from "../kept.js";
 import { library, muscleButtons } from "../library.js";
 import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
-import { number, onUnits, show, unitName } from "../units.js";
+import { number, onUnits, showForce, unitName } from "../units.js";
 
 const CONSTANTS = "constants";
 
@@ -42,7 +41,7 @@ function identifiedView(answer) {
       label: "constants",
     }),
     paragraph(
-      `Residuals ${show("force", answer.rms_n, 3)} rms, ${show("force", answer.rms_before_n, 3)} before.`,
+      `Residuals ${showForce(answer.rms_n, 3)} rms, ${showForce(answer.rms_before_n, 3)} before.`,
     ),
     warnings(answer.warnings),
     muscleButtons(
@@ -56,8 +55,7 @@ function identifiedView(answer) {
 
 /** Errors of the models. @param {Commands["compare"]["answer"]["models"]} models */
 const errorTable = (models) => {
-  const force = (/** @type {number | null | undefined} */ f) =>
-    show("force", f, 3);
+  const force = (/** @type {number | null | undefined} */ f) => showForce(f, 3);
   const rows = models.map((m) => [
     m.model,
     force(m.rms_n),
@@ -71,22 +69,22 @@ const errorTable = (models) => {
 };
 
 /** What is asked of the table. @type {Field[]} */
-export const FIELDS = [
-  {
-    key: "free",
-    field: "free",
-    label: "Free constants",
-    words: true,
-    hint: "modulus; or mu, braid.angle",
-  },
-  {
-    key: "models",
-    field: "models",
-    label: "Models",
-    words: true,
-    value: "fe, thick-wall, ideal",
-  },
-];
+export const FIELDS = fieldsOf([
+  [
+    "free",
+    "free",
+    "Free constants",
+    undefined,
+    { words: true, hint: "modulus; or mu, braid.angle" },
+  ],
+  [
+    "models",
+    "models",
+    "Models",
+    undefined,
+    { words: true, value: "fe, thick-wall, ideal" },
+  ],
+]);
 const HINT =
   "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
 const BEGIN =
@@ -103,13 +101,12 @@ class DataPage {
     this.data = measured.file;
     this.what = form(FIELDS, () => this.#look());
     this.columns = columnChoice(() => this.#look());
-    this.understood = el(
-      "div",
-      {},
+    this.understood = block(
+      "",
       ...(this.data ? [] : [faded(BEGIN), this.#begins()]),
     );
-    this.errors = el("div");
-    this.found = el("div");
+    this.errors = block();
+    this.found = block();
     this.figures = new Figures("data");
     this.fitted = new Figures("identified");
     this.identify = job(
@@ -156,13 +153,12 @@ class DataPage {
   /** What there is to begin with: an example, and muscles that were measured. */
   #begins() {
     const fail = (/** @type {unknown} */ why) => this.#fail(why);
-    return el(
-      "div",
-      {},
+    return block(
+      "",
       gallery(
         fail,
         undefined,
-        GALLERY.filter(({ data }) => data),
+        GALLERY.filter(([, , , { data }]) => data),
       ),
       library(fail, () => {}),
     );

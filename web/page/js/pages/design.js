@@ -1,193 +1,162 @@
 // From a specification to ranked muscles, with a map of what is feasible and why the rest is not.
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
+import { picture } from "../body.js";
 import { designMap } from "../design-map.js";
 import { designTarget } from "../design-target.js";
-import { closestView, foundView, rejectedView } from "../design-view.js";
-import { el, faded, folded, heading } from "../dom.js";
+import {
+  closestView,
+  foundView,
+  headView,
+  rejectedView,
+} from "../design-view.js";
+import { block, el, folded, heading } from "../dom.js";
 import { Figures } from "../figure.js";
-import { bench, form, job } from "../form.js";
+import { fieldsOf, form, job } from "../form.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { onUnits, typed, unitName } from "../units.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([
-  ["diameter", "narrowest at rest"],
+  ["diameter", "slimmest at rest"],
   ["pressure", "lowest pressure"],
   ["air", "least air or liquid"],
   ["margin", "largest margin of pull"],
-  ["bulged-diameter", "narrowest in use"],
+  ["bulged-diameter", "slimmest when inflated"],
   ["length", "shortest"],
 ]);
 /** @type {Field[]} */
-export const WANTED = [
-  { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
-  {
-    key: "e",
-    field: "contraction",
-    label: "at a contraction of",
-    kind: "ratio",
-    value: "15 %",
-  },
-  {
-    key: "at",
-    field: "points",
-    label: "or several pulls",
-    pair: [
-      ["force", "force_n"],
-      ["ratio", "contraction"],
-    ],
-    hint: "700N@15%, 1200N@5%",
-  },
-  {
-    key: "joint",
-    field: "torques",
-    label: "or torques of a joint",
-    pair: [
-      ["torque", "torque_nm"],
-      ["angle", "angle_deg"],
-    ],
-    hint: "8Nm@45deg",
-  },
-  { key: "load", field: "load", label: "or a load to lift", hint: "mass:20kg" },
-  {
-    key: "stroke",
-    field: "stroke_mm",
-    label: "Stroke",
-    kind: "length",
-    hint: "40 mm",
-  },
-  {
-    key: "pmax",
-    field: "max_pressure_mpa",
-    label: "Pressure of the supply",
-    kind: "pressure",
-    value: "2.5 bar",
-  },
-  {
-    key: "bulge",
-    field: "max_bulged_diameter_mm",
-    label: "Largest bulged diameter",
-    kind: "length",
-    hint: "60 mm",
-  },
-  {
-    key: "sure",
-    field: "guaranteed",
-    label: "Guaranteed share",
-    kind: "ratio",
-    hint: "95 %",
-  },
-  {
-    key: "for",
-    field: "objective",
-    label: "Rank by",
-    options: OBJECTIVES,
-    value: "bulged-diameter",
-  },
-];
+export const WANTED = fieldsOf([
+  ["F", "force_n", "Pull", "force", "700 N"],
+  ["e", "contraction", "at a contraction of", "ratio", "15 %"],
+  [
+    "at",
+    "points",
+    "or several pulls",
+    undefined,
+    {
+      pair: [
+        ["force", "force_n"],
+        ["ratio", "contraction"],
+      ],
+      hint: "700N@15%, 1200N@5%",
+    },
+  ],
+  [
+    "joint",
+    "torques",
+    "or torques of a joint",
+    undefined,
+    {
+      pair: [
+        ["torque", "torque_nm"],
+        ["angle", "angle_deg"],
+      ],
+      hint: "8Nm@45deg",
+    },
+  ],
+  ["load", "load", "or a load to lift", undefined, { hint: "mass:20kg" }],
+  ["stroke", "stroke_mm", "Stroke", "length", { hint: "40 mm" }],
+  ["pmax", "max_pressure_mpa", "Pressure of the supply", "pressure", "2.5 bar"],
+  [
+    "bulge",
+    "max_bulged_diameter_mm",
+    "Largest bulged diameter",
+    "length",
+    { hint: "60 mm" },
+  ],
+  ["sure", "guaranteed", "Certainty", "ratio", { hint: "95 %" }],
+  [
+    "for",
+    "objective",
+    "Rank by",
+    undefined,
+    { options: OBJECTIVES, value: "bulged-diameter" },
+  ],
+]);
 /** @type {() => Field[]} */
-export const choices = () => [
-  {
-    key: "D",
-    field: "outer_diameter_mm",
-    label: "Outer diameters",
-    kind: "length",
-    list: true,
-    hint: "10..60 mm",
-  },
-  {
-    key: "s",
-    field: "wall_mm",
-    label: "Walls",
-    kind: "length",
-    list: true,
-    hint: "1..4:0.5 mm",
-  },
-  {
-    key: "L",
-    field: "length_mm",
-    label: "Length",
-    kind: "length",
-    list: true,
-    hint: "285 mm",
-  },
-  {
-    key: "angle",
-    field: "angle_deg",
-    label: "Braid angles",
-    kind: "angle",
-    list: true,
-    hint: "28 deg",
-  },
-  {
-    key: "rubber",
-    field: "rubbers",
-    label: "Rubbers",
-    words: true,
-    hint: "paper, ecoflex-00-30",
-  },
-  {
-    key: "braid",
-    field: "braids",
-    label: "Sleeves as sold",
-    words: true,
-    hint: "names of the list",
-  },
-  {
-    key: "sd",
-    field: "strand_diameter_mm",
-    label: "Diameter of a strand",
-    kind: "length",
-    hint: "0.25 mm",
-    hidden: true,
-  },
-  {
-    key: "sE",
-    field: "strand_modulus_mpa",
-    label: "Young's modulus of a strand",
-    kind: "modulus",
-    hint: "2500 MPa",
-    hidden: true,
-  },
-  {
-    key: "k",
-    field: "stiffness",
-    label: "Stiffness of a strand family",
-    kind: "stiffness",
-    or: STIFFNESS_NAMES,
-    hint: "500 N/mm; inextensible",
-  },
-  {
-    key: "r",
-    field: "radius_mm",
-    label: "Pulley of a joint",
-    kind: "length",
-    list: true,
-    hint: "20..40 mm",
-  },
-  {
-    key: "liquid",
-    field: "liquid",
-    label: "Liquid in the place of air",
-    hint: "water, oil or glycol",
-  },
-  {
-    key: "most",
-    field: "max_liquid_volume_mm3",
-    label: "Largest liquid volume",
-    kind: "volume",
-    hint: "20 mL",
-  },
-  {
-    key: "burst",
-    field: "min_burst_margin",
-    label: "Safety factor of strands and clamps",
-    kind: "ratio",
-    factor: true,
-    hint: "4",
-  },
-];
+export const choices = () =>
+  fieldsOf([
+    [
+      "D",
+      "outer_diameter_mm",
+      "Outer diameters",
+      "length",
+      { list: true, hint: "10..60 mm" },
+    ],
+    ["s", "wall_mm", "Walls", "length", { list: true, hint: "1..4:0.5 mm" }],
+    ["L", "length_mm", "Length", "length", { list: true, hint: "285 mm" }],
+    [
+      "angle",
+      "angle_deg",
+      "Braid angles",
+      "angle",
+      { list: true, hint: "28 deg" },
+    ],
+    [
+      "rubber",
+      "rubbers",
+      "Rubbers",
+      undefined,
+      { words: true, hint: "paper, ecoflex-00-30" },
+    ],
+    [
+      "braid",
+      "braids",
+      "Sleeves as sold",
+      undefined,
+      { words: true, hint: "names of the list" },
+    ],
+    [
+      "sd",
+      "strand_diameter_mm",
+      "Diameter of a strand",
+      "length",
+      { hint: "0.25 mm", hidden: true },
+    ],
+    [
+      "sE",
+      "strand_modulus_mpa",
+      "Young's modulus of a strand",
+      "modulus",
+      { hint: "2500 MPa", hidden: true },
+    ],
+    [
+      "k",
+      "stiffness",
+      "Stiffness of a strand family",
+      "stiffness",
+      { or: STIFFNESS_NAMES, hint: "500 N/mm; inextensible" },
+    ],
+    [
+      "r",
+      "radius_mm",
+      "Pulley of a joint",
+      "length",
+      { list: true, hint: "20..40 mm" },
+    ],
+    [
+      "liquid",
+      "liquid",
+      "Liquid in the place of air",
+      undefined,
+      { hint: "water, oil or glycol" },
+    ],
+    [
+      "most",
+      "max_liquid_volume_mm3",
+      "Largest liquid volume",
+      "volume",
+      { hint: "20 mL" },
+    ],
+    [
+      "burst",
+      "min_burst_margin",
+      "Safety factor of strands and clamps",
+      "ratio",
+      { factor: true, hint: "4" },
+    ],
+  ]);
 
 /** The forms of a specification, and the request that they make. @param {() => void} submit */
 function specification(submit) {
@@ -284,14 +253,9 @@ export const mount = (main) => {
   let of = {},
     /** @type {Design["request"] | undefined} */ asked;
   const spec = specification(() => search.run());
-  const results = el(
-    "div",
-    {},
-    faded(
-      "State the requirement. The search ranks tubes and sleeves that you can buy or cast, or free diameters and " +
-        "walls where you give them; finite elements compute the final values.",
-    ),
-  );
+  const drawn = block("best"),
+    side = block(),
+    list = block("below");
   const figures = new Figures("design"),
     map = designMap((c, at) => linked(c, of, at));
   const target = designTarget({
@@ -319,7 +283,7 @@ export const mount = (main) => {
     },
     {
       fields: spec,
-      shown: [results, target.element, ...map.elements, figures.element],
+      shown: [drawn, side, list, target.element, ...map.elements],
     },
   );
   const place = () =>
@@ -328,23 +292,24 @@ export const mount = (main) => {
   async function paint() {
     if (!found) return;
     const answer = found;
-    const act = {
-      open: (/** @type {Candidate} */ c) => {
-        location.hash = linked(c, of, {
-          p: c.pressure_mpa,
-          e: c.points[0].contraction,
-        });
-      },
-      ask(/** @type {Record<string, string>} */ words) {
-        Object.entries(words).forEach(([key, text]) => spec.put(key, text));
-        search.run();
-      },
+    const ask = (/** @type {Record<string, string>} */ words) => {
+      Object.entries(words).forEach(([key, text]) => spec.put(key, text));
+      search.run();
     };
+    const [best] = answer.candidates;
+    drawn.hidden = !best;
+    if (best)
+      drawn.innerHTML = picture(
+        best,
+        best.length_mm,
+        best.bulged_diameter_mm ?? best.outer_diameter_mm,
+      );
+    side.replaceChildren(
+      ...(best ? headView(answer, ask) : closestView(answer)),
+    );
     const show = (/** @type {Map<string, string>} */ known) =>
-      results.replaceChildren(
-        ...(answer.candidates[0]
-          ? foundView(answer, known, act)
-          : closestView(answer)),
+      list.replaceChildren(
+        ...(best ? foundView(answer, known) : []),
         ...rejectedView(answer),
       );
     show(new Map());
@@ -354,10 +319,19 @@ export const mount = (main) => {
   }
 
   main.replaceChildren(
-    bench(
-      "Specification",
-      [heading("Specification"), ...spec.elements, search.element],
-      [results, target.element, ...map.elements, figures.element],
+    block(
+      "bench",
+      el(
+        "section",
+        { class: "controls", "aria-label": "Specification" },
+        heading("Specification"),
+        ...spec.elements,
+        search.element,
+      ),
+      block("middle", drawn, ...map.elements, target.element),
+      block("side", side),
+      list,
+      figures.element,
     ),
   );
   onUnits(() => {

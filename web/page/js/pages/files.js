@@ -3,72 +3,72 @@
 import { engine } from "../ask.js";
 import {
   block,
-  button,
   download,
   el,
   faded,
   heading,
+  mainButton,
   paragraph,
   remark,
 } from "../dom.js";
 import { filesView } from "../files-view.js";
-import { form, job, warnings } from "../form.js";
+import { fieldsOf, form, job, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
 import { fileName, named } from "../toml.js";
 import { withViewer } from "../report.js";
-import { number, onUnits, show, unitName } from "../units.js";
+import {
+  number,
+  onUnits,
+  showForce,
+  showLength,
+  showPressure,
+  showRatio,
+  unitName,
+} from "../units.js";
 
 /** @typedef {Commands["export-list"]["answer"]["targets"][number]} Target */
 /** What a report states of itself; the name is that of the muscle. @type {Field[]} */
-export const TITLE = [
-  { key: "project", field: "project", label: "Project" },
-  { key: "number", field: "number", label: "Number" },
-  { key: "revision", field: "revision", label: "Revision" },
-  { key: "date", field: "date", label: "Date" },
-];
+export const TITLE = fieldsOf([
+  ["project", "project", "Project"],
+  ["number", "number", "Number"],
+  ["revision", "revision", "Revision"],
+  ["date", "date", "Date"],
+]);
 /** Where a form for controllers is fitted. @type {Field[]} */
-export const BOX = [
-  {
-    key: "target",
-    field: "target",
-    label: "Target",
-    value: "c",
-    options: [["c", "c"]],
-  },
-  {
-    key: "supply",
-    field: "pressure_mpa",
-    label: "Pressure of the supply",
-    kind: "pressure",
-  },
-  {
-    key: "elow",
-    field: "contraction_low",
-    label: "Contraction from",
-    kind: "ratio",
-    hint: "-5 %",
-  },
-  {
-    key: "ehigh",
-    field: "contraction_high",
-    label: "Contraction to",
-    kind: "ratio",
-    hint: "free contraction",
-  },
-];
+export const BOX = fieldsOf([
+  [
+    "target",
+    "target",
+    "Target",
+    undefined,
+    { value: "c", options: [["c", "c"]] },
+  ],
+  ["supply", "pressure_mpa", "Pressure of the supply", "pressure"],
+  ["elow", "contraction_low", "Contraction from", "ratio", { hint: "−5 %" }],
+  [
+    "ehigh",
+    "contraction_high",
+    "Contraction to",
+    "ratio",
+    { hint: "free contraction" },
+  ],
+]);
 /** @type {Field[]} */
-export const ELEMENTS = [
-  {
-    key: "elements",
-    field: "model",
-    label: "Model",
-    value: "fe",
-    options: [
-      ["fe", "fe: axisymmetric, quick"],
-      ["fe3d", "fe3d: three-dimensional, with input deck"],
-    ],
-  },
-];
+export const ELEMENTS = fieldsOf([
+  [
+    "elements",
+    "model",
+    "Model",
+    undefined,
+    {
+      value: "fe",
+      options: [
+        ["fe", "fe: axisymmetric, quick"],
+        ["fe3d", "fe3d: three-dimensional, with input deck"],
+      ],
+    },
+  ],
+]);
 
 /**
  * One kind of files: a form, and work whose answer it shows.
@@ -79,7 +79,7 @@ export const ELEMENTS = [
  */
 function card(title, about, fields, [label, command], request, shown) {
   const asked = form(fields, () => go.run()),
-    done = el("div");
+    done = block();
   const go = job(
     label,
     command,
@@ -137,7 +137,7 @@ const report = () =>
       return [
         warnings(answer.warnings),
         paragraph(
-          button(`Save ${name}`, save, { class: "main" }),
+          mainButton(`Save ${name}`, save),
           " ",
           el(
             "span",
@@ -159,9 +159,9 @@ const workshop = () =>
     () => ({ ...atPressure(), units: readUnits() }),
     (answer) => {
       const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map(
-        (p) => show("pressure", p, 3),
+        (p) => showPressure(p, 3),
       );
-      const cut = `At ${at}: cut ${show("length", answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
+      const cut = `At ${at}: cut ${showLength(answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
       return [
         paragraph(cut),
         warnings(answer.warnings),
@@ -182,10 +182,10 @@ function errorLine(answer) {
   const share = (/** @type {number} */ x) => `${number(100 * x, 2)} %`;
   return (
     `${share(answer.force_rms)} rms and ${share(answer.force_worst_ratio)} at worst of the blocked force ` +
-    `${show("force", answer.blocked_force_n)}, up to ` +
-    `${show("pressure", answer.supply_pressure_mpa, 3)} and ${show("ratio", answer.contraction_high, 3)}; volume ` +
+    `${showForce(answer.blocked_force_n)}, up to ` +
+    `${showPressure(answer.supply_pressure_mpa, 3)} and ${showRatio(answer.contraction_high, 3)}; volume ` +
     `${share(answer.volume_worst_ratio)} at worst. Against ${answer.model}; as built ± ` +
-    `${show("force", answer.uncertainty_n, 2)}.`
+    `${showForce(answer.uncertainty_n, 2)}.`
   );
 }
 
@@ -267,7 +267,7 @@ export const mount = (main) => {
     about.textContent = one
       ? `${one.about}. Needs ${one.needs}. Loses ${one.loses}.`
       : "";
-    box.usual("supply", muscle.p ? show("pressure", muscle.p) : "");
+    box.usual("supply", muscle.p ? showPressure(muscle.p) : "");
   }
   const changed = () => {
     paint();

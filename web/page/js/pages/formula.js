@@ -1,14 +1,16 @@
 // A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
 import {
+  block,
   button,
   download,
   el,
   faded,
+  folded,
   heading,
   remark,
   smallPrint,
 } from "../dom.js";
-import { bench, form, job } from "../form.js";
+import { bench, fieldsOf, form, job } from "../form.js";
 import {
   PUBLISHED,
   errorsView,
@@ -44,33 +46,29 @@ pressures = "0..0.25:0.01 MPa"
 const COMPUTED = /** @type {const} */ ("campaign");
 
 /** How a formula is fitted. @type {Field[]} */
-export const HOW = [
-  {
-    key: "method",
-    field: "method",
-    label: "Method",
-    options: [
-      ["paper", "seven steps (Antonelli 2018)"],
-      ["global", "one least-squares problem"],
-    ],
-    value: "paper",
-  },
-  {
-    key: "hold",
-    field: "hold_out_mm",
-    label: "Diameters kept out",
-    kind: "length",
-    list: true,
-    hint: "45 mm",
-  },
-  {
-    key: "at",
-    field: "at",
-    label: "Maps at",
-    kind: "pressure",
-    value: "2.5 bar",
-  },
-];
+export const HOW = fieldsOf([
+  [
+    "method",
+    "method",
+    "Method",
+    undefined,
+    {
+      options: [
+        ["paper", "seven steps (Antonelli 2018)"],
+        ["global", "one least-squares problem"],
+      ],
+      value: "paper",
+    },
+  ],
+  [
+    "hold",
+    "hold_out_mm",
+    "Diameters kept out",
+    "length",
+    { list: true, hint: "45 mm" },
+  ],
+  ["at", "at", "Maps at", "pressure", "2.5 bar"],
+]);
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -89,8 +87,8 @@ export const mount = (main) => {
   );
   const how = form(HOW, () => (made ? fit.run() : paint()));
   const table1 = smallPrint(),
-    errors = el("div"),
-    figures = el("div"),
+    errors = block(),
+    figures = block(),
     shown = surfaces();
   const about = { fields: how, shown: [errors, shown.element, figures] };
   const campaign = job(
@@ -145,7 +143,7 @@ export const mount = (main) => {
         remark(
           "A plan lists the muscles to compute by finite elements. This is the plan of Antonelli (2018).",
         ),
-        plan,
+        folded("Advanced", plan),
         campaign.element,
         table1,
         how.element,

@@ -108,7 +108,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     { class: "controls", "aria-label": "Joint" },
     ...groups,
     folded(
-      "Another muscle 2",
+      "Different second muscle",
       remark("Both muscles are the one above, unless you open a file."),
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)),
       back,
@@ -267,7 +267,7 @@ class JointPage {
       "aria-label": "The joint",
     });
     this.numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
-    this.said = el("div");
+    this.said = block();
     this.bench = controlsOf(this.joint.v, {
       changed: (key, settled) => {
         this.joint.over.add(key);

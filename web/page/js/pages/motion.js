@@ -12,7 +12,7 @@ import {
   problemBox,
   remark,
 } from "../dom.js";
-import { bench, form, job, warnings } from "../form.js";
+import { bench, fieldsOf, form, job, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { wordsOf } from "../kept.js";
@@ -33,48 +33,27 @@ import { View } from "../view3d.js";
 
 const DRIVE = "drive";
 /** @type {Field[]} */
-export const STEP = [
-  {
-    key: "to",
-    field: "pressure_mpa",
-    label: "Step to",
-    kind: "pressure",
-    value: "3 bar",
-  },
-  {
-    key: "supply",
-    field: "supply_mpa",
-    label: "Supply",
-    kind: "pressure",
-    value: "6 bar",
-  },
-  { key: "valve", field: "valve", label: "Valve", value: "0.5 L/(s bar)" },
-  { key: "load", field: "load", label: "Load", value: "mass:10kg" },
-  {
-    key: "damping",
-    field: "damping_n_s_per_m",
-    label: "Damping",
-    kind: "damping",
-    value: "200 N s/m",
-  },
-  {
-    key: "until",
-    field: "until_s",
-    label: "Until",
-    kind: "time",
-    value: "2 s",
-  },
-  {
-    key: "model",
-    field: "model",
-    label: "Model",
-    options: [
-      ["fe", "fe"],
-      ["universal", "universal"],
-    ],
-    value: "fe",
-  },
-];
+export const STEP = fieldsOf([
+  ["to", "pressure_mpa", "Step to", "pressure", "3 bar"],
+  ["supply", "supply_mpa", "Supply", "pressure", "6 bar"],
+  ["valve", "valve", "Valve", undefined, "0.5 L/(s bar)"],
+  ["load", "load", "Load", undefined, "mass:10kg"],
+  ["damping", "damping_n_s_per_m", "Damping", "damping", "200 N s/m"],
+  ["until", "until_s", "Until", "time", "2 s"],
+  [
+    "model",
+    "model",
+    "Model",
+    undefined,
+    {
+      options: [
+        ["fe", "fe"],
+        ["universal", "universal"],
+      ],
+      value: "fe",
+    },
+  ],
+]);
 const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
 
 /**
@@ -160,7 +139,7 @@ const EXAMPLES = [
 /** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
 function driveBox(take) {
   const words = remark(),
-    said = el("div");
+    said = block();
   const fail = (/** @type {unknown} */ problem) =>
     said.replaceChildren(problemBox(problem));
   const leave = button("Close the drive file", () => take(""), {
@@ -214,7 +193,7 @@ export const mount = (main) => {
   const fields = form(STEP, () => go.run()),
     shown = player();
   const charts = chartsOf();
-  const numbers = el("div");
+  const numbers = block();
   const box = driveBox((text) => take(text));
   const title = heading("A step on a valve");
   const go = job(

@@ -4,14 +4,14 @@ import { Curves } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
-import { block, button, dim, el, problemBox, remark, say } from "../dom.js";
+import { block, dim, mainButton, problemBox, remark, say } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { asBuilt, modelPull, onUnits } from "../units.js";
 
 /** @type {Mount} */
 export const mount = (main) => {
   const busy = block("busy"),
-    said = el("div");
+    said = block();
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
   const stage = stageView(store, busy),
@@ -27,7 +27,7 @@ export const mount = (main) => {
         stage.tools,
         curves.chart.element,
         curves.points.element,
-        curves.over.element,
+        curves.advanced,
       ),
       block("side", said, numbers.element),
     ),
@@ -41,10 +41,10 @@ export const mount = (main) => {
     stale(false);
     const { point } = store;
     if (!pumped && point)
-      say(`Pull ${modelPull(point)}, as built ${asBuilt(point)}`);
+      say(`Pulls ${asBuilt(point)} as built, ${modelPull(point)}`);
   });
   store.on("problem", ({ problem }) => {
-    const again = button("Try again", () => store.ask(), { class: "main" });
+    const again = mainButton("Try again", () => store.ask());
     const old = remark(
       "The page shows the last result, which is for another muscle or state.",
     );
@@ -72,7 +72,7 @@ export const mount = (main) => {
         test: word("test", "isobaric"),
         show: word("show", "max_stretch"),
         cut: word("cut"),
-        over: word("over"),
+        over: word("over").split(",")[0],
       });
       curves.load();
       store.tell("sync");

@@ -7,7 +7,14 @@ import { table } from "../form.js";
 import { library } from "../library.js";
 import { muscle } from "../muscle.js";
 import { notice, noticeProblem } from "../notice.js";
-import { number, onUnits, show } from "../units.js";
+import {
+  number,
+  onUnits,
+  show,
+  showLength,
+  showPressure,
+  showRatio,
+} from "../units.js";
 import { inWords } from "../words.js";
 
 /** @typedef {Commands["parts-list"]["answer"]} Parts */
@@ -72,13 +79,13 @@ const LISTS = {
         },
         cells: [
           t.name,
-          show("length", t.inner_diameter_mm),
-          show("length", t.outer_diameter_mm),
-          show("length", t.wall_mm, 3),
+          showLength(t.inner_diameter_mm),
+          showLength(t.outer_diameter_mm),
+          showLength(t.wall_mm, 3),
           t.rubber,
           t.is_cast ? "cast" : "sold",
           t.price ?? "–",
-          t.pressure_mpa ? show("pressure", t.pressure_mpa, 3) : "–",
+          t.pressure_mpa ? showPressure(t.pressure_mpa, 3) : "–",
           source(t.source, t.note),
         ],
       })),
@@ -107,7 +114,7 @@ const LISTS = {
           s.name,
           s.title,
           s.material,
-          `${show("length", s.least_diameter_mm, 3)} to ${show("length", s.largest_diameter_mm, 3)}`,
+          `${showLength(s.least_diameter_mm, 3)} to ${showLength(s.largest_diameter_mm, 3)}`,
           show("angle", s.least_angle_deg, 3),
           s.strands ? String(s.strands) : estimate("estimated"),
           s.missing || s.stiffness_factor ? estimate(estimated(s)) : "nothing",
@@ -138,9 +145,7 @@ const LISTS = {
           r.title,
           r.law,
           show("modulus", r.shear_modulus_mpa, 3),
-          r.max_strain
-            ? show("ratio", r.max_strain, 3)
-            : estimate("not measured"),
+          r.max_strain ? showRatio(r.max_strain, 3) : estimate("not measured"),
           source(r.source),
         ],
       })),
@@ -271,11 +276,10 @@ export const mount = (main) => {
     const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)],
       all = rows(parts),
       shown = all.filter(matches);
-    count.textContent = `${shown.length} of ${all.length} ${state.kind}. What no source states is marked as estimated.`;
+    count.textContent = `${shown.length} of ${all.length} ${state.kind}. Values missing from data sheets are marked "estimated".`;
+    const use = `Use this ${state.kind.slice(0, -1)}`;
     const put = (/** @type {Row} */ row) =>
-      button("Put into the muscle", () => take(row), {
-        "aria-label": `Put into the muscle: ${row.name}`,
-      });
+      button(use, () => take(row), { "aria-label": `${use}: ${row.name}` });
     const cells = shown.map((row) => [
       row.cells[0],
       put(row),

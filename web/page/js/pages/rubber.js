@@ -1,9 +1,9 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
 import { columnLine } from "../columns.js";
 import { fileField } from "../controls.js";
-import { el, faded, heading } from "../dom.js";
+import { block, faded, heading } from "../dom.js";
 import { Figures } from "../figure.js";
-import { bench, form, job, table, warnings } from "../form.js";
+import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscleButtons } from "../library.js";
 import { muscle } from "../muscle.js";
@@ -12,45 +12,49 @@ import { number, onUnits, show } from "../units.js";
 /** @typedef {Commands["rubber"]["answer"]} Answer */
 /** @typedef {Answer["laws"][number]} Law */
 /** @type {Field[]} */
-export const FIELDS = [
-  {
-    key: "laws",
-    field: "laws",
-    label: "Laws",
-    words: true,
-    hint: "all that the points determine",
-  },
-  {
-    key: "set",
-    field: "set",
-    label: "Constants of the table",
-    words: true,
-    hint: "area=8mm2, gauge_length=25mm, mode=planar",
-  },
-  {
-    key: "upto",
-    field: "up_to_stretch",
-    label: "Up to a stretch of",
-    kind: "number",
-    hint: "all points",
-  },
-  {
-    key: "stable",
-    field: "stable",
-    label: "In a muscle",
-    value: "",
-    options: [
-      ["", "fit as the points are"],
-      ["yes", "only what stays stable"],
-    ],
-  },
-  {
-    key: "called",
-    field: "name",
-    label: "Name of the rubber",
-    hint: "that of the table",
-  },
-];
+export const FIELDS = fieldsOf([
+  [
+    "laws",
+    "laws",
+    "Laws",
+    undefined,
+    { words: true, hint: "all that the points determine" },
+  ],
+  [
+    "set",
+    "set",
+    "Constants of the table",
+    undefined,
+    { words: true, hint: "area=8mm2, gauge_length=25mm, mode=planar" },
+  ],
+  [
+    "upto",
+    "up_to_stretch",
+    "Up to a stretch of",
+    "number",
+    { hint: "all points" },
+  ],
+  [
+    "stable",
+    "stable",
+    "In a muscle",
+    undefined,
+    {
+      value: "",
+      options: [
+        ["", "fit as the points are"],
+        ["yes", "only what stays stable"],
+      ],
+    },
+  ],
+  [
+    "called",
+    "name",
+    "Name of the rubber",
+    undefined,
+    { hint: "that of the table" },
+  ],
+]);
 const BEGIN =
   "Drop a table of a rubber test: stretches or strains, and stresses; or extensions and forces of a " +
   "specimen. The page fits the laws that the points determine and recommends one that is stable in a muscle.";
@@ -89,7 +93,7 @@ export const mount = (main) => {
   const fields = form(FIELDS, () => fit.run()),
     figures = new Figures("rubber");
   const understood = faded(BEGIN),
-    laws = el("div");
+    laws = block();
   const fit = job(
     "Fit",
     "rubber",

@@ -3,16 +3,17 @@ import { engine } from "../ask.js";
 import { Chart, KINDS, withBuilt } from "../chart.js";
 import { choice } from "../controls.js";
 import {
-  button,
+  block,
   capital,
   el,
   heading,
+  mainButton,
   problemBox,
   rowOf,
   smallPrint,
 } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
-import { bench, form } from "../form.js";
+import { bench, fieldsOf, form } from "../form.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
@@ -30,45 +31,23 @@ import { inWords } from "../words.js";
 
 /** @typedef {Commands["shape"]["answer"]} Answer */
 /** @typedef {{ value: number, answer?: Answer, why?: string }} Row */
-/**
- * A result: name, kind, its field, and those of a muscle that is built where they are known.
- * @type {{ key: string, label: string, kind: Kind, of: keyof Answer, built?: (keyof Answer)[] }[]}
- */
-const RESULTS = [
-  {
-    key: "F",
-    label: "pull",
-    kind: "force",
-    of: "force_n",
-    built: ["predicted_n", "predicted_low_n", "predicted_high_n"],
-  },
-  { key: "k", label: "stiffness", kind: "stiffness", of: "stiffness_n_per_mm" },
-  {
-    key: "e",
-    label: "contraction",
-    kind: "ratio",
-    of: "contraction",
-  },
-  {
-    key: "b",
-    label: "bulged diameter",
-    kind: "length",
-    of: "bulged_diameter_mm",
-  },
-  { key: "V", label: "volume of the cavity", kind: "volume", of: "volume_mm3" },
-  {
-    key: "l",
-    label: "largest stretch of the rubber",
-    kind: "number",
-    of: "max_stretch",
-  },
-  {
-    key: "T",
-    label: "tension of all strands",
-    kind: "force",
-    of: "braid_tension_n",
-  },
-];
+/** A result: name, kind, its field, and those of a muscle that is built where they are known. */
+const RESULTS =
+  /** @type {[string, string, Kind, keyof Answer, (keyof Answer)[]?][]} */ ([
+    [
+      "F",
+      "pull",
+      "force",
+      "force_n",
+      ["predicted_n", "predicted_low_n", "predicted_high_n"],
+    ],
+    ["k", "stiffness", "stiffness", "stiffness_n_per_mm"],
+    ["e", "contraction", "ratio", "contraction"],
+    ["b", "bulged diameter", "length", "bulged_diameter_mm"],
+    ["V", "volume of the cavity", "volume", "volume_mm3"],
+    ["l", "largest stretch of the rubber", "number", "max_stretch"],
+    ["T", "tension of all strands", "force", "braid_tension_n"],
+  ]).map(([key, label, kind, of, built]) => ({ key, label, kind, of, built }));
 const POINTS = 21,
   MOST = 201;
 
@@ -115,8 +94,8 @@ export const mount = (main) => {
       paint();
     },
   );
-  const box = el("div"),
-    said = el("div"),
+  const box = block(),
+    said = block(),
     title = heading("Sweep");
   const bar = el("progress", {
     hidden: true,
@@ -131,7 +110,7 @@ export const mount = (main) => {
         box,
         result.element,
         rowOf(
-          button("Compute", () => run(), { class: "main" }),
+          mainButton("Compute", () => run()),
           bar,
         ),
       ],
@@ -143,17 +122,11 @@ export const mount = (main) => {
   function ask() {
     const { kind } = measure();
     range = form(
-      [
-        { key: "from", field: "from", label: "From", kind },
-        { key: "to", field: "to", label: "To", kind },
-        {
-          key: "points",
-          field: "points",
-          label: "Points",
-          kind: "number",
-          hint: String(POINTS),
-        },
-      ],
+      fieldsOf([
+        ["from", "from", "From", kind],
+        ["to", "to", "To", kind],
+        ["points", "points", "Points", "number", { hint: String(POINTS) }],
+      ]),
       () => run(),
     );
     box.replaceChildren(range.element);

@@ -1,0 +1,85 @@
+// A muscle that hangs from a bar and lifts a weight, to scale beside a coin.
+import { body, contracted } from "./body.js";
+import { block } from "./dom.js";
+import { playing } from "./play.js";
+import { clamp, showForce, showLength } from "./units.js";
+
+/** Diameter of a coin of one euro. */
+const COIN = 23.25;
+/** @typedef {Pick<Candidate, "count" | "outer_diameter_mm" | "length_mm" | "angle_deg"> & Partial<Pick<Candidate, "bulged_diameter_mm">> & { points: { contraction: number, force_n: number }[] }} Lifting */
+
+/** @param {string} text @param {number} x @param {number} y @param {string} [anchor] */
+const words = (text, x, y, anchor = "start") =>
+  `<text x="${x}" y="${y}" text-anchor="${anchor}">${text}</text>`;
+
+/** In millimetres from the middle of the bar. @param {Lifting} c @param {number} share of its way */
+function drawn(c, share) {
+  const [{ contraction, force_n: force }] = c.points,
+    { count, outer_diameter_mm: diameter, length_mm: rest, angle_deg } = c;
+  const free = contracted(diameter, angle_deg, contraction).bulged,
+    most = c.bulged_diameter_mm ?? free,
+    now = contracted(diameter, angle_deg, share * contraction),
+    bulged = now.bulged * (1 + share * (most / free - 1));
+  // Of muscles side by side in a circle so many are seen.
+  const across = Math.round(Math.sqrt(1.3 * count)),
+    beside = (across * most) / 2,
+    half = 0.2 * rest;
+  const way = rest * contraction,
+    up = share * way,
+    length = rest - up,
+    plug = 0.6 * diameter,
+    weight = 2 * plug + 1.05 * rest,
+    tall = weight + half;
+  const font = tall / (innerWidth < 900 ? 24 : 36),
+    wide = Math.max(half, beside),
+    x = beside + font,
+    y = plug + rest / 2,
+    left = -half - font;
+  const one = body({ length, diameter, bulged, angle: now.angle });
+  const all = Array.from(
+    { length: across },
+    (_, i) =>
+      `<g transform="translate(${(i - (across - 1) / 2) * most} ${plug}) rotate(90)">${one}</g>`,
+  );
+  const steel = (/** @type {number} */ top, /** @type {string} */ kind) =>
+    `<rect class="${kind}" x="${-half}" y="${top}" width="${2 * half}" height="${half}"/>`;
+  const round = (/** @type {string} */ kind, /** @type {number} */ r) =>
+    `<circle class="${kind}" cx="${x + COIN / 2}" cy="${y + COIN / 2}" r="${r}"/>`;
+  return (
+    `<svg viewBox="${-wide - 8 * font} ${-font} ${2 * wide + 16 * font + COIN} ${tall + 2 * font}" font-size="${font}" role="img" ` +
+    `aria-label="The muscle to scale, beside a coin">` +
+    `<path class="bar" d="M${-wide} 0H${wide}M0 ${2 * plug + length}V${weight - up}" stroke-width="${font / 6}"/>` +
+    `${all.join("")}${steel(weight, "ghost")}${steel(weight - up, "steel")}` +
+    `<path class="way" d="M${left} ${weight}v${-way}M${left - font} ${weight}h${font}m0 ${-way}h${-font}"/>` +
+    words(showLength(way, 3), left - font, weight - way / 2, "end") +
+    words(showForce(force * count, 3), 0, weight - up + half / 2, "middle") +
+    words(`${showLength(most, 3)} wide`, x, y - font) +
+    words("1 € coin", x, y + COIN + 1.2 * font) +
+    `${round("coin", COIN / 2)}${round("core", COIN / 3)}</svg>`
+  );
+}
+
+/** It moves by itself, unless motion is not wanted. */
+export function liftView() {
+  const box = block("lift"),
+    still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  /** @type {Lifting | undefined} */ let one;
+  const draw = (/** @type {number} */ share) => {
+    if (one) box.innerHTML = drawn(one, share);
+  };
+  const play = playing(
+    "Move",
+    (share) => draw(clamp(0.5 - 0.7 * Math.cos(78.54 * share), 0, 1)),
+    () => (still ? 3000 : 60_000),
+  );
+  return {
+    element: block("stand", box, play.button),
+    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer @param {number | boolean} moves */
+    show({ candidates }, moves) {
+      if (one === candidates[0]) return;
+      [one] = candidates;
+      draw(1);
+      if (moves && !still) play.start();
+    },
+  };
+}

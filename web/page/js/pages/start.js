@@ -1,0 +1,238 @@
+// The first screen: what a McKibben muscle is, one question, and its answer.
+import { address } from "../address.js";
+import { Slot, engine } from "../ask.js";
+import { closestView, decisionView, openCandidate } from "../design-view.js";
+import {
+  block,
+  button,
+  dim,
+  el,
+  mainButton,
+  problemBox,
+  rowOf,
+  tabs,
+} from "../dom.js";
+import { fieldsOf, form, warnings } from "../form.js";
+import { liftView } from "../lift.js";
+import { openDialog } from "../open.js";
+import { onUnits, showLength, showPressure } from "../units.js";
+
+/** What each is the best for, and what is asked for it. @type {[string, Design["request"]][]} */
+const WISHES = [
+  ["Slimmest when inflated", { objective: "bulged-diameter" }],
+  ["Least air", { objective: "air" }],
+  [
+    "Strong enough with 95 % certainty",
+    { objective: "bulged-diameter", guaranteed: 0.95 },
+  ],
+];
+/** @type {Field[]} */
+const WANTED = fieldsOf([
+  ["F", "force_n", "It must pull", "force", "300 N"],
+  ["M", "torque_nm", "It must turn with", "torque", "8 N m"],
+  ["m", "mass_kg", "It must lift", "mass", "20 kg"],
+  ["e", "contraction", "while it shortens by", "ratio", "15 %"],
+  ["angle", "angle_deg", "at", "angle", "45°"],
+  ["stroke", "stroke_mm", "by", "length", "40 mm"],
+  ["pmax", "max_pressure_mpa", "at", "pressure", "2.5 bar"],
+]);
+/** Fields of each kind of question. @type {Record<string, string[]>} */
+const KINDS = {
+  pull: ["F", "e"],
+  joint: ["M", "angle"],
+  load: ["m", "stroke"],
+};
+/** The reference muscle, until there is an answer. */
+const REFERENCE = {
+  candidates: [
+    {
+      count: 1,
+      outer_diameter_mm: 30,
+      length_mm: 285,
+      angle_deg: 28,
+      points: [{ contraction: 0.15, force_n: 210 }],
+    },
+  ],
+};
+
+/** @param {Design["answer"]} answer */
+function headline(answer) {
+  const [{ count, pressure_mpa: set, bulged_diameter_mm: wide }] =
+    answer.candidates;
+  return (
+    `Yes${count > 1 ? `, ${count} side by side` : ""}: set ${showPressure(set, 3)}, ` +
+    `${showLength(wide, 3)} wide${count > 1 ? " each" : ""}.`
+  );
+}
+
+/** @type {Mount} */
+export const mount = (main) => {
+  let kind = "pull",
+    chosen = 0,
+    of = "";
+  /** @type {(Design["answer"] | Problem | undefined)[]} */ let answers = [];
+  const slots = WISHES.map(() => new Slot()),
+    lift = liftView(),
+    fields = form(WANTED, () => ask());
+  const result = block(),
+    head = el("h2", { class: "grow", "aria-live": "polite" }),
+    chips = block("row chips"),
+    act = rowOf();
+
+  function paint() {
+    const answer = answers[chosen];
+    chips.replaceChildren(
+      ...WISHES.map(([title], i) => {
+        const one = answers[i],
+          best = one && "candidates" in one ? one.candidates[0] : undefined;
+        const said = best
+          ? `${best.count > 1 ? `${best.count} × ` : ""}${showLength(best.bulged_diameter_mm, 3)} wide, ${showPressure(best.pressure_mpa, 3)}`
+          : one
+            ? "none"
+            : "…";
+        return button(`${title}: ${said}`, () => choose(i), {
+          "aria-pressed": String(i === chosen),
+        });
+      }),
+    );
+    dim([result, head, lift.element], !answer);
+    if (!answer) return;
+    const isFound = "candidates" in answer;
+    act.hidden = !isFound || !answer.candidates[0];
+    head.hidden = act.hidden;
+    if (!isFound) return result.replaceChildren(problemBox(answer));
+    dim([lift.element], act.hidden);
+    if (act.hidden) return result.replaceChildren(...closestView(answer));
+    head.textContent = headline(answer);
+    result.replaceChildren(decisionView(answer), warnings(answer.warnings));
+    lift.show(answer, true);
+    act.replaceChildren(
+      mainButton("Open this muscle", () => openCandidate(answer)),
+      button("More requirements", more, { class: "bare" }),
+    );
+  }
+  function choose(/** @type {number} */ i) {
+    chosen = i;
+    paint();
+  }
+  const more = () => {
+    const text = (/** @type {string} */ key) => fields.text(key);
+    const own = {
+      pull: { F: text("F"), e: text("e") },
+      joint: { joint: `${text("M")}@${text("angle")}`.replaceAll(" ", "") },
+      load: { load: `mass:${text("m")}`, stroke: text("stroke") },
+    }[kind];
+    location.hash = address("design", { ...own, pmax: text("pmax") });
+  };
+
+  /** @param {number} i @param {Design["request"]} request @param {() => void} [then] */
+  function search(i, request, then) {
+    const mine = of;
+    const take = (/** @type {Design["answer"] | Problem} */ answer) => {
+      if (mine !== of) return;
+      answers[i] = answer;
+      paint();
+      then?.();
+    };
+    slots[i].ask(
+      "design",
+      { ...request, ...WISHES[i][1], top: 1 },
+      take,
+      (problem) => {
+        fields.at(problem);
+        take(problem);
+      },
+    );
+  }
+  async function ask() {
+    const read = await fields.read();
+    if (!read) {
+      of = "";
+      return dim([result, head], true);
+    }
+    const { mass_kg, torque_nm, angle_deg, ...request } = read;
+    if (mass_kg) request.load = `mass:${mass_kg}kg`;
+    if (torque_nm) request.torques = [{ torque_nm, angle_deg }];
+    // Enter and a pause in typing ask the same.
+    const next = JSON.stringify(request);
+    if (next === of) return;
+    of = next;
+    if (!answers[chosen]) head.textContent = "Searching …";
+    answers = [];
+    paint();
+    // The first answer comes first.
+    const first = chosen;
+    search(first, request, () =>
+      WISHES.forEach((_, i) => {
+        if (i !== first) search(i, request);
+      }),
+    );
+  }
+  const select = (/** @type {string} */ name) => {
+    kind = name;
+    for (const { key } of WANTED.slice(0, -1))
+      fields.shown(key, KINDS[kind].includes(key));
+  };
+  select(kind);
+  // The picture says it, and a drawing would hide the answer.
+  for (const { row } of fields.rows.values()) delete row.dataset.sketch;
+  const what = tabs(
+    "What it must do",
+    [
+      ["pull", "Pull"],
+      ["joint", "Joint"],
+      ["load", "Load"],
+    ],
+    kind,
+    (name) => {
+      select(name);
+      ask();
+    },
+  );
+  let waits = 0;
+  fields.element.addEventListener("input", () => {
+    clearTimeout(waits);
+    waits = window.setTimeout(ask, 300);
+  });
+  onUnits(paint);
+  main.replaceChildren(
+    block(
+      "start",
+      lift.element,
+      block(
+        "question",
+        el(
+          "h1",
+          {},
+          "A McKibben muscle is a rubber tube in a braided sleeve that gets thicker and shorter under pressure and pulls.",
+        ),
+        what.list,
+        fields.element,
+        block("row", head, act),
+        chips,
+        result,
+        rowOf(
+          button("Open a muscle", openDialog, { class: "bare" }),
+          button(
+            "Measurements",
+            () => {
+              location.hash = "#data";
+            },
+            { class: "bare" },
+          ),
+        ),
+      ),
+    ),
+  );
+  // A page that brings its engine loads that of the search when it is asked for.
+  const isLarge = engine().files.length;
+  lift.show(REFERENCE, isLarge);
+  return {
+    async load() {
+      if (isLarge) {
+        head.replaceChildren(mainButton("Find a muscle", ask));
+        fields.element.addEventListener("focusin", ask, { once: true });
+      } else ask();
+    },
+  };
+};
