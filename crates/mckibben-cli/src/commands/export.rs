@@ -43,7 +43,11 @@ impl Export {
         let written = |files: &[BuiltFile], page: &mut Page| {
             page.line(match folder {
                 Some(folder) => {
-                    format!("{} files are in {}.", files.len(), path_on_one_line(folder))
+                    let place = path_on_one_line(folder);
+                    match files.len() {
+                        1 => format!("One file is in {place}."),
+                        count => format!("{count} files are in {place}."),
+                    }
                 }
                 None => "-o DIR writes the files into a folder.".into(),
             });

@@ -4,7 +4,6 @@ use mckibben_core::muscle::{
     Direction, Measure, Muscle, MuscleError,
     measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL},
 };
-use mckibben_io::table::Meaning;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_with_macros::skip_serializing_none;
@@ -111,22 +110,20 @@ pub struct DataPoint {
 }
 
 impl DataPoint {
-    /// The first of its numbers that is no measurement of a muscle, by its name.
+    /// The first of its numbers that is no measurement of anything, by its name; what is merely in
+    /// another unit is compared with the muscle.
     pub(crate) fn impossible(&self) -> Option<(&'static str, f64)> {
-        let (pressure, force) = (Meaning::Pressure.most(), Meaning::Force.most());
+        const MOST: f64 = 1e12;
         let numbers = [
-            ("pressure", Some(self.at.pressure_mpa), pressure),
-            ("contraction", Some(self.at.contraction), 1.0),
-            ("force", Some(self.at.force_n), force),
-            ("volume", self.volume_mm3, Meaning::Volume.most()),
-            ("error", self.error, f64::MAX),
-            ("weight", Some(self.weight), f64::MAX),
+            ("pressure", Some(self.at.pressure_mpa)),
+            ("contraction", Some(self.at.contraction)),
+            ("force", Some(self.at.force_n)),
+            ("volume", self.volume_mm3),
+            ("error", self.error),
+            ("weight", Some(self.weight)),
         ];
-        let mut known = numbers
-            .into_iter()
-            .filter_map(|(name, v, most)| Some((name, v?, most)));
-        let (name, value, _) = known.find(|(_, v, most)| v.is_nan() || v.abs() > *most)?;
-        Some((name, value))
+        let mut known = numbers.into_iter().filter_map(|(name, v)| Some((name, v?)));
+        known.find(|(_, value)| value.is_nan() || value.abs() > MOST)
     }
 
     /// A measured pull of the muscle itself.

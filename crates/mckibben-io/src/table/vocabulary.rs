@@ -85,7 +85,7 @@ pub enum Meaning {
 impl Meaning {
     /// What is larger is no measurement but a slip or a wrong unit, in MPa, N, mm, degrees. Ratios
     /// and stresses are looked at where it is known what they mean.
-    pub fn most(self) -> f64 {
+    pub(crate) fn most(self) -> f64 {
         match self {
             // Far above muscles on oil and water; what lies below is compared with the muscle
             // (`identify::advice`).
