@@ -21,19 +21,25 @@ use mckibben_core::progress::{Progress, Silent};
 /// use mckibben_motion::*;
 ///
 /// let model = ModelKind::Universal.build(&Muscle::prototype())?;
-/// let load = SingleMuscle { stops_mm: (0.0, 80.0), ..SingleMuscle::hanging(&*model, 10.0) };
-/// let muscle = Actuated::new(model, Actuator::Regulator { time_constant_s: 0.05 });
+/// let load = SingleMuscle {
+///     stops_mm: (0.0, 80.0),
+///     damping_n_s_per_m: 500.0,
+///     ..SingleMuscle::hanging(&*model, 10.0)
+/// };
+/// let muscle = Actuated::new(model, Actuator::Regulator { time_constant_s: 0.02 });
 /// let target = Commanded::Pressure(vec![Command::Constant(0.0)]);
 /// let drive = Drive { output_step_s: 1e-3, ..Drive::new(load, vec![muscle], target, 1.0) };
 ///
 /// let mut simulation = Simulation::new(&drive)?;
-/// while simulation.time_s() < 0.5 {
-///     // A controller that asks for 10 % of contraction.
-///     let error = 0.10 - simulation.state().contraction[0];
-///     simulation.step(&[(0.15 + error).clamp(0.0, 0.6)])?;
+/// let mut pressure_mpa = 0.0f64;
+/// while simulation.time_s() < 3.0 {
+///     // An integrator that asks for 12 % of contraction.
+///     let missing = 0.12 - simulation.state().contraction[0];
+///     pressure_mpa = (pressure_mpa + 4e-3 * missing).clamp(0.0, 0.6);
+///     simulation.step(&[pressure_mpa])?;
 ///     simulation.forget();
 /// }
-/// assert!((simulation.state().contraction[0] - 0.1).abs() < 0.03);
+/// assert!((simulation.state().contraction[0] - 0.12).abs() < 2e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone)]

@@ -1,5 +1,5 @@
 //! A muscle in Rust is the whole muscle, as every other front end has it.
-#![cfg(all(feature = "fem", feature = "fit"))]
+#![cfg(all(feature = "design", feature = "fem", feature = "fit"))]
 
 use mckibben::{
     fem::axisymmetric::Axisymmetric,
@@ -49,4 +49,104 @@ fn models_and_joints_are_sent_to_other_threads() {
     let muscle = Model::FE.of(&Muscle::prototype()).unwrap();
     sent(&muscle);
     sent(&JointModel::antagonists(&muscle, 25.0, 0.1, (-60.0, 60.0)).unwrap());
+}
+
+/// Gent's law once more, as a law of one's own.
+mod custom {
+    use mckibben::{
+        design::Spec,
+        fit::measured::{DataPoint, MeasuredPoint},
+        prelude::*,
+        rubber::{Constant, Gent, InvariantDerivatives, InvariantLaw, LawConstants, check_law},
+    };
+
+    #[derive(Debug)]
+    struct Mine(Gent);
+
+    impl InvariantLaw for Mine {
+        fn invariant(&self, i1: f64, i2: f64) -> InvariantDerivatives {
+            self.0.invariant(i1, i2)
+        }
+    }
+
+    impl LawConstants for Mine {
+        const NAME: &'static str = "mine";
+        const CONSTANTS: &'static [Constant] = <Gent as LawConstants>::CONSTANTS;
+        const EXAMPLE: &'static [f64] = <Gent as LawConstants>::EXAMPLE;
+
+        fn from_values(values: &[f64]) -> Option<Self> {
+            Gent::from_values(values).map(Mine)
+        }
+
+        fn values(&self) -> Vec<f64> {
+            self.0.values()
+        }
+    }
+
+    /// The same muscle of both laws.
+    #[allow(clippy::unwrap_used)]
+    fn both() -> [Muscle; 2] {
+        let gent = Gent {
+            mu_mpa: 0.25,
+            jm: 20.0,
+        };
+        let laws = [Law::from(gent), Law::custom(Mine(gent))];
+        laws.map(|law| {
+            check_law(&law).unwrap();
+            Muscle::prototype().with_rubber(Rubber::new(law)).unwrap()
+        })
+    }
+
+    #[test]
+    fn a_law_of_ones_own_is_that_of_the_list_in_every_model() {
+        for name in ["thick-wall", "universal", "fe", "fe3d"] {
+            let model: Model = name.parse().unwrap();
+            let [listed, own] = both().map(|m| model.of(&m).unwrap().force_n(0.2, 0.1).unwrap());
+            assert!((own / listed - 1.0).abs() < 1e-8, "{name}: {own} {listed}");
+        }
+        let by = |m: Muscle| {
+            let mut model = Model::FE.of(&m).unwrap();
+            let by = model.gradient(0.2, 0.1, &["tube.material.jm"]).unwrap();
+            by.by_parameters[0]
+        };
+        let [listed, own] = both().map(by);
+        assert!((own / listed - 1.0).abs() < 1e-6, "{own} {listed}");
+    }
+
+    #[test]
+    fn a_law_of_ones_own_is_designed_with_and_identified() {
+        let found = both().map(|base| {
+            let spec = Spec::pull(300.0, 0.1, 0.3).length_mm(200.0);
+            let spec = spec.outer_diameter_mm(20.0, 40.0);
+            mckibben::decide(&Spec {
+                base,
+                top: 1,
+                ..spec
+            })
+            .unwrap()
+        });
+        let [listed, own] = found.map(|design| design.outcome.candidates[0].pressure_mpa);
+        assert!((own / listed - 1.0).abs() < 1e-3, "{own} {listed}");
+
+        let points: Vec<DataPoint> = [(0.1, 0.0), (0.2, 0.05), (0.2, 0.1), (0.3, 0.1), (0.3, 0.2)]
+            .iter()
+            .map(|&(pressure_mpa, contraction)| {
+                let mut model = Model::UNIVERSAL.of(&both()[0]).unwrap();
+                let force_n = model.force_n(pressure_mpa, contraction).unwrap();
+                let branch = Some(Direction::Mean);
+                DataPoint::new(MeasuredPoint {
+                    pressure_mpa,
+                    contraction,
+                    force_n,
+                    branch,
+                })
+            })
+            .collect();
+        let found = both().map(|m| Model::UNIVERSAL.identify(&m, &points).unwrap());
+        let [listed, own] = found.map(|found| found.rms_n);
+        assert!(
+            (own - listed).abs() < 1e-3 * (1.0 + listed),
+            "{own} {listed}"
+        );
+    }
 }

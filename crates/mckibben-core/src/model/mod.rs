@@ -75,7 +75,7 @@ pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
 /// those of this library, in a `Box` or `Arc` too.
 ///
 /// ```
-/// use mckibben_core::{analysis::Evaluation, model::*, muscle::Muscle};
+/// use mckibben_core::{analysis::{Evaluation, Options}, model::*, muscle::Muscle};
 ///
 /// /// A muscle that pulls a given force per pressure, falling to nothing at 25 %.
 /// struct Straight(ModelInfo);
@@ -93,7 +93,7 @@ pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
 /// let entry = ModelEntry { name: "straight", description: "a straight line", source: "bench" };
 /// let model = Straight(ModelInfo::new(&entry, &Muscle::prototype()));
 /// let workspace = &mut Workspace::new();
-/// let mut asked = Evaluation::new(&model, workspace, Default::default());
+/// let mut asked = Evaluation::new(&model, workspace, Options::default());
 /// assert!((asked.pressure_at(600.0, 0.1)? - 1.0 / 6.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
