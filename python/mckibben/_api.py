@@ -8261,7 +8261,7 @@ class MuscleCommands:
         Parameters
         ----------
         target
-            ExportTarget; `--list` describes them.
+            Target; `--list` describes them.
         pressure_mpa : MPa
             Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is lower].
         overpressure

@@ -23,7 +23,7 @@ use std::path::Path;
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct ExportRequest {
-    /// ExportTarget; `--list` describes them
+    /// Target; `--list` describes them
     #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
     pub target: Option<String>,
     /// Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is
