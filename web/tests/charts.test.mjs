@@ -604,9 +604,14 @@ inBrowser(({ name, open, blank, url }) => {
       Number.parseFloat(await page.getByRole("textbox", { name }).inputValue());
     /** @param {number} which @param {number} by @param {number} down */
     const drag = async (which, by, down) => {
-      const box = /** @type {any} */ (
-        await page.locator(".dimensions circle").nth(which).boundingBox()
-      );
+      const handle = page.locator(".dimensions circle").nth(which);
+      /** @type {any} */ let box = await handle.boundingBox();
+      // The drawing may still move while the page is filled.
+      for (let before = ""; before !== JSON.stringify(box); ) {
+        before = JSON.stringify(box);
+        await page.waitForTimeout(200);
+        box = await handle.boundingBox();
+      }
       const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
       await page.mouse.move(x, y);
       await page.mouse.down();
