@@ -607,7 +607,7 @@ inBrowser(({ name, open, blank, url }) => {
       const handle = page.locator(".dimensions circle").nth(which);
       /** @type {any} */ let box = await handle.boundingBox();
       // The drawing may still move while the page is filled.
-      for (let before = ""; before !== JSON.stringify(box); ) {
+      for (let before = ""; before !== JSON.stringify(box);) {
         before = JSON.stringify(box);
         await page.waitForTimeout(200);
         box = await handle.boundingBox();
