@@ -202,6 +202,19 @@ impl Simulation {
         self.motion = self.last();
     }
 
+    /// Another one in the same state; what was recorded stays behind, so that it costs the same after
+    /// many steps.
+    #[must_use]
+    pub fn fork(&self) -> Self {
+        Self {
+            system: self.system.clone(),
+            target: self.target.clone(),
+            done: self.done,
+            state: self.state.clone(),
+            motion: self.last(),
+        }
+    }
+
     fn last(&self) -> Motion {
         Motion {
             series: self.motion.series.last(),
@@ -245,7 +258,7 @@ impl Simulation {
     ) -> Result<()> {
         let refused =
             || MotionError::Refused("the numbers are not a state of this drive".to_owned());
-        let mut next = self.clone();
+        let mut next = self.fork();
         next.command(commands, 0.0)?;
         let (done, state, modes) = next.state_of(numbers).ok_or_else(refused)?;
         let Self { system, .. } = &mut next;

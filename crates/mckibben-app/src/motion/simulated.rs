@@ -6,7 +6,6 @@ use mckibben_core::progress::Progress;
 use mckibben_motion::{Commanded, Coordinate, Drive, Motion, Simulation};
 
 /// A drive that is stepped: each step holds its commands constant.
-#[derive(Clone)]
 pub struct SimulatedDrive {
     drive: Drive,
     simulation: Simulation,
@@ -118,8 +117,10 @@ impl SimulatedDrive {
     /// Another one in the same state; what was recorded stays behind.
     #[must_use]
     pub fn duplicate(&self) -> Self {
-        let mut other = self.clone();
-        other.forget();
-        other
+        Self {
+            drive: self.drive.clone(),
+            simulation: self.simulation.fork(),
+            commands: self.commands.clone(),
+        }
     }
 }
