@@ -16,7 +16,7 @@ use mckibben::gradient::{self, GradientError};
 use mckibben_core::{
     analysis::{ATMOSPHERE_MPA, Evaluation},
     cancel,
-    model::{ModelError, Workspace},
+    model::Workspace,
     muscle::Muscle,
     warning::strand_strength_n,
 };
@@ -176,9 +176,6 @@ impl BoundModel {
             return Ok(0.0);
         }
         let force = match self.evaluation(workspace).borne_force_n(p, e) {
-            Ok(force) if !force.is_finite() => {
-                return Err(ModelError::not_finite(self.name(), p, e).into());
-            }
             Ok(force) if force.abs() <= ROUNDING * p * self.outer_area_mm2() => 0.0,
             Ok(force) if force < 0.0 && !self.options.two_sided => {
                 *free = Some((p, e));
@@ -199,11 +196,13 @@ impl BoundModel {
 
     /// A derivative that is no number.
     pub(super) fn no_slope(&self, by: &str, p: f64, e: f64) -> Problem {
-        let message = format!(
-            "{} has no derivative by {by} at P = {p}\u{a0}MPa, ε = {e}",
-            self.name()
-        );
-        Problem::new(ProblemKind::NoAnswer, message, "leave out `jac`")
+        GradientError::None {
+            model: self.name().into(),
+            by: by.into(),
+            pressure_mpa: p,
+            contraction: e,
+        }
+        .into()
     }
 
     /// The derivatives that `many` wants at a point of the model, into `places`.

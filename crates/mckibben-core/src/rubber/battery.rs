@@ -1,13 +1,9 @@
 //! One battery that every law of the list must pass, with the constants of its example.
 
-use super::{check::Plain, *};
-
-const STATES: [[f64; 3]; 4] = [
-    [0.8, 1.6, 0.7],
-    [1.0, 1.0, 1.0],
-    [0.45, 2.3, 0.9],
-    [1.9, 0.8, 0.66],
-];
+use super::{
+    check::{Plain, STATES},
+    *,
+};
 
 #[test]
 fn energy_and_stress_vanish_at_rest() {

@@ -18,7 +18,7 @@ pub struct LawFault {
 }
 
 /// Principal stretches in which a law is tried; their product need not be 1.
-const STATES: [[f64; 3]; 4] = [
+pub(super) const STATES: [[f64; 3]; 4] = [
     [0.8, 1.6, 0.7],
     [1.0, 1.0, 1.0],
     [0.45, 2.3, 0.9],
