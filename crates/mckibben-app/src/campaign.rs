@@ -6,10 +6,10 @@ mod page;
 use crate::{
     Problem, ProblemKind, Result, TextFile,
     flags::{self, Args},
-    plan::plan_of,
+    plan::{checked_plan, plan_of},
 };
 use mckibben_campaign::campaign::{
-    self, CampaignStatus, Merged, Outcome, RunOptions, Shard, Summary,
+    self, CampaignStatus, Forecast, Merged, Outcome, RunOptions, Shard, Summary,
 };
 use mckibben_core::progress::Progress;
 use schemars::JsonSchema;
@@ -23,10 +23,21 @@ pub struct CampaignRequest {
     /// Plan file (TOML)
     #[arg(value_name = "PLAN.toml", value_parser = flags::file, required = true)]
     pub plan: Option<TextFile>,
+    /// Table of muscles, a line each, in place of [sampling] and [vary]
+    ///
+    /// Headings are keys of a plan with a unit (tube.outer_diameter [mm], tube.rubber), or columns of
+    /// a campaign's table (wall_mm). The plan states the rest of the muscle and the points.
+    #[arg(long, value_name = "FILE.csv", value_parser = flags::table)]
+    pub samples: Option<TextFile>,
     /// Output table: one file, FILE.parquet, or a folder of parts, DIR/
     ///
     /// The same command continues an interrupted run.
-    #[arg(short, long, value_name = "FILE.parquet or DIR", required = true)]
+    #[arg(
+        short,
+        long,
+        value_name = "FILE.parquet or DIR",
+        required_unless_present = "dry_run"
+    )]
     pub output: Option<PathBuf>,
     /// Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them
     #[arg(long, value_name = "i/n")]
@@ -42,25 +53,32 @@ pub struct CampaignRequest {
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not
 /// complete.
 pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome> {
-    let (plan, _) = plan_of(&request.plan)?;
+    let plan = plan_of(&request.plan, &request.samples)?.0;
     let out = request
         .output
         .as_ref()
         .ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
     plan.admit()?;
-    let wrong = |e| ProblemKind::Usage.problem(e).in_field("shard");
-    let shard = request
-        .shard
-        .as_deref()
-        .map(str::parse::<Shard>)
-        .transpose()
-        .map_err(wrong)?;
-    let options = RunOptions {
-        shard,
-        threads: request.threads,
-        overwrite: request.overwrite,
-    };
-    Ok(campaign::run(&plan, out, &options, progress)?)
+    Ok(campaign::run(&plan, out, &request.options()?, progress)?)
+}
+
+/// What a plan will be, before it is run: nothing is written. All mistakes of the plan at once.
+pub fn campaign_forecast(request: &CampaignRequest, progress: &dyn Progress) -> Result<Forecast> {
+    let plan = checked_plan(&request.plan, &request.samples)?;
+    plan.admit()?;
+    Ok(campaign::forecast(&plan, &request.options()?, progress)?)
+}
+
+impl CampaignRequest {
+    fn options(&self) -> Result<RunOptions> {
+        let wrong = |e| ProblemKind::Usage.problem(e).in_field("shard");
+        let shard = self.shard.as_deref().map(str::parse::<Shard>);
+        Ok(RunOptions {
+            shard: shard.transpose().map_err(wrong)?,
+            threads: self.threads,
+            overwrite: self.overwrite,
+        })
+    }
 }
 
 /// A campaign to be summarised.

@@ -14,13 +14,12 @@ use crate::{
 use mckibben_core::{
     analysis::{Burst, FailureMode, FailurePressure},
     built::Left,
-    extremes::{ends, peak},
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     units::{Dimension, tidy, typed::Pressure},
     warning::{Warning, is_of_burst},
 };
-use mckibben_fit::validation::built_in::muscles;
+use mckibben_fit::validation::measured_range::{MeasuredRange, NotMeasured};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -414,68 +413,27 @@ pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning
     Ok((!outside.is_empty()).then(|| Warning::from(said)))
 }
 
-/// Sizes of a muscle, with their units.
-const SIZES: [(&str, &str); 4] = [
-    ("the outer diameter", " mm"),
-    ("the wall over the outer diameter", ""),
-    ("the length over the outer diameter", ""),
-    ("the braid angle", "°"),
-];
-
 /// Where the muscle lies outside of the measured ones, on which the ± is founded.
 fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     // The measured muscles are no part of the reduced engine.
     if !cfg!(feature = "whole") {
         return Ok(vec![]);
     }
-    let cases = muscles().map_err(Problem::from)?;
-    let sizes = |m: &Muscle| {
-        let outer_mm = m.tube().outer_diameter_mm;
-        [
-            outer_mm,
-            m.wall_mm() / outer_mm,
-            m.length_mm() / outer_mm,
-            m.braid().angle_deg,
-        ]
+    let measured = MeasuredRange::built_in().map_err(Problem::from)?;
+    let said = |q: NotMeasured| {
+        let unit = q.unit;
+        let [value, low, high] = [q.value, q.measured.0, q.measured.1].map(|v| number(v, 3));
+        let from = if q.measured.0 > 0.0 {
+            format!("{low} to")
+        } else {
+            "up to".into()
+        };
+        format!(
+            "{} is {value}{unit} (measured: {from} {high}{unit})",
+            q.quantity
+        )
     };
-    // Of its first fit, with what each point says of the muscle.
-    let measured: Vec<[f64; 4]> = cases
-        .iter()
-        .flat_map(|case| {
-            let fit = case.fits.first();
-            case.points
-                .iter()
-                .filter_map(move |point| point.section.apply(&fit?.muscle).ok())
-        })
-        .map(|m| sizes(&m))
-        .collect();
-    let highest_mpa = peak(
-        cases
-            .iter()
-            .flat_map(|case| &case.points)
-            .map(|p| p.at.pressure_mpa),
-    );
-    let mut outside = vec![];
-    for (i, (name, unit)) in SIZES.into_iter().enumerate() {
-        let among = measured.iter().map(|sizes| sizes[i]);
-        let (low, high) = ends(among);
-        let size = sizes(muscle)[i];
-        // A last digit is no difference.
-        if size < low * (1.0 - 1e-9) || size > high * (1.0 + 1e-9) {
-            let [size, low, high] = [size, low, high].map(|v| number(v, 3));
-            outside.push(format!(
-                "{name} is {size}{unit} (measured: {low} to {high}{unit})"
-            ));
-        }
-    }
-    if pressure_mpa > highest_mpa {
-        let pressure = number(pressure_mpa, 3);
-        let most = number(highest_mpa, 3);
-        outside.push(format!(
-            "the pressure is {pressure}\u{a0}MPa (measured: up to {most}\u{a0}MPa)"
-        ));
-    }
-    Ok(outside)
+    Ok(measured.outside(muscle, pressure_mpa).map(said).collect())
 }
 
 /// A measurement, and the ± that it leaves.

@@ -216,6 +216,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     #[cfg(feature = "files")]
     let files = [
         long("campaign", campaign),
+        long("campaign-forecast", campaign_forecast),
         short("campaign-show", campaign_show),
         short("campaign-merge", campaign_merge),
         short("campaign-status", campaign_status),

@@ -4,6 +4,8 @@
 use crate::{COLUMNS, Problem, ProblemKind, Result, TextFile};
 use mckibben_campaign::campaign::{self, Plan};
 use mckibben_core::progress::Progress;
+#[cfg(feature = "files")]
+use mckibben_core::{joined, muscle::file::FileError};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::{fmt::Write as _, path::Path};
@@ -32,16 +34,37 @@ pub struct PlanAnswer {
 /// Most points of a plan in memory.
 const MOST_POINTS: u64 = 200_000;
 
+fn given(file: &Option<TextFile>) -> Result<&TextFile> {
+    file.as_ref()
+        .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))
+}
+
 /// The plan of a request, and its file.
-pub(crate) fn plan_of(file: &Option<TextFile>) -> Result<(Plan, &TextFile)> {
-    let file = file
-        .as_ref()
-        .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
-    Ok((file.parsed(Plan::parse)?, file))
+pub(crate) fn plan_of<'a>(
+    file: &'a Option<TextFile>,
+    samples: &Option<TextFile>,
+) -> Result<(Plan, &'a TextFile)> {
+    let file = given(file)?;
+    let plan = match samples {
+        None => Plan::parse(&file.text),
+        Some(table) => Plan::parse_with_samples(&file.text, &table.text),
+    };
+    let plan = plan.map_err(|mistake| mistake.in_file(Path::new(&file.name)))?;
+    Ok((plan, file))
+}
+
+/// The plan of a request; a problem lists all of its mistakes.
+#[cfg(feature = "files")]
+pub(crate) fn checked_plan(file: &Option<TextFile>, samples: &Option<TextFile>) -> Result<Plan> {
+    let file = given(file)?;
+    Plan::check(&file.text, samples.as_ref().map(|table| &*table.text)).map_err(|mistakes| {
+        let of_file = |m: FileError| m.in_file(Path::new(&file.name)).to_string();
+        ProblemKind::File.problem(joined(mistakes.into_iter().map(of_file), "\n"))
+    })
 }
 
 pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer> {
-    let (plan, file) = plan_of(&request.plan)?;
+    let (plan, file) = plan_of(&request.plan, &None)?;
     let points = plan
         .muscles()
         .saturating_mul(plan.points_per_muscle() as u64);

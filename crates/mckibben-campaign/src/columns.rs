@@ -3,10 +3,12 @@
 //! `docs/commands.md`.
 
 use mckibben_core::status::Status;
+use schemars::{JsonSchema, schema_for};
+use serde_json::Value;
 
 /// A row of a campaign's table: a muscle, a point, and its answer. Failures are rows too. Their
 /// names in tables, and units, are in [`crate::columns`].
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, JsonSchema)]
 pub struct PointRow {
     /// Number of the muscle in the plan, from 0.
     pub muscle: u64,
@@ -22,11 +24,11 @@ pub struct PointRow {
     pub rubber: String,
     /// Law of the rubber, as in muscle files.
     pub law: String,
-    /// Constants of the law with their names, such as (`c10_mpa`, 0.12).
+    /// Constants of the law by their column, such as (`c10_mpa`, 0.12); moduli in MPa.
     pub constants: Vec<(String, f64)>,
     /// k of one strand family in N/mm; `None` for inextensible strands.
-    pub stiffness_of_braid_n_per_mm: Option<f64>,
-    /// Other measures that vary, with their columns: (`seating_mm`, 1.5).
+    pub braid_stiffness_n_per_mm: Option<f64>,
+    /// Another measure that varies, with its unit in the name of the column: (`seating_mm`, 1.5).
     pub measures: Vec<(String, f64)>,
     /// P in MPa.
     pub pressure_mpa: f64,
@@ -50,6 +52,19 @@ pub struct PointRow {
     pub max_stretch: Option<f64>,
     /// ∂F/∂(constant or measure) at fixed P and ε: key as in the muscle file, N per unit.
     pub sensitivities: Vec<(String, f64)>,
+    /// Whether the pressure reaches the least at which the muscle bursts; `None` where it does not
+    /// state what that depends on.
+    pub warning_burst: Option<bool>,
+    /// Whether the pressure is above the allowed one; `None` where that is not known.
+    pub warning_allowed_pressure: Option<bool>,
+    /// Whether strands stretch beyond the validated range of the models; `None` of inextensible
+    /// ones.
+    pub warning_strand_strain: Option<bool>,
+    /// Whether the rubber is stretched beyond the data of its constants; `None` where these are not
+    /// known.
+    pub warning_rubber_stretch: Option<bool>,
+    /// Whether size or pressure lie outside of the measured muscles.
+    pub warning_not_measured: Option<bool>,
     pub status: Status,
     /// Why there is no answer; empty where there is one.
     pub cause: String,
@@ -61,6 +76,8 @@ pub struct PointRow {
 pub enum Role {
     Question,
     Answer,
+    /// What to mind about the answer.
+    Warning,
     Note,
 }
 
@@ -73,10 +90,12 @@ pub enum Slot<'a> {
     Number(&'a mut f64),
     /// A number or nothing.
     Optional(&'a mut Option<f64>),
+    /// Yes, no, or not known.
+    Flag(&'a mut Option<bool>),
     Text(&'a mut String),
     /// How the point ended.
     Status(&'a mut Status),
-    /// One column for each constant of the law; a number each.
+    /// One column for each constant of the laws of the plan; a number or nothing each.
     Constants(&'a mut Vec<(String, f64)>),
     /// One column for each other measure that varies; a number each.
     Measures(&'a mut Vec<(String, f64)>),
@@ -93,14 +112,38 @@ pub struct Column {
     pub slot: fn(&mut PointRow) -> Slot<'_>,
 }
 
+impl Column {
+    /// What it holds, in the words of [`PointRow`], whose `schema` that is.
+    fn about(&self, schema: &Value) -> Option<String> {
+        let field = match (self.slot)(&mut PointRow::default()) {
+            Slot::Constants(_) => "constants",
+            Slot::Measures(_) => "measures",
+            Slot::Sensitivities(_) => "sensitivities",
+            _ => self.name,
+        };
+        let text = schema["properties"][field]["description"].as_str()?;
+        Some(text.replace('\n', " "))
+    }
+}
+
+/// What columns hold, by their names.
+pub fn descriptions<'a>(columns: impl Iterator<Item = (&'a str, &'static Column)>) -> Value {
+    let schema = schema_for!(PointRow).to_value();
+    let about = |(name, column): (&str, &Column)| {
+        let about = column.about(&schema).unwrap_or_default();
+        (name.to_owned(), Value::from(about))
+    };
+    columns.map(about).collect()
+}
+
 const fn column(role: Role, name: &'static str, slot: fn(&mut PointRow) -> Slot<'_>) -> Column {
     Column { name, role, slot }
 }
 
 /// All columns in their order.
-pub static COLUMNS: [Column; 24] = {
-    use Role::{Answer, Note, Question};
-    use Slot::{Constants, Count, Measures, Number, Optional, Sensitivities, Text, Whole};
+pub static COLUMNS: [Column; 29] = {
+    use Role::{Answer, Note, Question, Warning};
+    use Slot::{Constants, Count, Flag, Measures, Number, Optional, Sensitivities, Text, Whole};
     [
         column(Note, "muscle", |r| Whole(&mut r.muscle)),
         column(Question, "outer_diameter_mm", |r| {
@@ -113,7 +156,7 @@ pub static COLUMNS: [Column; 24] = {
         column(Note, "law", |r| Text(&mut r.law)),
         column(Question, "c10_mpa", |r| Constants(&mut r.constants)),
         column(Question, "braid_stiffness_n_per_mm", |r| {
-            Optional(&mut r.stiffness_of_braid_n_per_mm)
+            Optional(&mut r.braid_stiffness_n_per_mm)
         }),
         column(Question, "seating_mm", |r| Measures(&mut r.measures)),
         column(Question, "pressure_mpa", |r| Number(&mut r.pressure_mpa)),
@@ -138,6 +181,19 @@ pub static COLUMNS: [Column; 24] = {
         column(Answer, "max_stretch", |r| Optional(&mut r.max_stretch)),
         column(Answer, "d_force_d_tube_outer_diameter", |r| {
             Sensitivities(&mut r.sensitivities)
+        }),
+        column(Warning, "warning_burst", |r| Flag(&mut r.warning_burst)),
+        column(Warning, "warning_allowed_pressure", |r| {
+            Flag(&mut r.warning_allowed_pressure)
+        }),
+        column(Warning, "warning_strand_strain", |r| {
+            Flag(&mut r.warning_strand_strain)
+        }),
+        column(Warning, "warning_rubber_stretch", |r| {
+            Flag(&mut r.warning_rubber_stretch)
+        }),
+        column(Warning, "warning_not_measured", |r| {
+            Flag(&mut r.warning_not_measured)
         }),
         column(Note, "status", |r| Slot::Status(&mut r.status)),
         column(Note, "cause", |r| Text(&mut r.cause)),

@@ -8,6 +8,7 @@ use mckibben_io::files::Unfinished;
 use signal_hook::{consts, flag};
 use std::{
     fmt::Write,
+    io::{IsTerminal, stderr},
     sync::{
         Arc, LazyLock, Mutex, Once, PoisonError,
         atomic::{AtomicBool, Ordering},
@@ -94,13 +95,19 @@ fn watch() {
     std::process::exit(i32::from(INTERRUPTED));
 }
 
-/// A bar with rate and remaining time, to standard error, on a terminal only, of work that takes
-/// longer than a moment. The first Ctrl-C ends the work, the second the program.
+/// A bar with rate and remaining time on a terminal, of work that takes longer than a moment; where
+/// standard error is a log, a line a minute. The first Ctrl-C ends the work, the second the program.
 pub struct Bar {
     bar: ProgressBar,
+    things: String,
     /// From when on it is drawn; no longer set once it is.
     from: Mutex<Option<Instant>>,
+    /// When the next line is due in a log; not set on a terminal.
+    next_line: Mutex<Option<Instant>>,
 }
+
+/// A log gets a line this often.
+const A_MINUTE: Duration = Duration::from_secs(60);
 
 impl Bar {
     /// A bar that counts things of this name.
@@ -117,7 +124,26 @@ impl Bar {
         }
         Self {
             bar,
+            things: things.into(),
             from: Mutex::new(Some(Instant::now() + SOON)),
+            next_line: Mutex::new((!stderr().is_terminal()).then(|| Instant::now() + A_MINUTE)),
+        }
+    }
+
+    /// The line that is due in a log.
+    fn log(&self) {
+        let mut next = self
+            .next_line
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        let now = Instant::now();
+        if next.is_some_and(|next| now >= next) {
+            *next = Some(now + A_MINUTE);
+            let bar = &self.bar;
+            let (done, total) = (bar.position(), bar.length().unwrap_or_default());
+            let (things, rate) = (&self.things, number(bar.per_sec(), 3));
+            let left = bar.eta().as_secs();
+            eprintln!("{done} of {total} {things}, {rate} a second, {left} s left");
         }
     }
 
@@ -148,6 +174,7 @@ impl Progress for Bar {
         }
         bar.set_length(total as u64);
         bar.set_position(done as u64);
+        self.log();
     }
 }
 

@@ -4,9 +4,90 @@ use crate::{
     Units,
     print::{Csv, Page, Rows, Show, Table},
     units::NUMBER,
-    words::{in_a_row, path_on_one_line},
+    words::{in_a_row, number, path_on_one_line},
 };
-use mckibben_campaign::campaign::{CampaignStatus, Merged, ShardState, ShardStatus, Summary};
+use mckibben_campaign::campaign::{
+    CampaignStatus, Forecast, Merged, RubberForecast, ShardState, ShardStatus, Summary, Warned,
+};
+
+/// Warnings that stand somewhere.
+fn warned(all: &[Warned]) -> impl Iterator<Item = String> {
+    let some = all.iter().filter(|w| w.points > 0);
+    some.map(|w| format!("{} muscles {}, points {}", w.name, w.muscles, w.points))
+}
+
+/// A time in the unit that people would take.
+fn duration(seconds: f64) -> String {
+    let units = [(86_400.0, "d"), (3600.0, "h"), (60.0, "min")];
+    let unit = units
+        .into_iter()
+        .find(|(unit_s, _)| seconds >= 2.0 * unit_s);
+    let (unit_s, name) = unit.unwrap_or((1.0, "s"));
+    format!("{}\u{a0}{name}", number(seconds / unit_s, 2))
+}
+
+/// A rubber with its law, and up to which stretch the constants hold.
+fn of_rubber(rubber: &RubberForecast) -> String {
+    let constant = |(name, value): (&String, &f64)| format!("{name} {}", number(*value, 4));
+    let constants = in_a_row(rubber.constants.iter().map(constant));
+    let name = rubber
+        .name
+        .as_ref()
+        .map_or(String::new(), |name| format!("{name}: "));
+    let data = rubber.data_to_stretch.map_or(String::new(), |stretch| {
+        format!("; data to a stretch of {}", number(stretch, 3))
+    });
+    format!("{name}{} ({constants}){data}", rubber.law)
+}
+
+impl Show for Forecast {
+    fn page(&self, _: &Units) -> Page {
+        let (tried, checked) = (self.muscles_tried, self.muscles_checked);
+        let megabytes = self.bytes as f64 / 1e6;
+        let mut rows = Rows::default()
+            .text("shard", self.shard.as_ref())
+            .text("muscles", self.muscles)
+            .text("points per muscle", self.points_per_muscle)
+            .text("points", self.points)
+            .text("parts", self.parts)
+            .text("model", &self.model)
+            .text(
+                "time",
+                format!("{} with {} threads", duration(self.time_s), self.threads),
+            )
+            .text("size", format!("{} MB", number(megabytes, 2)));
+        for rubber in &self.rubbers {
+            rows = rows.text("rubber", of_rubber(rubber));
+        }
+        let mut page = Page::from(rows);
+        page.gap();
+        page.line(format!(
+            "Time and size are those of {tried} muscles, spread over the plan and solved here."
+        ));
+        if let Some(cause) = &self.first_cause {
+            let of = tried * self.points_per_muscle;
+            page.line(format!(
+                "{} of their {of} points have no answer: {cause}",
+                self.points_failed
+            ));
+        }
+        if let Some(why) = &self.first_impossible {
+            let impossible = self.muscles_impossible;
+            page.line(format!("{impossible} of {checked} muscles are none: {why}"));
+        }
+        page.line(format!(
+            "Warnings at the highest pressure, by the thick-wall model of {checked} muscles:"
+        ));
+        page.table(
+            Table::of(&self.warnings)
+                .text("", |w| &w.name)
+                .text("muscles", |w| w.muscles)
+                .text("points", |w| w.points)
+                .text("not known", |w| w.points_unknown),
+        );
+        page
+    }
+}
 
 impl Show for Summary {
     fn page(&self, _: &Units) -> Page {
@@ -25,6 +106,7 @@ impl Show for Summary {
                 .text("points per muscle", of.points_per_muscle)
                 .text("answered", self.answered)
                 .text("failed", in_a_row(failed))
+                .text("warnings", in_a_row(warned(&self.warnings)))
                 .text("model", &of.model)
                 .text("sampling", &of.sampling)
                 .text("seed", of.seed)
@@ -84,7 +166,12 @@ impl Show for CampaignStatus {
                 .text("shards", self.shards_wanted)
                 .text("done", self.shards_done)
                 .text("running", self.shards_running)
-                .text("missing", self.shards_missing),
+                .text("missing", self.shards_missing)
+                .text(
+                    "points a second",
+                    self.points_per_s.map(|rate| number(rate, 3)),
+                )
+                .text("left", self.left_s.map(duration)),
         );
         let open = self.shards.iter().filter(|s| s.state != ShardState::Done);
         let open: Vec<&ShardStatus> = open.collect();

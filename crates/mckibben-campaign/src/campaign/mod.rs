@@ -12,6 +12,7 @@ mod plan;
 mod solve;
 #[cfg(feature = "store")]
 mod store;
+mod warnings;
 
 #[cfg(all(test, feature = "store"))]
 mod tests;
@@ -21,6 +22,8 @@ pub use plan::{Inputs, Plan, PlanKeys, Sampling, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{
-    CampaignStatus, Counts, Extent, Failed, Merged, Outcome, Provenance, Recomputed, Rows,
-    RunOptions, Shard, ShardState, ShardStatus, Summary, merge, read, rows, run, status, summary,
+    CampaignStatus, Counts, Extent, Failed, Forecast, Merged, Outcome, Provenance, Recomputed,
+    Rows, RubberForecast, RunOptions, Shard, ShardState, ShardStatus, Summary, forecast, merge,
+    read, rows, run, status, summary,
 };
+pub use warnings::Warned;

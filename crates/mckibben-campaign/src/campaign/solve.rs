@@ -2,7 +2,8 @@
 
 use super::{
     error::Result,
-    plan::{Inputs, Plan, constants, rounded},
+    plan::{Inputs, Plan, Testing, constants, rounded},
+    warnings::Heeded,
 };
 use crate::columns::PointRow;
 use mckibben_core::{
@@ -34,43 +35,47 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>> {
 pub fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
     let inputs = plan.inputs(number);
     let testing = &plan.testing;
-    let model = inputs
-        .muscle()
-        .map_err(|e| e.to_string())
-        .and_then(|muscle| testing.elements.build(&muscle).map_err(|e| e.to_string()));
+    let points = contractions(testing, &inputs);
+    let blank = |p: f64, e: f64| blank(number, &inputs, p, e);
+    let made = inputs.muscle().map_err(|e| e.to_string()).and_then(|m| {
+        let model = testing.elements.build(&m).map_err(|e| e.to_string())?;
+        Ok((m, model))
+    });
+    let (muscle, model) = match made {
+        Ok(made) => made,
+        Err(why) => {
+            return points
+                .flat_map(|e| testing.pressures_mpa.iter().map(move |&p| (p, e)))
+                .map(|(p, e)| PointRow {
+                    status: Status::NoMuscle,
+                    cause: why.clone(),
+                    ..blank(p, e)
+                })
+                .collect();
+        }
+    };
+    let heeded = Heeded::new(plan, inputs.data_to_stretch, &muscle, &*model);
+    let detail = if testing.sensitivities {
+        Detail::Sensitivities
+    } else {
+        Detail::Tangent
+    };
     let workspace = &mut Workspace::new();
     let mut out = Vec::with_capacity(plan.points_per_muscle());
-    for &e in &testing.contractions {
-        let contraction = if testing.of_ideal {
-            rounded(e * largest(&inputs))
-        } else {
-            e
-        };
-        let blank = |p: f64| blank(number, &inputs, p, contraction);
-        match &model {
-            Err(why) => out.extend(testing.pressures_mpa.iter().map(|&p| PointRow {
-                status: Status::NoMuscle,
-                cause: why.clone(),
-                ..blank(p)
-            })),
-            Ok(model) => {
-                let detail = if testing.sensitivities {
-                    Detail::Sensitivities
-                } else {
-                    Detail::Tangent
-                };
-                let curve = model.isometric(workspace, contraction, &testing.pressures_mpa, detail);
-                out.extend(
-                    testing
-                        .pressures_mpa
-                        .iter()
-                        .zip(curve)
-                        .map(|(&p, point)| filled(blank(p), point)),
-                );
-            }
+    for e in points {
+        let curve = model.isometric(workspace, e, &testing.pressures_mpa, detail);
+        for (&p, point) in testing.pressures_mpa.iter().zip(curve) {
+            out.push(filled(heeded.at_pressure(blank(p, e)), point, &heeded));
         }
     }
     out
+}
+
+/// The contractions of one muscle.
+pub fn contractions(testing: &Testing, inputs: &Inputs) -> impl Iterator<Item = f64> {
+    let largest = testing.of_ideal.then(|| largest(inputs));
+    let of = move |&e: &f64| largest.map_or(e, |largest| rounded(e * largest));
+    testing.contractions.iter().map(of)
 }
 
 /// 1 − 1/(√3 cosθ0)
@@ -92,14 +97,14 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> P
         law: law.name().into(),
         constants: constants(law),
         measures: inputs.measures.clone(),
-        stiffness_of_braid_n_per_mm: inputs.family_stiffness_n_per_mm(),
+        braid_stiffness_n_per_mm: inputs.family_stiffness_n_per_mm(),
         pressure_mpa,
         contraction,
         ..PointRow::default()
     }
 }
 
-fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
+fn filled(row: PointRow, point: Result<CurvePoint, FemError>, heeded: &Heeded<'_>) -> PointRow {
     let count = |iterations: usize| u32::try_from(iterations).unwrap_or(u32::MAX);
     match point {
         Ok(CurvePoint {
@@ -125,7 +130,7 @@ fn filled(row: PointRow, point: Result<CurvePoint, FemError>) -> PointRow {
                     .collect(),
                 status: Status::Ok,
                 iterations: count(iterations),
-                ..row
+                ..heeded.of_answer(row, &r)
             }
         }
         Ok(_) => PointRow {

@@ -293,7 +293,7 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
         braid: MadeBraid::Named(NamedBraid::Inextensible),
     };
     // The simplest description of the braid that holds for every row.
-    let k = first.stiffness_of_braid_n_per_mm;
+    let k = first.braid_stiffness_n_per_mm;
     let mut choices = vec![
         MadeBraid::Named(NamedBraid::Paper),
         MadeBraid::Named(NamedBraid::Inextensible),
@@ -307,7 +307,7 @@ pub fn made_for(rows: &[PointRow]) -> Result<Made> {
         };
         let fits = |r: &PointRow| {
             let a = made.stiffness_n_per_mm(r.outer_diameter_mm);
-            let b = r.stiffness_of_braid_n_per_mm;
+            let b = r.braid_stiffness_n_per_mm;
             a.zip(b).map_or(a == b, |(a, b)| close(a, b))
         };
         if rows.iter().all(fits) {

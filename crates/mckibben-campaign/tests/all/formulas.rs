@@ -189,7 +189,7 @@ fn row(force_n: Option<f64>, status: Status) -> PointRow {
         angle_deg: 28.0,
         law: "mooney-rivlin".into(),
         constants: vec![],
-        stiffness_of_braid_n_per_mm: None,
+        braid_stiffness_n_per_mm: None,
         pressure_mpa: 0.1,
         contraction: 0.05,
         force_n,
@@ -261,7 +261,7 @@ fn the_make_of_a_table_is_read_or_refused() {
     use mckibben_core::formula::{MadeBraid, NamedBraid};
     let with = |d: f64, k: Option<f64>, c10: f64| PointRow {
         outer_diameter_mm: d,
-        stiffness_of_braid_n_per_mm: k,
+        braid_stiffness_n_per_mm: k,
         constants: vec![("c10_mpa".into(), c10), ("c01_mpa".into(), 0.0)],
         rubber: "paper".into(),
         ..row(Some(1.0), Status::Ok)

@@ -12,7 +12,7 @@ use crate::{
 use clap::Subcommand;
 use mckibben_app::{
     CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest, ProblemKind,
-    campaign_merge, campaign_show, campaign_status, words::number,
+    campaign_forecast, campaign_merge, campaign_show, campaign_status, words::number,
 };
 use mckibben_campaign::campaign::Outcome;
 use mckibben_core::progress::{Progress, Silent};
@@ -36,6 +36,7 @@ fn no_csv(format: Format) -> Result<(), Problem> {
     args_conflicts_with_subcommands = true,
     subcommand_negates_reqs = true,
     after_long_help = examples(&[
+    "campaign plans/paper.toml --dry-run",
     "campaign plans/paper.toml -o campaign.parquet",
     "campaign plans/paper.toml -o parts/ --shard 1/2",
     "campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1"
@@ -46,6 +47,11 @@ pub struct Campaign {
     about: Option<About>,
     #[command(flatten)]
     request: CampaignRequest,
+    /// Write nothing: check the whole plan, and print muscles, rows, time, size and warnings
+    ///
+    /// Time and size are those of ten muscles, spread over the plan and solved here.
+    #[arg(long)]
+    dry_run: bool,
     /// Print neither progress nor summary
     #[arg(short, long)]
     quiet: bool,
@@ -104,6 +110,14 @@ impl Campaign {
                 } else {
                     0
                 })
+            }
+            None if self.dry_run => {
+                no_csv(format)?;
+                let bar = Bar::new("muscles");
+                let forecast = campaign_forecast(&self.request, &bar)?;
+                drop(bar);
+                print(&forecast, format, |_| (), None)?;
+                Ok(0)
             }
             None => run_campaign(self.request, self.quiet, format),
         }

@@ -16,6 +16,7 @@ pub mod coverage;
 pub mod families;
 pub mod left_out;
 pub mod library;
+pub mod measured_range;
 mod population;
 pub mod pulses;
 mod read;

@@ -34,6 +34,8 @@ pub enum Column {
     Double(Vec<f64>),
     Optional(Vec<Option<f64>>),
     Text(Vec<Text>),
+    /// Yes, no, or not known.
+    Flag(Vec<Option<bool>>),
 }
 
 impl Column {
@@ -45,6 +47,7 @@ impl Column {
             (Self::Double(a), Self::Double(b)) => a.extend_from_slice(&b[from..to]),
             (Self::Optional(a), Self::Optional(b)) => a.extend_from_slice(&b[from..to]),
             (Self::Text(a), Self::Text(b)) => a.extend_from_slice(&b[from..to]),
+            (Self::Flag(a), Self::Flag(b)) => a.extend_from_slice(&b[from..to]),
             _ => {}
         }
     }
@@ -57,6 +60,7 @@ impl Column {
             Self::Double(_) => ("REQUIRED DOUBLE", ""),
             Self::Optional(_) => ("OPTIONAL DOUBLE", ""),
             Self::Text(_) => ("REQUIRED BYTE_ARRAY", " (UTF8)"),
+            Self::Flag(_) => ("OPTIONAL BOOLEAN", ""),
         }
     }
 }

@@ -6,7 +6,7 @@ use parquet::{
         page::{Page, PageMetadata, PageReader},
         reader::{ColumnReader, ColumnReaderImpl, get_column_reader},
     },
-    data_type::{DataType, DoubleType},
+    data_type::DataType,
     errors::{ParquetError, Result},
     file::{metadata::FileMetaData, reader::FileReader, serialized_reader::SerializedFileReader},
 };
@@ -152,6 +152,7 @@ fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {
         (Column::Optional(_), ColumnReader::DoubleColumnReader(r)) => {
             Column::Optional(optional(r, rows)?)
         }
+        (Column::Flag(_), ColumnReader::BoolColumnReader(r)) => Column::Flag(optional(r, rows)?),
         _ => return wrong("a column is of another kind"),
     })
 }
@@ -174,7 +175,7 @@ fn values<T: DataType>(
     Ok(out)
 }
 
-fn optional(reader: ColumnReaderImpl<DoubleType>, rows: usize) -> Result<Vec<Option<f64>>> {
+fn optional<T: DataType>(reader: ColumnReaderImpl<T>, rows: usize) -> Result<Vec<Option<T::T>>> {
     let mut levels = Vec::with_capacity(rows);
     let mut there = values(reader, rows, Some(&mut levels))?.into_iter();
     let value = |level| if level == 1 { there.next() } else { None };

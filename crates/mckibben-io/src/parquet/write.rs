@@ -51,8 +51,7 @@ impl<'a> Writer<'a> {
             .map(|(key, value)| KeyValue::new(key, value))
             .collect();
         properties = properties
-            .set_statistics_enabled(EnabledStatistics::Chunk)
-            .set_offset_index_disabled(true)
+            .set_statistics_enabled(EnabledStatistics::Page)
             .set_key_value_metadata(Some(pairs));
         let line = |f: &Field| {
             let (before, behind) = f.kind.schema();
@@ -84,6 +83,16 @@ impl<'a> Writer<'a> {
     }
 }
 
+/// The values that are there.
+fn there<T: Copy>(values: &[Option<T>]) -> Vec<T> {
+    values.iter().flatten().copied().collect()
+}
+
+/// Whether each is there.
+fn levels<T>(values: &[Option<T>]) -> Vec<i16> {
+    values.iter().map(|v| i16::from(v.is_some())).collect()
+}
+
 fn write_column(column: &Column, to: &mut ColumnWriter<'_>) -> Result<()> {
     match (column, to) {
         (Column::Int64(v), ColumnWriter::Int64ColumnWriter(w)) => w.write_batch(v, None, None)?,
@@ -93,9 +102,10 @@ fn write_column(column: &Column, to: &mut ColumnWriter<'_>) -> Result<()> {
             w.write_batch(v, None, None)?
         }
         (Column::Optional(v), ColumnWriter::DoubleColumnWriter(w)) => {
-            let there: Vec<f64> = v.iter().flatten().copied().collect();
-            let levels: Vec<i16> = v.iter().map(|v| i16::from(v.is_some())).collect();
-            w.write_batch(&there, Some(&levels), None)?
+            w.write_batch(&there(v), Some(&levels(v)), None)?
+        }
+        (Column::Flag(v), ColumnWriter::BoolColumnWriter(w)) => {
+            w.write_batch(&there(v), Some(&levels(v)), None)?
         }
         _ => return Err(ParquetError::General("a column of another kind".into())),
     };

@@ -12,6 +12,7 @@ mod columns;
 mod delimited;
 mod error;
 mod find;
+mod free;
 mod heading;
 mod kinds;
 mod load;
@@ -37,6 +38,7 @@ pub use understood::{Understood, UnderstoodColumn};
 
 pub use delimited::MAX_BYTES;
 pub use find::Table;
+pub use free::FreeTable;
 pub use heading::{Column, is_absolute};
 pub use kinds::{HISTORIES, MEASURED, POINTS, RECORDED, TESTS, Vocabulary};
 pub use vocabulary::{Meaning, spoken};

@@ -1,6 +1,7 @@
 //! The quantities that can vary, and the measures of a muscle that follow.
 
 use mckibben_core::{
+    muscle::Rubber,
     muscle::{
         BraidStiffness, Measure, Muscle, MuscleError,
         measures::{MEASURES, Parts},
@@ -22,6 +23,8 @@ const WITH_COLUMN: [&str; 9] = [
     "braid.stiffness_per_diameter",
     SCALE,
 ];
+/// The axis of names of rubbers.
+pub const RUBBER: &str = "tube.rubber";
 pub const SCALE: &str = "tube.material.scale";
 /// The prefix of the name of a constant of the law.
 pub const CONSTANT: &str = "tube.material.";
@@ -97,9 +100,29 @@ pub struct Axis {
     pub values: Values,
     /// Whether the interval is sampled evenly in its logarithm.
     pub log: bool,
+    /// Names of rubbers, of which the values are the numbers from 0.
+    pub names: Vec<String>,
+}
+
+/// A rubber of the muscles of a plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanRubber {
+    pub rubber: Rubber,
+    /// The stretch up to which its constants have data.
+    pub data_to_stretch: Option<f64>,
 }
 
 impl Axis {
+    /// An axis of rubbers.
+    pub fn of_rubbers(names: Vec<String>) -> Self {
+        Self {
+            key: RUBBER.into(),
+            values: Values::List((0..names.len()).map(|i| i as f64).collect()),
+            log: false,
+            names,
+        }
+    }
+
     /// The measure of the muscle that varies, where it is one.
     pub(super) fn measure(&self) -> Option<&'static Measure> {
         Measure::of_key(&self.key)
@@ -163,12 +186,25 @@ pub struct Inputs {
     pub parts: Parts,
     /// The columns and values of the axes that have no column in every table.
     pub measures: Vec<(String, f64)>,
+    /// The stretch up to which the constants of its rubber have data.
+    pub data_to_stretch: Option<f64>,
 }
 
 impl Inputs {
     /// The base with a value on each axis.
-    pub(super) fn new(base: &Muscle, axes: &[Axis], values: &[f64]) -> Self {
+    pub(super) fn new(
+        base: &Muscle,
+        rubbers: &[PlanRubber],
+        axes: &[Axis],
+        values: &[f64],
+    ) -> Self {
         let mut parts = base.parts().clone();
+        let number = axes.iter().position(|axis| axis.key == RUBBER);
+        let number = number.map_or(0.0, |axis| values[axis]);
+        let of_plan = rubbers.get(number as usize);
+        if let Some(of_plan) = of_plan {
+            parts.tube.rubber = of_plan.rubber.clone();
+        }
         let mut pairs: Vec<(&Axis, f64)> = axes.iter().zip(values.iter().copied()).collect();
         let measures = pairs
             .iter()
@@ -180,15 +216,20 @@ impl Inputs {
         for (axis, value) in pairs {
             match axis.measure() {
                 Some(measure) => (measure.set)(&mut parts, value),
+                None if axis.key == RUBBER => {}
                 None => set_other(&mut parts, &axis.key, value),
             }
         }
-        let tube = &mut parts.tube;
-        // All muscles of a plan are made of one rubber, that of the base muscle.
-        if tube.rubber.law != base.tube().rubber.law {
-            tube.rubber.name = None;
+        // With other constants it is none of the plan's rubbers.
+        let unchanged = of_plan.filter(|of_plan| of_plan.rubber.law == parts.tube.rubber.law);
+        if unchanged.is_none() {
+            parts.tube.rubber.name = None;
         }
-        Self { parts, measures }
+        Self {
+            parts,
+            measures,
+            data_to_stretch: unchanged.and_then(|of_plan| of_plan.data_to_stretch),
+        }
     }
 
     /// The muscle made of them.

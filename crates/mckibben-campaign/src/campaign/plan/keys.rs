@@ -1,6 +1,6 @@
 //! The keys of a plan file beside those of its muscle.
 
-use super::axis::{Axis, Variable, variables};
+use super::axis::{Axis, RUBBER, Variable, variables};
 use mckibben_core::{
     muscle::{
         Bench, Job,
@@ -168,7 +168,15 @@ impl<'de> Visitor<'de> for Tables<'_> {
             let inner = format!("{key}.");
             if let Some(variable) = self.variables.iter().find(|v| v.key == key) {
                 let (values, log) = map.next_value_seed(Levels(variable.dimension))?;
-                self.axes.push(Axis { key, values, log });
+                let names = vec![];
+                self.axes.push(Axis {
+                    key,
+                    values,
+                    log,
+                    names,
+                });
+            } else if key == RUBBER {
+                self.axes.push(Axis::of_rubbers(map.next_value()?));
             } else if self.variables.iter().any(|v| v.key.starts_with(&inner)) {
                 map.next_value_seed(Tables {
                     path: &inner,
@@ -258,6 +266,10 @@ impl JsonSchema for Vary {
             }
             inner["properties"][name] = of_variable(&variable);
         }
+        all["properties"]["tube"]["properties"]["rubber"] = json!({
+            "description": "Names of rubbers: [\"dragon-skin-30\", \"latex\"]",
+            "type": "array", "items": { "type": "string" }, "minItems": 1,
+        });
         all.try_into().unwrap_or_default()
     }
 }

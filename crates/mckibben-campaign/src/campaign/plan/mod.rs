@@ -14,16 +14,18 @@ mod axis;
 mod keys;
 mod read;
 mod sampling;
+mod table;
 mod vary;
 
 #[cfg(test)]
 mod tests;
 
 pub use axis::rounded;
-pub use axis::{Axis, Inputs};
+pub use axis::{Axis, Inputs, PlanRubber};
 pub use keys::PlanKeys;
 pub use sampling::Sampling;
 
+use axis::CONSTANT;
 use mckibben_core::{muscle::Muscle, rubber::Law, size::TooLarge};
 use mckibben_fem::{FemError, elements::Elements};
 use sampling::Design;
@@ -59,6 +61,8 @@ pub struct Plan {
     pub(super) axes: Vec<Axis>,
     design: Design,
     pub(super) testing: Testing,
+    /// The rubbers of its muscles: that of the base alone, or those of an axis.
+    pub(super) rubbers: Vec<PlanRubber>,
 }
 
 impl Plan {
@@ -138,15 +142,17 @@ impl Plan {
         let values: Vec<f64> = (0..self.axes.len())
             .map(|a| self.design.value(&self.axes, a, number))
             .collect();
-        Inputs::new(&self.base, &self.axes, &values)
+        Inputs::new(&self.base, &self.rubbers, &self.axes, &values)
     }
 
-    /// Names and values of the constants of the base muscle's law, as columns: `c10_mpa`.
+    /// The laws of its rubbers.
+    fn laws(&self) -> impl Iterator<Item = &Law> {
+        self.rubbers.iter().map(|of_plan| &of_plan.rubber.law)
+    }
+
+    /// The constants of the laws, as columns: `c10_mpa`.
     pub fn constants(&self) -> Vec<String> {
-        constants(&self.base.tube().rubber.law)
-            .into_iter()
-            .map(|c| c.0)
-            .collect()
+        each_once(self.laws().flat_map(constants).map(|c| c.0))
     }
 
     /// Columns of the axes that have none in every table: `seating_mm`.
@@ -159,12 +165,8 @@ impl Plan {
         if !self.testing.sensitivities {
             return vec![];
         }
-        let law = &self.base.tube().rubber.law;
-        let mut keys: Vec<String> = law
-            .constants()
-            .into_iter()
-            .map(|c| format!("tube.material.{}", c.name))
-            .collect();
+        let constants = self.laws().flat_map(Law::constants);
+        let mut keys = each_once(constants.map(|c| format!("{CONSTANT}{}", c.name)));
         if self.inputs(0).family_stiffness_n_per_mm().is_some() {
             keys.push("braid.stiffness".into());
         }
@@ -179,6 +181,16 @@ impl Plan {
         );
         keys
     }
+}
+
+fn each_once(names: impl Iterator<Item = String>) -> Vec<String> {
+    let mut out: Vec<String> = vec![];
+    for name in names {
+        if !out.contains(&name) {
+            out.push(name);
+        }
+    }
+    out
 }
 
 /// Constants of a law with the names of their columns.

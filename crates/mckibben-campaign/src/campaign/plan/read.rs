@@ -2,14 +2,16 @@
 
 use super::{
     Plan, Testing,
+    axis::{Axis, PlanRubber, RUBBER},
     keys::{Method, OfSampling, OfTest, PlanKeys, Vary},
-    sampling::{Design, MOST_MUSCLES, MOST_SOBOL, MOST_STRATA, Sampling},
+    sampling::{Design, MOST_MUSCLES, MOST_STRATA, Sampling},
+    table::{self, OwnSamples},
     vary,
 };
 use mckibben_core::{
     extremes::peak,
     muscle::{
-        Rubber, Tube,
+        Muscle, Rubber, Tube,
         file::{FileError, Source, read_text},
     },
     rubber::library,
@@ -28,11 +30,30 @@ const MOST_POINTS: usize = 100_000;
 impl Plan {
     /// Reads the text of a plan.
     pub fn parse(text: &str) -> Result<Self, FileError> {
+        Self::parse_with(text, None)
+    }
+
+    /// Reads the text of a plan whose muscles are the lines of a table, in place of `[sampling]`
+    /// and `[vary]`.
+    pub fn parse_with_samples(text: &str, table: &str) -> Result<Self, FileError> {
+        Self::parse_with(text, Some(table))
+    }
+
+    fn parse_with(text: &str, table: Option<&str>) -> Result<Self, FileError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Source::parse(text)?;
-        let (muscle, of_sampling, Vary(axes), test) = source.read::<PlanKeys>()?.parts();
+        let (muscle, of_sampling, Vary(mut axes), test) = source.read::<PlanKeys>()?.parts();
         let base = muscle.muscle(&source)?;
-        let sampling = sampling(&of_sampling, &source)?;
+        let mut sampling = sampling(&of_sampling, &source)?;
+        let own = table.map(|table| own_samples(table, &source)).transpose()?;
+        if let Some(own) = &own {
+            (axes, sampling) = (
+                own.axes.clone(),
+                Sampling::Table {
+                    samples: own.muscles,
+                },
+            );
+        }
         vary::check_all(&axes, &source, &base, &sampling)?;
         let testing = testing(test, &source)?;
         if base.tube().rubber.is_conditioned() {
@@ -47,22 +68,51 @@ impl Plan {
             );
             return Err(source.error("sampling.method", why));
         }
-        let design = Design::new(sampling, &axes);
+        let design = match own {
+            Some(own) => Design::of_table(own.muscles, own.values),
+            None => Design::new(sampling, &axes),
+        };
         if design.muscles > MOST_MUSCLES {
             let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.muscles);
             return Err(source.error("vary", why));
         }
         let mut plan = Plan {
-            text: text.to_owned(),
+            rubbers: rubbers(&base, &axes).map_err(|why| source.error("vary.tube.rubber", why))?,
+            text: text_with(text, table),
             base,
             axes,
             design,
             testing,
         };
-        plan.take_one_law()
+        plan.take_laws()
             .map_err(|why| source.error("tube.rubber", why))?;
         some_muscle(&plan).map_err(|why| source.error("vary", why))?;
         Ok(plan)
+    }
+
+    /// All mistakes of a text, or the plan. Where a value is wrong, the rest is judged without it.
+    ///
+    /// # Errors
+    /// Every [`FileError`] that does not follow from another one.
+    pub fn check(text: &str, samples: Option<&str>) -> Result<Self, Vec<FileError>> {
+        let mut left = text.to_owned();
+        let mut mistakes: Vec<FileError> = vec![];
+        loop {
+            let error = match Self::parse_with(&left, samples) {
+                Ok(plan) if mistakes.is_empty() => return Ok(plan),
+                Ok(_) => return Err(mistakes),
+                Err(error) => error,
+            };
+            let key = error.key.clone().unwrap_or_default();
+            let rest = Source::parse(&left).ok().and_then(|s| s.without(&key));
+            if !mistakes.iter().any(|known| follows(&error, known)) {
+                mistakes.push(error);
+            }
+            match rest {
+                Some(rest) => left = rest,
+                None => return Err(mistakes),
+            }
+        }
     }
 
     /// Reads a plan file.
@@ -77,25 +127,105 @@ impl Plan {
 impl Plan {
     /// One law for all muscles of a named rubber whose law follows the muscle: that for the largest
     /// reach among them, of larger plans among [`REACHES`] of them.
-    fn take_one_law(&mut self) -> Result<(), String> {
-        let rubber = &self.base.tube().rubber;
-        let Some(name) = rubber.name.clone().filter(|_| library::follows(rubber)) else {
+    fn take_laws(&mut self) -> Result<(), String> {
+        let follows = |of_plan: &PlanRubber| library::follows(&of_plan.rubber);
+        if self.rubbers.iter().any(follows) {
+            let reach = peak(self.spread(REACHES).map(|muscle| muscle.reach()));
+            for of_plan in &mut self.rubbers {
+                let name = of_plan.rubber.name.clone();
+                let Some(name) = name.filter(|_| library::follows(&of_plan.rubber)) else {
+                    continue;
+                };
+                let found = library::find_for(&name, reach).map_err(|error| error.to_string())?;
+                *of_plan = PlanRubber::of(found);
+            }
+        }
+        let Some(first) = self.rubbers.first() else {
             return Ok(());
         };
-        let reach = peak(self.spread(REACHES).map(|muscle| muscle.reach()));
-        let found = library::find_for(&name, reach).map_err(|error| error.to_string())?;
         let tube = Tube {
-            // Stated constants, which a muscle of the plan leaves as they are.
-            rubber: Rubber {
-                fitted_to_stretch: None,
-                ..found
-            },
+            rubber: first.rubber.clone(),
             ..self.base.tube().clone()
         };
         let base = self.base.with_tube(tube);
         self.base = base.map_err(|error| error.to_string())?;
         Ok(())
     }
+}
+
+impl PlanRubber {
+    /// With stated constants, which a muscle of the plan leaves as they are.
+    fn of(rubber: Rubber) -> Self {
+        Self {
+            data_to_stretch: rubber.fitted_to_stretch,
+            rubber: Rubber {
+                fitted_to_stretch: None,
+                ..rubber
+            },
+        }
+    }
+}
+
+/// The rubbers of the muscles: those of an axis, or that of the base alone.
+fn rubbers(base: &Muscle, axes: &[Axis]) -> Result<Vec<PlanRubber>, String> {
+    // As the library has it, so that its law may follow the muscles.
+    let as_found = |rubber: Rubber| PlanRubber {
+        data_to_stretch: rubber.fitted_to_stretch,
+        rubber,
+    };
+    let named = |name: &String| match library::find(name) {
+        Ok(rubber) => Ok(as_found(rubber)),
+        Err(error) => Err(error.to_string()),
+    };
+    match axes.iter().find(|axis| axis.key == RUBBER) {
+        None => Ok(vec![as_found(base.tube().rubber.clone())]),
+        Some(axis) => axis.names.iter().map(named).collect(),
+    }
+}
+
+/// The muscles of a table; what varies is stated there alone.
+fn own_samples(table: &str, source: &Source<'_>) -> Result<OwnSamples, FileError> {
+    for key in ["vary", "sampling"] {
+        if source.has(key) {
+            let why = "is stated, and `samples` gives the muscles: leave one of them out";
+            return Err(source.error(key, why));
+        }
+    }
+    let refused = |problem: String| FileError {
+        key: Some("samples".into()),
+        problem,
+        ..FileError::default()
+    };
+    let own = table::read(table).map_err(|error| refused(error.to_string()))?;
+    if own.muscles > MOST_STRATA {
+        let why = format!("has {} muscles, more than {MOST_STRATA}", own.muscles);
+        return Err(refused(why));
+    }
+    Ok(own)
+}
+
+/// The text of a plan with a mark of the table that its muscles are in, so that another table is
+/// another plan.
+fn text_with(text: &str, table: Option<&str>) -> String {
+    let Some(table) = table else {
+        return text.to_owned();
+    };
+    let hash = mckibben_core::hash::hex(table);
+    format!(
+        "{}\n# its muscles are a table with sha256 {hash}\n",
+        text.trim_end()
+    )
+}
+
+/// Whether a mistake is that a wrong value, which was taken out, is missing now.
+fn follows(error: &FileError, known: &FileError) -> bool {
+    let wrong = known.key.as_deref().unwrap_or_default();
+    let table = wrong.split('.').next().unwrap_or_default();
+    let name = wrong.rsplit('.').next().unwrap_or_default();
+    let problem = &error.problem;
+    error.key.as_deref() == Some(wrong)
+        || problem.contains(name)
+        || problem.contains(&format!("[{table}]"))
 }
 
 /// A plan none of whose first thousand muscles is one is a slip, not a campaign.
@@ -113,7 +243,7 @@ fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileErro
     const SAMPLES: &str = "sampling.samples";
     const SEED: &str = "sampling.seed";
     let most = match keys.method {
-        Method::Sobol => MOST_SOBOL,
+        Method::Sobol => MOST_MUSCLES,
         Method::Factorial | Method::LatinHypercube => MOST_STRATA,
     };
     for (key, value, most) in [

@@ -10,8 +10,8 @@ use rand_chacha::{
 pub const MOST_MUSCLES: u64 = 20_000_000;
 /// The most of a Latin hypercube, whose order is held in memory: 8 MB for each quantity.
 pub const MOST_STRATA: u64 = 1_000_000;
-/// The most of Sobol's sequence: the library has 16 direction numbers of each dimension.
-pub const MOST_SOBOL: u64 = 1 << 16;
+/// Points of one of Sobol's nets: the library has 16 direction numbers of each dimension.
+const NET: u64 = 1 << 16;
 
 /// A way of sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,12 +21,15 @@ pub enum Sampling {
     /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979
     /// \[mckay1979\]).
     LatinHypercube { samples: u64, seed: u64 },
-    /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020 \[burley2020\]).
+    /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020 \[burley2020\]). Beyond 65,536
+    /// points further nets of so many follow, each scrambled independently of the others.
     Sobol {
         samples: u64,
         /// Seed, up to 32 bits.
         seed: u32,
     },
+    /// A table of one's own.
+    Table { samples: u64 },
 }
 
 impl Sampling {
@@ -36,12 +39,13 @@ impl Sampling {
             Self::Factorial => "factorial",
             Self::LatinHypercube { .. } => "latin-hypercube",
             Self::Sobol { .. } => "sobol",
+            Self::Table { .. } => "table",
         }
     }
 
     pub fn seed(&self) -> Option<u64> {
         match *self {
-            Self::Factorial => None,
+            Self::Factorial | Self::Table { .. } => None,
             Self::LatinHypercube { seed, .. } => Some(seed),
             Self::Sobol { seed, .. } => Some(u64::from(seed)),
         }
@@ -53,13 +57,13 @@ impl Sampling {
 pub struct Design {
     pub sampling: Sampling,
     pub muscles: u64,
-    /// Of a Latin hypercube the shares of all muscles, axis by axis.
-    strata: Vec<Vec<f64>>,
+    /// Axis by axis of all muscles: of a Latin hypercube the shares, of a table the values.
+    listed: Vec<Vec<f64>>,
 }
 
 impl Design {
     pub fn new(sampling: Sampling, axes: &[Axis]) -> Self {
-        let (muscles, strata) = match sampling {
+        let (muscles, listed) = match sampling {
             Sampling::Factorial => (
                 axes.iter()
                     .fold(1_u64, |all, a| all.saturating_mul(a.levels())),
@@ -71,12 +75,21 @@ impl Design {
                     .map(|axis| strata(samples, seed, axis as u64))
                     .collect(),
             ),
-            Sampling::Sobol { samples, .. } => (samples, vec![]),
+            Sampling::Sobol { samples, .. } | Sampling::Table { samples } => (samples, vec![]),
         };
         Self {
             sampling,
             muscles,
-            strata,
+            listed,
+        }
+    }
+
+    /// Of a table: the values axis by axis.
+    pub fn of_table(samples: u64, values: Vec<Vec<f64>>) -> Self {
+        Self {
+            sampling: Sampling::Table { samples },
+            muscles: samples,
+            listed: values,
         }
     }
 
@@ -89,13 +102,16 @@ impl Design {
                 axes[axis].level(number / faster % axes[axis].levels())
             }
             Sampling::LatinHypercube { .. } => {
-                axes[axis].at_share(self.strata[axis][number as usize])
+                axes[axis].at_share(self.listed[axis][number as usize])
             }
-            Sampling::Sobol { seed, .. } => axes[axis].at_share(f64::from(sobol_burley::sample(
-                number as u32,
-                axis as u32,
-                seed,
-            ))),
+            Sampling::Table { .. } => self.listed[axis][number as usize],
+            Sampling::Sobol { seed, .. } => {
+                let (net, point) = (number / NET, number % NET);
+                // Odd and large, so that nets of neighbouring seeds differ.
+                let scramble = seed.wrapping_add((net as u32).wrapping_mul(0x9e37_79b9));
+                let share = sobol_burley::sample(point as u32, axis as u32, scramble);
+                axes[axis].at_share(f64::from(share))
+            }
         }
     }
 }

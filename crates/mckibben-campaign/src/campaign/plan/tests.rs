@@ -132,6 +132,106 @@ fn sobol_points_are_a_net() {
     }
 }
 
+/// More samples keep the first ones; beyond a net of the library the next one is a net of its own.
+#[test]
+fn a_longer_sobol_plan_begins_with_the_shorter_one_and_goes_on_with_another_net() {
+    let of = |samples: u32| {
+        plan(&format!(
+            "[sampling]\nmethod = \"sobol\"\nsamples = {samples}\nseed = 9\n[vary]\nbraid.angle \
+             = \"15..40\""
+        ))
+    };
+    let (short, long) = (of(2000), of(131_072));
+    let share = |plan: &Plan, i: u64| (plan.inputs(i).parts.braid.angle_deg - 15.0) / 25.0;
+    assert!((0..2000).all(|i| share(&short, i) == share(&long, i)));
+    let net = |from: u64| -> Vec<f64> { (from..from + 256).map(|i| share(&long, i)).collect() };
+    for shares in [net(0), net(65_536)] {
+        let mut hits = [0; 256];
+        for share in shares {
+            hits[((share * 256.0 + 1e-7) as usize).min(255)] += 1;
+        }
+        assert_eq!(hits, [1; 256]);
+    }
+    assert_ne!(net(0), net(65_536));
+}
+
+/// A table of muscles is what it says, in the units of its headings and fields.
+#[test]
+fn muscles_of_a_table_are_those_of_its_lines() {
+    let table = "tube.outer_diameter [in],wall_mm,tube.rubber,braid.angle\n\
+                 1,2,latex,24 deg\n1.5,3,dragon-skin-30,0.5 rad\n";
+    let text = format!("[tube]\nlength = \"200 mm\"\n{TEST}");
+    let plan = Plan::parse_with_samples(&text, table).unwrap();
+    assert_eq!((plan.muscles(), plan.sampling().name()), (2, "table"));
+    let of = |number: u64| {
+        let parts = plan.inputs(number).parts;
+        let (tube, angle) = (parts.tube, parts.braid.angle_deg);
+        (
+            tube.outer_diameter_mm,
+            tube.wall_mm,
+            tube.length_mm,
+            tube.rubber.name,
+            angle,
+        )
+    };
+    assert_eq!(of(0), (25.4, 2.0, 200.0, Some("latex".into()), 24.0));
+    let second = of(1);
+    assert_eq!(second.3.as_deref(), Some("dragon-skin-30"));
+    assert!((second.4 - 90.0 / std::f64::consts::PI).abs() < 1e-12);
+    // Another table is another plan.
+    let other = Plan::parse_with_samples(&text, &table.replace(",2,", ",2.5,")).unwrap();
+    assert_ne!(plan.hash(), other.hash());
+    for (table, said) in [
+        (
+            "wall_mm,colour\n2,3\n",
+            "column colour: no measure of a muscle",
+        ),
+        (
+            "wall_mm,tube.wall_thickness\n2,3\n",
+            "tube.wall_thickness stands twice",
+        ),
+        (
+            "wall_mm\n2 N\n",
+            "line 2, column wall_mm: \"2 N\" is not a length",
+        ),
+        ("wall_mm\n-2\n", "tube.wall_thickness begins at -2"),
+        ("length_mm\n200\n", "tube.length is stated: leave that out"),
+    ] {
+        let error = Plan::parse_with_samples(&text, table)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.starts_with("samples: ") && error.contains(said),
+            "{error}"
+        );
+    }
+}
+
+/// What is wrong in several places is said of all, and what follows from it of none.
+#[test]
+fn all_mistakes_of_a_plan_are_said_at_once() {
+    let text = "[tube]\nlength = \"20 cm\"\nwall_thickness = \"2 N\"\n[braid]\nangel = 20\n\
+                [sampling]\nmethod = \"sobol\"\nsamples = 0\n[vary]\ntube.outer_diameter \
+                = \"50..30\"\n[test]\ncontractions = \"0,10%\"\npressures = \"0..3:0.1\"\n";
+    let said = Plan::check(text, None).unwrap_err();
+    let keys: Vec<&str> = said.iter().filter_map(|e| e.key.as_deref()).collect();
+    let wrong = [
+        "tube.wall_thickness",
+        "braid.angel",
+        "vary.tube.outer_diameter",
+        "sampling.samples",
+        "test.pressures",
+    ];
+    assert!(wrong.iter().all(|key| keys.contains(key)), "{keys:?}");
+    assert_eq!(keys.len(), wrong.len(), "{said:?}");
+    let line = said
+        .iter()
+        .find(|e| e.key.as_deref() == Some("test.pressures"))
+        .unwrap();
+    assert_eq!(line.place.unwrap().line, 13);
+    assert_eq!(Plan::check(TEST, None).unwrap().muscles(), 1);
+}
+
 #[test]
 fn another_seed_draws_other_muscles_and_the_same_one_the_same() {
     for method in ["latin-hypercube", "sobol"] {

@@ -1,7 +1,7 @@
 //! What may be in the table `[vary]`.
 
 use super::{
-    axis::{Axis, CONSTANT, SCALE},
+    axis::{Axis, CONSTANT, RUBBER, SCALE},
     sampling::Sampling,
 };
 use mckibben_core::{
@@ -28,8 +28,21 @@ pub fn check_all(
     sampling: &Sampling,
 ) -> Result<(), FileError> {
     for (i, axis) in axes.iter().enumerate() {
-        let wrong = |why: String| source.error(&format!("vary.{}", axis.key), why);
+        let wrong = |why: String| match sampling {
+            Sampling::Table { .. } => source.error("samples", format!("{} {why}", axis.key)),
+            _ => source.error(&format!("vary.{}", axis.key), why),
+        };
         check(axis, base, sampling).map_err(wrong)?;
+        let by_rubber = |a: &Axis| a.key == RUBBER;
+        if axis.key.starts_with(CONSTANT) && axis.key != SCALE && axes.iter().any(by_rubber) {
+            let why = "is a constant of one law, and tube.rubber varies: vary tube.material.scale";
+            return Err(wrong(why.into()));
+        }
+        if by_rubber(axis) && source.has("tube.material") {
+            return Err(wrong(
+                "varies, and tube.material is stated: leave that out".into(),
+            ));
+        }
         let other = EITHER.iter().find(|p| p.1 == axis.key).map(|p| p.0);
         let stated = other.unwrap_or(&axis.key);
         if !stated.starts_with(CONSTANT) && source.has(stated) {
@@ -56,10 +69,24 @@ pub fn distinct(list: &[f64]) -> Result<(), String> {
     }
 }
 
+/// Refuses a rubber that a list has twice, and an empty list.
+fn check_rubbers(axis: &Axis) -> Result<(), String> {
+    let names = &axis.names;
+    let twice = (1..names.len()).find(|&i| names[..i].contains(&names[i]));
+    match twice {
+        Some(i) => Err(format!("contains {} twice", names[i])),
+        None if names.is_empty() => Err("is an empty list".into()),
+        None => Ok(()),
+    }
+}
+
 /// Checks an axis; the error is a sentence behind its key.
 fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> {
     let interval = matches!(axis.values, Values::Interval(..));
     let (low, high) = axis.values.bounds();
+    if axis.key == RUBBER {
+        return check_rubbers(axis);
+    }
     if let Values::List(list) = &axis.values {
         distinct(list)?;
     }

@@ -9,7 +9,7 @@ use mckibben_io::files::{Unfinished, check_writable, put_all, sync};
 use std::{
     collections::BTreeMap,
     fs::{DirEntry, File, OpenOptions, TryLockError},
-    io::{Error, ErrorKind},
+    io::{Error, ErrorKind, Write},
     path::{Path, PathBuf},
     time::{Duration, SystemTime},
 };
@@ -123,6 +123,10 @@ impl Folder {
             Ok(()) => {
                 // Tells which shard began last.
                 let _ = file.set_modified(SystemTime::now());
+                // No file is left empty: it says what it is for.
+                if file.metadata().is_ok_and(|m| m.len() == 0) {
+                    let _ = (&file).write_all(b"locked while a process writes parts here\n");
+                }
                 self.locks.push(file);
                 Ok(())
             }

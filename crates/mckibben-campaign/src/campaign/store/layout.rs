@@ -38,8 +38,11 @@ impl Field {
         match self.slot(&mut PointRow::default()) {
             Slot::Whole(_) => Values::Int64(vec![]),
             Slot::Count(_) => Values::Int32(vec![]),
-            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Values::Double(vec![]),
-            Slot::Optional(_) | Slot::Sensitivities(_) => Values::Optional(vec![]),
+            Slot::Number(_) | Slot::Measures(_) => Values::Double(vec![]),
+            Slot::Optional(_) | Slot::Constants(_) | Slot::Sensitivities(_) => {
+                Values::Optional(vec![])
+            }
+            Slot::Flag(_) => Values::Flag(vec![]),
             Slot::Text(_) | Slot::Status(_) => Values::Text(vec![]),
         }
     }

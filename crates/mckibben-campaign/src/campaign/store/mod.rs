@@ -3,6 +3,7 @@
 
 pub mod file;
 pub mod folder;
+mod forecast;
 pub mod layout;
 mod manifest;
 mod merge;
@@ -16,6 +17,7 @@ mod status;
 mod summary;
 pub mod table;
 
+pub use forecast::{Forecast, RubberForecast, forecast};
 pub use merge::{Merged, merge};
 pub use provenance::Provenance;
 pub use read::{Rows, read, rows};

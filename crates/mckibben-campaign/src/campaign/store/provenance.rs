@@ -1,10 +1,14 @@
 //! Where a table comes from: key and value in the metadata of its file.
 
 use super::{layout::Layout, seal};
-use crate::campaign::{
-    error::{CampaignError, Result},
-    plan::Plan,
+use crate::{
+    campaign::{
+        error::{CampaignError, Result},
+        plan::Plan,
+    },
+    columns::descriptions,
 };
+use mckibben_core::muscle::file::to_toml;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -20,6 +24,8 @@ pub struct Provenance {
     pub plan_sha256: String,
     /// The plan's text.
     pub plan: String,
+    /// The muscle that is varied with all that the plan leaves to defaults, as a muscle file.
+    pub muscle: String,
     /// Name of the model.
     pub model: String,
     /// How the plan is sampled.
@@ -60,6 +66,7 @@ impl Provenance {
             version: VERSION.into(),
             plan_sha256: plan.hash(),
             plan: plan.text.clone(),
+            muscle: to_toml(&plan.base),
             model: plan.testing.elements.name().into(),
             sampling: plan.sampling().name().into(),
             seed: plan.sampling().seed(),
@@ -142,6 +149,10 @@ impl Provenance {
             ("mckibben.plan", self.plan.clone()),
             ("mckibben.plan_sha256", self.plan_sha256.clone()),
         ];
+        let fields = self.layout.fields();
+        let columns = fields.iter().map(|f| (f.name.as_str(), f.column));
+        pairs.push(("mckibben.columns", descriptions(columns).to_string()));
+        pairs.push(("mckibben.muscle", self.muscle.clone()));
         pairs.extend(self.seed.map(|seed| ("mckibben.seed", seed.to_string())));
         pairs.push((seal::KEY, seal::blank()));
         Ok(pairs.into_iter().map(|(k, v)| (k.into(), v)).collect())

@@ -10,6 +10,7 @@ use std::{
     collections::BTreeSet,
     io::ErrorKind,
     path::{Path, PathBuf},
+    time::SystemTime,
 };
 
 /// How a shard is.
@@ -56,6 +57,11 @@ pub struct CampaignStatus {
     pub shards_running: u64,
     /// Shards that nothing computes.
     pub shards_missing: u64,
+    /// Points a second by the times of the newest parts, of all shards together; nothing where these
+    /// are fewer than two.
+    pub points_per_s: Option<f64>,
+    /// What is left at this rate in s, where a process computes.
+    pub left_s: Option<f64>,
     /// Every shard.
     pub shards: Vec<ShardStatus>,
     /// Parts that are damaged, or of another plan or version; they count as missing.
@@ -81,11 +87,15 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
     let parts_wanted = provenance.parts();
     parts.retain(|&number, _| number < parts_wanted);
     let mut whole = BTreeSet::new();
+    let mut written = vec![];
     let mut damaged = vec![];
     for (number, path) in parts {
         let opened = Opened::file(&path);
         match opened.and_then(|part| part.expect(Some(number), &provenance)) {
-            Ok(_) => drop(whole.insert(number)),
+            Ok(_) => {
+                whole.insert(number);
+                written.extend(path.metadata().and_then(|m| m.modified()).ok());
+            }
             // Another process has just replaced or removed it.
             Err(CampaignError::Read(_, ReadError::System(e)))
                 if e.kind() == ErrorKind::NotFound => {}
@@ -100,7 +110,13 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
         .collect();
     let count_of = |state| shards.iter().filter(|s| s.state == state).count() as u64;
     let parts = whole.len() as u64;
+    let points_per_part = provenance.rows_of(Some(0)) as f64;
+    let points_per_s = parts_per_s(written).map(|rate| rate * points_per_part);
+    let running = count_of(ShardState::Running) > 0;
+    let missing = (parts_wanted - parts) as f64 * points_per_part;
     Ok(CampaignStatus {
+        points_per_s,
+        left_s: points_per_s.filter(|_| running).map(|rate| missing / rate),
         output: folder.into(),
         complete: parts == parts_wanted,
         parts,
@@ -114,6 +130,17 @@ pub fn status(folder: &Path) -> Result<CampaignStatus> {
         plan_sha256: provenance.plan_sha256,
         version: provenance.version,
     })
+}
+
+/// The rate at which the newest parts were written.
+fn parts_per_s(mut written: Vec<SystemTime>) -> Option<f64> {
+    /// Older ones may be of an earlier run.
+    const NEWEST: usize = 50;
+    written.sort_unstable();
+    let newest = &written[written.len().saturating_sub(NEWEST)..];
+    let time = newest.last()?.duration_since(*newest.first()?).ok()?;
+    let seconds = time.as_secs_f64();
+    (seconds > 0.0).then(|| (newest.len() - 1) as f64 / seconds)
 }
 
 fn shard_status(folder: &Path, shard: Shard, whole: &BTreeSet<u64>, all: u64) -> ShardStatus {

@@ -2,7 +2,10 @@
 
 use super::{file::Opened, folder::Folder, layout::Field, provenance::Provenance};
 use crate::{
-    campaign::error::{CampaignError, Result},
+    campaign::{
+        error::{CampaignError, Result},
+        warnings::Warned,
+    },
     columns::{PointRow, Role},
 };
 use mckibben_core::status::Status;
@@ -47,6 +50,8 @@ pub struct Summary {
     pub answered: u64,
     /// Rows without an answer by their status.
     pub failed: BTreeMap<Status, Failed>,
+    /// Warnings by their column.
+    pub warnings: Vec<Warned>,
     /// Smallest and largest value of inputs and answers, in the order of the columns.
     pub ranges: Vec<Extent>,
     /// Bytes on the disk.
@@ -69,6 +74,7 @@ impl Summary {
         };
         Self {
             points_wanted: provenance.points(),
+            warnings: Warned::none(),
             ranges: questions_and_answers(&provenance)
                 .iter()
                 .map(range)
@@ -90,6 +96,7 @@ impl Summary {
             };
             self.failed.entry(row.status).or_insert_with(first).points += 1;
         }
+        Warned::count(&mut self.warnings, &mut row);
         for (field, range) in fields.iter().zip(&mut self.ranges) {
             if let Some(value) = field.number(&mut row) {
                 range.smallest = range.smallest.min(value);
@@ -123,7 +130,7 @@ fn questions_and_answers(provenance: &Provenance) -> Vec<Field> {
         .layout
         .fields()
         .iter()
-        .filter(|f| f.column.role != Role::Note)
+        .filter(|f| matches!(f.column.role, Role::Question | Role::Answer))
         .cloned()
         .collect()
 }

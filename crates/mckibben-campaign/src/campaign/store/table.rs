@@ -11,11 +11,14 @@ fn push(column: &mut Column, field: &Field, row: &mut PointRow) {
         (Column::Int64(c), Slot::Whole(v)) => c.push(*v as i64),
         (Column::Int32(c), Slot::Count(v)) => c.push(i32::try_from(*v).unwrap_or(i32::MAX)),
         (Column::Double(c), Slot::Number(v)) => c.push(*v),
-        (Column::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
+        (Column::Double(c), Slot::Measures(list)) => {
             c.push(field.value_in(list).unwrap_or(0.0));
         }
         (Column::Optional(c), Slot::Optional(v)) => c.push(*v),
-        (Column::Optional(c), Slot::Sensitivities(list)) => c.push(field.value_in(list)),
+        (Column::Optional(c), Slot::Constants(list) | Slot::Sensitivities(list)) => {
+            c.push(field.value_in(list));
+        }
+        (Column::Flag(c), Slot::Flag(v)) => c.push(*v),
         (Column::Text(c), Slot::Text(v)) => c.push(Text::from(v.as_str())),
         (Column::Text(c), Slot::Status(v)) => c.push(Text::from(v.to_string().as_str())),
         _ => {}
@@ -34,13 +37,14 @@ fn fill(
         (Column::Int64(c), Slot::Whole(v)) => *v = *c.get(i)? as u64,
         (Column::Int32(c), Slot::Count(v)) => *v = u32::try_from(*c.get(i)?).unwrap_or(0),
         (Column::Double(c), Slot::Number(v)) => *v = *c.get(i)?,
-        (Column::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
+        (Column::Double(c), Slot::Measures(list)) => {
             list.push((field.key.clone(), *c.get(i)?));
         }
         (Column::Optional(c), Slot::Optional(v)) => *v = *c.get(i)?,
-        (Column::Optional(c), Slot::Sensitivities(list)) => {
+        (Column::Optional(c), Slot::Constants(list) | Slot::Sensitivities(list)) => {
             list.extend(c.get(i)?.map(|v| (field.key.clone(), v)));
         }
+        (Column::Flag(c), Slot::Flag(v)) => *v = *c.get(i)?,
         (Column::Text(c), Slot::Text(v)) => *v = text(c)?,
         (Column::Text(c), Slot::Status(v)) => match text(c)?.parse() {
             Ok(status) => *v = status,

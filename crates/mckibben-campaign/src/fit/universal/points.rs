@@ -40,7 +40,7 @@ fn muscle(row: &PointRow) -> Option<Muscle> {
     let constants: Vec<f64> = row.constants.iter().map(|c| c.1).collect();
     let rubber = Rubber::new(Law::named(&row.law, &constants)?.validated().ok()?);
     let stiffness = row
-        .stiffness_of_braid_n_per_mm
+        .braid_stiffness_n_per_mm
         .map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
     let tube = Tube::new(row.outer_diameter_mm, row.wall_mm, row.length_mm, rubber);
     let braid = Braid {

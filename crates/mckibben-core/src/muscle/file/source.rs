@@ -89,6 +89,20 @@ impl<'t> Source<'t> {
         self.find(dotted).is_some()
     }
 
+    /// The text with a key and its value blanked, so that all else keeps its place; `None` where it
+    /// is not written, or is a table.
+    pub fn without(&self, dotted: &str) -> Option<String> {
+        let (key, item) = self.find(dotted)?;
+        let value = item.as_value().filter(|value| !value.is_inline_table())?;
+        let line = self.text[..key.span()?.start]
+            .rfind('\n')
+            .map_or(0, |i| i + 1);
+        let blank = |c: char| if c == '\n' { c } else { ' ' };
+        let end = value.span()?.end;
+        let blanked: String = self.text.get(line..end)?.chars().map(blank).collect();
+        Some([&self.text[..line], &blanked, self.text.get(end..)?].concat())
+    }
+
     /// Where a key of a table is.
     pub(super) fn key_span(&self, table: &str, key: &str) -> Option<Range<usize>> {
         self.table(table)?.key(key)?.span()
