@@ -14,10 +14,9 @@ use crate::{
 use mckibben_campaign::{
     PointRow,
     fit::{
-        FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule,
-        data::{FitPoint, distinct, points, same},
-        errors::Compared,
-        made_for, make, refitted,
+        FitError, FittedFormula, MakeOfRows, Method, Request, Rules, SlackRule, ThinRule,
+        data::{FitPoint, distinct, point, same},
+        make, refitted,
         results::{Results, results},
         tables::{Table, tables},
         universal::{self, UniversalRequest},
@@ -180,8 +179,8 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         return Err(ProblemKind::Usage.problem(message).in_field("hold_out_mm"));
     }
     let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
-    let fitted = make(&Request {
-        points: &points,
+    let fitted = make(Request {
+        points,
         made_for,
         method,
         hold_out: request.hold_out(),
@@ -189,7 +188,7 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         from: origin.from,
     })
     .map_err(|e| no_fit(&origin.name, e))?;
-    let shown = request.shown(&fitted.compared)?;
+    let shown = request.shown(&fitted.points)?;
     let figures = if request.figures {
         figure::fitted(&fitted, shown)
     } else {
@@ -222,6 +221,7 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
         ));
     };
     let (rows, origin) = rows(path, OF_UNIVERSAL)?;
+    let rows: Vec<PointRow> = rows.collect::<Result<_>>()?;
     let usual = match form {
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
@@ -311,20 +311,16 @@ impl FitRequest {
     }
 
     /// The muscle that figures show: the one that is asked for, or the prototype, or the first.
-    fn shown(&self, compared: &[Compared]) -> Result<(f64, f64)> {
-        let sections = compared
-            .iter()
-            .map(|c| (c.point.outer_diameter_mm, c.point.wall_mm));
-        let fitted: Vec<_> = sections
-            .filter(|at| !self.hold_out().contains(&at.0))
-            .collect();
+    fn shown(&self, points: &[FitPoint]) -> Result<(f64, f64)> {
+        let sections = points.iter().map(|p| (p.outer_diameter_mm, p.wall_mm));
+        let fitted = sections.filter(|at| !self.hold_out().contains(&at.0));
         let wanted = self.at_mm.unwrap_or(SHOWN);
-        match fitted.first() {
-            _ if fitted.contains(&wanted) => Ok(wanted),
-            Some(first) if self.at_mm.is_none() => Ok(*first),
+        match fitted.clone().next() {
+            _ if fitted.clone().any(|at| at == wanted) => Ok(wanted),
+            Some(first) if self.at_mm.is_none() => Ok(first),
             _ => {
                 let text = |(d, s)| format!("{d}x{s}");
-                let there: BTreeSet<_> = fitted.into_iter().map(text).collect();
+                let there: BTreeSet<_> = fitted.map(text).collect();
                 let message = format!("{} is not fitted, but {}", text(wanted), in_a_row(there));
                 Err(ProblemKind::Usage.problem(message).in_field("at_mm"))
             }
@@ -464,13 +460,14 @@ fn file_name(name: &Path) -> Option<String> {
     name.file_name().map(|n| n.to_string_lossy().into_owned())
 }
 
-/// Bytes of memory that a point takes: of the universal formulas, and in the matrices of the others.
+/// Bytes of memory that a row takes for the universal formulas, and a point for the others.
 const OF_UNIVERSAL: f64 = 1200.0;
-const OF_OTHERS: f64 = 8000.0;
+const OF_OTHERS: f64 = 80.0;
 
-/// The rows of a campaign's file, or of its folder of parts, if they fit into memory.
+/// The rows of a campaign's file, or of its folder of parts, if what is kept of them fits into
+/// memory.
 #[cfg(feature = "files")]
-fn rows(path: &Path, bytes: f64) -> Result<(Vec<PointRow>, Origin)> {
+fn rows(path: &Path, bytes: f64) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
     size::bytes("campaign", bytes * table.provenance.points() as f64)?;
     let from = Provenance {
@@ -479,30 +476,33 @@ fn rows(path: &Path, bytes: f64) -> Result<(Vec<PointRow>, Origin)> {
         seed: table.provenance.seed,
         ..Provenance::default()
     };
-    Ok((
-        table.collect::<Result<_, _>>()?,
-        Origin {
-            name: path.display().to_string(),
-            from,
-        },
-    ))
+    let name = path.display().to_string();
+    Ok((table.map(|row| Ok(row?)), Origin { name, from }))
 }
 
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
-fn rows(_: &Path, _: f64) -> Result<(Vec<PointRow>, Origin)> {
+fn rows(_: &Path, _: f64) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
     let message = "this build of the program cannot read campaigns from disk";
     Err(ProblemKind::Usage.problem(message).in_field("campaign"))
 }
 
 fn of_campaign(path: &Path) -> Result<Points> {
     let (rows, origin) = rows(path, OF_OTHERS)?;
-    let points = points(&rows);
-    let made_for = made_for(&rows)?;
+    let mut made_for: Option<MakeOfRows> = None;
+    let (mut points, mut all) = (vec![], 0);
+    for row in rows {
+        let row = row?;
+        made_for
+            .get_or_insert_with(|| MakeOfRows::new(&row))
+            .add(&row)?;
+        points.extend(point(&row));
+        all += 1;
+    }
     Ok(Points {
-        failed: rows.len() - points.len(),
+        failed: all - points.len(),
         points,
-        made_for: Some(made_for),
+        made_for: made_for.map(MakeOfRows::made_for),
         origin,
     })
 }

@@ -59,8 +59,8 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
     let rows = read(&table)?;
     println!("{} points of {} muscles", rows.len(), plan.muscles());
 
-    let fitted = make(&Request {
-        points: &data::points(&rows),
+    let fitted = make(Request {
+        points: data::points(&rows),
         made_for: made_for(&rows)?,
         method: Method::Global,
         hold_out: &[],

@@ -10,7 +10,7 @@ use std::{
     fmt::Write,
     io::{IsTerminal, stderr},
     sync::{
-        Arc, LazyLock, Mutex, Once, PoisonError,
+        Arc, LazyLock, Mutex, Once, OnceLock, PoisonError,
         atomic::{AtomicBool, Ordering},
     },
     time::{Duration, Instant},
@@ -104,6 +104,8 @@ pub struct Bar {
     from: Mutex<Option<Instant>>,
     /// When the next line is due in a log; not set on a terminal.
     next_line: Mutex<Option<Instant>>,
+    /// What was there already, and since when there is more.
+    begun: OnceLock<(u64, Instant)>,
 }
 
 /// A log gets a line this often.
@@ -127,6 +129,7 @@ impl Bar {
             things: things.into(),
             from: Mutex::new(Some(Instant::now() + SOON)),
             next_line: Mutex::new((!stderr().is_terminal()).then(|| Instant::now() + A_MINUTE)),
+            begun: OnceLock::new(),
         }
     }
 
@@ -139,10 +142,11 @@ impl Bar {
         let now = Instant::now();
         if next.is_some_and(|next| now >= next) {
             *next = Some(now + A_MINUTE);
-            let bar = &self.bar;
-            let (done, total) = (bar.position(), bar.length().unwrap_or_default());
-            let (things, rate) = (&self.things, number(bar.per_sec(), 3));
-            let left = bar.eta().as_secs();
+            let (done, total) = (self.bar.position(), self.bar.length().unwrap_or_default());
+            let (before, from) = *self.begun.get_or_init(|| (done, now));
+            let rate = (done - before.min(done)) as f64 / (now - from).as_secs_f64().max(1.0);
+            let left = number((total - done.min(total)) as f64 / rate.max(1e-9), 3);
+            let (things, rate) = (&self.things, number(rate, 3));
             eprintln!("{done} of {total} {things}, {rate} a second, {left} s left");
         }
     }
@@ -171,6 +175,7 @@ impl Progress for Bar {
             bar.set_position(done as u64);
             // What was there already says nothing about the rate.
             bar.reset_eta();
+            self.begun.get_or_init(|| (done as u64, Instant::now()));
         }
         bar.set_length(total as u64);
         bar.set_position(done as u64);

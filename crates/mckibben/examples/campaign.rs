@@ -36,8 +36,8 @@ pressures = "0.05..0.25:0.05 MPa"
 pub fn main() -> Result<(), Box<dyn Error>> {
     let plan = Plan::parse(PLAN)?;
     let rows = compute(&plan, &Silent)?;
-    let fitted = make(&Request {
-        points: &data::points(&rows),
+    let fitted = make(Request {
+        points: data::points(&rows),
         made_for: made_for(&rows)?,
         method: Method::Global,
         hold_out: &[],

@@ -5,7 +5,6 @@ use crate::{NamedFigure, fit::is_of_the_paper, words::number};
 use mckibben_campaign::fit::{
     FittedFormula,
     data::{distinct, same},
-    errors::Compared,
     paper_method::{CurveFit, LineFit, PaperMethod},
 };
 use mckibben_core::{
@@ -289,7 +288,7 @@ fn largest(f: &Formula) -> String {
 /// paper's muscles with the published formula.
 fn against_points(f: &FittedFormula, d: f64) -> Figure {
     let FittedFormula {
-        formula, compared, ..
+        formula, points, ..
     } = f;
     let published = is_of_the_paper(formula).then(|| f.published());
     let held = formula
@@ -298,10 +297,7 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
         .as_ref()
         .and_then(|h| h.outer_diameters_mm.first().copied());
     let d = held.unwrap_or(d);
-    let of_d: Vec<&Compared> = compared
-        .iter()
-        .filter(|c| same(c.point.outer_diameter_mm, d))
-        .collect();
+    let of_d = || points.iter().filter(|p| same(p.outer_diameter_mm, d));
     let dots = if held.is_some() {
         "table, held out of the fit"
     } else {
@@ -320,22 +316,17 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
     )))
     .sequential()
     .columns(2);
-    let pressures = distinct(of_d.iter().map(|c| c.point.pressure_mpa));
+    let pressures = distinct(of_d().map(|p| p.pressure_mpa));
     let shown: Vec<f64> = pressures
         .iter()
         .rev()
         .step_by(pressures.len().div_ceil(5).max(1))
         .copied()
         .collect();
-    for s in distinct(of_d.iter().map(|c| c.point.wall_mm))
-        .into_iter()
-        .take(6)
-    {
+    for s in distinct(of_d().map(|p| p.wall_mm)).into_iter().take(6) {
         let mut panel = Panel::new(contraction(), pull()).title(format!("s {} mm", number(s, 3)));
         for (n, &p) in shown.iter().rev().enumerate() {
-            let points: Vec<(f64, f64)> = of_d
-                .iter()
-                .map(|c| c.point)
+            let points: Vec<(f64, f64)> = of_d()
                 .filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p))
                 .map(|q| (q.contraction, q.force_n))
                 .collect();

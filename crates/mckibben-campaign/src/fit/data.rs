@@ -68,21 +68,23 @@ impl FitPoint {
     }
 }
 
+/// The point of a row, where it has an answer.
+pub fn point(row: &PointRow) -> Option<FitPoint> {
+    Some(FitPoint {
+        outer_diameter_mm: row.outer_diameter_mm,
+        wall_mm: row.wall_mm,
+        length_mm: row.length_mm,
+        angle_deg: row.angle_deg,
+        pressure_mpa: row.pressure_mpa,
+        contraction: row.contraction,
+        force_n: row
+            .force_n
+            .filter(|f| f.is_finite() && row.status.is_ok())?,
+    })
+}
+
 /// The answered points of a table.
 pub fn points(rows: &[PointRow]) -> Vec<FitPoint> {
-    let point = |row: &PointRow| {
-        Some(FitPoint {
-            outer_diameter_mm: row.outer_diameter_mm,
-            wall_mm: row.wall_mm,
-            length_mm: row.length_mm,
-            angle_deg: row.angle_deg,
-            pressure_mpa: row.pressure_mpa,
-            contraction: row.contraction,
-            force_n: row
-                .force_n
-                .filter(|f| f.is_finite() && row.status.is_ok())?,
-        })
-    };
     rows.iter().filter_map(point).collect()
 }
 

@@ -1,14 +1,12 @@
 //! Errors of forces against reference forces, and where they are.
 
 use super::{
-    data::{FitPoint, distinct, same},
+    data::{FitPoint, same},
     error::{FitError, Result},
 };
-use mckibben_core::{
-    extremes::peak,
-    formula::{ErrorSummary, RegionErrors},
-};
+use mckibben_core::formula::{ErrorSummary, RegionErrors};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -33,78 +31,144 @@ pub struct Compared {
     pub isobar_n: f64,
 }
 
-/// Points beside the forces of the muscle and of the curve they belong to.
-pub fn compared(
-    points: &[FitPoint],
-    difference_n: impl Fn(&FitPoint) -> f64,
-) -> Result<Vec<Compared>> {
-    let key = |p: &FitPoint| (bits(p.outer_diameter_mm), bits(p.wall_mm));
-    let mut blocked = std::collections::BTreeMap::<_, (f64, f64)>::new();
-    let mut isobars = std::collections::BTreeMap::<_, f64>::new();
-    for p in points {
-        let isobar = isobars.entry((key(p), bits(p.pressure_mpa))).or_insert(0.0);
-        *isobar = isobar.max(p.force_n);
-        if same(p.contraction, 0.0) {
-            let at = blocked.entry(key(p)).or_insert((f64::MIN, 0.0));
-            if p.pressure_mpa > at.0 {
+/// The forces of a table's muscles and curves, of which errors are shares.
+#[derive(Debug, Clone, Default)]
+pub struct ForceScales {
+    /// Pressure and blocked force at the highest pressure, by muscle.
+    blocked: BTreeMap<Section, (f64, f64)>,
+    /// Largest force of each isobaric curve.
+    isobars: BTreeMap<(Section, i64), f64>,
+}
+
+/// D0 and s as keys.
+type Section = (i64, i64);
+
+fn section(p: &FitPoint) -> Section {
+    (bits(p.outer_diameter_mm), bits(p.wall_mm))
+}
+
+impl ForceScales {
+    /// Those of all muscles in a list.
+    ///
+    /// # Errors
+    /// [`FitError::Refused`] for a muscle that has no pull at contraction 0.
+    pub fn new(points: &[FitPoint]) -> Result<Self> {
+        let mut out = Self::default();
+        for p in points {
+            let isobar = out.isobars.entry((section(p), bits(p.pressure_mpa)));
+            let isobar = isobar.or_insert(0.0);
+            *isobar = isobar.max(p.force_n);
+            let at = out.blocked.entry(section(p)).or_insert((f64::MIN, 0.0));
+            if same(p.contraction, 0.0) && p.pressure_mpa > at.0 {
                 *at = (p.pressure_mpa, p.force_n);
             }
         }
-    }
-    let compare = |p: &FitPoint| {
-        let outer_diameter_mm = p.outer_diameter_mm;
-        let wall_mm = p.wall_mm;
-        let missing = FitError::Refused(format!(
+        let Some((&(d, s), _)) = out.blocked.iter().find(|(_, blocked)| blocked.1 <= 0.0) else {
+            return Ok(out);
+        };
+        let [outer_diameter_mm, wall_mm] = [d, s].map(|bits| bits as f64 / BITS);
+        Err(FitError::Refused(format!(
             "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, \
              so that its errors cannot be stated as shares of its blocked force"
-        ));
-        let isobar_n = isobars
-            .get(&(key(p), bits(p.pressure_mpa)))
-            .copied()
-            .unwrap_or(0.0);
-        Ok(Compared {
-            point: *p,
-            difference_n: difference_n(p),
-            blocked_n: blocked.get(&key(p)).filter(|b| b.1 > 0.0).ok_or(missing)?.1,
-            isobar_n,
-        })
-    };
-    points.iter().map(compare).collect()
+        )))
+    }
+
+    /// Blocked force of a point's muscle at the highest pressure in N.
+    pub fn blocked_n(&self, p: &FitPoint) -> f64 {
+        self.blocked
+            .get(&section(p))
+            .map_or(f64::NAN, |blocked| blocked.1)
+    }
+
+    /// A point beside its error.
+    pub fn compared(&self, point: FitPoint, difference_n: f64) -> Compared {
+        let isobar = self
+            .isobars
+            .get(&(section(&point), bits(point.pressure_mpa)));
+        Compared {
+            point,
+            difference_n,
+            blocked_n: self.blocked_n(&point),
+            isobar_n: isobar.copied().unwrap_or(f64::NAN),
+        }
+    }
 }
 
-/// Numbers that agree to nine digits have the same key.
+/// Points beside their errors.
+///
+/// # Errors
+/// Those of [`ForceScales::new`].
+pub fn compared(
+    points: &[FitPoint],
+    difference_n: impl Fn(&FitPoint) -> f64,
+) -> Result<impl Iterator<Item = Compared>> {
+    let scales = ForceScales::new(points)?;
+    let compare = move |p: &FitPoint| scales.compared(*p, difference_n(p));
+    Ok(points.iter().map(compare))
+}
+
+/// Numbers that agree to nine digits behind the point have the same key.
+const BITS: f64 = 1e9;
+
 fn bits(v: f64) -> i64 {
-    (v * 1e9).round() as i64
+    (v * BITS).round() as i64
 }
 
-/// The errors of chosen points where the muscle pulls; `None` without such points.
-pub fn errors(list: &[Compared], chosen: impl Fn(&FitPoint) -> bool) -> Option<Errors> {
-    let used: Vec<&Compared> = list
-        .iter()
-        .filter(|c| c.point.force_n > 0.0 && chosen(&c.point))
-        .collect();
-    let share = |c: &Compared| c.difference_n.abs() / c.blocked_n;
-    let worst = used.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
-    let mut shares: Vec<f64> = used.iter().map(|c| share(c)).collect();
-    shares.sort_by(f64::total_cmp);
-    let largest = |value: fn(&Compared) -> f64| peak(used.iter().map(|c| value(c)));
-    let squares: f64 = shares.iter().map(|e| e * e).sum();
-    let summary = ErrorSummary {
-        points: used.len(),
-        rms: (squares / used.len() as f64).sqrt(),
-        p95: shares[((shares.len() * 95).div_ceil(100)).saturating_sub(1)],
-        max: share(worst),
-        max_n: largest(|c| c.difference_n.abs()),
-        max_12: largest(|c| c.difference_n.abs() / c.isobar_n),
-    };
-    Some(Errors {
-        summary,
-        worst: worst.point,
-    })
+/// Errors that are summed up, point after point where the muscle pulls.
+#[derive(Default)]
+struct Sum {
+    shares: Vec<f64>,
+    worst: Option<(f64, FitPoint)>,
+    max_n: f64,
+    max_12: f64,
 }
 
-/// The errors by each value of D0, s, P and ε.
-pub fn regions(list: &[Compared]) -> Vec<RegionErrors> {
+impl Sum {
+    fn add(&mut self, c: &Compared) {
+        if c.point.force_n <= 0.0 {
+            return;
+        }
+        let difference_n = c.difference_n.abs();
+        let share = difference_n / c.blocked_n;
+        self.shares.push(share);
+        if self.worst.is_none_or(|(worst, _)| share >= worst) {
+            self.worst = Some((share, c.point));
+        }
+        self.max_n = self.max_n.max(difference_n);
+        self.max_12 = self.max_12.max(difference_n / c.isobar_n);
+    }
+
+    /// `None` without points.
+    fn errors(mut self) -> Option<Errors> {
+        let (max, worst) = self.worst?;
+        let points = self.shares.len();
+        let place = (points * 95).div_ceil(100).saturating_sub(1);
+        let (_, p95, _) = self.shares.select_nth_unstable_by(place, f64::total_cmp);
+        let p95 = *p95;
+        let squares: f64 = self.shares.iter().map(|e| e * e).sum();
+        let summary = ErrorSummary {
+            points,
+            rms: (squares / points as f64).sqrt(),
+            p95,
+            max,
+            max_n: self.max_n,
+            max_12: self.max_12,
+        };
+        Some(Errors { summary, worst })
+    }
+}
+
+/// The errors of points where the muscle pulls; `None` without such points.
+pub fn errors(list: impl Iterator<Item = Compared>) -> Option<Errors> {
+    let mut sum = Sum::default();
+    list.for_each(|c| sum.add(&c));
+    sum.errors()
+}
+
+/// The errors by each value of D0, s, P and ε, of which there are not too many.
+pub fn regions(list: impl Iterator<Item = Compared> + Clone) -> Vec<RegionErrors> {
+    /// More values than this are no regions: those of random muscles all differ.
+    const MOST: usize = 100;
     type Quantity = fn(&FitPoint) -> f64;
     let quantities: [(&'static str, Quantity); 4] = [
         ("outer_diameter_mm", |p| p.outer_diameter_mm),
@@ -114,12 +178,24 @@ pub fn regions(list: &[Compared]) -> Vec<RegionErrors> {
     ];
     let mut out = vec![];
     for (name, quantity) in quantities {
-        for value in distinct(list.iter().map(|c| quantity(&c.point))) {
-            let errors = errors(list, |p| same(quantity(p), value)).map(|e| e.summary);
-            out.extend(errors.map(|errors| RegionErrors {
-                quantity: name.into(),
-                value,
-                errors,
+        let mut by_value = BTreeMap::<i64, (f64, Sum)>::new();
+        for c in list.clone() {
+            let value = quantity(&c.point);
+            let (_, sum) = by_value
+                .entry(bits(value))
+                .or_insert((value, Sum::default()));
+            sum.add(&c);
+            if by_value.len() > MOST {
+                break;
+            }
+        }
+        if by_value.len() <= MOST {
+            out.extend(by_value.into_values().filter_map(|(value, sum)| {
+                Some(RegionErrors {
+                    quantity: name.into(),
+                    value,
+                    errors: sum.errors()?.summary,
+                })
             }));
         }
     }

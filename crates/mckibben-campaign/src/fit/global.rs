@@ -14,13 +14,14 @@
 //! outermost the formula would have to extrapolate, which it refuses to do later.
 
 use super::{
-    data::{FULL_PRESSURE, FitPoint, distinct, same},
+    data::{FULL_PRESSURE, FitPoint, distinct},
     error::{FitError, Result},
-    errors::{Compared, compared},
+    errors::ForceScales,
 };
 use mckibben_core::{
-    cancel,
+    cancel::{self, Cancelled},
     formula::{GlobalTerms, Scales, Term},
+    threads,
 };
 use nalgebra::{DMatrix, DVector};
 
@@ -59,19 +60,62 @@ pub struct GlobalFit {
     pub points: usize,
 }
 
+/// The rows D0² xᵃ pᵇ eᶜ dᵈ/F_blocked | F/F_blocked of points, as the triangle R of their QR
+/// decomposition: its columns have the same lengths and angles, so that nothing else is needed,
+/// however many rows there are (J. Demmel, L. Grigori, M. Hoemmen, J. Langou, SIAM J. Sci. Comput.
+/// 34, A206, 2012).
+#[derive(Clone)]
 struct Problem {
-    matrix: DMatrix<f64>,
-    values: DVector<f64>,
+    /// Of the terms, and in the last column of the forces.
+    triangle: DMatrix<f64>,
+    /// How many rows it stands for.
+    rows: usize,
+}
+
+impl Problem {
+    fn none(terms: usize) -> Self {
+        Self {
+            triangle: DMatrix::zeros(0, terms + 1),
+            rows: 0,
+        }
+    }
+
+    /// The problem of the rows of both.
+    fn and(&self, other: &Self) -> Self {
+        let (above, below) = (self.triangle.nrows(), other.triangle.nrows());
+        let columns = self.triangle.ncols();
+        let mut both = self.triangle.clone().resize_vertically(above + below, 0.0);
+        both.view_mut((above, 0), (below, columns))
+            .copy_from(&other.triangle);
+        let triangle = if above + below > columns {
+            both.qr().r()
+        } else {
+            both
+        };
+        Self {
+            triangle,
+            rows: self.rows + other.rows,
+        }
+    }
+
+    fn columns(&self) -> impl Iterator<Item = DVector<f64>> {
+        let terms = self.triangle.ncols() - 1;
+        (0..terms).map(|j| self.triangle.column(j).into_owned())
+    }
+
+    fn values(&self) -> DVector<f64> {
+        self.triangle.column(self.triangle.ncols() - 1).into_owned()
+    }
 }
 
 /// Fits at most [`MOST_TERMS`] terms.
 pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
-    let all = compared(points, |_| 0.0)?;
-    let used: Vec<Compared> = all.into_iter().filter(|c| c.point.force_n > 0.0).collect();
-    if used.is_empty() {
+    let forces = ForceScales::new(points)?;
+    let used = || points.iter().filter(|p| p.force_n > 0.0);
+    if used().next().is_none() {
         return Err(FitError::empty(" where the muscle pulls"));
     }
-    let values = |f: fn(&FitPoint) -> f64| distinct(used.iter().map(|c| f(&c.point)));
+    let values = |f: fn(&FitPoint) -> f64| distinct(used().map(f));
     let diameters = values(|p| p.outer_diameter_mm);
     let walls = values(|p| p.wall_mm);
     let pressures = values(|p| p.pressure_mpa);
@@ -92,13 +136,25 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
         diameters.len().saturating_sub(1),
     ];
     let candidates = candidates(counts);
-    cancel::check()?;
-    let full = problem(&used, &candidates, &scales);
+    let groups = Table {
+        points,
+        forces: &forces,
+        candidates: &candidates,
+        scales: &scales,
+    }
+    .groups(&diameters)?;
+    let all = |left_out: Option<usize>| {
+        let kept = (0..groups.len()).filter(|group| Some(*group) != left_out);
+        kept.fold(Problem::none(candidates.len()), |sum, group| {
+            sum.and(&groups[group])
+        })
+    };
+    let full = all(None);
     let chosen = select(&full);
     // The choice of work that was ended is not complete.
     cancel::check()?;
     let (coefficients, rms) = nested(&full, &chosen);
-    let left_out = leave_out(&used, &candidates, &scales, &diameters).unwrap_or_default();
+    let left_out = leave_out(&groups, all).unwrap_or_default();
     cancel::check()?;
     let steps: Vec<Step> = (1..=chosen.len())
         .map(|terms| Step {
@@ -121,8 +177,85 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
         terms,
         steps,
         candidates: candidates.len(),
-        points: used.len(),
+        points: full.rows,
     })
+}
+
+/// What the rows of a problem are made of.
+struct Table<'a> {
+    points: &'a [FitPoint],
+    forces: &'a ForceScales,
+    candidates: &'a [[u8; 4]],
+    scales: &'a Scales,
+}
+
+impl Table<'_> {
+    /// The problems of groups of diameters, of which one can be left out: of each diameter, or of
+    /// neighbouring ones where they are many.
+    fn groups(&self, diameters: &[f64]) -> Result<Vec<Problem>, Cancelled> {
+        /// Most groups.
+        const GROUPS: usize = 12;
+        /// Points that one thread takes at a time; digits do not depend on how many threads there are.
+        const BLOCK: usize = 1 << 15;
+        /// Blocks whose triangles are held at the same time.
+        const BLOCKS: usize = 8;
+        let size = diameters.len().div_ceil(GROUPS).max(1);
+        let count = diameters.len().div_ceil(size);
+        let group = |p: &FitPoint| {
+            let place = diameters.partition_point(|d| *d < p.outer_diameter_mm * (1.0 - 1e-9));
+            (place / size).min(count - 1)
+        };
+        let mut groups = vec![Problem::none(self.candidates.len()); count];
+        let blocks: Vec<&[FitPoint]> = self.points.chunks(BLOCK).collect();
+        for blocks in blocks.chunks(BLOCKS) {
+            cancel::check()?;
+            let of_block = |block: &&[FitPoint]| {
+                let mut rows = vec![vec![]; count];
+                for p in block.iter().filter(|p| p.force_n > 0.0) {
+                    rows[group(p)].push(p);
+                }
+                rows.iter()
+                    .map(|rows| self.problem(rows))
+                    .collect::<Vec<_>>()
+            };
+            for problems in threads::map(blocks, of_block) {
+                for (group, problem) in groups.iter_mut().zip(&problems) {
+                    *group = group.and(problem);
+                }
+            }
+        }
+        Ok(groups)
+    }
+
+    /// The problem of some points.
+    fn problem(&self, points: &[&FitPoint]) -> Problem {
+        /// Rows of a matrix.
+        const ROWS: usize = 2048;
+        let terms = self.candidates.len();
+        let of_rows = |points: &[&FitPoint]| {
+            let mut rows = DMatrix::zeros(points.len(), terms + 1);
+            for (i, p) in points.iter().enumerate() {
+                let blocked_n = self.forces.blocked_n(p);
+                let weight = p.outer_diameter_mm.powi(2) / blocked_n;
+                let variables = self.scales.variables(
+                    p.outer_diameter_mm,
+                    p.wall_mm,
+                    p.pressure_mpa,
+                    p.contraction,
+                );
+                for (j, powers) in self.candidates.iter().enumerate() {
+                    rows[(i, j)] = weight * Term::product(*powers, variables);
+                }
+                rows[(i, terms)] = p.force_n / blocked_n;
+            }
+            Problem {
+                triangle: rows,
+                rows: points.len(),
+            }
+        };
+        let parts = points.chunks(ROWS).map(of_rows);
+        parts.fold(Problem::none(terms), |sum, part| sum.and(&part))
+    }
 }
 
 /// All products of powers that the values in the table distinguish.
@@ -143,44 +276,15 @@ fn candidates(counts: [usize; 4]) -> Vec<[u8; 4]> {
     out
 }
 
-/// Rows D0² xᵃ pᵇ eᶜ dᵈ/F_blocked, values F/F_blocked.
-fn problem(used: &[Compared], candidates: &[[u8; 4]], scales: &Scales) -> Problem {
-    let mut matrix = DMatrix::zeros(used.len(), candidates.len());
-    for (i, c) in used.iter().enumerate() {
-        let p = &c.point;
-        let variables = scales.variables(
-            p.outer_diameter_mm,
-            p.wall_mm,
-            p.pressure_mpa,
-            p.contraction,
-        );
-        let weight = p.outer_diameter_mm.powi(2) / c.blocked_n;
-        for (j, powers) in candidates.iter().enumerate() {
-            matrix[(i, j)] = weight * Term::product(*powers, variables);
-        }
-    }
-    Problem {
-        matrix,
-        values: DVector::from_iterator(
-            used.len(),
-            used.iter().map(|c| c.point.force_n / c.blocked_n),
-        ),
-    }
-}
-
 /// Forward selection by modified Gram–Schmidt: the order in which terms are chosen.
 fn select(problem: &Problem) -> Vec<usize> {
-    let mut columns: Vec<DVector<f64>> = problem
-        .matrix
-        .column_iter()
-        .map(nalgebra::Matrix::into_owned)
-        .collect();
+    let mut columns: Vec<DVector<f64>> = problem.columns().collect();
     let lengths: Vec<f64> = columns.iter().map(DVector::norm_squared).collect();
-    let mut rest = problem.values.clone();
-    let all = problem.values.norm_squared();
+    let mut rest = problem.values();
+    let all = rest.norm_squared();
     let mut free: Vec<usize> = (0..columns.len()).collect();
     let mut chosen = vec![];
-    while chosen.len() < MOST_TERMS.min(problem.values.len())
+    while chosen.len() < MOST_TERMS.min(problem.rows)
         && rest.norm_squared() > MET * all
         && cancel::check().is_ok()
     {
@@ -216,11 +320,12 @@ fn nested(
     problem: &Problem,
     chosen: &[usize],
 ) -> (impl Fn(usize) -> Option<DVector<f64>> + use<>, Vec<f64>) {
-    let qr = problem.matrix.select_columns(chosen).qr();
+    let values = problem.values();
+    let qr = problem.triangle.select_columns(chosen).qr();
     let r = qr.r();
-    let turned = qr.q().transpose() * &problem.values;
-    let mut left = problem.values.norm_squared();
-    let rows = problem.values.len() as f64;
+    let turned = qr.q().transpose() * &values;
+    let mut left = values.norm_squared();
+    let rows = problem.rows as f64;
     let rms_of = |v: &f64| {
         left -= v * v;
         (left.max(0.0) / rows).sqrt()
@@ -235,38 +340,29 @@ fn nested(
     (solve, rms)
 }
 
-/// rms over inner diameters left out one at a time, by number of terms; the terms are chosen anew
-/// each time.
-fn leave_out(
-    used: &[Compared],
-    candidates: &[[u8; 4]],
-    scales: &Scales,
-    diameters: &[f64],
-) -> Option<Vec<f64>> {
-    let inner = diameters.get(1..diameters.len().checked_sub(1)?)?;
-    if inner.is_empty() || diameters.len() < 4 {
+/// rms over inner groups of diameters left out one at a time, by number of terms; the terms are
+/// chosen anew each time.
+fn leave_out(groups: &[Problem], kept: impl Fn(Option<usize>) -> Problem) -> Option<Vec<f64>> {
+    let last = groups.len().checked_sub(1)?;
+    if groups.len() < 4 {
         return None;
     }
     let mut sums = vec![0.0; MOST_TERMS];
     let mut rows = 0;
     let mut length = MOST_TERMS;
-    for &d in inner {
-        let (out, kept): (Vec<Compared>, Vec<Compared>) = used
-            .iter()
-            .partition(|c| same(c.point.outer_diameter_mm, d));
+    for (group, out) in groups.iter().enumerate().take(last).skip(1) {
         cancel::check().ok()?;
-        let kept = problem(&kept, candidates, scales);
+        let kept = kept(Some(group));
         let chosen = select(&kept);
         cancel::check().ok()?;
         let (coefficients, _) = nested(&kept, &chosen);
-        let out = problem(&out, candidates, scales);
-        let columns = out.matrix.select_columns(&chosen);
+        let columns = out.triangle.select_columns(&chosen);
         length = length.min(chosen.len());
         for n in 1..=length {
-            let error = columns.columns(0, n) * coefficients(n)? - &out.values;
+            let error = columns.columns(0, n) * coefficients(n)? - out.values();
             sums[n - 1] += error.norm_squared();
         }
-        rows += out.values.len();
+        rows += out.rows;
     }
     sums.truncate(length);
     Some(sums.into_iter().map(|s| (s / rows as f64).sqrt()).collect())

@@ -3,7 +3,7 @@
 use super::{
     data::{FitPoint, Grid, HELD_OUT, PRESSURES, distinct, same},
     error::{FitError, Result},
-    errors::{Compared, compared, errors, regions},
+    errors::{Compared, ForceScales, errors, regions},
     global::{GlobalFit, MOST_TERMS, global},
     paper_method::{CurveFit, PaperMethod, Rules, SlackRule, paper_method},
 };
@@ -59,7 +59,7 @@ impl Method {
 
 #[derive(Debug, Clone)]
 pub struct Request<'a> {
-    pub points: &'a [FitPoint],
+    pub points: Vec<FitPoint>,
     /// The make of their muscles; length and angle are those of the points.
     pub made_for: Made,
     pub method: Method,
@@ -78,8 +78,9 @@ pub struct FittedFormula {
     pub paper: Option<PaperMethod>,
     /// The steps of the global method.
     pub global: Option<GlobalFit>,
-    /// The points beside their errors, fitted and held out.
-    pub compared: Vec<Compared>,
+    /// The points, those that were fitted before those that are held out.
+    pub points: Vec<FitPoint>,
+    forces: ForceScales,
     /// Points that no method uses: those at other pressures than the paper's.
     pub unused: usize,
 }
@@ -87,17 +88,13 @@ pub struct FittedFormula {
 impl FittedFormula {
     /// The published formula, with its errors on the same points.
     pub fn published(&self) -> Formula {
-        let difference = |c: &Compared| Compared {
-            difference_n: c.point.published_n() - c.point.force_n,
-            ..*c
-        };
-        let compared: Vec<Compared> = self.compared.iter().map(difference).collect();
         let held_out = self.formula.errors.held_out.as_ref();
         let hold_out = held_out.map_or(&[][..], |h| &h.outer_diameters_mm);
+        let of = |p: &FitPoint| self.forces.compared(*p, p.published_n() - p.force_n);
         Formula {
             name: "paper".into(),
             body: Body::Paper(Box::new(*Coefficients::published())),
-            errors: formula_errors(&compared, hold_out),
+            errors: formula_errors(self.points.iter().map(of), hold_out),
             provenance: Provenance {
                 method: "published (Table 2)".into(),
                 ..self.formula.provenance.clone()
@@ -107,44 +104,48 @@ impl FittedFormula {
     }
 }
 
-/// The errors of points and of their regions, and those of diameters in mm that are held out.
 fn is_held_out(point: &FitPoint, hold_out: &[f64]) -> bool {
     hold_out.iter().any(|&d| same(d, point.outer_diameter_mm))
 }
 
-fn formula_errors(list: &[Compared], hold_out: &[f64]) -> FormulaErrors {
-    let held = |p: &FitPoint| is_held_out(p, hold_out);
-    let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
-    let points = list.iter().map(|c| c.point);
+/// The errors of points and of their regions, and those of diameters in mm that are held out.
+fn formula_errors(list: impl Iterator<Item = Compared> + Clone, hold_out: &[f64]) -> FormulaErrors {
+    let held = |c: &Compared| is_held_out(&c.point, hold_out);
+    let seen = list.clone().filter(|c| !held(c));
+    let held = list.filter(held);
     FormulaErrors {
         against: "the forces of its table, where they pull, as shares of the muscle's blocked \
             force at the table's highest pressure"
             .into(),
-        fit: errors(&seen, |_| true).map_or_else(ErrorSummary::default, |e| e.summary),
-        regions: regions(&seen),
-        held_out: errors(list, held).map(|e| HeldOut {
-            outer_diameters_mm: distinct(points.filter(held).map(|p| p.outer_diameter_mm)),
+        fit: errors(seen.clone()).map_or_else(ErrorSummary::default, |e| e.summary),
+        regions: regions(seen),
+        held_out: errors(held.clone()).map(|e| HeldOut {
+            outer_diameters_mm: distinct(held.map(|c| c.point.outer_diameter_mm)),
             errors: e.summary,
         }),
     }
 }
 
-pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
-    if request.points.is_empty() {
+pub fn make(request: Request<'_>) -> Result<FittedFormula> {
+    let mut points = request.points;
+    if points.is_empty() {
         return Err(FitError::empty(""));
     }
-    let length_mm = single(request.points, "length_mm", |p| p.length_mm)?;
-    let angle_deg = single(request.points, "angle_deg", |p| p.angle_deg)?;
-    let points = at_pressures(request.points, request.method);
-    let mut fitted = points.clone();
-    fitted.retain(|p| !is_held_out(p, request.hold_out));
+    let length_mm = single(&points, "length_mm", |p| p.length_mm)?;
+    let angle_deg = single(&points, "angle_deg", |p| p.angle_deg)?;
+    let there = points.len();
+    keep_pressures(&mut points, request.method);
+    let unused = there - points.len();
+    let held = |p: &FitPoint| is_held_out(p, request.hold_out);
+    points.sort_by_key(held);
+    let fitted = &points[..points.partition_point(|p| !held(p))];
     let (body, paper, global) = match request.method {
         Method::Paper(rules) => {
-            let steps = paper_method(&fitted, rules)?;
+            let steps = paper_method(fitted, rules)?;
             (Body::Paper(Box::new(steps.coefficients)), Some(steps), None)
         }
         Method::Global => {
-            let fit = global(&fitted)?;
+            let fit = global(fitted)?;
             (Body::Global(fit.terms.clone()), None, Some(fit))
         }
     };
@@ -156,32 +157,34 @@ pub fn make(request: &Request<'_>) -> Result<FittedFormula> {
             angle_deg,
             ..request.made_for.clone()
         },
-        range: range(&fitted),
-        errors: formula_errors(&[], &[]),
+        range: range(fitted),
+        errors: formula_errors(std::iter::empty(), &[]),
         provenance: Provenance {
             method: request
                 .method
                 .text(paper.as_ref().map_or(&[], |m| &m.curves)),
             points: fitted.len(),
-            data_hash: hash::numbers(numbers(&fitted)),
+            data_hash: hash::numbers(numbers(fitted)),
             ..request.from.clone()
         },
     };
-    let list = compared(&points, |p| p.difference_n(&formula))?;
-    formula.errors = formula_errors(&list, request.hold_out);
+    let forces = ForceScales::new(&points)?;
+    let of = |p: &FitPoint| forces.compared(*p, p.difference_n(&formula));
+    formula.errors = formula_errors(points.iter().map(of), request.hold_out);
     FitError::refuse_absurd(formula.errors.fit.rms)?;
     Ok(FittedFormula {
         formula,
         paper,
         global,
-        compared: list,
-        unused: request.points.len() - points.len(),
+        points,
+        forces,
+        unused,
     })
 }
 
 /// The paper's method takes the paper's five pressures where the table has them all and none above,
 /// else every pressure above zero; `global` takes everything above zero.
-fn at_pressures(points: &[FitPoint], method: Method) -> Vec<FitPoint> {
+fn keep_pressures(points: &mut Vec<FitPoint>, method: Method) {
     let pressures = distinct(points.iter().map(|p| p.pressure_mpa));
     let has = |v: &f64| pressures.iter().any(|p| same(*p, *v));
     let top = PRESSURES[PRESSURES.len() - 1];
@@ -195,11 +198,7 @@ fn at_pressures(points: &[FitPoint], method: Method) -> Vec<FitPoint> {
             p > 0.0
         }
     };
-    points
-        .iter()
-        .copied()
-        .filter(|p| is_used(p.pressure_mpa))
-        .collect()
+    points.retain(|p| is_used(p.pressure_mpa));
 }
 
 fn single(points: &[FitPoint], quantity: &'static str, value: fn(&FitPoint) -> f64) -> Result<f64> {
@@ -242,14 +241,14 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<FittedFormula> {
     let made_for = Made::from_muscle(&Muscle::prototype());
     let request = Request {
-        points,
+        points: points.to_vec(),
         made_for,
         method,
         hold_out,
         name: method.name().into(),
         from: Provenance::default(),
     };
-    make(&request)
+    make(request)
 }
 
 /// The formula of the paper's campaign by finite elements; D0 35 mm is held out.
@@ -266,53 +265,85 @@ fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= TOLERANCE * a.abs().max(b.abs())
 }
 
-/// Rubber and braid of a table's muscles; length and angle are those of its first row.
-///
-/// # Errors
-/// [`FitError::Refused`] where they have more than one, where a measure varies that no formula has,
-/// [`FitError::Refused`] without rows.
-pub fn made_for(rows: &[PointRow]) -> Result<Made> {
-    let first = rows.first().ok_or_else(|| FitError::empty(""))?;
-    let rubber = |r: &PointRow| MadeRubber {
-        name: Some(r.rubber.clone()).filter(|name| !name.is_empty()),
-        law: r.law.clone(),
-        constants: r.constants.iter().cloned().collect(),
+/// Rubber and braid of a table's muscles, row after row; length and angle are those of its first
+/// row.
+#[derive(Debug, Clone)]
+pub struct MakeOfRows {
+    made: Made,
+    /// The descriptions of the braid that hold for every row so far, the simplest first.
+    braids: Vec<MadeBraid>,
+}
+
+fn rubber_of(row: &PointRow) -> MadeRubber {
+    MadeRubber {
+        name: Some(row.rubber.clone()).filter(|name| !name.is_empty()),
+        law: row.law.clone(),
+        constants: row.constants.iter().cloned().collect(),
         bulk_modulus_mpa: None,
-    };
-    let ours = rubber(first);
-    if !rows.iter().all(|r| rubber(r).is_like(&ours, TOLERANCE)) {
-        return Err(FitError::mixed_make("rubber"));
     }
-    if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
-        return Err(FitError::varies(column));
-    }
-    let made = Made {
-        length_mm: first.length_mm,
-        angle_deg: first.angle_deg,
-        rubber: ours,
-        braid: MadeBraid::Named(NamedBraid::Inextensible),
-    };
-    // The simplest description of the braid that holds for every row.
-    let k = first.braid_stiffness_n_per_mm;
-    let mut choices = vec![
-        MadeBraid::Named(NamedBraid::Paper),
-        MadeBraid::Named(NamedBraid::Inextensible),
-    ];
-    choices.extend(k.map(MadeBraid::Stiffness));
-    choices.extend(k.map(|k| MadeBraid::TimesDiameter(k * first.outer_diameter_mm)));
-    for braid in choices {
+}
+
+impl MakeOfRows {
+    /// That of one row.
+    pub fn new(first: &PointRow) -> Self {
+        let k = first.braid_stiffness_n_per_mm;
+        let mut braids = vec![
+            MadeBraid::Named(NamedBraid::Paper),
+            MadeBraid::Named(NamedBraid::Inextensible),
+        ];
+        braids.extend(k.map(MadeBraid::Stiffness));
+        braids.extend(k.map(|k| MadeBraid::TimesDiameter(k * first.outer_diameter_mm)));
         let made = Made {
-            braid,
-            ..made.clone()
+            length_mm: first.length_mm,
+            angle_deg: first.angle_deg,
+            rubber: rubber_of(first),
+            braid: MadeBraid::Named(NamedBraid::Inextensible),
         };
-        let fits = |r: &PointRow| {
-            let a = made.stiffness_n_per_mm(r.outer_diameter_mm);
-            let b = r.braid_stiffness_n_per_mm;
+        Self { made, braids }
+    }
+
+    /// A further row.
+    ///
+    /// # Errors
+    /// [`FitError::Refused`] where it has another rubber or braid, or where a measure varies that
+    /// no formula has.
+    pub fn add(&mut self, row: &PointRow) -> Result<()> {
+        if !rubber_of(row).is_like(&self.made.rubber, TOLERANCE) {
+            return Err(FitError::mixed_make("rubber"));
+        }
+        if let Some((column, _)) = row.measures.first() {
+            return Err(FitError::varies(column));
+        }
+        let made = &mut self.made;
+        self.braids.retain(|braid| {
+            made.braid = *braid;
+            let a = made.stiffness_n_per_mm(row.outer_diameter_mm);
+            let b = row.braid_stiffness_n_per_mm;
             a.zip(b).map_or(a == b, |(a, b)| close(a, b))
-        };
-        if rows.iter().all(fits) {
-            return Ok(made);
+        });
+        if self.braids.is_empty() {
+            return Err(FitError::mixed_make("braid"));
+        }
+        Ok(())
+    }
+
+    /// What all of them are made for.
+    pub fn made_for(self) -> Made {
+        let braid = self.braids.into_iter().next();
+        Made {
+            braid: braid.unwrap_or(MadeBraid::Named(NamedBraid::Inextensible)),
+            ..self.made
         }
     }
-    Err(FitError::mixed_make("braid"))
+}
+
+/// The make of rows in memory.
+///
+/// # Errors
+/// Those of [`MakeOfRows::add`], and [`FitError::Refused`] without rows.
+pub fn made_for(rows: &[PointRow]) -> Result<Made> {
+    let first = rows.first().ok_or_else(|| FitError::empty(""))?;
+    let mut made = MakeOfRows::new(first);
+    rows.iter().try_for_each(|row| made.add(row))?;
+    Ok(made.made_for())
 }

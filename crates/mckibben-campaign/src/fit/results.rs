@@ -147,7 +147,7 @@ impl Findings {
         difference_n: impl Fn(&FitPoint) -> f64,
     ) -> Result<()> {
         let points: Vec<FitPoint> = points.into_iter().copied().collect();
-        let errors = errors(&compared(&points, difference_n)?, |_| true)
+        let errors = errors(compared(&points, difference_n)?)
             .ok_or_else(|| FitError::empty(" to compare"))?;
         self.0.push(Finding {
             comparison: comparison.into(),
