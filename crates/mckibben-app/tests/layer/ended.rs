@@ -152,7 +152,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             ]
         }
         "fit-report" => vec![json!({})],
-        "plan" => vec![json!({ "plan": plan })],
+        "plan" | "campaign-forecast" => vec![json!({ "plan": plan })],
         "campaign" => vec![json!({ "plan": plan, "output": folder.join("c.parquet") })],
         "build" => vec![json!({ "muscle": { "length_mm": 30000 }, "report": true })],
         "rubber" => {

@@ -14,12 +14,12 @@
 //! outermost the formula would have to extrapolate, which it refuses to do later.
 
 use super::{
-    data::{FULL_PRESSURE, FitPoint, distinct},
+    data::{FULL_PRESSURE, FitPoint, distinct, same},
     error::{FitError, Result},
     errors::ForceScales,
 };
 use mckibben_core::{
-    cancel::{self, Cancelled},
+    cancel,
     formula::{GlobalTerms, Scales, Term},
     threads,
 };
@@ -142,7 +142,8 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
         candidates: &candidates,
         scales: &scales,
     }
-    .groups(&diameters)?;
+    .groups(&diameters);
+    cancel::check()?;
     let all = |left_out: Option<usize>| {
         let kept = (0..groups.len()).filter(|group| Some(*group) != left_out);
         kept.fold(Problem::none(candidates.len()), |sum, group| {
@@ -192,69 +193,51 @@ struct Table<'a> {
 impl Table<'_> {
     /// The problems of groups of diameters, of which one can be left out: of each diameter, or of
     /// neighbouring ones where they are many.
-    fn groups(&self, diameters: &[f64]) -> Result<Vec<Problem>, Cancelled> {
+    fn groups(&self, diameters: &[f64]) -> Vec<Problem> {
         /// Most groups.
         const GROUPS: usize = 12;
-        /// Points that one thread takes at a time; digits do not depend on how many threads there are.
-        const BLOCK: usize = 1 << 15;
-        /// Blocks whose triangles are held at the same time.
-        const BLOCKS: usize = 8;
         let size = diameters.len().div_ceil(GROUPS).max(1);
-        let count = diameters.len().div_ceil(size);
-        let group = |p: &FitPoint| {
-            let place = diameters.partition_point(|d| *d < p.outer_diameter_mm * (1.0 - 1e-9));
-            (place / size).min(count - 1)
-        };
-        let mut groups = vec![Problem::none(self.candidates.len()); count];
-        let blocks: Vec<&[FitPoint]> = self.points.chunks(BLOCK).collect();
-        for blocks in blocks.chunks(BLOCKS) {
-            cancel::check()?;
-            let of_block = |block: &&[FitPoint]| {
-                let mut rows = vec![vec![]; count];
-                for p in block.iter().filter(|p| p.force_n > 0.0) {
-                    rows[group(p)].push(p);
-                }
-                rows.iter()
-                    .map(|rows| self.problem(rows))
-                    .collect::<Vec<_>>()
-            };
-            for problems in threads::map(blocks, of_block) {
-                for (group, problem) in groups.iter_mut().zip(&problems) {
-                    *group = group.and(problem);
-                }
-            }
-        }
-        Ok(groups)
+        let groups: Vec<&[f64]> = diameters.chunks(size).collect();
+        threads::map(&groups, |group| self.problem(group))
     }
 
-    /// The problem of some points.
-    fn problem(&self, points: &[&FitPoint]) -> Problem {
+    /// The problem of some neighbouring diameters.
+    fn problem(&self, diameters: &[f64]) -> Problem {
         /// Rows of a matrix.
         const ROWS: usize = 2048;
-        let terms = self.candidates.len();
-        let of_rows = |points: &[&FitPoint]| {
-            let mut rows = DMatrix::zeros(points.len(), terms + 1);
-            for (i, p) in points.iter().enumerate() {
-                let blocked_n = self.forces.blocked_n(p);
-                let weight = p.outer_diameter_mm.powi(2) / blocked_n;
-                let variables = self.scales.variables(
-                    p.outer_diameter_mm,
-                    p.wall_mm,
-                    p.pressure_mpa,
-                    p.contraction,
-                );
-                for (j, powers) in self.candidates.iter().enumerate() {
-                    rows[(i, j)] = weight * Term::product(*powers, variables);
-                }
-                rows[(i, terms)] = p.force_n / blocked_n;
-            }
-            Problem {
-                triangle: rows,
-                rows: points.len(),
-            }
+        let mut sum = Problem::none(self.candidates.len());
+        let (Some(first), Some(last)) = (diameters.first(), diameters.last()) else {
+            return sum;
         };
-        let parts = points.chunks(ROWS).map(of_rows);
-        parts.fold(Problem::none(terms), |sum, part| sum.and(&part))
+        let belongs = |d: f64| (d > *first && d < *last) || same(d, *first) || same(d, *last);
+        let used = |p: &&FitPoint| p.force_n > 0.0 && belongs(p.outer_diameter_mm);
+        let mut points = self.points.iter().filter(used).peekable();
+        while points.peek().is_some() && cancel::check().is_ok() {
+            let rows: Vec<_> = points.by_ref().take(ROWS).map(|p| self.row(p)).collect();
+            let part = Problem {
+                rows: rows.len(),
+                triangle: DMatrix::from_fn(rows.len(), self.candidates.len() + 1, |i, j| {
+                    rows[i][j]
+                }),
+            };
+            sum = sum.and(&part);
+        }
+        sum
+    }
+
+    /// The row of a point: the terms, and the force.
+    fn row(&self, p: &FitPoint) -> Vec<f64> {
+        let blocked_n = self.forces.blocked_n(p);
+        let weight = p.outer_diameter_mm.powi(2) / blocked_n;
+        let variables = self.scales.variables(
+            p.outer_diameter_mm,
+            p.wall_mm,
+            p.pressure_mpa,
+            p.contraction,
+        );
+        let term = |powers: &[u8; 4]| weight * Term::product(*powers, variables);
+        let force = p.force_n / blocked_n;
+        self.candidates.iter().map(term).chain([force]).collect()
     }
 }
 

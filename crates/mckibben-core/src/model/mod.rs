@@ -21,7 +21,6 @@ mod klute_hannaford;
 mod notes;
 mod pantograph;
 mod paper;
-mod pointers;
 mod proportional;
 mod quadrature;
 mod range;
@@ -57,6 +56,7 @@ pub use wall_energy::WallEnergy;
 pub use workspace::{ModelId, Workspace};
 
 use crate::muscle::Muscle;
+use auto_impl::auto_impl;
 
 /// Gauss–Legendre points and weights on [−1, 1].
 pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
@@ -97,6 +97,7 @@ pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
 /// assert!((asked.pressure_at(600.0, 0.1)? - 1.0 / 6.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[auto_impl(&, Box, Arc)]
 pub trait ForceModel: Send + Sync {
     /// What it is: name, source, range, error.
     fn info(&self) -> &ModelInfo;
@@ -129,7 +130,12 @@ pub trait ForceModel: Send + Sync {
     /// Nothing is checked against its range; whoever wants an inverse of any model takes
     /// [`Evaluation::pressure_at`](crate::analysis::Evaluation::pressure_at).
     #[doc(hidden)]
-    fn pressure_at_pull(&self, _: &mut Workspace, _force_n: f64, _contraction: f64) -> Option<f64> {
+    fn pressure_at_pull(
+        &self,
+        _workspace: &mut Workspace,
+        _force_n: f64,
+        _contraction: f64,
+    ) -> Option<f64> {
         None
     }
 
@@ -137,7 +143,7 @@ pub trait ForceModel: Send + Sync {
     #[doc(hidden)]
     fn contraction_at_pull(
         &self,
-        _: &mut Workspace,
+        _workspace: &mut Workspace,
         _force_n: f64,
         _pressure_mpa: f64,
     ) -> Option<f64> {
@@ -156,7 +162,7 @@ pub trait ForceModel: Send + Sync {
     /// differences.
     fn force_by(
         &self,
-        _: &mut Workspace,
+        _workspace: &mut Workspace,
         _p: f64,
         _e: f64,
         _names: &[String],
@@ -176,7 +182,7 @@ pub trait ForceModel: Send + Sync {
     #[doc(hidden)]
     fn mesh_error_n(
         &self,
-        _: &mut Workspace,
+        _workspace: &mut Workspace,
         _p: f64,
         _e: f64,
         _force_n: f64,
@@ -186,13 +192,18 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// Sentences for the warnings of an answer that was computed with a workspace.
-    fn notes(&self, _: &Workspace) -> Vec<String> {
+    fn notes(&self, _workspace: &Workspace) -> Vec<String> {
         self.info().notes.clone()
     }
 
     /// As [`pivoting_n_per_mm`], where the model computes how the strands press on each other.
     #[doc(hidden)]
-    fn contact_n_per_mm(&self, _: &mut Workspace, _p: f64, _e: f64) -> Option<Result<f64>> {
+    fn contact_n_per_mm(
+        &self,
+        _workspace: &mut Workspace,
+        _p: f64,
+        _e: f64,
+    ) -> Option<Result<f64>> {
         None
     }
 

@@ -12,7 +12,6 @@ mod columns;
 mod delimited;
 mod error;
 mod find;
-mod free;
 mod heading;
 mod kinds;
 mod load;
@@ -36,9 +35,8 @@ pub use over_time::{Log, OverTime, Series, read_log, read_over_time};
 pub use text::read_text;
 pub use understood::{Understood, UnderstoodColumn};
 
-pub use delimited::MAX_BYTES;
+pub use delimited::{MAX_BYTES, Sheet};
 pub use find::Table;
-pub use free::FreeTable;
 pub use heading::{Column, is_absolute};
 pub use kinds::{HISTORIES, MEASURED, POINTS, RECORDED, TESTS, Vocabulary};
 pub use vocabulary::{Meaning, spoken};

@@ -4,9 +4,9 @@ use super::axis::{Axis, CONSTANT, RUBBER, variables};
 use mckibben_core::{
     muscle::Measure,
     rubber::Law,
-    units::{Dimension, Values},
+    units::{Dimension, Values, parse_quantity},
 };
-use mckibben_io::table::{FreeTable, TableError};
+use mckibben_io::table::{Sheet, TableError};
 
 /// What a table says: axes, and the values of each, muscle by muscle.
 pub struct OwnSamples {
@@ -15,50 +15,51 @@ pub struct OwnSamples {
     pub muscles: u64,
 }
 
-/// A column that was recognised.
-struct Named {
-    key: String,
-    /// What its heading begins with.
-    name: String,
-    dimension: Dimension,
-}
-
-/// Reads a table whose headings are keys of `[vary]` or columns of a campaign's table, with their
-/// units: `tube.outer_diameter [mm]`, `wall_mm`, `c10_mpa`, `tube.rubber`.
+/// Reads a table whose headings are keys of `[vary]`, with their unit in brackets, or columns of a
+/// campaign's table: `tube.outer_diameter [in]`, `wall_mm`, `c10_mpa`, `tube.rubber`.
 ///
 /// # Errors
-/// [`TableError`] with the column that is not known, or the field that is no number.
+/// [`TableError`] with the column that is not known, or the line of a field that is no number.
 pub fn read(text: &str) -> Result<OwnSamples, TableError> {
-    let table = FreeTable::read(text)?;
-    let known = known();
+    let rows = Sheet::split(text)?.rows;
+    let (heading, rows) = match &rows[..] {
+        [heading, rows @ ..] if !rows.is_empty() => (heading, rows),
+        _ => return Err(TableError::empty()),
+    };
     let (mut axes, mut all): (Vec<Axis>, Vec<Vec<f64>>) = (vec![], vec![]);
-    for (column, heading) in table.headings.iter().enumerate() {
-        let named = known
-            .iter()
-            .find(|n| FreeTable::is_named(heading, &n.name, n.dimension))
-            .ok_or_else(|| unknown(heading))?;
-        if axes.iter().any(|axis| axis.key == named.key) {
-            return Err(TableError::Refused(format!("{} stands twice", named.key)));
+    for (i, heading) in heading.fields().enumerate() {
+        let (name, unit) = heading.split_once('[').unwrap_or((heading, ""));
+        let (name, unit) = (name.trim(), unit.trim_end_matches(']'));
+        let (key, dimension) = known(name).ok_or_else(|| unknown(heading))?;
+        if axes.iter().any(|axis| axis.key == key) {
+            return Err(TableError::Refused(format!("{key} stands twice")));
         }
-        if named.key == RUBBER {
+        let fields = rows.iter().map(|row| (row.line, row.field(i)));
+        if key == RUBBER {
             let mut names: Vec<String> = vec![];
-            let number = |name: &str| match names.iter().position(|n| n == name) {
-                Some(number) => number as f64,
-                None => {
+            let number = |(_, name): (u64, &str)| {
+                let known = names.iter().position(|known| known == name);
+                known.unwrap_or_else(|| {
                     names.push(name.to_owned());
-                    (names.len() - 1) as f64
-                }
+                    names.len() - 1
+                }) as f64
             };
-            all.push(table.texts(column).map(number).collect());
+            all.push(fields.map(number).collect());
             axes.push(Axis::of_rubbers(names));
             continue;
         }
-        let values = table.numbers(column, &named.name, named.dimension)?;
+        let number = |(line, field): (u64, &str)| {
+            let is_bare = field.parse::<f64>().is_ok();
+            let with_unit = format!("{field} {}", if is_bare { unit } else { "" });
+            parse_quantity(with_unit.trim(), dimension)
+                .map_err(|e| TableError::Refused(format!("line {line}, column {heading}: {e}")))
+        };
+        let values = fields.map(number).collect::<Result<Vec<f64>, _>>()?;
         let mut levels = values.clone();
         levels.sort_by(f64::total_cmp);
         levels.dedup();
         axes.push(Axis {
-            key: named.key.clone(),
+            key,
             values: Values::List(levels),
             log: false,
             names: vec![],
@@ -68,43 +69,29 @@ pub fn read(text: &str) -> Result<OwnSamples, TableError> {
     Ok(OwnSamples {
         axes,
         values: all,
-        muscles: table.len() as u64,
+        muscles: rows.len() as u64,
     })
 }
 
-/// Every name that a heading may begin with.
-fn known() -> Vec<Named> {
-    let mut out = vec![];
-    for variable in variables() {
-        let columns = column_names(&variable.key);
-        let names = columns.into_iter().chain([variable.key.clone()]);
-        out.extend(names.map(|name| Named {
-            key: variable.key.clone(),
-            name,
-            dimension: variable.dimension,
-        }));
+/// The key that a name means, and what it measures.
+fn known(name: &str) -> Option<(String, Dimension)> {
+    if [RUBBER, "rubber"].contains(&name) {
+        return Some((RUBBER.into(), Dimension::Ratio));
     }
-    out.extend([RUBBER, "rubber"].map(|name| Named {
-        key: RUBBER.into(),
-        name: name.into(),
-        dimension: Dimension::Ratio,
-    }));
-    out
-}
-
-/// The columns that a campaign's table has of a key.
-fn column_names(key: &str) -> Vec<String> {
-    if key == "braid.stiffness" {
-        return vec!["braid_stiffness_n_per_mm".into()];
-    }
-    if let Some(name) = key.strip_prefix(CONSTANT) {
-        let constants = Law::KINDS.iter().flat_map(|kind| kind.constants);
-        let of_name = constants.filter(|c| c.name == name);
-        let column = |modulus: bool| format!("{name}{}", if modulus { "_mpa" } else { "" });
-        return of_name.map(|c| column(c.is_modulus())).take(1).collect();
-    }
-    let field = Measure::of_key(key).and_then(|measure| measure.field);
-    field.map(str::to_owned).into_iter().collect()
+    let constants = Law::KINDS.iter().flat_map(|kind| kind.constants);
+    let constant = constants
+        .map(|c| c.name)
+        .find(|c| name.trim_end_matches("_mpa") == *c);
+    let constant = constant.map(|c| format!("{CONSTANT}{c}"));
+    let is_named = |key: &str| {
+        let field = Measure::of_key(key).and_then(|measure| measure.field);
+        key == name
+            || field == Some(name)
+            || constant.as_deref() == Some(key)
+            || (key, name) == ("braid.stiffness", "braid_stiffness_n_per_mm")
+    };
+    let variable = variables().into_iter().find(|v| is_named(&v.key))?;
+    Some((variable.key, variable.dimension))
 }
 
 fn unknown(heading: &str) -> TableError {
