@@ -1,6 +1,6 @@
 //! The stem of a plug: what lies in the tube.
 
-use crate::ends::Ends;
+use crate::ends::{BOLT_BAND_MM, Ends, Press};
 use mckibben_core::muscle::EndsMade;
 
 /// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice:
@@ -35,6 +35,8 @@ pub struct Stem {
     /// The shoulder beyond the tube on which the sleeve alone is pressed: diameter, and height from
     /// which on, in mm.
     pub shoulder_mm: Option<[f64; 2]>,
+    /// What presses the sleeve on it: from and to, in mm.
+    pub pressed_mm: Vec<[f64; 2]>,
     /// Radii and heights from the inner end to the head.
     pub profile: Vec<[f64; 2]>,
 }
@@ -57,6 +59,7 @@ impl Stem {
             length_mm: NOSE_MM + insertion_mm,
             bands_mm: vec![],
             shoulder_mm: None,
+            pressed_mm: vec![],
             profile: vec![],
         };
         match ends.made {
@@ -64,7 +67,7 @@ impl Stem {
             EndsMade::Clamped => stem.barbed(ends),
             EndsMade::Crimped => {
                 stem.barbed(ends);
-                stem.ribbed(wall_mm);
+                stem.ribbed(ends, wall_mm);
             }
         }
         stem.fillet();
@@ -129,7 +132,7 @@ impl Stem {
     }
 
     /// A shoulder as wide as the tube, with ribs.
-    fn ribbed(&mut self, wall_mm: f64) {
+    fn ribbed(&mut self, ends: &Ends, wall_mm: f64) {
         let end = self
             .bands_mm
             .last()
@@ -149,6 +152,20 @@ impl Stem {
             ]);
         }
         self.shoulder_mm = Some([2.0 * radius, end]);
+        let bands = match ends.press {
+            Some(Press::BoltClamps(count)) => count,
+            _ => 0,
+        };
+        let room = (self.length_mm - end) / bands.max(1) as f64;
+        let half = if bands > 0 {
+            0.5 * BOLT_BAND_MM
+        } else {
+            0.5 * room - 1.0
+        };
+        self.pressed_mm = (0..bands.max(1))
+            .map(|i| end + (i as f64 + 0.5) * room)
+            .map(|middle| [middle - half, middle + half])
+            .collect();
     }
 
     /// The corner at the head.
