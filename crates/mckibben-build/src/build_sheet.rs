@@ -46,13 +46,19 @@ pub fn document(plan: &Plan) -> Result<Document, FigureError> {
     parts.extend(cut_list(plan));
     parts.extend([heading("Plugs"), Part::Steps(plugs(plan))]);
     if plan.is_cast() {
-        parts.extend([heading("Casting the tube"), Part::Steps(casting(plan))]);
+        parts.extend([
+            heading("Casting the tube"),
+            Part::Drawing(sketch::casting(plan)?),
+            Part::Steps(casting(plan)),
+        ]);
     }
     parts.extend([
         heading("Assembly"),
+        Part::Drawing(sketch::assembly(plan)?),
         Part::Drawing(sketch::end(plan)?),
         Part::Steps(assembly(plan)),
         heading("Proof and leak test"),
+        Part::Drawing(sketch::tests(plan)?),
         Part::Drawing(sketch::frame(plan)?),
         Part::Steps(tests(plan)),
         heading("As built"),
@@ -269,7 +275,7 @@ pub fn mixed_ml(plan: &Plan) -> String {
 }
 
 /// What of a turn of a strand fits on the tube, and how long it is in mm.
-fn turn(plan: &Plan) -> (&'static str, f64) {
+pub fn turn(plan: &Plan) -> (&'static str, f64) {
     let length_mm = plan.muscle.length_mm();
     let whole_mm = length_mm / plan.muscle.turns();
     let parts = [
@@ -282,19 +288,13 @@ fn turn(plan: &Plan) -> (&'static str, f64) {
     fits.unwrap_or(("an eighth of a turn", whole_mm / 8.0))
 }
 
-fn assembly(plan: &Plan) -> Vec<String> {
-    let (shown, ends, muscle) = (&plan.shown, &plan.ends, &plan.muscle);
-    let fray = if plan.is_aramid() {
-        "aramid does not melt: wrap tape around it first, and cut through the tape"
-    } else {
-        "melt the ends of the sleeve, so that they do not fray"
-    };
-    let stem = &plan.air_plug.stem;
+/// How an end is closed.
+fn closing(plan: &Plan) -> String {
+    let (shown, ends) = (&plan.shown, &plan.ends);
     let around = shown.length(plan.clamped_diameter_mm);
     let squeezed = shown.length(plan.squeezed_mm());
     let holds = plan.ends_hold();
-    let turn = turn(plan);
-    let clamp = match ends.made {
+    match ends.made {
         EndsMade::Tied => format!(
             "Tighten a cable tie of {} mm over each of the {} grooves, on the sleeve ({around} wide \
              there). Each end: {holds}.",
@@ -309,7 +309,7 @@ fn assembly(plan: &Plan) -> Vec<String> {
         EndsMade::Crimped => {
             let press = match ends.press {
                 Some(Press::BoltClamps(_)) => format!(
-                    "Tighten the clamps with a bolt (M{}) to {} N m, twice, an hour apart: they carry",
+                    "Tighten the clamps with a bolt (M{}) to {} N·m, twice, an hour apart: they carry",
                     mm(BOLT_MM),
                     mm(BOLT_NM)
                 ),
@@ -323,7 +323,18 @@ fn assembly(plan: &Plan) -> Vec<String> {
                 shown.length(plan.pressed_diameter_mm.unwrap_or_default())
             )
         }
+    }
+}
+
+fn assembly(plan: &Plan) -> Vec<String> {
+    let (shown, ends, muscle) = (&plan.shown, &plan.ends, &plan.muscle);
+    let fray = if plan.is_aramid() {
+        "aramid does not melt: wrap tape around it first, and cut through the tape"
+    } else {
+        "melt the ends of the sleeve, so that they do not fray"
     };
+    let stem = &plan.air_plug.stem;
+    let turn = turn(plan);
     let pressed = &*format!(
         "clamps ({0}, hose clamp, hose clamp, {0})",
         ends.pressed_by()
@@ -348,7 +359,7 @@ fn assembly(plan: &Plan) -> Vec<String> {
             },
             shown.length(TRIM_MM)
         ),
-        clamp,
+        closing(plan),
         "Straighten the sleeve along the tube until it lies on it everywhere, without folds or twist. \
          Push in the eye plug, with its bolt hole parallel to the other one."
             .into(),

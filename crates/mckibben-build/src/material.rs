@@ -125,15 +125,37 @@ pub fn density_kg_per_m3(muscle: &Muscle) -> Option<f64> {
     muscle.tube().density_kg_per_m3.or_else(of_rubber)
 }
 
-pub fn bill(plan: &Plan) -> Vec<BuildPart> {
-    let bought = |number, part: &str, size: String, count: usize| BuildPart {
+/// A part that is bought by its size.
+fn bought(number: u32, part: &str, size: String, count: usize) -> BuildPart {
+    BuildPart {
         number,
         part: part.into(),
         size,
         amount: count.to_string(),
         spare: "1".into(),
         ..BuildPart::default()
+    }
+}
+
+/// What presses the sleeve on the shoulders, on a diameter.
+fn pressed(plan: &Plan, on_mm: f64) -> BuildPart {
+    if let Some(Press::BoltClamps(count)) = plan.ends.press {
+        let on = significant(on_mm, 3);
+        let [band, bolt] = [BOLT_BAND_MM, BOLT_MM].map(mm);
+        let size = format!("DIN 3017-3, ⌀{on} mm, band {band} mm, bolt M{bolt}");
+        return bought(8, "clamp with a T-bolt", size, 2 * count);
+    }
+    let size = match ferrule_mm(on_mm) {
+        Some([outer, wall]) => format!("{} × {} mm", mm(outer), mm(wall)),
+        None => format!("with a bore of {} mm", mm((on_mm + FERRULE_PLAY_MM).ceil())),
     };
+    let bands = plan.air_plug.stem.pressed_mm.iter();
+    let long = mm(bands.map(|band| (band[1] - band[0]).floor()).sum());
+    let size = format!("steel tube EN 10305-1 {size}, {long} mm long");
+    bought(8, "ferrule", size, 2)
+}
+
+pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     let plug = |number, name: &str, plug: &Plug| BuildPart {
         mass_g: Some(plug.mass_g()),
         spare: "–".into(),
@@ -172,27 +194,7 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
         bought(6, &fitting, "for the working pressure".into(), 1),
         bought(7, "bolt with nut", size, 2),
     ];
-    if let Some(on_mm) = plan.pressed_diameter_mm {
-        parts.push(match ends.press {
-            Some(Press::BoltClamps(count)) => {
-                let on = significant(on_mm, 3);
-                let band = mm(BOLT_BAND_MM);
-                let bolt = mm(BOLT_MM);
-                let size = format!("DIN 3017-3, ⌀{on} mm, band {band} mm, bolt M{bolt}");
-                bought(8, "clamp with a T-bolt", size, 2 * count)
-            }
-            _ => {
-                let band = plan.air_plug.stem.pressed_mm.first();
-                let long = band.map_or(0.0, |band| (band[1] - band[0]).floor());
-                let size = match ferrule_mm(on_mm) {
-                    Some([outer, wall]) => format!("{} × {} mm", mm(outer), mm(wall)),
-                    None => format!("with a bore of {} mm", mm((on_mm + FERRULE_PLAY_MM).ceil())),
-                };
-                let size = format!("steel tube EN 10305-1 {size}, {} mm long", mm(long));
-                bought(8, "ferrule", size, 2)
-            }
-        });
-    }
+    parts.extend(plan.pressed_diameter_mm.map(|on_mm| pressed(plan, on_mm)));
     if plan.is_cast() {
         let mould = Mould::new(&plan.cut);
         let mixed = build_sheet::mixed_ml(plan);

@@ -8,7 +8,7 @@ use serde::Deserialize;
 /// Play of rod and pipe, spigot, flange and its width beyond the pipe, in mm (choices).
 const PLAY_MM: f64 = 0.2;
 pub const SPIGOT_MM: f64 = 8.0;
-pub const FLANGE_MM: (f64, f64) = (4.0, 5.0);
+const FLANGE_MM: (f64, f64) = (4.0, 5.0);
 /// Length in mm by which the pipe is longer than the tube, and the rod than the pipe.
 const BEYOND_MM: f64 = 40.0;
 /// The hole of the syringe above the lower end of the pipe, and the vents below its upper end, in mm.

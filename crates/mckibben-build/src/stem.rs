@@ -122,7 +122,10 @@ impl Stem {
         let height = (BARB.0 * self.diameter_mm).min(BARB.1).max(BARB.2);
         self.profile = vec![[radius - 0.5, 0.0]];
         let mut peak = self.datum_mm;
-        for _ in 0..ends.at_each_end {
+        for i in 0..ends.at_each_end {
+            // A seat is a cylinder up to the next barb.
+            let seat = (i > 0).then_some([radius, peak - NOSE_MM]);
+            self.profile.extend(seat);
             self.profile
                 .extend([[radius + height, peak], [radius, peak + height]]);
             let from = peak + height + 0.5 * ROOM_MM;
