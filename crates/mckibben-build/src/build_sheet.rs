@@ -80,7 +80,8 @@ fn tools(plan: &Plan) -> Vec<String> {
         EndsMade::Tied => "pliers for cable ties".to_owned(),
         EndsMade::Clamped => "screwdriver for hose clamps".into(),
         EndsMade::Crimped => format!(
-            "screwdriver for hose clamps; {}",
+            "tool for {}s; {}",
+            plan.ends.band(),
             match plan.ends.press {
                 Some(Press::BoltClamps(_)) => "torque wrench for the clamps with a bolt",
                 _ => "crimping press for the ferrules",
@@ -302,7 +303,7 @@ fn closing(plan: &Plan) -> String {
             ends.at_each_end
         ),
         EndsMade::Clamped => format!(
-            "Tighten the hose clamp behind the barb, on the sleeve ({around} wide there), to about \
+            "Tighten each hose clamp behind its barb, on the sleeve ({around} wide there), to about \
              {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). Each end: \
              {holds}."
         ),
@@ -317,10 +318,11 @@ fn closing(plan: &Plan) -> String {
             };
             format!(
                 "Pull the {} over the sleeve on the ribbed shoulder beyond the tube ({} wide). \
-                 Tighten the hose clamp over sleeve and tube behind the barb, to about {squeezed}: \
-                 it seals. {press} the load. Each end: {holds}.",
+                 Tighten the {} over sleeve and tube behind the barb, to about {squeezed}: it seals. \
+                 {press} the load. Each end: {holds}.",
                 ends.pressed_by(),
-                shown.length(plan.pressed_diameter_mm.unwrap_or_default())
+                shown.length(plan.pressed_diameter_mm.unwrap_or_default()),
+                ends.band()
             )
         }
     }
@@ -336,8 +338,9 @@ fn assembly(plan: &Plan) -> Vec<String> {
     let stem = &plan.air_plug.stem;
     let turn = turn(plan);
     let pressed = &*format!(
-        "clamps ({0}, hose clamp, hose clamp, {0})",
-        ends.pressed_by()
+        "clamps ({0}, {1}, {1}, {0})",
+        ends.pressed_by(),
+        ends.band()
     );
     vec![
         format!("Cut tube and sleeve as the cut list says, square; {fray}."),

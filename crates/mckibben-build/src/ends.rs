@@ -36,6 +36,8 @@ const MOST_CLAMPS: f64 = 2.0;
 /// clamps with a bolt take the place of ferrules too: few presses close on more.
 const BANDS_MM: [f64; 2] = [9.0, 12.0];
 const WIDE_FROM_MM: f64 = 40.0;
+/// Few hose clamps close on less, in mm: there a tie seals a crimped end (a choice).
+const CLAMPS_FROM_MM: f64 = 8.0;
 /// By this share a clamp squeezes the wall of the tube (a choice).
 pub const SQUEEZE: f64 = 0.25;
 
@@ -108,7 +110,9 @@ pub struct Ends {
     pub band_mm: f64,
     /// Ties or clamps at each end.
     pub at_each_end: usize,
-    /// Of crimped ends, which also have a hose clamp: what presses the sleeve.
+    /// Whether bands are cable ties; else they are hose clamps.
+    pub has_ties: bool,
+    /// Of crimped ends, which also have a band that seals: what presses the sleeve.
     pub press: Option<Press>,
     /// What they hold by estimate in N, from and to: of a hose clamp if the rubber flows out under
     /// it, and if none does; of clamps with a bolt by friction. None of a ferrule, for which no
@@ -124,6 +128,7 @@ impl Ends {
     pub(crate) fn new(load_n: f64, tube: Clamped, made: Option<EndsMade>) -> Self {
         let tie = Tie::around(tube.bore_mm);
         let ties = (SAFETY * load_n / tie.holds_n()).ceil().max(2.0);
+        let is_narrow = tube.diameter_mm < CLAMPS_FROM_MM;
         let is_wide = tube.diameter_mm >= WIDE_FROM_MM;
         let clamp_mm = BANDS_MM[usize::from(is_wide)];
         let squeezed = squeezed_n(tube, clamp_mm);
@@ -132,13 +137,16 @@ impl Ends {
         let clamps = proved(squeezed);
         let usual = match load_n {
             _ if ties <= MOST_TIES as f64 => EndsMade::Tied,
+            _ if is_narrow => EndsMade::Crimped,
             load_n if load_n <= CLAMPED_TO_N && clamps <= MOST_CLAMPS => EndsMade::Clamped,
             _ => EndsMade::Crimped,
         };
         let made = made.unwrap_or(usual);
+        let has_ties = made == EndsMade::Tied || (made == EndsMade::Crimped && is_narrow);
         let (band_mm, at_each_end) = match made {
             EndsMade::Tied => (tie.width_mm, ties.min(MOST_TIES as f64) as usize),
             EndsMade::Clamped => (clamp_mm, clamps.min(MOST_CLAMPS) as usize),
+            EndsMade::Crimped if is_narrow => (tie.width_mm, 1),
             EndsMade::Crimped => (clamp_mm, 1),
         };
         let press = (made == EndsMade::Crimped).then(|| match is_wide {
@@ -156,8 +164,18 @@ impl Ends {
             made,
             band_mm,
             at_each_end,
+            has_ties,
             press,
             holds_n,
+        }
+    }
+
+    /// What closes on the tube.
+    pub(crate) fn band(&self) -> &'static str {
+        if self.has_ties {
+            "cable tie"
+        } else {
+            "hose clamp"
         }
     }
 
@@ -248,6 +266,17 @@ mod tests {
         assert_eq!(ends(287.0).press, Some(Press::Ferrule));
         let stated = Ends::new(96.0, tube, Some(EndsMade::Tied));
         assert_eq!(stated.bear(96.0), Some(false));
+        let narrow = Clamped {
+            bore_mm: 4.0,
+            wall_mm: 1.0,
+            diameter_mm: 6.8,
+            ..tube
+        };
+        let narrow = Ends::new(60.0, narrow, None);
+        assert_eq!(
+            (narrow.press, narrow.band()),
+            (Some(Press::Ferrule), "cable tie")
+        );
         let stated = Ends::new(450.0, tube, Some(EndsMade::Clamped));
         assert_eq!(stated.bear(450.0), Some(false));
     }

@@ -8,10 +8,7 @@ use crate::{
     text::{mm, significant},
 };
 use mckibben_core::{
-    clean,
-    muscle::{EndsMade, Muscle},
-    rubber::library as rubbers,
-    sleeve::library as sleeves,
+    clean, muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves,
 };
 use mckibben_design::tubes::{self, TubePart};
 
@@ -163,22 +160,16 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     };
     let ends = &plan.ends;
     let clamps = 2 * ends.at_each_end;
-    let clamp = match ends.made {
-        EndsMade::Tied => BuildPart {
-            spare: clamps.to_string(),
-            ..bought(
-                5,
-                "cable tie",
-                format!("{} mm wide, PA 66", mm(ends.band_mm)),
-                clamps,
-            )
-        },
-        EndsMade::Clamped | EndsMade::Crimped => {
-            let band = mm(ends.band_mm);
-            let around = significant(plan.clamped_diameter_mm, 3);
-            let size = format!("DIN 3017-1, ⌀{around} mm, band {band} mm");
-            bought(5, "hose clamp", size, clamps)
-        }
+    let band = mm(ends.band_mm);
+    let size = if ends.has_ties {
+        format!("{band} mm wide, PA 66")
+    } else {
+        let around = significant(plan.clamped_diameter_mm, 3);
+        format!("DIN 3017-1, ⌀{around} mm, band {band} mm")
+    };
+    let clamp = BuildPart {
+        spare: if ends.has_ties { clamps } else { 1 }.to_string(),
+        ..bought(5, ends.band(), size, clamps)
     };
     let bolt = &plan.air_plug;
     let (bolt_mm, long_mm) = (mm(bolt.bolt_mm), bolt.bolt_length_mm());

@@ -30,7 +30,7 @@ pub struct Wishes {
     pub bolt_mm: Option<f64>,
     /// Diameter in mm of the sleeve as it comes off the roll.
     pub sleeve_diameter_mm: Option<f64>,
-    /// The muscle is filled with a liquid.
+    /// The muscle is filled with a liquid, as it also is where its job names one.
     pub liquid: bool,
     /// The units of all files.
     pub shown: Shown,
@@ -80,6 +80,11 @@ const PRINTED_FROM_MM: f64 = 4.0;
 
 impl Plan {
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
+        let job = muscle.job();
+        let wishes = &Wishes {
+            liquid: wishes.liquid || job.is_some_and(|job| job.liquid.is_some()),
+            ..wishes.clone()
+        };
         let load = |force_n: f64, p: f64| clamp_load_n(&muscle, force_n.max(0.0), p);
         let end_load_n = load(operating.blocked_force_n, operating.pressure_mpa);
         let proof_load_n = load(
