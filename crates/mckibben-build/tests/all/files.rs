@@ -610,6 +610,22 @@ fn by_hand_the_mould_has_room_for_its_rubber_and_time_to_fill() {
     }
 }
 
+/// The liquid of a job is written and read back, and bleeds and tests the muscle as `liquid` does.
+#[test]
+fn a_muscle_whose_job_names_a_liquid_is_built_for_it() {
+    let plan = |job: &str| {
+        let text = format!("[tube]\nouter_diameter = 10\nwall_thickness = 1.5\n[job]\n{job}");
+        plan_from(&text, &Wishes::default())
+    };
+    let wet = plan("pressure = \"2.5 bar\"\nliquid = \"water\"\n");
+    assert!(wet.liquid && wet.eye_plug.port.is_some());
+    let text = mckibben_core::muscle::file::to_toml(&wet.muscle);
+    let job = parse_muscle(&text).unwrap().job().unwrap().clone();
+    assert_eq!(job.liquid.as_deref(), Some("water"));
+    let dry = plan("pressure = \"2.5 bar\"\n");
+    assert!(!dry.liquid && dry.eye_plug.port.is_none());
+}
+
 /// To three digits.
 fn significant(value: f64) -> f64 {
     let unit = 10_f64.powf(value.log10().floor() - 2.0);
