@@ -446,8 +446,11 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
         .map_or_else(|| "not stated".into(), |n| n.to_string());
     let pressure = |p: f64| plan.shown.short_pressure(p);
     let known = |value: Option<f64>| value.map_or_else(|| "not known".into(), pressure);
-    let least = operating.least_burst_mpa;
-    let least = least.map(|mpa| format!("Burst at least {}", pressure(mpa)));
+    // The pressure that counts where the strands are estimates.
+    let burst = match operating.least_burst_mpa {
+        Some(mpa) => format!("Burst at least {}", pressure(mpa)),
+        None => format!("Burst pressure {}", known(operating.burst.map(|b| b.0))),
+    };
     let rows = [
         format!("Braid angle θ₀ {}°", trimmed(muscle.braid().angle_deg, 1)),
         format!("Strands {strands}{}", plan.estimate()),
@@ -458,13 +461,13 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
             plan.shown.force(operating.blocked_force_n)
         ),
         format!("Free contraction {}", percent(operating.free_contraction)),
-        format!("Burst pressure {}", known(operating.burst.map(|b| b.0))),
+        burst,
         format!("Allowed pressure {}", known(operating.allowed_mpa)),
         "without the ends: prove them".into(),
         format!("Proof test {}, water", pressure(safety.proof_pressure_mpa)),
         format!("Numbers by model {}", operating.model),
     ];
-    for row in rows.into_iter().chain(least) {
+    for row in rows {
         sheet.text([x, y], 2.3, Anchor::Start, row);
         y -= 4.8;
     }
