@@ -15,15 +15,18 @@ from OCP.GProp import GProp_GProps
 from OCP.STEPControl import STEPControl_Reader
 
 PROGRAM = sys.argv[1]
-# Outer diameter and wall in mm, pressure: tied, clamped and crimped ends, the mould of a cast tube.
+# Outer diameter and wall in mm, pressure, rubber: tied, clamped and crimped ends, the mould of a cast tube.
 MUSCLES = [
-    (5, 0.8, "1bar"),
-    (8, 1, "1bar"),
-    (9.525, 1.5875, "2bar"),
-    (12, 2, "1.5bar"),
-    (20, 2.5, "0.5bar"),
-    (30, 3, "2.5bar"),
-    (60, 4, "1bar"),
+    (5, 0.8, "1bar", "ecoflex-00-50"),
+    (8, 1, "1bar", "latex"),
+    (9.525, 1.5875, "2bar", "latex"),
+    (12, 2, "1.5bar", "latex"),
+    (12, 2, "1.5bar", "ecoflex-00-50"),
+    (20, 2.5, "0.5bar", "latex"),
+    (20, 2.5, "0.5bar", "ecoflex-00-50"),
+    (30, 3, "2.5bar", "ecoflex-00-50"),
+    (60, 4, "1bar", "ecoflex-00-50"),
+    (88, 4, "1.86bar", "dragon-skin-30"),
 ]
 FITTINGS = ["m3", "m5", "g1/8", "g1/4", "barb:4"]
 LEAST_WALL_MM = 0.6
@@ -55,7 +58,7 @@ def volume(path: Path) -> float:
 
 def main() -> None:
     bodies, solids = 0, 0
-    for outer, wall, pressure in MUSCLES:
+    for outer, wall, pressure, rubber in MUSCLES:
         for fitting in FITTINGS:
             with tempfile.TemporaryDirectory() as folder:
                 muscle = [
@@ -66,7 +69,7 @@ def main() -> None:
                     "-L",
                     "150",
                     "--rubber",
-                    "ecoflex-00-50",
+                    rubber,
                     "--angle",
                     "25",
                 ]
@@ -87,7 +90,7 @@ def main() -> None:
                 )
                 for path in sorted(Path(folder).glob("out/*.stl")):
                     mesh = trimesh.load(path)
-                    what = f"{outer} × {wall} mm, {fitting}: {path.name}"
+                    what = f"{outer} × {wall} mm of {rubber}, {fitting}: {path.name}"
                     assert mesh.is_watertight and mesh.is_winding_consistent, what
                     assert mesh.body_count == 1 and mesh.volume > 0, what
                     assert abs(mesh.bounds[0][2]) < 1e-6, (

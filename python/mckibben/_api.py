@@ -8204,7 +8204,7 @@ class MuscleCommands:
             Fitting of the air: m3, m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m3; m5 from 8 mm, g1/8 from 15 mm]. Push-in fittings and barbs
             are sold with these threads.
         liquid
-            Filled with a liquid: a bleed port, and a leak test with the liquid.
+            Filled with a liquid: a bleed port, and a leak test with the liquid. A muscle whose `[job]` names a liquid is filled with it.
         bolt_mm : mm
             Bolts of both heads [by the load of an end].
         sleeve_diameter_mm : mm

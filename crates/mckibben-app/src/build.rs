@@ -53,6 +53,8 @@ pub struct BuildRequest {
     #[arg(long)]
     pub fitting: Option<String>,
     /// Filled with a liquid: a bleed port, and a leak test with the liquid
+    ///
+    /// A muscle whose `[job]` names a liquid is filled with it.
     #[arg(long)]
     pub liquid: bool,
     /// Bolts of both heads [by the load of an end]

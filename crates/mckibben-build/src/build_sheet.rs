@@ -3,17 +3,14 @@
 use crate::{
     Plan, SleeveLength,
     cut::TRIM_MM,
-    material::{CONSUMABLES, density_kg_per_m3},
+    ends::{BOLT_MM, BOLT_NM, Press},
+    material::{consumables, density_kg_per_m3},
+    mould::{self, Mould},
     sketch,
     text::{mm, percent, significant},
 };
 use mckibben_core::muscle::EndsMade;
 use mckibben_report::{Document, FigureError, Part};
-
-/// More rubber than the tube holds, for what stays in cup and syringe (a choice).
-const SPILL: f64 = 1.2;
-/// Length in mm by which the rod of a mould is longer than its pipe, and the pipe than the tube.
-const MOULD_BEYOND_MM: f64 = 40.0;
 
 /// How exact the distance of the heads is, in mm: what a ruler reads.
 pub const FACES_MM: f64 = 0.5;
@@ -49,13 +46,19 @@ pub fn document(plan: &Plan) -> Result<Document, FigureError> {
     parts.extend(cut_list(plan));
     parts.extend([heading("Plugs"), Part::Steps(plugs(plan))]);
     if plan.is_cast() {
-        parts.extend([heading("Casting the tube"), Part::Steps(casting(plan))]);
+        parts.extend([
+            heading("Casting the tube"),
+            Part::Drawing(sketch::casting(plan)?),
+            Part::Steps(casting(plan)),
+        ]);
     }
     parts.extend([
         heading("Assembly"),
+        Part::Drawing(sketch::assembly(plan)?),
         Part::Drawing(sketch::end(plan)?),
         Part::Steps(assembly(plan)),
         heading("Proof and leak test"),
+        Part::Drawing(sketch::tests(plan)?),
         Part::Drawing(sketch::frame(plan)?),
         Part::Steps(tests(plan)),
         heading("As built"),
@@ -76,14 +79,22 @@ fn tools(plan: &Plan) -> Vec<String> {
     let clamp = match plan.ends.made {
         EndsMade::Tied => "pliers for cable ties".to_owned(),
         EndsMade::Clamped => "screwdriver for hose clamps".into(),
-        EndsMade::Crimped => "screwdriver for hose clamps; crimping press for the ferrules".into(),
+        EndsMade::Crimped => format!(
+            "tool for {}s; {}",
+            plan.ends.band(),
+            match plan.ends.press {
+                Some(Press::BoltClamps(_)) => "torque wrench for the clamps with a bolt",
+                _ => "crimping press for the ferrules",
+            }
+        ),
     };
     let drill = plan.air_plug.port.map(|port| {
         let (thread, hole) = (port.fitting, mm(port.hole_mm));
         format!("tap {thread}, drill {hole} mm")
     });
     let rule = "calliper, steel rule, scissors, marker, load cell or spring scale".to_owned();
-    let used = CONSUMABLES
+    let used = consumables(plan);
+    let used = used
         .iter()
         .map(|[what, amount, about]| format!("{what} ({amount}): {about}"));
     [rule, clamp].into_iter().chain(drill).chain(used).collect()
@@ -188,52 +199,133 @@ fn plugs(plan: &Plan) -> Vec<String> {
     steps
 }
 
-/// Volume of the rubber in mL with what is spilled.
-pub fn mixed_ml(plan: &Plan) -> String {
-    significant(1e-3 * SPILL * plan.cut.rubber_mm3, 3)
-}
-
 fn casting(plan: &Plan) -> Vec<String> {
-    let cut = &plan.cut;
-    let (bore, outer) = (cut.bore_mm(), cut.tube_outer_diameter_mm);
-    let pipe = cut.tube_mm.round() + MOULD_BEYOND_MM;
-    let ml = mixed_ml(plan);
-    let half_g = density_kg_per_m3(&plan.muscle).map_or_else(
+    let mould = Mould::new(&plan.cut);
+    let name = plan.muscle.tube().rubber.name.as_deref();
+    let name = name.unwrap_or("the rubber");
+    let density = density_kg_per_m3(&plan.muscle);
+    let half_g = density.map_or_else(
         || "?".into(),
-        |density| significant(0.5e-6 * density * SPILL * cut.rubber_mm3, 3),
+        |density| significant(0.5e-6 * density * mould.mixed_mm3, 3),
+    );
+    let stated = mould::castable(name);
+    let flows = match stated.as_ref().zip(density) {
+        None => format!("Viscosity and pot life of {name} are not in the catalogue: read its can."),
+        Some((rubber, density)) => {
+            let minutes = mould.sinks_min(rubber, density);
+            let pour = if 2.0 * minutes > rubber.pot_life_min {
+                "Do not pour it in from above"
+            } else {
+                "Poured in from above it would enclose air"
+            };
+            format!(
+                "It flows for {} min from mixing on (pot life, viscosity {} Pa s). {pour}: by its \
+                 weight alone it takes {} min through the gap (t = 12 η L/(ρ g s²), Bird 2002).",
+                mm(rubber.pot_life_min),
+                mm(rubber.viscosity_pa_s),
+                significant(minutes, 2)
+            )
+        }
+    };
+    let cure = stated.map_or_else(
+        || "as long as its maker states".into(),
+        |rubber| format!("for {} h at 23 °C", mm(rubber.cure_h)),
     );
     vec![
         format!(
             "Mould: a smooth rod of {} mm, {} mm long, in a pipe with a bore of {} mm, {} mm long; \
-             print mould-cap.stl twice. Drill a hole of 4 mm into the pipe 12 mm above its lower \
-             end, for the syringe.",
-            mm(bore),
-            mm(pipe + MOULD_BEYOND_MM),
-            mm(outer),
-            mm(pipe)
+             print mould-cap.stl twice. Drill a hole of 4 mm into the pipe {} mm above its lower \
+             end, for the syringe, and two vents of 2 mm, one opposite the other, {} mm above it.",
+            mm(mould.rod_mm),
+            mm(mould.rod_length_mm),
+            mm(mould.bore_mm),
+            mm(mould.pipe_mm),
+            mm(mould::HOLE_MM),
+            mm(mould.vents_mm)
         ),
         "Clean rod and pipe, spray them with release agent, let it dry. Put a cap on each end of the \
          pipe, and the rod through both."
             .into(),
         format!(
-            "Mix {ml} mL of {}: parts A and B by what its maker states (1 : 1 by mass: {half_g} g \
-             of each). That is a fifth more than the tube holds. Degas it under vacuum until it has \
-             risen and fallen.",
-            plan.muscle.tube().rubber.name.as_deref().unwrap_or("the rubber")
+            "Mix {} mL of {name}: parts A and B by what its maker states (1 : 1 by mass: {half_g} g \
+             of each). That is a fifth more than the mould holds. Degas it under vacuum until it \
+             has risen and fallen.",
+            mixed_ml(plan)
         ),
         format!(
-            "Press it in from below with a syringe, slowly, until it stands {} mm high in the \
-             upright pipe. The pot life is that of its maker; viscosity and time to fill are not in \
-             the catalogue.",
-            mm(cut.tube_mm.round() + 0.5 * MOULD_BEYOND_MM)
+            "Press it in from below with a syringe of 60 mL, {} fillings, slowly, until it shows in \
+             both vents of the upright pipe. {flows}",
+            mm(mould.syringes())
         ),
-        "Close the hole with tape, also between two fillings of the syringe. Let it cure upright as \
-         long as its maker states."
-            .into(),
-        "Take off the caps. Blow isopropyl alcohol or air between rod and tube, and draw the rod; then \
-         push the tube out. Look for bubbles against the light: none in the wall."
-            .into(),
+        format!(
+            "Close the hole with tape, also between two fillings of the syringe; leave the vents \
+             open. Let it cure upright {cure}."
+        ),
+        format!(
+            "Take off the caps. Blow isopropyl alcohol or air between rod and tube, and draw the \
+             rod; then push the tube out. Look for bubbles against the light: none in the wall. Cut \
+             {} from the middle.",
+            plan.shown.length(plan.cut.tube_mm)
+        ),
     ]
+}
+
+/// Volume of the rubber to mix, in mL.
+pub fn mixed_ml(plan: &Plan) -> String {
+    significant(1e-3 * Mould::new(&plan.cut).mixed_mm3, 3)
+}
+
+/// What of a turn of a strand fits on the tube, and how long it is in mm.
+pub fn turn(plan: &Plan) -> (&'static str, f64) {
+    let length_mm = plan.muscle.length_mm();
+    let whole_mm = length_mm / plan.muscle.turns();
+    let parts = [
+        ("one turn", 1.0),
+        ("half a turn", 2.0),
+        ("a quarter of a turn", 4.0),
+    ];
+    let mut parts = parts.map(|(name, n)| (name, whole_mm / n)).into_iter();
+    let fits = parts.find(|part| part.1 <= 0.8 * length_mm);
+    fits.unwrap_or(("an eighth of a turn", whole_mm / 8.0))
+}
+
+/// How an end is closed.
+fn closing(plan: &Plan) -> String {
+    let (shown, ends) = (&plan.shown, &plan.ends);
+    let around = shown.length(plan.clamped_diameter_mm);
+    let squeezed = shown.length(plan.squeezed_mm());
+    let holds = plan.ends_hold();
+    match ends.made {
+        EndsMade::Tied => format!(
+            "Tighten a cable tie of {} mm over each of the {} grooves, on the sleeve ({around} wide \
+             there). Each end: {holds}.",
+            mm(ends.band_mm),
+            ends.at_each_end
+        ),
+        EndsMade::Clamped => format!(
+            "Tighten each hose clamp behind its barb, on the sleeve ({around} wide there), to about \
+             {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). Each end: \
+             {holds}."
+        ),
+        EndsMade::Crimped => {
+            let press = match ends.press {
+                Some(Press::BoltClamps(_)) => format!(
+                    "Tighten the clamps with a bolt (M{}) to {} N·m, twice, an hour apart: they carry",
+                    mm(BOLT_MM),
+                    mm(BOLT_NM)
+                ),
+                _ => "Press the ferrule until the sleeve does not move: the ferrule carries".into(),
+            };
+            format!(
+                "Pull the {} over the sleeve on the ribbed shoulder beyond the tube ({} wide). \
+                 Tighten the {} over sleeve and tube behind the barb, to about {squeezed}: it seals. \
+                 {press} the load. Each end: {holds}.",
+                ends.pressed_by(),
+                shown.length(plan.pressed_diameter_mm.unwrap_or_default()),
+                ends.band()
+            )
+        }
+    }
 }
 
 fn assembly(plan: &Plan) -> Vec<String> {
@@ -244,30 +336,12 @@ fn assembly(plan: &Plan) -> Vec<String> {
         "melt the ends of the sleeve, so that they do not fray"
     };
     let stem = &plan.air_plug.stem;
-    let around = shown.length(plan.clamped_diameter_mm);
-    let squeezed = shown.length(plan.squeezed_mm());
-    let holds = plan.ends_hold();
-    let clamp = match ends.made {
-        EndsMade::Tied => format!(
-            "Tighten a cable tie of {} mm over each of the {} grooves, on the sleeve ({around} wide \
-             there). Each end: {holds}.",
-            mm(ends.band_mm),
-            ends.at_each_end
-        ),
-        EndsMade::Clamped => format!(
-            "Tighten the hose clamp behind the barb, on the sleeve ({around} wide there), to about \
-             {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). Each end: \
-             {holds}."
-        ),
-        EndsMade::Crimped => format!(
-            "Pull the ferrule over the sleeve on the ribbed shoulder beyond the tube ({} wide). \
-             Tighten the hose clamp over sleeve and tube behind the barb, to about {squeezed}: it \
-             seals. Press the ferrule until the sleeve does not move: the ferrule carries the load. \
-             Each end: {holds}.",
-            shown.length(plan.ferrule_mm.unwrap_or_default())
-        ),
-    };
-    let turn = muscle.length_mm() / muscle.turns();
+    let turn = turn(plan);
+    let pressed = &*format!(
+        "clamps ({0}, {1}, {1}, {0})",
+        ends.pressed_by(),
+        ends.band()
+    );
     vec![
         format!("Cut tube and sleeve as the cut list says, square; {fray}."),
         format!(
@@ -284,22 +358,23 @@ fn assembly(plan: &Plan) -> Vec<String> {
             match ends.made {
                 EndsMade::Tied => "ties",
                 EndsMade::Clamped => "clamps",
-                EndsMade::Crimped => "ferrules and clamps (ferrule, clamp, clamp, ferrule)",
+                EndsMade::Crimped => pressed,
             },
             shown.length(TRIM_MM)
         ),
-        clamp,
+        closing(plan),
         "Straighten the sleeve along the tube until it lies on it everywhere, without folds or twist. \
          Push in the eye plug, with its bolt hole parallel to the other one."
             .into(),
         format!(
             "Before the second end is closed: {} ± {} between the inner faces of both heads; \
-             strands at {}° ± 1° to the axis; one turn of a strand is {} long along the tube. If the \
-             turn is longer, push the sleeve together.",
+             strands at {}° ± 1° to the axis; {} of a strand is {} long along the tube. If it is \
+             longer, push the sleeve together.",
             shown.length(plan.faces_mm(0.0)),
             shown.tolerance(FACES_MM),
             mm((10.0 * muscle.braid().angle_deg).round() / 10.0),
-            shown.length(turn.round())
+            turn.0,
+            shown.length(turn.1.round())
         ),
         "Close the second end likewise. Mark the sleeve at the inner edge of both clamps. Trim what \
          stands out."
@@ -311,34 +386,33 @@ fn tests(plan: &Plan) -> Vec<String> {
     let (shown, safety) = (&plan.shown, &plan.safety);
     let [proof, leak] =
         [safety.proof_pressure_mpa, safety.leak_pressure_mpa].map(|p| shown.pressure(p));
+    let fill = if plan.liquid {
+        "Screw the bleed screw with its seal into the eye plug, two turns. Hold the eye plug upwards; \
+         press water in from below until no bubble comes, and close the screw."
+    } else {
+        "Fill it with water by a syringe on the fitting, held upwards: draw the air out, let water \
+         in, and repeat until no bubble comes."
+    };
     let mut steps = vec![
+        fill.to_owned(),
         format!(
-            "Bolt the muscle into a frame that holds its length ({} between the heads) and bears {}. \
-             Each end then carries {}; with a free length it would carry the pressure on its bore \
-             only.",
+            "Bolt it into a frame that holds its length ({} between the heads) and bears {}. Each \
+             end then carries {}; with a free length it would carry the pressure on its bore only. \
+             Safety glasses, a screen, nobody in line with the muscle.",
             shown.length(plan.faces_mm(0.0)),
             shown.force(2.0 * plan.proof_load_n),
             shown.force(plan.proof_load_n)
         ),
-        if plan.liquid {
-            "Screw the bleed screw with its seal into the eye plug, two turns. Hold the eye plug \
-             upwards; press water in from below until no bubble comes, and close the screw. Safety \
-             glasses, a screen, nobody in line with the muscle."
-        } else {
-            "Fill it with water by a syringe on the fitting, held upwards: draw the air out, let water \
-             in, and repeat until no bubble comes. Safety glasses, a screen, nobody in line with the \
-             muscle."
-        }
-        .into(),
         format!(
             "Raise the pressure with a hand pump in four steps to {proof}, and hold it for one \
              minute. It passes if the pressure stays, no mark on the sleeve moves, and the tube does \
-             not bulge through the mesh."
+             not bulge through the mesh. If a mark moves, let the pressure off: the end does not \
+             hold."
         ),
     ];
     if plan.liquid {
         steps.extend([
-            "Take it out of the frame. Fill it with its liquid: open the bleed screw at the upper \
+            "Let the pressure off, and take it out of the frame. Fill it with its liquid: open the bleed screw at the upper \
              end, press the liquid in from below with a syringe (or draw a vacuum above), until no \
              bubble comes; close the screw."
                 .into(),
@@ -349,9 +423,11 @@ fn tests(plan: &Plan) -> Vec<String> {
         ]);
     } else {
         steps.extend([
-            "Let the water out, and dry the muscle.".into(),
+            "Let the pressure off, then the water out; take the muscle out of the frame, and dry it."
+                .into(),
             format!(
-                "Leak test with air: {leak}, under water, behind the screen, for one minute. No \
+                "Leak test with air: {leak}, free to contract, so that the ends carry the pressure on \
+                 the bore only, under water, behind the screen, for one minute. No \
                  bubble may grow. Then shut the valve: the pressure may fall by {} in five minutes (a \
                  choice).",
                 percent(0.05)
@@ -373,7 +449,7 @@ fn as_built(plan: &Plan) -> Part {
     let stem = shown.length(plan.air_plug.stem.diameter_mm);
     let angle = mm((10.0 * plan.muscle.braid().angle_deg).round() / 10.0);
     let faces = shown.length(plan.faces_mm(0.0));
-    let turn = plan.muscle.length_mm() / plan.muscle.turns();
+    let (turn, turn_mm) = turn(plan);
     let rows = vec![
         row("stems", format!("{stem} ± {tolerance}")),
         row(
@@ -381,7 +457,10 @@ fn as_built(plan: &Plan) -> Part {
             format!("{faces} ± {}", shown.tolerance(FACES_MM)),
         ),
         row("angle of the strands", format!("{angle}° ± 1°")),
-        row("one turn of a strand", shown.length(turn.round())),
+        row(
+            &format!("{turn} of a strand"),
+            shown.length(turn_mm.round()),
+        ),
         row(
             "mass",
             format!("{} g (known parts)", significant(plan.mass_g(), 3)),

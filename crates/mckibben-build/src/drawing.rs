@@ -17,6 +17,9 @@ const ROOM_MM: (f64, f64) = (245.0, 60.0);
 /// Room for the cross-section.
 const SECTION_MM: f64 = 38.0;
 
+/// From this number on the parts of the bill are for the mould.
+const MADE_OF: u32 = 10;
+
 /// Measures that both views need, in mm.
 pub struct Body<'a> {
     pub plan: &'a Plan,
@@ -186,25 +189,62 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
         v.sheet
             .text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Anchor::Middle, "A");
     }
-    let low = v.origin[1] - v.scale * body.widest - 6.5;
-    let band = plan.air_plug.stem.bands_mm.first();
-    let band = band.map_or(half, |b| half + b[0] - plan.air_plug.stem.datum_mm + 1.0);
-    let head = 0.4 * plan.air_plug.widest_mm();
-    let targets = [
-        ([-end - 2.0, -head], 3),
-        ([-band, -outer - 0.5], 5),
-        ([-0.45 * half, 0.5 * (ri + ro)], 1),
-        ([-0.15 * half, -0.7 * body.sleeve], 2),
-        ([end + 2.0, -head], 4),
+    balloons(body, v, 0.5 * (ri + ro));
+}
+
+/// The numbers of the parts, each at its part: below the muscle, beside its ends in the order of
+/// their places.
+fn balloons(body: &Body<'_>, v: &mut View<'_>, wall: f64) {
+    let Body { plan, half, .. } = *body;
+    let (plug, stem) = (&plan.air_plug, &plan.air_plug.stem);
+    let middle = |band: &[f64; 2]| half + 0.5 * (band[0] + band[1]) - stem.datum_mm;
+    let over = -body.clamped - 0.5;
+    let head = -0.4 * plug.side_mm;
+    let at = |z: f64| half + z - stem.datum_mm;
+    let port = plug.port.map(|port| ([-at(port.height_mm), head], 6));
+    let bleed = plan
+        .eye_plug
+        .port
+        .map(|port| ([at(port.height_mm), head], 9));
+    let band = |bands: &[[f64; 2]], number| {
+        let band = bands.first().map(middle);
+        band.map(|x| ([-x, over], number))
+    };
+    let ends = [
+        Some(([-at(plug.eye_mm), 0.0], 7)),
+        port,
+        Some(([-at(plug.foot_mm) - 1.0, head], 3)),
+        band(&stem.pressed_mm, 8),
+        band(&stem.bands_mm, 5),
+        Some(([-0.45 * half, wall], 1)),
+        Some(([-0.15 * half, -0.7 * body.sleeve], 2)),
+        Some((
+            [
+                at(plan.eye_plug.foot_mm) + 1.0,
+                -0.4 * plan.eye_plug.side_mm,
+            ],
+            4,
+        )),
+        bleed,
     ];
-    for (to, number) in targets {
-        let beside = match number {
-            3 => -9.0,
-            5 => 1.0,
-            _ => 5.0,
-        };
-        let x = v.on_sheet(to[0], to[1])[0] + beside;
-        v.balloon(to, [x, low], number);
+    let low = v.origin[1] - v.scale * body.widest - 6.5;
+    let ends: Vec<_> = ends.into_iter().flatten().collect();
+    // Not nearer than 7 mm on paper: from the middle of the muscle outwards.
+    let inner = ends
+        .iter()
+        .position(|(_, number)| *number == 1)
+        .unwrap_or(0);
+    let mut next = v.on_sheet(-0.3 * half, 0.0)[0];
+    for ([x, y], number) in ends[..inner].iter().rev() {
+        let place = v.on_sheet(*x, 0.0)[0].min(next - 7.0);
+        v.balloon([*x, *y], [place, low], *number);
+        next = place;
+    }
+    let mut last = f64::NEG_INFINITY;
+    for ([x, y], number) in &ends[inner..] {
+        let place = (v.on_sheet(*x, 0.0)[0] + 3.0).max(last + 7.0);
+        v.balloon([*x, *y], [place, low], *number);
+        last = place;
     }
 }
 
@@ -234,8 +274,7 @@ fn axis(v: &mut View<'_>, left: f64, right: f64) {
 pub fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
     let stem = &body.plan.air_plug.stem;
     let outer = body.clamped;
-    let ferrule = stem.shoulder_mm.map(|s| [s[1] + 1.0, stem.length_mm - 1.0]);
-    let bands = stem.bands_mm.iter().copied().chain(ferrule);
+    let bands = stem.bands_mm.iter().chain(&stem.pressed_mm).copied();
     let bands = bands.map(|[from, to]| (from - stem.datum_mm, to - stem.datum_mm));
     for (from, to) in bands {
         for side in [-1.0, 1.0] {
@@ -407,6 +446,11 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
         .map_or_else(|| "not stated".into(), |n| n.to_string());
     let pressure = |p: f64| plan.shown.short_pressure(p);
     let known = |value: Option<f64>| value.map_or_else(|| "not known".into(), pressure);
+    // The pressure that counts where the strands are estimates.
+    let burst = match operating.least_burst_mpa {
+        Some(mpa) => format!("Burst at least {}", pressure(mpa)),
+        None => format!("Burst pressure {}", known(operating.burst.map(|b| b.0))),
+    };
     let rows = [
         format!("Braid angle θ₀ {}°", trimmed(muscle.braid().angle_deg, 1)),
         format!("Strands {strands}{}", plan.estimate()),
@@ -417,7 +461,7 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
             plan.shown.force(operating.blocked_force_n)
         ),
         format!("Free contraction {}", percent(operating.free_contraction)),
-        format!("Burst pressure {}", known(operating.burst.map(|b| b.0))),
+        burst,
         format!("Allowed pressure {}", known(operating.allowed_mpa)),
         "without the ends: prove them".into(),
         format!("Proof test {}, water", pressure(safety.proof_pressure_mpa)),
@@ -436,7 +480,7 @@ fn parts(plan: &Plan, sheet: &mut Sheet) {
     let mut y = TITLE_MM.1;
     let row = 4.6;
     let height = 2.0;
-    for part in &plan.parts {
+    for part in plan.parts.iter().filter(|part| part.number < MADE_OF) {
         sheet.text(
             [left + 4.0, y + 1.3],
             height,

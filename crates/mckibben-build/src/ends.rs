@@ -3,12 +3,13 @@
 //! | ends | load | what holds |
 //! |---|---|---|
 //! | tied | to a quarter of what the ties hold by estimate, about 100 N | cable ties in grooves |
-//! | clamped | to 500 N | hose clamps behind barbs |
-//! | crimped | above | a ferrule that presses the sleeve on a metal shoulder beyond the tube; a hose clamp seals the tube |
+//! | clamped | to 500 N, and to what one or two clamps hold at best in the proof test | hose clamps behind barbs |
+//! | crimped | above | the sleeve pressed on a metal shoulder beyond the tube: by a ferrule, from 40 mm on by clamps with a bolt; a hose clamp seals the tube |
 //!
 //! The limits are choices: no pull-off force of a clamp on a muscle was found in any source. So
 //! every end is proved under the load of the proof pressure.
 
+use crate::safety::PROOF_TO_WORKING;
 use mckibben_core::{analysis::SAFETY, muscle::EndsMade};
 use std::f64::consts::PI;
 
@@ -29,11 +30,34 @@ const MOST_TIES: usize = 3;
 
 /// Largest load in N of an end with hose clamps (a choice).
 const CLAMPED_TO_N: f64 = 500.0;
-/// Bands of hose clamps (DIN 3017-1) in mm; the wider one from this diameter on.
+/// Hose clamps at an end at most.
+const MOST_CLAMPS: f64 = 2.0;
+/// Bands of hose clamps (DIN 3017-1) in mm; the wider one from this diameter on, from which on
+/// clamps with a bolt take the place of ferrules too: few presses close on more.
 const BANDS_MM: [f64; 2] = [9.0, 12.0];
 const WIDE_FROM_MM: f64 = 40.0;
+/// Few hose clamps close on less, in mm: there a tie seals a crimped end (a choice).
+const CLAMPS_FROM_MM: f64 = 8.0;
 /// By this share a clamp squeezes the wall of the tube (a choice).
 pub const SQUEEZE: f64 = 0.25;
+
+/// Clamps with a T-bolt (DIN 3017-3): band and bolt in mm, and torque in N m (choices).
+pub const BOLT_BAND_MM: f64 = 25.0;
+pub const BOLT_MM: f64 = 8.0;
+pub const BOLT_NM: f64 = 15.0;
+/// Torque of a bolt over its tension and diameter (Budynas & Nisbett 2011 \[budynas2011\], table
+/// 8-15, zinc-plated).
+const NUT_FACTOR: f64 = 0.2;
+/// Friction of a sleeve on metal under such a clamp at least: a choice, half of [`FRICTION`].
+const LEAST_FRICTION: f64 = 0.15;
+
+/// What presses the sleeve on a shoulder beyond the tube.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Press {
+    Ferrule,
+    /// So many clamps with a bolt.
+    BoltClamps(usize),
+}
 
 /// A cable tie.
 #[derive(Clone, Copy)]
@@ -86,8 +110,13 @@ pub struct Ends {
     pub band_mm: f64,
     /// Ties or clamps at each end.
     pub at_each_end: usize,
+    /// Whether bands are cable ties; else they are hose clamps.
+    pub has_ties: bool,
+    /// Of crimped ends, which also have a band that seals: what presses the sleeve.
+    pub press: Option<Press>,
     /// What they hold by estimate in N, from and to: of a hose clamp if the rubber flows out under
-    /// it, and if none does. None of a ferrule, for which no estimate is known.
+    /// it, and if none does; of clamps with a bolt by friction. None of a ferrule, for which no
+    /// estimate is known.
     pub holds_n: Option<[f64; 2]>,
 }
 
@@ -98,28 +127,64 @@ impl Ends {
     /// The ends for a load in N; `made` is how they are held, where that is stated.
     pub(crate) fn new(load_n: f64, tube: Clamped, made: Option<EndsMade>) -> Self {
         let tie = Tie::around(tube.bore_mm);
-        let needed = (SAFETY * load_n / tie.holds_n()).ceil().max(2.0);
+        let ties = (SAFETY * load_n / tie.holds_n()).ceil().max(2.0);
+        let is_narrow = tube.diameter_mm < CLAMPS_FROM_MM;
+        let is_wide = tube.diameter_mm >= WIDE_FROM_MM;
+        let clamp_mm = BANDS_MM[usize::from(is_wide)];
+        let squeezed = squeezed_n(tube, clamp_mm);
+        // So many hold the proof test, if they hold what they do at best.
+        let proved = |[_, best_n]: [f64; 2]| (PROOF_TO_WORKING * load_n / best_n).ceil().max(1.0);
+        let clamps = proved(squeezed);
         let usual = match load_n {
-            _ if needed <= MOST_TIES as f64 => EndsMade::Tied,
-            load_n if load_n <= CLAMPED_TO_N => EndsMade::Clamped,
+            _ if ties <= MOST_TIES as f64 => EndsMade::Tied,
+            _ if is_narrow => EndsMade::Crimped,
+            load_n if load_n <= CLAMPED_TO_N && clamps <= MOST_CLAMPS => EndsMade::Clamped,
             _ => EndsMade::Crimped,
         };
         let made = made.unwrap_or(usual);
+        let has_ties = made == EndsMade::Tied || (made == EndsMade::Crimped && is_narrow);
         let (band_mm, at_each_end) = match made {
-            EndsMade::Tied => (tie.width_mm, needed.min(MOST_TIES as f64) as usize),
-            _ if tube.diameter_mm < WIDE_FROM_MM => (BANDS_MM[0], 1),
-            _ => (BANDS_MM[1], 1),
+            EndsMade::Tied => (tie.width_mm, ties.min(MOST_TIES as f64) as usize),
+            EndsMade::Clamped => (clamp_mm, clamps.min(MOST_CLAMPS) as usize),
+            EndsMade::Crimped if is_narrow => (tie.width_mm, 1),
+            EndsMade::Crimped => (clamp_mm, 1),
         };
-        let holds_n = match made {
-            EndsMade::Tied => Some([at_each_end as f64 * tie.holds_n(); 2]),
-            EndsMade::Clamped => Some(squeezed_n(tube, band_mm)),
-            EndsMade::Crimped => None,
+        let press = (made == EndsMade::Crimped).then(|| match is_wide {
+            true => Press::BoltClamps(proved(bolted_n()) as usize),
+            false => Press::Ferrule,
+        });
+        let so_many = |count: usize, one: [f64; 2]| Some(one.map(|n| count as f64 * n));
+        let holds_n = match (made, press) {
+            (_, Some(Press::BoltClamps(count))) => so_many(count, bolted_n()),
+            (_, Some(Press::Ferrule)) => None,
+            (EndsMade::Tied, _) => so_many(at_each_end, [tie.holds_n(); 2]),
+            _ => so_many(at_each_end, squeezed),
         };
         Self {
             made,
             band_mm,
             at_each_end,
+            has_ties,
+            press,
             holds_n,
+        }
+    }
+
+    /// What closes on the tube.
+    pub(crate) fn band(&self) -> &'static str {
+        if self.has_ties {
+            "cable tie"
+        } else {
+            "hose clamp"
+        }
+    }
+
+    /// What presses the sleeve on a shoulder.
+    pub(crate) fn pressed_by(&self) -> &'static str {
+        match self.press {
+            Some(Press::BoltClamps(2..)) => "two clamps with a bolt",
+            Some(Press::BoltClamps(_)) => "clamp with a bolt",
+            _ => "ferrule",
         }
     }
 
@@ -127,15 +192,27 @@ impl Ends {
     pub(crate) fn least_mm(&self) -> f64 {
         match self.made {
             EndsMade::Tied => self.at_each_end as f64 * (self.band_mm + 2.0),
-            EndsMade::Clamped => self.band_mm + 3.0,
-            EndsMade::Crimped => self.band_mm + 3.0 + 16.0,
+            EndsMade::Clamped => self.at_each_end as f64 * (self.band_mm + 3.0),
+            EndsMade::Crimped => self.band_mm + 3.0 + self.pressed_mm(),
         }
     }
 
-    /// Whether their estimate bears a load with the factor of safety; none where there is no
-    /// estimate.
+    /// Least length in mm of a shoulder.
+    fn pressed_mm(&self) -> f64 {
+        match self.press {
+            Some(Press::BoltClamps(count)) => 2.0 + count as f64 * (BOLT_BAND_MM + 2.0),
+            _ => 16.0,
+        }
+    }
+
+    /// Whether a load is within their estimate: of ties with the factor of safety, of others at
+    /// best in the proof test. None where there is no estimate.
     pub(crate) fn bear(&self, load_n: f64) -> Option<bool> {
-        Some(self.holds_n?[0] >= SAFETY * load_n)
+        let [low, high] = self.holds_n?;
+        Some(match self.made {
+            EndsMade::Tied => low >= SAFETY * load_n,
+            _ => high >= PROOF_TO_WORKING * load_n,
+        })
     }
 }
 
@@ -147,6 +224,12 @@ fn squeezed_n(tube: Clamped, band_mm: f64) -> [f64; 2] {
     let shape = band_mm / (2.0 * tube.wall_mm);
     let held_mpa = flows_mpa * (1.0 + shape * shape);
     [flows_mpa, held_mpa].map(|p| FRICTION * PI * tube.diameter_mm * band_mm * p)
+}
+
+/// What a clamp with a bolt holds in N: 2π μ T, T = M/(K d), with little and with much friction.
+fn bolted_n() -> [f64; 2] {
+    let tension_n = 1e3 * BOLT_NM / (NUT_FACTOR * BOLT_MM);
+    [LEAST_FRICTION, FRICTION].map(|friction| 2.0 * PI * friction * tension_n)
 }
 
 #[cfg(test)]
@@ -177,7 +260,41 @@ mod tests {
         let [low, high] = clamped.holds_n.unwrap_or_default();
         assert!((low - 88.22).abs() < 0.01 && (high / low - 3.25).abs() < 1e-9);
         assert_eq!(ends(501.0).made, EndsMade::Crimped);
+        // Twice 144 N is above what one clamp holds at best, 287 N; twice 287 N above that of two.
+        assert_eq!([143.0, 144.0].map(|n| ends(n).at_each_end), [1, 2]);
+        assert_eq!(ends(286.0).made, EndsMade::Clamped);
+        assert_eq!(ends(287.0).press, Some(Press::Ferrule));
         let stated = Ends::new(96.0, tube, Some(EndsMade::Tied));
         assert_eq!(stated.bear(96.0), Some(false));
+        let narrow = Clamped {
+            bore_mm: 4.0,
+            wall_mm: 1.0,
+            diameter_mm: 6.8,
+            ..tube
+        };
+        let narrow = Ends::new(60.0, narrow, None);
+        assert_eq!(
+            (narrow.press, narrow.band()),
+            (Some(Press::Ferrule), "cable tie")
+        );
+        let stated = Ends::new(450.0, tube, Some(EndsMade::Clamped));
+        assert_eq!(stated.bear(450.0), Some(false));
+    }
+
+    /// By hand: 15 N m on M8 are 15/(0.2 · 0.008) = 9375 N, and 2π · 0.15 · 9375 = 8836 N; twice
+    /// 9000 N is above the 17 671 N at best.
+    #[test]
+    fn by_hand_a_wide_shoulder_has_clamps_with_a_bolt_for_the_proof_test() {
+        let tube = Clamped {
+            bore_mm: 80.0,
+            wall_mm: 4.0,
+            mu_mpa: 0.2,
+            diameter_mm: 90.0,
+        };
+        let press = |load_n: f64| Ends::new(load_n, tube, None).press;
+        assert_eq!(press(8800.0), Some(Press::BoltClamps(1)));
+        assert_eq!(press(9000.0), Some(Press::BoltClamps(2)));
+        let [low, high] = bolted_n();
+        assert!((low - 8835.7).abs() < 0.1 && (high - 2.0 * low).abs() < 1e-9);
     }
 }

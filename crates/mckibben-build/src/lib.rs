@@ -76,7 +76,7 @@ pub fn papers(plan: &Plan) -> Result<[Document; 2], FigureError> {
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let sheets = drawings(plan);
     let [build_sheet, record] = papers(plan)?;
-    let bill = material::csv(&plan.parts).map_err(|e| FigureError::Drawing(e.to_string()))?;
+    let bill = material::csv(plan).map_err(|e| FigureError::Drawing(e.to_string()))?;
     let mut out = vec![
         document(
             "build-sheet",

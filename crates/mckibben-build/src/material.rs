@@ -2,37 +2,43 @@
 
 use crate::{
     Cut, Plan, SleeveCut, build_sheet,
+    ends::{BOLT_BAND_MM, BOLT_MM, Press},
+    mould::Mould,
     plug::Plug,
     text::{mm, significant},
 };
 use mckibben_core::{
-    clean,
-    muscle::{EndsMade, Muscle},
-    rubber::library as rubbers,
-    sleeve::library as sleeves,
+    clean, muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves,
 };
 use mckibben_design::tubes::{self, TubePart};
 
 /// Tolerance of equal diameters of part and muscle, in mm.
 const SAME_MM: f64 = 0.011;
-/// Wall in mm of the tube that a ferrule is cut from (a choice).
-const FERRULE_WALL_MM: f64 = 1.5;
-/// What is used up: what, how much, what for.
-pub const CONSUMABLES: [[&str; 3]; 6] = [
-    [
-        "regulator, shut-off valve, relief valve",
-        "1 each",
-        "the relief valve at what the test record says",
-    ],
+/// Precision steel tubes (EN 10305-1): outer diameters and walls in mm.
+const STEEL_MM: [f64; 20] = [
+    6.0, 8.0, 10.0, 12.0, 14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 32.0, 35.0, 38.0,
+    40.0, 42.0, 45.0, 50.0,
+];
+const STEEL_WALLS_MM: [f64; 4] = [2.5, 2.0, 1.5, 1.0];
+/// Play in mm of a ferrule on the sleeve before it is pressed, at least (a choice).
+const FERRULE_PLAY_MM: f64 = 0.3;
+
+/// Outer diameter and wall in mm of the steel tube for a ferrule on a diameter, with the least play.
+fn ferrule_mm(on_mm: f64) -> Option<[f64; 2]> {
+    let all = STEEL_MM
+        .iter()
+        .flat_map(|outer| STEEL_WALLS_MM.map(|wall| [*outer, wall]));
+    let bore = |[outer, wall]: &[f64; 2]| outer - 2.0 * wall;
+    let fits = all.filter(|size| bore(size) >= on_mm + FERRULE_PLAY_MM);
+    fits.min_by(|a, b| bore(a).total_cmp(&bore(b)))
+}
+
+/// What is used up by every muscle: what, how much, what for.
+const CONSUMABLES: [[&str; 3]; 3] = [
     [
         "isopropyl alcohol",
         "a little",
         "to push the tube on; it dries",
-    ],
-    [
-        "epoxy resin or thin cyanoacrylate",
-        "a little",
-        "to seal a printed plug",
     ],
     [
         "adhesive tape",
@@ -44,12 +50,33 @@ pub const CONSUMABLES: [[&str; 3]; 6] = [
         "0.2 m",
         "for a thread without a seal of its own",
     ],
-    [
-        "safety glasses, water, hand pump with gauge",
-        "1",
-        "for the proof test",
-    ],
 ];
+
+/// What is used up: what, how much, what for.
+pub fn consumables(plan: &Plan) -> Vec<[String; 3]> {
+    let shown = &plan.shown;
+    let [relief, proof] =
+        [plan.highest_mpa(), plan.safety.proof_pressure_mpa].map(|mpa| shown.pressure(mpa));
+    let supply = if plan.liquid { "pump" } else { "regulator" };
+    let supply = format!("{supply}, shut-off valve, relief valve");
+    let resin = [
+        "epoxy resin or thin cyanoacrylate",
+        "a little",
+        "to seal the printed plugs",
+    ];
+    let resin = plan.air_plug.is_printed().then_some(resin);
+    let pump = format!("for the proof test, to {proof}");
+    let glasses = "safety glasses, screen, water, hand pump with gauge";
+    CONSUMABLES
+        .into_iter()
+        .chain(resin)
+        .map(|row| row.map(String::from))
+        .chain([
+            [supply, "1 each".into(), format!("relief at {relief}")],
+            [glasses.into(), "1 each".into(), pump],
+        ])
+        .collect()
+}
 
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
@@ -95,15 +122,37 @@ pub fn density_kg_per_m3(muscle: &Muscle) -> Option<f64> {
     muscle.tube().density_kg_per_m3.or_else(of_rubber)
 }
 
-pub fn bill(plan: &Plan) -> Vec<BuildPart> {
-    let bought = |number, part: &str, size: String, count: usize| BuildPart {
+/// A part that is bought by its size.
+fn bought(number: u32, part: &str, size: String, count: usize) -> BuildPart {
+    BuildPart {
         number,
         part: part.into(),
         size,
         amount: count.to_string(),
         spare: "1".into(),
         ..BuildPart::default()
+    }
+}
+
+/// What presses the sleeve on the shoulders, on a diameter.
+fn pressed(plan: &Plan, on_mm: f64) -> BuildPart {
+    if let Some(Press::BoltClamps(count)) = plan.ends.press {
+        let on = significant(on_mm, 3);
+        let [band, bolt] = [BOLT_BAND_MM, BOLT_MM].map(mm);
+        let size = format!("DIN 3017-3, ⌀{on} mm, band {band} mm, bolt M{bolt}");
+        return bought(8, "clamp with a T-bolt", size, 2 * count);
+    }
+    let size = match ferrule_mm(on_mm) {
+        Some([outer, wall]) => format!("{} × {} mm", mm(outer), mm(wall)),
+        None => format!("with a bore of {} mm", mm((on_mm + FERRULE_PLAY_MM).ceil())),
     };
+    let bands = plan.air_plug.stem.pressed_mm.iter();
+    let long = mm(bands.map(|band| (band[1] - band[0]).floor()).sum());
+    let size = format!("steel tube EN 10305-1 {size}, {long} mm long");
+    bought(8, "ferrule", size, 2)
+}
+
+pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     let plug = |number, name: &str, plug: &Plug| BuildPart {
         mass_g: Some(plug.mass_g()),
         spare: "–".into(),
@@ -111,22 +160,16 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     };
     let ends = &plan.ends;
     let clamps = 2 * ends.at_each_end;
-    let clamp = match ends.made {
-        EndsMade::Tied => BuildPart {
-            spare: clamps.to_string(),
-            ..bought(
-                5,
-                "cable tie",
-                format!("{} mm wide, PA 66", mm(ends.band_mm)),
-                clamps,
-            )
-        },
-        EndsMade::Clamped | EndsMade::Crimped => {
-            let band = mm(ends.band_mm);
-            let around = significant(plan.clamped_diameter_mm, 3);
-            let size = format!("DIN 3017-1, band {band} mm, for a diameter of {around} mm");
-            bought(5, "hose clamp with worm drive", size, clamps)
-        }
+    let band = mm(ends.band_mm);
+    let size = if ends.has_ties {
+        format!("{band} mm wide, PA 66")
+    } else {
+        let around = significant(plan.clamped_diameter_mm, 3);
+        format!("DIN 3017-1, ⌀{around} mm, band {band} mm")
+    };
+    let clamp = BuildPart {
+        spare: if ends.has_ties { clamps } else { 1 }.to_string(),
+        ..bought(5, ends.band(), size, clamps)
     };
     let bolt = &plan.air_plug;
     let (bolt_mm, long_mm) = (mm(bolt.bolt_mm), bolt.bolt_length_mm());
@@ -142,24 +185,18 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
         bought(6, &fitting, "for the working pressure".into(), 1),
         bought(7, "bolt with nut", size, 2),
     ];
-    if let Some(mm_) = plan.ferrule_mm {
-        let size = format!(
-            "steel tube EN 10305, bore {} mm, wall {} mm, {} mm long",
-            mm((mm_ + 0.3).ceil()),
-            mm(FERRULE_WALL_MM),
-            mm((plan.muscle.insertion_mm() - plan.air_plug.stem.tube_mm() - 2.0).floor())
-        );
-        parts.push(bought(8, "ferrule", size, 2));
-    }
+    parts.extend(plan.pressed_diameter_mm.map(|on_mm| pressed(plan, on_mm)));
     if plan.is_cast() {
-        let (bore, outer) = (plan.cut.bore_mm(), plan.cut.tube_outer_diameter_mm);
+        let mould = Mould::new(&plan.cut);
         let mixed = build_sheet::mixed_ml(plan);
-        let size = format!("{mixed} mL in all; release agent, syringe, scale");
+        let size = format!("{mixed} mL in all; release agent, syringe of 60 mL, scale");
         parts.push(bought(10, "silicone for the tube, parts A and B", size, 1));
         let size = format!(
-            "rod {} mm, smooth pipe with a bore of {} mm",
-            mm(bore),
-            mm(outer)
+            "rod {} mm, {} mm long; smooth pipe with a bore of {} mm, {} mm long",
+            mm(mould.rod_mm),
+            mm(mould.rod_length_mm),
+            mm(mould.bore_mm),
+            mm(mould.pipe_mm)
         );
         parts.push(bought(11, "mould for the tube", size, 1));
     }
@@ -230,12 +267,12 @@ fn sleeve(plan: &Plan, cut: &SleeveCut) -> BuildPart {
 }
 
 /// The bill as a table for spreadsheets.
-pub fn csv(parts: &[BuildPart]) -> Result<String, csv::Error> {
+pub fn csv(plan: &Plan) -> Result<String, csv::Error> {
     let mut out = csv::Writer::from_writer(vec![]);
     out.write_record([
         "number", "part", "size", "amount", "spare", "sold as", "mass (g)", "price", "source",
     ])?;
-    for part in parts {
+    for part in &plan.parts {
         let (sold_as, price, source) = (&part.sold_as, &part.price, &part.source);
         let texts = [
             &part.part,
@@ -250,8 +287,8 @@ pub fn csv(parts: &[BuildPart]) -> Result<String, csv::Error> {
         let cells = texts.map(|text| clean::cell(&clean::line(text)).into_owned());
         out.write_record([part.number.to_string()].iter().chain(&cells))?;
     }
-    for [part, amount, about] in CONSUMABLES {
-        out.write_record(["", part, about, amount, "", "consumable", "", "", ""])?;
+    for [part, amount, about] in consumables(plan) {
+        out.write_record(["", &part, &about, &amount, "", "consumable", "", "", ""])?;
     }
     let bytes = out.into_inner().map_err(|e| e.into_error())?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())

@@ -1,11 +1,99 @@
-//! The cap that centres rod and pipe of a mould.
+//! The mould of a cast tube: a rod in a pipe, centred by two caps, how much rubber it takes, and how
+//! long that flows.
 
 use crate::{Cut, mesh::Mesh};
+use mckibben_core::load::GRAVITY_M_PER_S2;
+use serde::Deserialize;
 
 /// Play of rod and pipe, spigot, flange and its width beyond the pipe, in mm (choices).
 const PLAY_MM: f64 = 0.2;
-const SPIGOT_MM: f64 = 8.0;
+pub const SPIGOT_MM: f64 = 8.0;
 const FLANGE_MM: (f64, f64) = (4.0, 5.0);
+/// Length in mm by which the pipe is longer than the tube, and the rod than the pipe.
+const BEYOND_MM: f64 = 40.0;
+/// The hole of the syringe above the lower end of the pipe, and the vents below its upper end, in mm.
+pub const HOLE_MM: f64 = 12.0;
+const VENTS_MM: f64 = 14.0;
+/// More rubber than the mould holds, for what stays in cup and syringe (a choice).
+const SPILL: f64 = 1.2;
+/// Volume of a syringe in mm³ (a choice).
+const SYRINGE_MM3: f64 = 60e3;
+
+/// What makers state of rubbers that are cast.
+const CASTABLE: &str = include_str!("../data/castable.csv");
+
+/// A rubber that is cast, as its maker states it.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Castable {
+    rubber: String,
+    /// Viscosity in Pa s, mixed.
+    pub viscosity_pa_s: f64,
+    /// Minutes from mixing on in which it flows.
+    pub pot_life_min: f64,
+    /// Hours until it is taken out of the mould.
+    pub cure_h: f64,
+}
+
+/// What is known of a rubber that is cast; rows with a gap are left out.
+pub fn castable(rubber: &str) -> Option<Castable> {
+    let mut table = csv::ReaderBuilder::new();
+    let mut table = table.comment(Some(b'#')).from_reader(CASTABLE.as_bytes());
+    let mut rows = table.deserialize().filter_map(Result::ok);
+    rows.find(|row: &Castable| row.rubber == rubber)
+}
+
+/// Time in minutes in which a liquid sinks through a gap by its weight alone: the mean speed between
+/// plates is ρ g s²/(12 η), so t = 12 η L/(ρ g s²) (Bird, Stewart & Lightfoot 2002 \[bird2002\],
+/// problem 2B.3).
+pub fn sinks_min(viscosity_pa_s: f64, density_kg_per_m3: f64, gap_mm: f64, length_mm: f64) -> f64 {
+    let weight = density_kg_per_m3 * GRAVITY_M_PER_S2;
+    12e3 * viscosity_pa_s * length_mm / (weight * gap_mm * gap_mm) / 60.0
+}
+
+/// The mould of a tube. Lengths in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mould {
+    pub rod_mm: f64,
+    pub bore_mm: f64,
+    pub rod_length_mm: f64,
+    pub pipe_mm: f64,
+    /// The vents above the lower end of the pipe: so high stands the rubber.
+    pub vents_mm: f64,
+    /// Volume to mix in mm³.
+    pub mixed_mm3: f64,
+}
+
+impl Mould {
+    pub fn new(cut: &Cut) -> Self {
+        let pipe_mm = cut.tube_mm.round() + BEYOND_MM;
+        let vents_mm = pipe_mm - VENTS_MM;
+        let filled = (vents_mm - SPIGOT_MM) / cut.tube_mm;
+        Self {
+            rod_mm: cut.bore_mm(),
+            bore_mm: cut.tube_outer_diameter_mm,
+            rod_length_mm: pipe_mm + BEYOND_MM,
+            pipe_mm,
+            vents_mm,
+            mixed_mm3: SPILL * filled * cut.rubber_mm3,
+        }
+    }
+
+    /// So often a syringe is filled.
+    pub fn syringes(&self) -> f64 {
+        (self.mixed_mm3 / SYRINGE_MM3).ceil()
+    }
+
+    /// Time in minutes in which a rubber of a density in kg/m³ sinks through the gap.
+    pub fn sinks_min(&self, rubber: &Castable, density_kg_per_m3: f64) -> f64 {
+        let gap_mm = 0.5 * (self.bore_mm - self.rod_mm);
+        sinks_min(
+            rubber.viscosity_pa_s,
+            density_kg_per_m3,
+            gap_mm,
+            self.vents_mm - SPIGOT_MM,
+        )
+    }
+}
 
 /// The cap, on its flange.
 pub fn cap(cut: &Cut) -> Mesh {
@@ -25,4 +113,31 @@ pub fn cap(cut: &Cut) -> Mesh {
         mesh.band(&last, &first);
     }
     mesh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: 20 Pa s of 1080 kg/m³ over 513 mm and a gap of 2.5 mm: 12 · 20 · 0.513/(1080 ·
+    /// 9.80665 · 6.25e-6) = 1860 s, 31 min; twice the gap takes a quarter of it.
+    #[test]
+    fn by_hand_rubber_sinks_through_a_gap_of_2_5_mm_in_31_minutes() {
+        assert!((sinks_min(20.0, 1080.0, 2.5, 513.0) - 31.0).abs() < 0.01);
+        assert!((sinks_min(20.0, 1080.0, 5.0, 513.0) - 7.75).abs() < 0.01);
+    }
+
+    /// The rows of the maker's bulletins; a gap is none.
+    #[test]
+    fn the_table_has_what_makers_state_and_keeps_gaps() {
+        let of = |name: &str| castable(name).map(|r| (r.viscosity_pa_s, r.pot_life_min, r.cure_h));
+        assert_eq!(of("dragon-skin-30"), Some((20.0, 45.0, 16.0)));
+        assert_eq!(of("ecoflex-00-50"), Some((8.0, 18.0, 3.0)));
+        assert_eq!(of("mold-star-20t"), None);
+        let rows = CASTABLE.lines().filter(|line| !line.starts_with('#'));
+        for row in rows.skip(1) {
+            let name = row.split(',').next().unwrap_or_default();
+            assert!(mckibben_core::rubber::library::entry(name).is_ok(), "{row}");
+        }
+    }
 }

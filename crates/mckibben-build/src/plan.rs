@@ -30,7 +30,7 @@ pub struct Wishes {
     pub bolt_mm: Option<f64>,
     /// Diameter in mm of the sleeve as it comes off the roll.
     pub sleeve_diameter_mm: Option<f64>,
-    /// The muscle is filled with a liquid.
+    /// The muscle is filled with a liquid, as it also is where its job names one.
     pub liquid: bool,
     /// The units of all files.
     pub shown: Shown,
@@ -52,8 +52,8 @@ pub struct Plan {
     pub over_sleeve_mm: f64,
     /// Diameter in mm over tube and sleeve on a plug, on which a clamp closes.
     pub clamped_diameter_mm: f64,
-    /// Of a ferrule: diameter in mm over the sleeve on its shoulder, before it is pressed.
-    pub ferrule_mm: Option<f64>,
+    /// Diameter in mm over the sleeve on the shoulder of crimped ends, before it is pressed.
+    pub pressed_diameter_mm: Option<f64>,
     /// The load of an end in N: the blocked force and the pressure on the bore.
     pub end_load_n: f64,
     /// The same at the pressure of the proof test.
@@ -80,6 +80,11 @@ const PRINTED_FROM_MM: f64 = 4.0;
 
 impl Plan {
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
+        let job = muscle.job();
+        let wishes = &Wishes {
+            liquid: wishes.liquid || job.is_some_and(|job| job.liquid.is_some()),
+            ..wishes.clone()
+        };
         let load = |force_n: f64, p: f64| clamp_load_n(&muscle, force_n.max(0.0), p);
         let end_load_n = load(operating.blocked_force_n, operating.pressure_mpa);
         let proof_load_n = load(
@@ -99,7 +104,8 @@ impl Plan {
         let shoulder = air_plug.stem.shoulder_mm;
         let mut plan = Self {
             clamped_diameter_mm,
-            ferrule_mm: shoulder.map(|s| s[0] + over_sleeve_mm - muscle.outer_diameter_mm()),
+            pressed_diameter_mm: shoulder
+                .map(|s| s[0] + over_sleeve_mm - muscle.outer_diameter_mm()),
             over_sleeve_mm,
             cut,
             end_load_n,
@@ -198,12 +204,14 @@ impl Plan {
             Some([low, high]) if low == high => {
                 format!("by estimate they hold {}", self.shown.force(low))
             }
-            Some([low, high]) => format!(
-                "by estimate they hold {} if the rubber flows out under the clamp, and {} if it \
-                 does not",
-                self.shown.force(low),
-                self.shown.force(high)
-            ),
+            Some(range) => {
+                let [low, high] = range.map(|n| self.shown.force(n));
+                let [worst, best] = match self.ends.press {
+                    Some(_) => ["the friction is 0.15", "it is 0.3"],
+                    None => ["the rubber flows out under the clamp", "it does not"],
+                };
+                format!("by estimate they hold {low} if {worst}, and {high} if {best}")
+            }
         };
         format!("{load}; {holds}")
     }
@@ -219,12 +227,18 @@ impl Plan {
                 self.shown.force(self.proof_load_n)
             ));
         }
-        if self.ends.made == EndsMade::Tied && self.ends.bear(self.end_load_n) == Some(false) {
-            out.push(
-                "the ties hold less than four times the load of an end; clamp or crimp them \
-                 (`made` in [terminals] of the muscle file)"
-                    .into(),
-            );
+        if self.ends.bear(self.end_load_n) == Some(false) {
+            out.push(match self.ends.made {
+                EndsMade::Tied => {
+                    "the ties hold less than four times the load of an end; clamp or crimp them \
+                     (`made` in [terminals] of the muscle file)"
+                }
+                _ => {
+                    "by estimate the ends do not hold the proof test even at best; crimp them \
+                     (`made` in [terminals] of the muscle file), or lower the pressure"
+                }
+            }
+            .into());
         }
         if !self.air_plug.bears(self.end_load_n) {
             out.push(format!(

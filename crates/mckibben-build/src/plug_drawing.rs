@@ -93,7 +93,7 @@ fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     }
     if let Some([diameter, from]) = stem.shoulder_mm {
         let row = -above - 7.0 * (stem.bands_mm.len() + 1) as f64;
-        let text = format!("shoulder ⌀{}", bare(diameter));
+        let text = format!("shoulder ⌀{} from {}", bare(diameter), bare(from));
         v.across((from, stem.length_mm), (-0.5 * diameter, -half), row, &text);
     }
 }
@@ -142,11 +142,13 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
         [
             "Print solid, standing on the end of the head",
             "Seal the surface of the stem with epoxy resin",
+            "What is not dimensioned: by the STL file",
         ]
     } else {
         [
             "Turned, head milled; stem Ra 1.6, all else Ra 3.2",
             "Corner of the stem R 0.8; edges broken 0.2",
+            "What is not dimensioned: by the STEP file",
         ]
     };
     [
@@ -157,10 +159,12 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
         )),
         port,
         Some(format!(
-            "Stem: bore {} and {}",
+            "Stem: {} and an interference of {}",
             bare(stem.bore_mm()),
             bare_2(stem.interference_mm)
         )),
+        plug.collar_mm
+            .map(|_| format!("Collar {} thick", bare(plug.foot_mm - stem.length_mm))),
         stem.shoulder_mm
             .map(|_| "Shoulder with ribs every 3, 0.4 deep, sides 45°".into()),
     ]

@@ -1,7 +1,15 @@
 //! The test record: what is expected, and room for what was measured.
 
-use crate::{Plan, PullAt, TestPoint, build_sheet::grid, safety::relief_mpa, text::percent};
-use mckibben_core::extremes::peak;
+use crate::{
+    Plan, PullAt, TestPoint,
+    build_sheet::grid,
+    safety::relief_mpa,
+    text::{percent, significant_n},
+};
+use mckibben_core::{
+    built::{Left, Measurement},
+    extremes::peak,
+};
 use mckibben_report::{Document, Part};
 
 /// The range of a load cell over the largest pull that is expected (a choice).
@@ -26,18 +34,23 @@ pub fn document(plan: &Plan) -> Document {
     let mut title_block = plan.title_block.clone();
     title_block.extend(named.map(|name| (name.to_owned(), String::new())));
     let heading = |text: &str| Part::Heading(text.into());
+    let first = first(plan).map(|table| [heading("In a few minutes"), table]);
     let highest = |at: &PullAt| at.built.map_or(at.force_n, |b| b.predicted_high_n);
     let range_n = LOAD_CELL * peak(plan.expected.iter().map(highest));
     Document {
         title: format!("Test record: {}", plan.title()),
         title_block,
         lead: plan.verdict().join(" "),
-        parts: vec![
+        parts: [
             Part::Stop(plan.stops()),
             heading("Pressures"),
             grid(&["", "by the model", "set"], pressures(plan)),
             heading("Proof and leak test"),
             grid(&["", "required", "measured"], proof(plan)),
+        ]
+        .into_iter()
+        .chain(first.into_iter().flatten())
+        .chain([
             heading("First test"),
             Part::Text(format!(
                 "Load cell for at least {}. Distances are between the inner faces of the heads. \
@@ -45,7 +58,8 @@ pub fn document(plan: &Plan) -> Document {
                 plan.shown.force(range_n)
             )),
             pulls(plan),
-        ],
+        ])
+        .collect(),
         footer: String::new(),
     }
 }
@@ -102,6 +116,35 @@ fn proof(plan: &Plan) -> Vec<Vec<String>> {
         ),
         row("passed, signature", String::new()),
     ]
+}
+
+/// What is worth measuring before the test, as in the first rows of its sheet.
+fn first(plan: &Plan) -> Option<Part> {
+    let shown = &plan.shown;
+    let p = shown.short_pressure(plan.operating.pressure_mpa);
+    let one = |left: &Left| {
+        let (what, minutes) = left.measurement.words();
+        let set = match left.measurement {
+            Measurement::HungLoad => "load, pressure, contraction".into(),
+            Measurement::OnePull => format!("{p}, distance {}", shown.length(plan.faces_mm(0.05))),
+            Measurement::FreeContraction => format!("{p}, no load"),
+            Measurement::StartPressure | Measurement::Turns => "in muscle.toml".into(),
+            // The test below.
+            Measurement::TenPulls => return None,
+        };
+        let half = shown.force(significant_n(left.uncertainty_n));
+        let worth = format!("± {half} ({minutes} min)");
+        Some(vec![what.into(), set, worth, String::new()])
+    };
+    let rows = plan
+        .operating
+        .to_measure
+        .as_ref()?
+        .left
+        .iter()
+        .filter_map(one);
+    let head = ["measure", "at", "then the pull is known to", "measured"];
+    Some(grid(&head, rows.collect()))
 }
 
 /// What is expected at each point of the first test.

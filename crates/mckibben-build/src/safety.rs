@@ -74,7 +74,7 @@ pub struct ToMeasure {
 
 /// Proof over working pressure: a choice, half of the ratio of burst to working pressure of hoses
 /// for compressed air (RMA, Hose Handbook, IP-2, 2003).
-const PROOF_TO_WORKING: f64 = 2.0;
+pub const PROOF_TO_WORKING: f64 = 2.0;
 /// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle:
 /// a choice.
 const PROOF_TO_BURST: f64 = 0.75;

@@ -1,6 +1,6 @@
 //! The stem of a plug: what lies in the tube.
 
-use crate::ends::Ends;
+use crate::ends::{BOLT_BAND_MM, Ends, Press};
 use mckibben_core::muscle::EndsMade;
 
 /// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice:
@@ -35,6 +35,8 @@ pub struct Stem {
     /// The shoulder beyond the tube on which the sleeve alone is pressed: diameter, and height from
     /// which on, in mm.
     pub shoulder_mm: Option<[f64; 2]>,
+    /// What presses the sleeve on it: from and to, in mm.
+    pub pressed_mm: Vec<[f64; 2]>,
     /// Radii and heights from the inner end to the head.
     pub profile: Vec<[f64; 2]>,
 }
@@ -57,6 +59,7 @@ impl Stem {
             length_mm: NOSE_MM + insertion_mm,
             bands_mm: vec![],
             shoulder_mm: None,
+            pressed_mm: vec![],
             profile: vec![],
         };
         match ends.made {
@@ -64,7 +67,7 @@ impl Stem {
             EndsMade::Clamped => stem.barbed(ends),
             EndsMade::Crimped => {
                 stem.barbed(ends);
-                stem.ribbed(wall_mm);
+                stem.ribbed(ends, wall_mm);
             }
         }
         stem.fillet();
@@ -119,7 +122,10 @@ impl Stem {
         let height = (BARB.0 * self.diameter_mm).min(BARB.1).max(BARB.2);
         self.profile = vec![[radius - 0.5, 0.0]];
         let mut peak = self.datum_mm;
-        for _ in 0..ends.at_each_end {
+        for i in 0..ends.at_each_end {
+            // A seat is a cylinder up to the next barb.
+            let seat = (i > 0).then_some([radius, peak - NOSE_MM]);
+            self.profile.extend(seat);
             self.profile
                 .extend([[radius + height, peak], [radius, peak + height]]);
             let from = peak + height + 0.5 * ROOM_MM;
@@ -129,7 +135,7 @@ impl Stem {
     }
 
     /// A shoulder as wide as the tube, with ribs.
-    fn ribbed(&mut self, wall_mm: f64) {
+    fn ribbed(&mut self, ends: &Ends, wall_mm: f64) {
         let end = self
             .bands_mm
             .last()
@@ -149,6 +155,20 @@ impl Stem {
             ]);
         }
         self.shoulder_mm = Some([2.0 * radius, end]);
+        let bands = match ends.press {
+            Some(Press::BoltClamps(count)) => count,
+            _ => 0,
+        };
+        let room = (self.length_mm - end) / bands.max(1) as f64;
+        let half = if bands > 0 {
+            0.5 * BOLT_BAND_MM
+        } else {
+            0.5 * room - 1.0
+        };
+        self.pressed_mm = (0..bands.max(1))
+            .map(|i| end + (i as f64 + 0.5) * room)
+            .map(|middle| [middle - half, middle + half])
+            .collect();
     }
 
     /// The corner at the head.

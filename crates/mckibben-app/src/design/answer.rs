@@ -305,21 +305,23 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
         format!("candidate-{}.toml", place + 1)
     };
     let mut points: Vec<&CandidatePoint> = candidate.points.iter().collect();
-    let needs_mpa = |q: &CandidatePoint| q.response.pressure_mpa;
-    points.sort_by(|a, b| needs_mpa(b).total_cmp(&needs_mpa(a)));
-    let point = |q: &&CandidatePoint| JobPoint {
+    points.sort_by(|a, b| b.response.pressure_mpa.total_cmp(&a.response.pressure_mpa));
+    let points = points.into_iter().map(|q| JobPoint {
         force: q.wanted.force_n.into(),
         contraction: q.wanted.contraction.into(),
-    };
-    let job = |pressure| Job {
-        pressure,
-        supply: Positive::new(spec.max_pressure_mpa.into()),
-        branch: Some(spec.options().direction),
-        points: points.iter().map(point).collect(),
-    };
+    });
     let mut muscle = candidate.muscle.clone();
     if let Some(pressure) = Positive::new(candidate.pressure_mpa.into()) {
-        muscle = muscle.with_job(job(pressure));
+        muscle = muscle.with_job(Job {
+            pressure,
+            supply: Positive::new(spec.max_pressure_mpa.into()),
+            branch: Some(spec.options().direction),
+            liquid: spec
+                .liquid
+                .as_ref()
+                .map(|supply| supply.liquid.name.to_owned()),
+            points: points.collect(),
+        });
     }
     TextFile {
         name,

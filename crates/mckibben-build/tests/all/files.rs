@@ -1,7 +1,7 @@
 //! Cut list, pressures, files.
 
 use mckibben_build::{
-    Content, Operating, Plan, Proof, PullAt, ToMeasure, Wishes, drawings, files, papers,
+    Content, Operating, Plan, Proof, PullAt, TestPoint, ToMeasure, Wishes, drawings, files, papers,
 };
 use mckibben_core::{
     analysis::FailureMode,
@@ -444,6 +444,186 @@ fn all_papers_say_the_same_numbers() {
         assert_eq!(text("build-sheet.html").contains("bleed screw"), liquid);
         assert_eq!(plan.eye_plug.port.is_some(), liquid);
     }
+}
+
+/// The six muscles of the workshop: README's winner, a finger, a latex tube as sold in an
+/// overexpanded sleeve, 2 kN, water at 10 bar, a thin muscle; with the working pressure in MPa, and
+/// the blocked force in N that `fe` finds.
+const SIX: [(&str, f64, f64); 6] = [
+    (
+        "[tube]\nouter_diameter = 88\nwall_thickness = 4\nlength = 285\nrubber = \
+         \"dragon-skin-30\"\n[braid]\nname = \"kevlar-sock\"\n",
+        0.186398,
+        5010.0,
+    ),
+    (
+        "[tube]\nouter_diameter = 9.525\nwall_thickness = 1.5875\nlength = 90\nrubber = \
+         \"latex\"\n[braid]\nname = \"pet-sleeve-12\"\n",
+        0.266087,
+        150.0,
+    ),
+    (
+        "[tube]\nouter_diameter = 9.525\nwall_thickness = 1.5875\nlength = 285\nrubber = \
+         \"latex\"\n[braid]\nname = \"flexo-overexpanded-0.38in\"\n",
+        0.225839,
+        382.0,
+    ),
+    (
+        "[tube]\nouter_diameter = 80\nwall_thickness = 5\nlength = 285\nrubber = \
+         \"dragon-skin-30\"\n[braid]\nname = \"kevlar-sock\"\n",
+        0.233708,
+        6950.0,
+    ),
+    (
+        "[tube]\nouter_diameter = 16\nwall_thickness = 3\nlength = 200\nrubber = \
+         \"nbr-50\"\n[braid]\nangle = 25\nstrands = 144\nstrand_diameter = 0.4\nstrand_modulus = 8500\n",
+        1.0,
+        1470.0,
+    ),
+    (
+        "[tube]\nouter_diameter = 3\nwall_thickness = 0.5\nlength = 120\nrubber = \
+         \"latex\"\n[braid]\nangle = 22\n",
+        0.2,
+        7.92,
+    ),
+];
+
+/// The plan of one of the six.
+fn one_of_six((text, pressure_mpa, blocked_force_n): (&str, f64, f64)) -> Plan {
+    let muscle = parse_muscle(text).unwrap();
+    let mut operating = operating(&muscle, pressure_mpa);
+    operating.blocked_force_n = blocked_force_n;
+    operating.proof.pressure_mpa = 2.0 * pressure_mpa;
+    operating.proof.blocked_force_n = 2.0 * blocked_force_n;
+    let wishes = Wishes {
+        liquid: pressure_mpa == 1.0,
+        ..Wishes::default()
+    };
+    let mut plan = Plan::new(muscle, operating, &wishes).unwrap();
+    let expected = |point: &TestPoint| PullAt {
+        pressure_mpa: point.pressure_mpa,
+        contraction: point.contraction,
+        required_n: None,
+        force_n: 10.0,
+        built: None,
+    };
+    plan.expected = plan.test.iter().map(expected).collect();
+    plan
+}
+
+/// The parts of the bill are in the drawing with their size, each with a balloon; lengths, loads,
+/// pressures and distances are the same in all papers.
+#[test]
+fn six_folders_say_the_same_numbers_in_every_file() {
+    for (i, six) in SIX.into_iter().enumerate() {
+        let plan = one_of_six(six);
+        let all = texts(&plan);
+        let text = |name: &str| all.iter().find(|f| f.0 == name).unwrap().1.clone();
+        let says = |what: &str, names: &[&str]| {
+            for name in names {
+                assert!(text(name).contains(what), "muscle {i}, {name}: {what}");
+            }
+        };
+        let papers = ["build-sheet.html", "test-record.html"];
+        let drawing = text("drawing.svg");
+        for part in &plan.parts {
+            says(&part.amount, &["bom.csv"]);
+            if part.number < 10 {
+                let balloon = format!(">{}<", part.number);
+                let count = drawing.matches(&balloon).count();
+                assert!(count >= 2, "muscle {i}: balloon {}", part.number);
+                let known: String = part.part.chars().take(12).collect();
+                assert!(drawing.contains(&known), "muscle {i}: {known}");
+            }
+        }
+        for name in ["load", "proof"] {
+            let n = match name {
+                "load" => plan.end_load_n,
+                _ => plan.proof_load_n,
+            };
+            let n = format!("{} N", significant(n));
+            says(&n, &["README.md", papers[0], papers[1]]);
+        }
+        let proof = format!("{} MPa", significant(plan.safety.proof_pressure_mpa));
+        says(&proof, &["README.md", "bom.csv", papers[0], papers[1]]);
+        let tenth = |value: f64| format!("{value:.1}").trim_end_matches(".0").to_owned();
+        let mm = |value: f64| format!("{} mm", tenth(value));
+        says(
+            &mm(plan.cut.tube_mm),
+            &["bom.csv", papers[0], "drawing.svg"],
+        );
+        for (point, row) in plan.test.iter().zip(&plan.expected) {
+            let faces = plan.faces_mm(point.contraction);
+            assert_eq!(point.contraction, row.contraction);
+            says(&mm(faces), &[papers[1]]);
+            let faces = format!(",{}\n", tenth(faces));
+            says(&faces, &["test.csv"]);
+        }
+        // A pull at 5 % is in the record as in the sheet.
+        says(&mm(plan.faces_mm(0.05)), &[papers[1]]);
+        let stem = mm(plan.air_plug.stem.diameter_mm);
+        says(&stem, &[papers[0]]);
+        let stem = format!("⌀{} ±", stem.trim_end_matches(" mm"));
+        says(&stem, &["air-plug.svg", "eye-plug.svg"]);
+        let again = parse_muscle(&text("muscle.toml")).unwrap();
+        assert_eq!(again.insertion_mm(), plan.muscle.insertion_mm());
+    }
+}
+
+/// Of each of the six: no end is chosen that does not hold the proof test at best by its own
+/// estimate, and twice the working load is what the proof test puts on it.
+#[test]
+fn no_end_of_the_six_fails_its_proof_by_its_own_estimate() {
+    let made = SIX.map(|six| {
+        let plan = one_of_six(six);
+        assert!((plan.proof_load_n - 2.0 * plan.end_load_n).abs() < 1e-6 * plan.end_load_n);
+        if let Some([low, high]) = plan.ends.holds_n {
+            assert!(high >= plan.proof_load_n, "{:?}", plan.ends);
+            assert!(low >= plan.end_load_n || plan.ends.made == EndsMade::Clamped);
+        }
+        let stem = &plan.air_plug.stem;
+        for band in stem.bands_mm.iter().chain(&stem.pressed_mm) {
+            assert!(band[0] >= stem.datum_mm && band[1] <= stem.length_mm);
+        }
+        plan.ends.made
+    });
+    let [tied, clamped, crimped] = [EndsMade::Tied, EndsMade::Clamped, EndsMade::Crimped];
+    assert_eq!(made, [crimped, clamped, crimped, crimped, crimped, tied]);
+}
+
+/// The mould of README's winner by hand: a tube of 313.6 mm in a pipe of 354 mm, vents 14 mm below
+/// its end, so 332 mm of rubber above the cap: 1.2 π (44² − 40²) 332 = 420 530 mm³, eight syringes;
+/// 12 · 20 · 0.332/(1080 · 9.80665 · 16e-6) = 470 s, 7.8 of 45 minutes.
+#[test]
+fn by_hand_the_mould_has_room_for_its_rubber_and_time_to_fill() {
+    let sheet = texts(&one_of_six(SIX[0]));
+    let sheet = &sheet.iter().find(|f| f.0 == "build-sheet.html").unwrap().1;
+    for said in [
+        "Mix 421 mL",
+        "8 fillings",
+        "flows for 45 min",
+        "takes 7.8 min",
+        "upright for 16 h",
+        "340 mm above it",
+    ] {
+        assert!(sheet.contains(said), "{said}");
+    }
+}
+
+/// The liquid of a job is written and read back, and bleeds and tests the muscle as `liquid` does.
+#[test]
+fn a_muscle_whose_job_names_a_liquid_is_built_for_it() {
+    let plan = |job: &str| {
+        let text = format!("[tube]\nouter_diameter = 10\nwall_thickness = 1.5\n[job]\n{job}");
+        plan_from(&text, &Wishes::default())
+    };
+    let wet = plan("pressure = \"2.5 bar\"\nliquid = \"water\"\n");
+    assert!(wet.liquid && wet.eye_plug.port.is_some());
+    let text = mckibben_core::muscle::file::to_toml(&wet.muscle);
+    let job = parse_muscle(&text).unwrap().job().unwrap().clone();
+    assert_eq!(job.liquid.as_deref(), Some("water"));
+    let dry = plan("pressure = \"2.5 bar\"\n");
+    assert!(!dry.liquid && dry.eye_plug.port.is_none());
 }
 
 /// To three digits.

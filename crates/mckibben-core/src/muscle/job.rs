@@ -20,6 +20,8 @@ pub struct Job {
     pub supply: Option<Positive<Pressure>>,
     /// Branch on which it works
     pub branch: Option<Direction>,
+    /// Liquid that fills it; air where none is named
+    pub liquid: Option<String>,
     /// Pulls at contractions that are required of it, first the one that takes the pressure
     #[serde(default)]
     pub points: Vec<JobPoint>,

@@ -100,8 +100,11 @@ impl Text {
             return;
         }
         self.table("tube.material");
-        let name = rubber.name.as_deref().map(text);
-        self.stated("name", name, "where the constants come from");
+        self.stated(
+            "name",
+            rubber.name.as_deref().map(text),
+            "where the constants come from",
+        );
         let kind = rubber.law.kind();
         let values = rubber.law.values();
         self.key("law", &text(kind.name), "");
@@ -182,8 +185,12 @@ impl Text {
         self.table("job");
         self.key("pressure", &pressure(job.pressure), "to set");
         self.stated("supply", job.supply.map(pressure), "");
-        let branch = job.branch.map(|branch| text(branch.name()));
-        self.stated("branch", branch, "of the friction hysteresis");
+        self.stated(
+            "branch",
+            job.branch.map(|branch| text(branch.name())),
+            "of the friction hysteresis",
+        );
+        self.stated("liquid", job.liquid.as_deref().map(text), "");
         let point = |q: &JobPoint| {
             let force = quantity(q.force.into(), "N");
             let contraction = number(q.contraction.into());
@@ -258,22 +265,19 @@ impl Text {
             &strands.count.to_string(),
             "both families together",
         );
-        let area = strands.area_mm2.map(|area| quantity(area, "mm2"));
-        self.stated("strand_area", area, "of one strand");
-        let modulus = strands.modulus_mpa.filter(|_| !is_stated);
-        self.stated(
-            "strand_modulus",
-            modulus.map(|modulus| quantity(modulus, "MPa")),
-            "",
-        );
-        let strength = strands
-            .strength_n
-            .map(|strength_n| quantity(strength_n, "N"));
-        self.stated(
-            "strand_strength",
-            strength,
-            "force at which one strand breaks",
-        );
+        let modulus_mpa = strands.modulus_mpa.filter(|_| !is_stated);
+        for (key, value, unit, comment) in [
+            ("strand_area", strands.area_mm2, "mm2", "of one strand"),
+            ("strand_modulus", modulus_mpa, "MPa", ""),
+            (
+                "strand_strength",
+                strands.strength_n,
+                "N",
+                "force at which one strand breaks",
+            ),
+        ] {
+            self.stated(key, value.map(|value| quantity(value, unit)), comment);
+        }
         for m in [&STRANDS_FACTOR, &STRENGTH_FACTOR] {
             self.stated(m.name(), (m.get)(muscle.parts()).map(number), m.comment);
         }
@@ -302,8 +306,11 @@ impl Text {
             .on_diameter(outer_diameter_mm)
             .map(|b| b.angle_deg);
         let is_usual = sleeve.is_some() && angle_deg == Ok(braid.angle_deg);
-        let angle = (!is_usual).then(|| quantity(braid.angle_deg, "deg"));
-        self.stated("angle", angle, "strands to the muscle's axis, at rest");
+        self.stated(
+            "angle",
+            (!is_usual).then(|| quantity(braid.angle_deg, "deg")),
+            "strands to the muscle's axis, at rest",
+        );
         let stiffness = match braid.stiffness {
             BraidStiffness::Paper => Some(text("paper")),
             BraidStiffness::Inextensible => Some(text("inextensible")),
@@ -344,10 +351,16 @@ impl Text {
             "side by side, which leaves openings between them",
         );
         self.measures(muscle, "braid");
-        let compression = braid.compression.then(|| "true".into());
-        self.stated("compression", compression, "strands that carry compression");
-        let in_rubber = braid.in_rubber.then(|| "true".into());
-        self.stated("in_rubber", in_rubber, "strands inside of the rubber");
+        for (key, holds, comment) in [
+            (
+                "compression",
+                braid.compression,
+                "strands that carry compression",
+            ),
+            ("in_rubber", braid.in_rubber, "strands inside of the rubber"),
+        ] {
+            self.stated(key, holds.then(|| "true".into()), comment);
+        }
     }
 }
 
