@@ -6,7 +6,7 @@ mod page;
 use crate::{
     Problem, ProblemKind, Result, TextFile,
     flags::{self, Args},
-    plan::{checked_plan, plan_of},
+    plan::plan_of,
 };
 use mckibben_campaign::campaign::{
     self, CampaignStatus, Forecast, Merged, Outcome, RunOptions, Shard, Summary,
@@ -64,7 +64,7 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
 
 /// What a plan will be, before it is run: nothing is written. All mistakes of the plan at once.
 pub fn campaign_forecast(request: &CampaignRequest, progress: &dyn Progress) -> Result<Forecast> {
-    let plan = checked_plan(&request.plan, &request.samples)?;
+    let plan = plan_of(&request.plan, &request.samples)?.0;
     plan.admit()?;
     Ok(campaign::forecast(&plan, &request.options()?, progress)?)
 }

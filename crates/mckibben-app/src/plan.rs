@@ -3,9 +3,7 @@
 
 use crate::{COLUMNS, Problem, ProblemKind, Result, TextFile};
 use mckibben_campaign::campaign::{self, Plan};
-use mckibben_core::progress::Progress;
-#[cfg(feature = "files")]
-use mckibben_core::{joined, muscle::file::FileError};
+use mckibben_core::{joined, muscle::file::FileError, progress::Progress};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::{fmt::Write as _, path::Path};
@@ -34,33 +32,20 @@ pub struct PlanAnswer {
 /// Most points of a plan in memory.
 const MOST_POINTS: u64 = 200_000;
 
-fn given(file: &Option<TextFile>) -> Result<&TextFile> {
-    file.as_ref()
-        .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))
-}
-
-/// The plan of a request, and its file.
+/// The plan of a request, and its file; a problem lists all mistakes of the plan.
 pub(crate) fn plan_of<'a>(
     file: &'a Option<TextFile>,
     samples: &Option<TextFile>,
 ) -> Result<(Plan, &'a TextFile)> {
-    let file = given(file)?;
-    let plan = match samples {
-        None => Plan::parse(&file.text),
-        Some(table) => Plan::parse_with_samples(&file.text, &table.text),
-    };
-    let plan = plan.map_err(|mistake| mistake.in_file(Path::new(&file.name)))?;
-    Ok((plan, file))
-}
-
-/// The plan of a request; a problem lists all of its mistakes.
-#[cfg(feature = "files")]
-pub(crate) fn checked_plan(file: &Option<TextFile>, samples: &Option<TextFile>) -> Result<Plan> {
-    let file = given(file)?;
-    Plan::check(&file.text, samples.as_ref().map(|table| &*table.text)).map_err(|mistakes| {
+    let file = file
+        .as_ref()
+        .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
+    let samples = samples.as_ref().map(|table| &*table.text);
+    let plan = Plan::check(&file.text, samples).map_err(|mistakes| {
         let of_file = |m: FileError| m.in_file(Path::new(&file.name)).to_string();
         ProblemKind::File.problem(joined(mistakes.into_iter().map(of_file), "\n"))
-    })
+    })?;
+    Ok((plan, file))
 }
 
 pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer> {

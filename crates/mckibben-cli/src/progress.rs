@@ -100,12 +100,10 @@ fn watch() {
 pub struct Bar {
     bar: ProgressBar,
     things: String,
-    /// From when on it is drawn; no longer set once it is.
-    from: Mutex<Option<Instant>>,
-    /// When the next line is due in a log; not set on a terminal.
-    next_line: Mutex<Option<Instant>>,
-    /// What was there already, and since when there is more.
-    begun: OnceLock<(u64, Instant)>,
+    /// When it is drawn, or the next line is due.
+    due: Mutex<Instant>,
+    /// What was there already.
+    before: OnceLock<usize>,
 }
 
 /// A log gets a line this often.
@@ -124,41 +122,38 @@ impl Bar {
             };
             bar.set_style(style.with_key("rate", rate));
         }
+        let first = if stderr().is_terminal() {
+            SOON
+        } else {
+            A_MINUTE
+        };
         Self {
             bar,
             things: things.into(),
-            from: Mutex::new(Some(Instant::now() + SOON)),
-            next_line: Mutex::new((!stderr().is_terminal()).then(|| Instant::now() + A_MINUTE)),
-            begun: OnceLock::new(),
+            due: Mutex::new(Instant::now() + first),
+            before: OnceLock::new(),
         }
     }
 
-    /// The line that is due in a log.
-    fn log(&self) {
-        let mut next = self
-            .next_line
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        let now = Instant::now();
-        if next.is_some_and(|next| now >= next) {
-            *next = Some(now + A_MINUTE);
-            let (done, total) = (self.bar.position(), self.bar.length().unwrap_or_default());
-            let (before, from) = *self.begun.get_or_init(|| (done, now));
-            let rate = (done - before.min(done)) as f64 / (now - from).as_secs_f64().max(1.0);
-            let left = number((total - done.min(total)) as f64 / rate.max(1e-9), 3);
-            let (things, rate) = (&self.things, number(rate, 3));
-            eprintln!("{done} of {total} {things}, {rate} a second, {left} s left");
+    /// Draws it from its time on, or writes the line that is due.
+    fn draw(&self, done: usize, total: usize) {
+        let mut due = self.due.lock().unwrap_or_else(PoisonError::into_inner);
+        if Instant::now() < *due {
+            return;
         }
-    }
-
-    /// Draws it from its time on.
-    fn draw(&self) {
-        let mut from = self.from.lock().unwrap_or_else(PoisonError::into_inner);
-        if from.is_some_and(|from| Instant::now() >= from) {
-            *from = None;
-            self.bar
-                .set_draw_target(ProgressDrawTarget::stderr_with_hz(5));
+        *due += A_MINUTE;
+        if stderr().is_terminal() {
+            if self.bar.is_hidden() {
+                self.bar
+                    .set_draw_target(ProgressDrawTarget::stderr_with_hz(5));
+            }
+            return;
         }
+        let before = *self.before.get_or_init(|| done);
+        let rate = done.saturating_sub(before) as f64 / self.bar.elapsed().as_secs_f64();
+        let left = number(total.saturating_sub(done) as f64 / rate.max(1e-9), 2);
+        let (things, rate) = (&self.things, number(rate, 3));
+        eprintln!("{done} of {total} {things}, {rate} a second, {left} s left");
     }
 }
 
@@ -168,18 +163,17 @@ pub const INTERRUPTED: u8 = 130;
 impl Progress for Bar {
     fn report(&self, done: usize, total: usize) {
         if total > 0 {
-            self.draw();
+            self.draw(done, total);
         }
         let bar = &self.bar;
         if bar.length().is_none() {
             bar.set_position(done as u64);
             // What was there already says nothing about the rate.
-            bar.reset_eta();
-            self.begun.get_or_init(|| (done as u64, Instant::now()));
+            bar.reset_elapsed();
+            self.before.get_or_init(|| done);
         }
         bar.set_length(total as u64);
         bar.set_position(done as u64);
-        self.log();
     }
 }
 

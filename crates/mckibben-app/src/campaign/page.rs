@@ -7,7 +7,7 @@ use crate::{
     words::{in_a_row, number, path_on_one_line},
 };
 use mckibben_campaign::campaign::{
-    CampaignStatus, Forecast, Merged, RubberForecast, ShardState, ShardStatus, Summary, Warned,
+    CampaignStatus, Forecast, Merged, ShardState, ShardStatus, Summary, Warned,
 };
 
 /// Warnings that stand somewhere.
@@ -24,20 +24,6 @@ fn duration(seconds: f64) -> String {
         .find(|(unit_s, _)| seconds >= 2.0 * unit_s);
     let (unit_s, name) = unit.unwrap_or((1.0, "s"));
     format!("{}\u{a0}{name}", number(seconds / unit_s, 2))
-}
-
-/// A rubber with its law, and up to which stretch the constants hold.
-fn of_rubber(rubber: &RubberForecast) -> String {
-    let constant = |(name, value): (&String, &f64)| format!("{name} {}", number(*value, 4));
-    let constants = in_a_row(rubber.constants.iter().map(constant));
-    let name = rubber
-        .name
-        .as_ref()
-        .map_or(String::new(), |name| format!("{name}: "));
-    let data = rubber.data_to_stretch.map_or(String::new(), |stretch| {
-        format!("; data to a stretch of {}", number(stretch, 3))
-    });
-    format!("{name}{} ({constants}){data}", rubber.law)
 }
 
 impl Show for Forecast {
@@ -57,23 +43,28 @@ impl Show for Forecast {
             )
             .text("size", format!("{} MB", number(megabytes, 2)));
         for rubber in &self.rubbers {
-            rows = rows.text("rubber", of_rubber(rubber));
+            let constant = |(name, value): (&String, &f64)| format!("{name} {}", number(*value, 4));
+            let constants = in_a_row(rubber.constants.iter().map(constant));
+            let name = rubber.name.as_deref().unwrap_or("without a name");
+            rows = rows.text("rubber", format!("{name}: {} ({constants})", rubber.law));
         }
         let mut page = Page::from(rows);
         page.gap();
         page.line(format!(
             "Time and size are those of {tried} muscles, spread over the plan and solved here."
         ));
-        if let Some(cause) = &self.first_cause {
+        if self.points_failed > 0 {
             let of = tried * self.points_per_muscle;
             page.line(format!(
-                "{} of their {of} points have no answer: {cause}",
+                "{} of their {of} points have no answer.",
                 self.points_failed
             ));
         }
-        if let Some(why) = &self.first_impossible {
+        if self.muscles_impossible > 0 {
             let impossible = self.muscles_impossible;
-            page.line(format!("{impossible} of {checked} muscles are none: {why}"));
+            page.line(format!(
+                "{impossible} of {checked} muscles have impossible sizes."
+            ));
         }
         page.line(format!(
             "Warnings at the highest pressure, by the thick-wall model of {checked} muscles:"

@@ -23,7 +23,7 @@ pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{
     CampaignStatus, Counts, Extent, Failed, Forecast, Merged, Outcome, Provenance, Recomputed,
-    Rows, RubberForecast, RunOptions, Shard, ShardState, ShardStatus, Summary, forecast, merge,
-    read, rows, run, status, summary,
+    Rows, RunOptions, Shard, ShardState, ShardStatus, Summary, forecast, merge, read, rows, run,
+    status, summary,
 };
 pub use warnings::Warned;

@@ -69,15 +69,19 @@ pub struct MadeRubber {
     pub bulk_modulus_mpa: Option<f64>,
 }
 
-/// Constants of a law with their unit in the name.
-fn constants(muscle: &Muscle) -> IndexMap<String, f64> {
-    muscle
-        .rubber()
-        .law
-        .constants()
-        .into_iter()
-        .map(|c| (c.column(), c.value))
-        .collect()
+impl From<&Rubber> for MadeRubber {
+    fn from(rubber: &Rubber) -> Self {
+        let constants = rubber.law.constants().into_iter();
+        Self {
+            name: rubber.name.clone(),
+            law: rubber.law.name().to_owned(),
+            constants: constants.map(|c| (c.column(), c.value)).collect(),
+            bulk_modulus_mpa: match rubber.bulk {
+                Bulk::Incompressible => None,
+                Bulk::Modulus(k) => Some(k),
+            },
+        }
+    }
 }
 
 impl Made {
@@ -95,15 +99,7 @@ impl Made {
         Self {
             length_mm: muscle.length_mm(),
             angle_deg: muscle.braid().angle_deg,
-            rubber: MadeRubber {
-                name: rubber.name.clone(),
-                law: rubber.law.name().to_owned(),
-                constants: constants(muscle),
-                bulk_modulus_mpa: match rubber.bulk {
-                    Bulk::Incompressible => None,
-                    Bulk::Modulus(k) => Some(k),
-                },
-            },
+            rubber: rubber.into(),
             braid,
         }
     }

@@ -4,7 +4,7 @@ use super::{file::part, provenance::Provenance, run::RunOptions, shard::Shard, t
 use crate::{
     campaign::{
         error::Result,
-        plan::{Inputs, Plan, PlanRubber, constants},
+        plan::{Inputs, Plan},
         solve,
         warnings::{Heeded, Warned, highest_mpa},
     },
@@ -12,6 +12,7 @@ use crate::{
 };
 use mckibben_core::{
     cancel,
+    formula::MadeRubber,
     model::{ForceModel, ThickWall, Workspace},
     muscle::Muscle,
     progress::Progress,
@@ -19,10 +20,7 @@ use mckibben_core::{
 };
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::{
-    collections::BTreeMap,
-    time::{Duration, Instant},
-};
+use std::time::{Duration, Instant};
 
 /// Muscles that are solved for a forecast.
 const TRIED: u64 = 10;
@@ -46,14 +44,12 @@ pub struct Forecast {
     pub parts: u64,
     /// Name of the model.
     pub model: String,
-    /// The rubbers of its muscles.
-    pub rubbers: Vec<RubberForecast>,
+    /// The rubbers of its muscles, each with the one law that they all get.
+    pub rubbers: Vec<MadeRubber>,
     /// Muscles that were solved for this forecast, spread over the plan.
     pub muscles_tried: u64,
     /// Their points without an answer.
     pub points_failed: u64,
-    /// Why the first of them has none.
-    pub first_cause: Option<String>,
     /// Threads.
     pub threads: usize,
     /// Time of the run on these threads of this machine in s, from the muscles that were solved.
@@ -65,37 +61,10 @@ pub struct Forecast {
     pub muscles_checked: u64,
     /// Those among them whose sizes make no muscle.
     pub muscles_impossible: u64,
-    /// Why the first of them is none.
-    pub first_impossible: Option<String>,
     /// Warnings among the checked muscles, by their column.
     pub warnings: Vec<Warned>,
     /// SHA-256 of the plan's text.
     pub plan_sha256: String,
-}
-
-/// A rubber of a plan with the law that its muscles get.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct RubberForecast {
-    /// Its name, where it has one.
-    pub name: Option<String>,
-    /// Its law.
-    pub law: String,
-    /// Constants of the law by their column.
-    pub constants: BTreeMap<String, f64>,
-    /// Stretch up to which these constants have data, where that is known.
-    pub data_to_stretch: Option<f64>,
-}
-
-impl From<&PlanRubber> for RubberForecast {
-    fn from(of_plan: &PlanRubber) -> Self {
-        let rubber = &of_plan.rubber;
-        Self {
-            name: rubber.name.clone(),
-            law: rubber.law.name().into(),
-            constants: constants(&rubber.law).into_iter().collect(),
-            data_to_stretch: of_plan.data_to_stretch,
-        }
-    }
 }
 
 /// Foresees a run of a plan.
@@ -131,16 +100,14 @@ pub fn forecast(plan: &Plan, options: &RunOptions, progress: &dyn Progress) -> R
         points: muscles * provenance.points_per_muscle,
         parts: parts.len() as u64,
         model: provenance.model.clone(),
-        rubbers: plan.rubbers.iter().map(Into::into).collect(),
+        rubbers: plan.rubbers.iter().map(|r| (&r.rubber).into()).collect(),
         muscles_tried: tried.muscles,
         points_failed: tried.failed,
-        first_cause: tried.first_cause,
         threads,
         time_s: share * tried.time.as_secs_f64() / threads.min(parts.len()).max(1) as f64,
         bytes: (share * tried.bytes as f64) as u64,
         muscles_checked: checked.muscles,
         muscles_impossible: checked.impossible,
-        first_impossible: checked.first_impossible,
         warnings: checked.warnings,
         plan_sha256: provenance.plan_sha256,
     })
@@ -151,7 +118,6 @@ pub fn forecast(plan: &Plan, options: &RunOptions, progress: &dyn Progress) -> R
 struct Tried {
     muscles: u64,
     failed: u64,
-    first_cause: Option<String>,
     time: Duration,
     /// Of their rows, without what a file has beside them.
     bytes: usize,
@@ -176,10 +142,7 @@ impl Tried {
             let rows = solve::rows(plan, number);
             progress.check()?;
             for row in rows {
-                if !row.status.is_ok() {
-                    out.failed += 1;
-                    out.first_cause.get_or_insert_with(|| row.cause.clone());
-                }
+                out.failed += u64::from(!row.status.is_ok());
                 table.push(row);
             }
             out.muscles += 1;
@@ -194,7 +157,6 @@ impl Tried {
 struct Checked {
     muscles: u64,
     impossible: u64,
-    first_impossible: Option<String>,
     warnings: Vec<Warned>,
 }
 
@@ -203,23 +165,18 @@ impl Checked {
         let mut out = Self {
             muscles: 0,
             impossible: 0,
-            first_impossible: None,
             warnings: Warned::none(),
         };
         for number in numbers {
             cancel::check()?;
             out.muscles += 1;
             let inputs = plan.inputs(number);
-            match inputs.muscle() {
-                Ok(muscle) => {
-                    for mut row in highest_rows(plan, number, &inputs, &muscle) {
-                        Warned::count(&mut out.warnings, &mut row);
-                    }
-                }
-                Err(why) => {
-                    out.impossible += 1;
-                    out.first_impossible.get_or_insert_with(|| why.to_string());
-                }
+            let Ok(muscle) = inputs.muscle() else {
+                out.impossible += 1;
+                continue;
+            };
+            for mut row in highest_rows(plan, number, &inputs, &muscle) {
+                Warned::count(&mut out.warnings, &mut row);
             }
         }
         Ok(out)

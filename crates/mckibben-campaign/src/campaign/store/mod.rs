@@ -17,7 +17,7 @@ mod status;
 mod summary;
 pub mod table;
 
-pub use forecast::{Forecast, RubberForecast, forecast};
+pub use forecast::{Forecast, forecast};
 pub use merge::{Merged, merge};
 pub use provenance::Provenance;
 pub use read::{Rows, read, rows};

@@ -47,6 +47,28 @@ pub static MEASURES: &[&Measure] = &[
     &FRICTION_PRESLIDING,
 ];
 
+/// A measure that stands in a field of a part, by the path of the field.
+macro_rules! stated {
+    ($($field:ident).+) => {
+        Measure {
+            get: |p| Some(p.$($field).+),
+            set: |p, v| p.$($field).+ = v,
+            ..Measure::NONE
+        }
+    };
+}
+
+/// The same of a field that may be none.
+macro_rules! optional {
+    ($($field:ident).+) => {
+        Measure {
+            get: |p| p.$($field).+,
+            set: |p, v| p.$($field).+ = Some(v),
+            ..Measure::NONE
+        }
+    };
+}
+
 /// D0
 pub static OUTER_DIAMETER: Measure = Measure {
     key: "tube.outer_diameter",
@@ -62,9 +84,7 @@ pub static OUTER_DIAMETER: Measure = Measure {
         is_geometry: true,
         ..Identify::UNKNOWN
     }),
-    get: |p| Some(p.tube.outer_diameter_mm),
-    set: |p, v| p.tube.outer_diameter_mm = v,
-    ..Measure::NONE
+    ..stated!(tube.outer_diameter_mm)
 };
 
 /// s
@@ -83,9 +103,7 @@ pub static WALL: Measure = Measure {
         is_geometry: true,
         ..Identify::UNKNOWN
     }),
-    get: |p| Some(p.tube.wall_mm),
-    set: |p, v| p.tube.wall_mm = v,
-    ..Measure::NONE
+    ..stated!(tube.wall_mm)
 };
 
 /// L0
@@ -103,9 +121,7 @@ pub static LENGTH: Measure = Measure {
         is_geometry: true,
         ..Identify::UNKNOWN
     }),
-    get: |p| Some(p.tube.length_mm),
-    set: |p, v| p.tube.length_mm = v,
-    ..Measure::NONE
+    ..stated!(tube.length_mm)
 };
 
 /// ρ
@@ -119,9 +135,7 @@ pub static DENSITY: Measure = Measure {
     has_flag: true,
     dimension: Density,
     is_shown: true,
-    get: |p| p.tube.density_kg_per_m3,
-    set: |p, v| p.tube.density_kg_per_m3 = Some(v),
-    ..Measure::NONE
+    ..optional!(tube.density_kg_per_m3)
 };
 
 /// λp
@@ -163,9 +177,7 @@ pub static TEMPERATURE: Measure = Measure {
     bounds: Between(-20.0, 120.0),
     is_shown: true,
     digested: true,
-    get: |p| p.tube.temperature_degc,
-    set: |p, v| p.tube.temperature_degc = Some(v),
-    ..Measure::NONE
+    ..optional!(tube.temperature_degc)
 };
 
 /// θ0
@@ -186,9 +198,7 @@ pub static ANGLE: Measure = Measure {
         is_geometry: true,
         ..Identify::UNKNOWN
     }),
-    get: |p| Some(p.braid.angle_deg),
-    set: |p, v| p.braid.angle_deg = v,
-    ..Measure::NONE
+    ..stated!(braid.angle_deg)
 };
 
 /// Tube and braid on each plug
@@ -200,9 +210,7 @@ pub static INSERTION: Measure = Measure {
     comment: "tube and braid clamped on each plug",
     dimension: Length,
     bounds: NotNegative,
-    get: |p| p.terminals.insertion_mm,
-    set: |p, v| p.terminals.insertion_mm = Some(v),
-    ..Measure::NONE
+    ..optional!(terminals.insertion_mm)
 };
 
 /// δ
@@ -225,9 +233,7 @@ pub static SEATING: Measure = Measure {
         bounds: Some((0.0, 0.2)),
         ..Identify::UNKNOWN
     }),
-    get: |p| p.terminals.seating_mm,
-    set: |p, v| p.terminals.seating_mm = Some(v),
-    ..Measure::NONE
+    ..optional!(terminals.seating_mm)
 };
 
 /// c
@@ -250,9 +256,7 @@ pub static SLIP: Measure = Measure {
         bounds: Some((0.0, 0.2)),
         ..Identify::UNKNOWN
     }),
-    get: |p| p.terminals.slip_mm_per_n,
-    set: |p, v| p.terminals.slip_mm_per_n = Some(v),
-    ..Measure::NONE
+    ..optional!(terminals.slip_mm_per_n)
 };
 
 /// h
@@ -275,9 +279,7 @@ pub static GRIP: Measure = Measure {
         bounds: Some((0.0, 0.2)),
         ..Identify::UNKNOWN
     }),
-    get: |p| p.terminals.grip_mm,
-    set: |p, v| p.terminals.grip_mm = Some(v),
-    ..Measure::NONE
+    ..optional!(terminals.grip_mm)
 };
 
 /// Diameter of the plugs
@@ -301,9 +303,7 @@ pub static PLUG_DIAMETER: Measure = Measure {
         share: Some(0.1),
         ..Identify::UNKNOWN
     }),
-    get: |p| p.terminals.plug_diameter_mm,
-    set: |p, v| p.terminals.plug_diameter_mm = Some(v),
-    ..Measure::NONE
+    ..optional!(terminals.plug_diameter_mm)
 };
 
 /// Pull-off force of a clamp
@@ -316,9 +316,7 @@ pub static PULL_OFF: Measure = Measure {
     has_flag: true,
     dimension: Force,
     is_shown: true,
-    get: |p| p.terminals.pull_off_n,
-    set: |p, v| p.terminals.pull_off_n = Some(v),
-    ..Measure::NONE
+    ..optional!(terminals.pull_off_n)
 };
 
 /// Rated pressure of the fittings
@@ -331,9 +329,7 @@ pub static RATED_PRESSURE: Measure = Measure {
     has_flag: true,
     dimension: Pressure,
     is_shown: true,
-    get: |p| p.terminals.rated_pressure_mpa,
-    set: |p, v| p.terminals.rated_pressure_mpa = Some(v),
-    ..Measure::NONE
+    ..optional!(terminals.rated_pressure_mpa)
 };
 
 /// k of Tondu & Lopez; what depends on the pressure is at zero pressure here
@@ -370,9 +366,7 @@ pub static CONE_FACTOR: Measure = Measure {
     bounds: NotNegative,
     models: &["conical-ends"],
     digested: true,
-    get: |p| p.terminals.cone_factor,
-    set: |p, v| p.terminals.cone_factor = Some(v),
-    ..Measure::NONE
+    ..optional!(terminals.cone_factor)
 };
 
 /// k of one strand family. No field: in requests `stiffness` is a number or a name, which no
@@ -503,9 +497,7 @@ pub static STRANDS_PER_CARRIER: Measure = Measure {
     about: "Strands that lie side by side on a carrier of the braiding machine",
     has_rules: true,
     bounds: Between(1.0, 100.0),
-    get: |p| p.braid.strands_per_carrier,
-    set: |p, v| p.braid.strands_per_carrier = Some(v),
-    ..Measure::NONE
+    ..optional!(braid.strands_per_carrier)
 };
 
 /// b of Belforte
@@ -568,9 +560,7 @@ pub static TAKE_UP: Measure = Measure {
         limit: Some(0.02),
         ..Identify::UNKNOWN
     }),
-    get: |p| p.braid.take_up_mpa,
-    set: |p, v| p.braid.take_up_mpa = Some(v),
-    ..Measure::NONE
+    ..optional!(braid.take_up_mpa)
 };
 
 /// t
@@ -614,9 +604,7 @@ pub static SLEEVE_DIAMETER: Measure = Measure {
         share: Some(0.1),
         ..Identify::UNKNOWN
     }),
-    get: |p| p.braid.diameter_mm,
-    set: |p, v| p.braid.diameter_mm = Some(v),
-    ..Measure::NONE
+    ..optional!(braid.diameter_mm)
 };
 
 /// c1
