@@ -19,7 +19,7 @@ import re
 import subprocess
 import sys
 import textwrap
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from importlib.machinery import ExtensionFileLoader
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -152,56 +152,14 @@ GIVEN = {
     ),
     "stiffness": "Number",
 }
-# Numbers that a muscle answers: what it is, of which two, what the derivatives are, and an example.
-NUMBERS = {
-    "force": (
-        "F(P, ε): the pull, in N; 0 where the muscle is slack",
-        ("pressure_mpa", "contraction"),
-        "∂F/∂P in N/MPa, ∂F/∂ε in N, then ∂F/∂θ of each name in N per its unit",
-        'muscle.force([0.1, 0.2], 0.1, model="paper").round(1)',
-        "array([ 585.7, 1202.7])",
-    ),
-    "pressure": (
-        "P(F, ε): the pressure that gives a pull, in MPa",
-        ("force_n", "contraction"),
-        "∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation",
-        'round(muscle.pressure(300, "10%", model="ideal"), 4)',
-        "0.0377",
-    ),
-    "contraction": (
-        "ε(F, P): the contraction at which a pressure gives a pull",
-        ("force_n", "pressure_mpa"),
-        "∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation",
-        'round(muscle.contraction(300, "2 bar", model="ideal"), 3)',
-        "0.293",
-    ),
-}
-OF = {
-    "pressure_mpa": (
-        "MPa",
-        'Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.',
-    ),
-    "contraction": (
-        "ratio",
-        "Contraction ratios ε = ΔL/L0, broadcast against the other argument.",
-    ),
-    "force_n": ("N", "Pulls F, broadcast against the other argument."),
-}
-JAC = (
-    "True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others held: k of the strands as well, where the "
-    "diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by `replace`: k of a named braid follows the diameter. Those of finite elements come from the "
-    "factorised tangent of the equilibrium itself."
-)
-OPTIONS = "`model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`, `two_sided`, `direction`."
 MEASURES = "What differs from the muscle, as in :class:`Muscle`."
-ERRORS = "`raise` for the first point without an answer, `nan` for NaN there."
 PROGRESS = "True for a line on standard error, or a function that is called with (done, total)."
 HEAD = '''"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict
 
 from . import _record
 from ._record import Record
@@ -213,10 +171,8 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
-    from ._request import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
+    from ._request import Choice, FileLike, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
 
-    Errors = Literal["raise", "nan"]
-    Array = NDArray[np.float64]
     # What a key of a joint or drive file may hold.
     Key = Number | Numbers | bool | Sequence[Sequence[Number]]
     Keys = Mapping[str, Key]
@@ -602,71 +558,6 @@ def solution(bundle: Bundle) -> str:
     return class_of("Solution(_record.Points)", about, lines)
 
 
-def numbers() -> str:
-    """What a muscle answers of numbers and arrays."""
-    out = []
-    more = 'errors: Errors = "raise", progress: Progress = None, **options'
-    raises = (
-        "MckibbenError",
-        "",
-        "One of its classes says why there is no answer; `index` is the place of the point.",
-    )
-    rest = [
-        ("errors", "", ERRORS),
-        ("progress", "", PROGRESS),
-        ("options", "", OPTIONS),
-    ]
-    for name, (about, pair, slopes, example, shown) in NUMBERS.items():
-        first, second = pair
-        usual = " = 0.0" if second == "contraction" else ""
-        for kind, jac, found in (
-            ("Number", "Literal[False] = False", "float"),
-            ("Floats", "Literal[False] = False", "Array"),
-            ("Number", "Literal[True] | Sequence[str]", "tuple[float, Array]"),
-            ("Floats", "Literal[True] | Sequence[str]", "tuple[Array, Array]"),
-        ):
-            ignored = "# type: ignore[overload-overlap]\n" if kind == "Number" else ""
-            out.append(
-                f"    @overload\n    def {name}({ignored}self, {first}: {kind}, {second}: {kind}{usual}, *, jac: {jac}, {more}: Unpack[Options]) -> {found}: ..."
-            )
-        returns = (
-            "float or numpy.ndarray",
-            "",
-            f"Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: {slopes}, all other constants held.",
-        )
-        text = described(
-            about + ".",
-            [*((n, *OF[n]) for n in pair), ("jac", "", JAC), *rest],
-            returns,
-            raises,
-            ">>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)",
-            f">>> {example}",
-            shown,
-        )
-        out.append(
-            f'    def {name}(self: Any, {first}: Any, {second}: Any{usual}, *, jac: bool | Sequence[str] = False, {more}: Any) -> Any:\n{documented(text, "        ")}\n        return self._asked("{name}", {first}, {second}, jac, errors, progress, options)\n'
-        )
-    returns = (
-        "Solution",
-        "",
-        "Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.",
-    )
-    text = described(
-        "All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.",
-        [*((n, *OF[n]) for n in ("pressure_mpa", "contraction")), *rest],
-        returns,
-        raises,
-        '>>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")',
-        ">>> points.force_n.shape, bool((points.uncertainty_n > 0).all())",
-        "((2,), True)",
-    )
-    out.append(
-        f"    def solve(self: Any, pressure_mpa: Floats, contraction: Floats = 0.0, *, {more}: Unpack[Options]) -> Solution:\n{documented(text, '        ')}\n        found: Solution = self._solved(pressure_mpa, contraction, errors, progress, options)\n        return found"
-    )
-    about = "What a muscle answers of numbers and arrays."
-    return class_of("MuscleNumbers", [about], out)
-
-
 def state(bundle: Bundle) -> str:
     """Where a simulation is."""
     fields = {
@@ -778,7 +669,7 @@ def api(bundle: Bundle) -> str:
         tables("joint", ["joint", "muscle_1", "muscle_2"]),
         tables("drive", ["muscle", "joint", "command"]),
     ]
-    parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip(), numbers()]
+    parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip()]
     for owner, methods in METHODS.items():
         what = ["What the program answers of it, by command."]
         made_of = (function(bundle, c, *of, owner) for c, of in methods.items())
@@ -824,109 +715,28 @@ def ready() -> None:
         spec.loader.exec_module(sys.modules["mckibben._native"])
 
 
-def parts() -> Iterator[tuple[str, str, Any]]:
-    """What is documented: the section, the name, and what it is."""
+def reference_page() -> str:
+    """All that is public, each with its docstring as Python shows it."""
     import mckibben
     from mckibben import _api
 
-    for name, made in sorted(vars(mckibben).items()):
-        title = (
-            "Exceptions"
-            if inspect.isclass(made) and issubclass(made, (Exception, Warning))
-            else "Objects"
-            if inspect.isclass(made)
-            else "Functions"
-        )
-        if not inspect.ismodule(made) and not name.startswith("_"):
-            yield title, name, made
-    for name in _api.__all__:
-        yield "Answers", name, getattr(_api, name)
-
-
-def members(made: type) -> Iterator[tuple[str, Any]]:
-    """What a class has itself, and what a noun has of its commands."""
-    for part in (
-        made,
-        *(
-            base
-            for base in made.__mro__
-            if base.__name__.endswith(("Fields", "Commands", "Numbers"))
-        ),
-    ):
-        for name, value in vars(part).items():
-            value = (
-                value.__func__
-                if isinstance(value, (classmethod, staticmethod))
-                else value
-            )
-            if (
-                not name.startswith("_")
-                and (inspect.isfunction(value) or isinstance(value, property))
-                and value.__doc__
-            ):
-                yield name, value
-
-
-def reference_page() -> str:
-    out, last = (
-        [
-            "# Python reference\n",
-            "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n",
-        ],
-        "",
-    )
-    for title, name, made in sorted(
-        parts(),
-        key=lambda p: ("Objects", "Functions", "Answers", "Exceptions").index(p[0]),
-    ):
-        out += [f"## {title}\n"] if title != last else []
-        last = title
-        out += entry(name, made, "###")
-        for member, value in members(made) if inspect.isclass(made) else ():
-            out += entry(f"{name}.{member}", value, "####")
-    return "\n".join(out).rstrip() + "\n"
-
-
-def entry(heading: str, made: Any, level: str) -> list[str]:
-    text = inspect.getdoc(made) or ""
-    if (
-        inspect.isclass(made)
-        and made.__init__ is not object.__init__
-        and "Parameters" not in text
-    ):
-        text += "\n\n" + (
-            inspect.getdoc(made.__init__) or ""
-            if "Parameters" in (made.__init__.__doc__ or "")
-            else ""
-        )
-    if inspect.isfunction(made):
-        names = [
-            name
-            for name in inspect.signature(made).parameters
-            if name not in ("self", "cls")
-        ]
-        heading += "(" + ", ".join(names[:4] + (["…"] if len(names) > 4 else [])) + ")"
-    text = re.sub(r":\w+:`([^`]+)`", r"`\1`", text)
-    text = re.sub(
-        r"((?:^(?:>>>|\.\.\.).*\n?(?:^(?!>>>)\S.*\n?)*)+)",
-        r"```python\n\1\n```\n",
-        text,
-        flags=re.MULTILINE,
-    )
-    text = re.sub(r"^(\w[\w ]*)\n-+$", r"**\1**\n", text, flags=re.MULTILINE)
-    text = re.sub(
-        r"^(\w[\w, ]*?)(?: : (.*))?\n((?:    .*\n?)+)",
-        lambda m: (
-            f"- `{m[1]}`"
-            + (f" ({m[2]})" if m[2] else "")
-            + ": "
-            + " ".join(m[3].split())
-            + "\n"
-        ),
-        text,
-        flags=re.MULTILINE,
-    )
-    return [f"{level} `{heading}`\n", text.strip().replace("<module", "&lt;module"), ""]
+    answers = {name: getattr(_api, name) for name in _api.__all__}
+    named = {n: v for n, v in vars(mckibben).items() if hasattr(v, "__doc__")}
+    public = {
+        n: v for n, v in named.items() if not (n[0] == "_" or inspect.ismodule(v))
+    }
+    out = ["# Python reference", "Made from the docstrings of the package."]
+    for title, held in (("Objects and functions", public), ("Answers", answers)):
+        out.append(f"## {title}")
+        for name, made in sorted(held.items()):
+            members = inspect.getmembers(made) if inspect.isclass(made) else []
+            for member, value in [("", made), *members]:
+                is_part = inspect.isfunction(value) or isinstance(value, property)
+                if not member or (is_part and member[0] != "_" and value.__doc__):
+                    text = inspect.getdoc(value) or ""
+                    out.append(f"### `{name}{'.' * bool(member)}{member}`")
+                    out.append(f"```text\n{text}\n```")
+    return "\n\n".join(out) + "\n"
 
 
 def main() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict
 
 from . import _record
 from ._record import Record
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from ._request import (
         Choice,
         FileLike,
-        Floats,
         FormulaLike,
         MuscleLike,
         Number,
@@ -29,8 +28,6 @@ if TYPE_CHECKING:
         TableLike,
     )
 
-    Errors = Literal["raise", "nan"]
-    Array = NDArray[np.float64]
     # What a key of a joint or drive file may hold.
     Key = Number | Numbers | bool | Sequence[Sequence[Number]]
     Keys = Mapping[str, Key]
@@ -4296,6 +4293,13 @@ class Motion(Record):
     efficiency
         Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid; not of a load that is released, nor
         where what was stored does the work.
+    poles_per_s : s
+        Of commanded pressures: the poles about the state that the first step reaches (the mean of a periodic command), real and imaginary part, 1/s. One
+        is 0 where the air's temperature does not change: that of its mass.
+    eigenfrequency_hz : Hz
+        Frequency |Im λ|/2π of the fastest pair of them, Hz.
+    damping_ratio
+        Its damping ratio.
     bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
         followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
@@ -4363,6 +4367,7 @@ class Motion(Record):
     largest_power_w: float
     air_normal_litres: float
     energies: Any
+    poles_per_s: list[tuple[float, float]]
     events: list[Any]
     burst_pressure_mpa: float | None
     ends_included: bool
@@ -4376,6 +4381,8 @@ class Motion(Record):
     liquid_volume_mm3: float | None = None
     air_normal_litres_per_cycle: float | None = None
     efficiency: float | None = None
+    eigenfrequency_hz: float | None = None
+    damping_ratio: float | None = None
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
@@ -4444,6 +4451,13 @@ class MotionRun(Record):
     efficiency
         Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid; not of a load that is released, nor
         where what was stored does the work.
+    poles_per_s : s
+        Of commanded pressures: the poles about the state that the first step reaches (the mean of a periodic command), real and imaginary part, 1/s. One
+        is 0 where the air's temperature does not change: that of its mass.
+    eigenfrequency_hz : Hz
+        Frequency |Im λ|/2π of the fastest pair of them, Hz.
+    damping_ratio
+        Its damping ratio.
     bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
         followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
@@ -4479,6 +4493,7 @@ class MotionRun(Record):
     largest_power_w: float
     air_normal_litres: float
     energies: Any
+    poles_per_s: list[tuple[float, float]]
     events: list[Any]
     value: str | None = None
     largest_velocity_mm_per_s: float | None = None
@@ -4489,6 +4504,8 @@ class MotionRun(Record):
     liquid_volume_mm3: float | None = None
     air_normal_litres_per_cycle: float | None = None
     efficiency: float | None = None
+    eigenfrequency_hz: float | None = None
+    damping_ratio: float | None = None
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
@@ -7404,345 +7421,6 @@ class MuscleFields:
     def stiffness(self: Any) -> float | str | None:
         """Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `paper`."""
         found: float | str | None = self._field("stiffness")
-        return found
-
-
-class MuscleNumbers:
-    """What a muscle answers of numbers and arrays."""
-
-    @overload
-    def force(  # type: ignore[overload-overlap]
-        self,
-        pressure_mpa: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> float: ...
-    @overload
-    def force(
-        self,
-        pressure_mpa: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> Array: ...
-    @overload
-    def force(  # type: ignore[overload-overlap]
-        self,
-        pressure_mpa: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...
-    @overload
-    def force(
-        self,
-        pressure_mpa: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[Array, Array]: ...
-    def force(
-        self: Any,
-        pressure_mpa: Any,
-        contraction: Any = 0.0,
-        *,
-        jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Any,
-    ) -> Any:
-        """F(P, ε): the pull, in N; 0 where the muscle is slack.
-
-        Parameters
-        ----------
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
-            N, then ∂F/∂θ of each name in N per its unit, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> muscle.force([0.1, 0.2], 0.1, model="paper").round(1)
-        array([ 585.7, 1202.7])
-        """
-        return self._asked(
-            "force", pressure_mpa, contraction, jac, errors, progress, options
-        )
-
-    @overload
-    def pressure(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> float: ...
-    @overload
-    def pressure(
-        self,
-        force_n: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> Array: ...
-    @overload
-    def pressure(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...
-    @overload
-    def pressure(
-        self,
-        force_n: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[Array, Array]: ...
-    def pressure(
-        self: Any,
-        force_n: Any,
-        contraction: Any = 0.0,
-        *,
-        jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Any,
-    ) -> Any:
-        """P(F, ε): the pressure that gives a pull, in MPa.
-
-        Parameters
-        ----------
-        force_n : N
-            Pulls F, broadcast against the other argument.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂P/∂F, ∂P/∂ε, then
-            ∂P/∂θ, by implicit differentiation, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> round(muscle.pressure(300, "10%", model="ideal"), 4)
-        0.0377
-        """
-        return self._asked(
-            "pressure", force_n, contraction, jac, errors, progress, options
-        )
-
-    @overload
-    def contraction(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        pressure_mpa: Number,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> float: ...
-    @overload
-    def contraction(
-        self,
-        force_n: Floats,
-        pressure_mpa: Floats,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> Array: ...
-    @overload
-    def contraction(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        pressure_mpa: Number,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...
-    @overload
-    def contraction(
-        self,
-        force_n: Floats,
-        pressure_mpa: Floats,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[Array, Array]: ...
-    def contraction(
-        self: Any,
-        force_n: Any,
-        pressure_mpa: Any,
-        *,
-        jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Any,
-    ) -> Any:
-        """ε(F, P): the contraction at which a pressure gives a pull.
-
-        Parameters
-        ----------
-        force_n : N
-            Pulls F, broadcast against the other argument.
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂ε/∂F, ∂ε/∂P, then
-            ∂ε/∂θ, by implicit differentiation, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> round(muscle.contraction(300, "2 bar", model="ideal"), 3)
-        0.293
-        """
-        return self._asked(
-            "contraction", force_n, pressure_mpa, jac, errors, progress, options
-        )
-
-    def solve(
-        self: Any,
-        pressure_mpa: Floats,
-        contraction: Floats = 0.0,
-        *,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> Solution:
-        """All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.
-
-        Parameters
-        ----------
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        Solution
-            Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")
-        >>> points.force_n.shape, bool((points.uncertainty_n > 0).all())
-        ((2,), True)
-        """
-        found: Solution = self._solved(
-            pressure_mpa, contraction, errors, progress, options
-        )
         return found
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from math import pi
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 from . import _api, _native
 from ._api import State
@@ -12,10 +13,12 @@ from ._errors import InputError
 from ._muscle import Muscle
 from ._request import (
     Fixed,
+    array,
     fields,
     heard,
     is_nan,
     known,
+    labels,
     modelled,
     number,
     plain,
@@ -30,7 +33,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
     from ._api import Keys
-    from ._request import Number, Progress, TableLike
+    from ._request import Floats, Number, Progress, TableLike
 
 # Units of commands, by what is commanded.
 _COMMANDS = {
@@ -83,6 +86,15 @@ def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
         else _table(value)
         for n, value in known(given, kind).items()
     }
+
+
+class Linear(NamedTuple):
+    """A linear system about a state: ẋ = A x + B u, y = C x + D u. ``control.ss(*linear)`` and ``scipy.signal.StateSpace(*linear)`` take it."""
+
+    a: NDArray[np.float64]
+    b: NDArray[np.float64]
+    c: NDArray[np.float64]
+    d: NDArray[np.float64]
 
 
 class _File(Fixed):
@@ -195,8 +207,9 @@ class Joint(_api.JointCommands, _File):
     7.78
     """
 
-    __slots__ = ()
+    __slots__ = ("_made",)
     _kind = "joint"
+    _made: tuple[_native.Joint, list[Muscle]]
 
     def __init__(
         self,
@@ -241,7 +254,151 @@ class Joint(_api.JointCommands, _File):
                     ),
                 }
         self._hold(_held=self._written(made, muscles=list(muscles.values())))
-        _native.check_joint(self.to_toml())
+        self._parts()
+
+    def _parts(self) -> tuple[_native.Joint, list[Muscle]]:
+        """How it turns its muscles, and these; kept for the next question."""
+        try:
+            return self._made
+        except AttributeError:
+            native, tables, held = (
+                _native.Joint(self._held),
+                self._tables(),
+                self.muscles,
+            )
+            files = [tables[n]["file"] for n in ("muscle_1", "muscle_2") if n in tables]
+            self._hold(_made=(native, [held[name] for name in files]))
+            return self._made
+
+    def _turned(
+        self,
+        pressures_mpa: Sequence[Floats],
+        angle_deg: Floats,
+        errors: str,
+        options: Mapping[str, Any],
+    ) -> tuple[Any, Any, Callable[[str, Any], Any]]:
+        """The torque, its derivatives by pressures and angle in rad, and what puts the labels on both."""
+        import numpy as np
+
+        native, muscles = self._parts()
+        names = [f"pressure_{i + 1}_mpa" for i in range(len(muscles))]
+        if len(pressures_mpa) != len(names):
+            raise InputError(
+                f"one for each of {len(names)} muscles, each a number or an array",
+                field="pressures_mpa",
+            )
+        given, labelled = labels(
+            {"angle_deg": angle_deg, **dict(zip(names, pressures_mpa))}
+        )
+        angles, *pressures = np.broadcast_arrays(
+            *map(array, ["angle_deg", *["pressure_mpa"] * len(names)], given)
+        )
+        rows = [native.levers(angle, is_nan(errors)) for angle in angles.flat]
+        torque, slope, *levers = np.reshape(np.transpose(rows), (-1, *angles.shape))
+        by_pressure = []
+        for i, (muscle, pressure) in enumerate(zip(muscles, pressures)):
+            contraction, arm, arm_slope = levers[3 * i : 3 * i + 3]
+            pull, rates = muscle._asked(
+                "force", pressure, contraction, True, errors, None, options
+            )
+            torque = torque + 1e-3 * arm * pull
+            by_pressure.append(1e-3 * arm * rates[..., 0])
+            by_contraction = arm / muscle.length_mm * rates[..., 1]
+            slope = slope + 1e-3 * (arm_slope * pull + arm * by_contraction)
+        return torque, np.stack([*by_pressure, slope], axis=-1), labelled
+
+    def torque(
+        self,
+        pressures_mpa: Sequence[Floats],
+        angle_deg: Floats,
+        *,
+        jac: bool = False,
+        errors: Literal["raise", "nan"] = "raise",
+        **options: Unpack[_api.Options],
+    ) -> Any:
+        """τ(P, φ): torque of muscles, spring and weight towards +, in N m, between both branches of friction.
+
+        Parameters
+        ----------
+        pressures_mpa : MPa
+            Of each muscle a gauge pressure: a number, an array, a text with its unit; all are broadcast.
+        angle_deg : deg
+            Angles from the neutral one, broadcast against the pressures.
+        jac
+            True for a pair with the derivatives along one axis more: ∂τ/∂P of each muscle in N m/MPa, ∂τ/∂φ in N m/deg.
+        errors
+            ``raise``, or ``nan``: NaN at points without an answer.
+        options
+            Which model, as in :meth:`Muscle.force`.
+
+        Raises
+        ------
+        InputError
+            An angle outside of the range, or pressures that are not as many as the muscles.
+        NoAnswerError
+            A muscle has no answer there; ``index`` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> biceps = mk.Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
+        >>> elbow = mk.Joint(biceps, biceps, joint={"radius_mm": 25, "range_deg": (-60, 60)}, contraction_at_neutral=0.12)
+        >>> elbow.torque(["3 bar", "1 bar"], [0, 20], model="universal").round(2)
+        array([7.78, 4.38])
+        """
+        torque, rates, labelled = self._turned(
+            pressures_mpa, angle_deg, errors, options
+        )
+        rates[..., -1] *= pi / 180
+        found = labelled("torque_nm", torque)
+        return (found, labelled("torque_nm", rates)) if jac else found
+
+    def stiffness(
+        self,
+        pressures_mpa: Sequence[Floats],
+        angle_deg: Floats,
+        *,
+        errors: Literal["raise", "nan"] = "raise",
+        **options: Unpack[_api.Options],
+    ) -> Any:
+        """-∂τ/∂φ at these pressures, in N m/rad; arguments and exceptions are those of :meth:`torque`."""
+        _, rates, labelled = self._turned(pressures_mpa, angle_deg, errors, options)
+        return labelled("stiffness_nm_per_rad", -rates[..., -1])
+
+    def linearise(
+        self,
+        pressures_mpa: Sequence[Number],
+        angle_deg: Number,
+        **options: Unpack[_api.Options],
+    ) -> Linear:
+        """The joint about a state as ẋ = A x + B u, y = C x + D u: of angle (rad) and velocity, under changes of the pressures (MPa) and of a torque from outside
+        (N m); y is the angle.
+
+        Parameters
+        ----------
+        pressures_mpa : MPa
+            Of each muscle its gauge pressure.
+        angle_deg : deg
+            Where it is.
+        options
+            Which model, as in :meth:`Muscle.force`.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> biceps = mk.Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
+        >>> elbow = mk.Joint(biceps, biceps, joint={"radius_mm": 25, "range_deg": (-60, 60), "inertia_kg_m2": 0.03}, contraction_at_neutral=0.12)
+        >>> [m.shape for m in elbow.linearise(["2 bar", "2 bar"], 0, model="universal")]
+        [(2, 2), (2, 3), (1, 2), (1, 3)]
+        """
+        import numpy as np
+
+        inertia, damping = self._parts()[0].link
+        by = self._turned(pressures_mpa, angle_deg, "raise", options)[1]
+        *pressures, slope = by / inertia
+        a = np.array([[0.0, 1.0], [slope, -damping / inertia]])
+        b = np.array([np.zeros(len(by)), [*pressures, 1.0 / inertia]])
+        return Linear(a, b, np.array([[1.0, 0.0]]), np.zeros((1, len(by))))
 
     @property
     def muscles(self) -> dict[str, Muscle]:
@@ -319,6 +476,43 @@ class Drive(_api.DriveCommands, _File):
             "command": _table(command),
         }
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
+
+    def linearise(self, **options: Unpack[_api.Options]) -> Linear:
+        """The drive with its air and valves about its rest at the first commands as ẋ = A x + B u, y = C x + D u.
+
+        x is the coordinate (shortening in mm, or angle in rad), its velocity, and of each muscle the absolute pressure in MPa, the mass of its air in g, and what else
+        the drive has: the opening of a valve that lags, forces of relaxation. u are changes of the commands, y is the contraction, or the angle in rad.
+
+        Parameters
+        ----------
+        options
+            Which model, as in :meth:`Muscle.force`.
+
+        Raises
+        ------
+        MckibbenError
+            It rests on a stop, or has no rest.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
+        >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": 0.2, "until_s": 1})
+        >>> [m.shape for m in lift.linearise(model="universal")]
+        [(4, 4), (4, 1), (1, 4), (1, 1)]
+        """
+        import numpy as np
+
+        simulation = Simulation(self, 1e-3, **options)
+        rows, column, gain = simulation._native.linear()
+        (kind, count), b = simulation._commands, np.zeros((len(rows), 1))
+        b[:, 0] = column
+        if count == 2:
+            # Each command acts on its own muscle. They were changed against each other; a higher one fills.
+            split = len(rows) // 2 + 1
+            b = abs(b) * np.eye(2)[(np.arange(len(rows)) >= split).astype(int)]
+        c = np.eye(1, len(rows)) * gain
+        return Linear(np.array(rows), b, c, np.zeros((1, count)))
 
     @property
     def of(self) -> Muscle | Joint:

@@ -1,5 +1,4 @@
 # Written by python/stubs.sh (maturin generate-stubs); do not edit.
-import collections.abc
 import numpy
 import numpy.typing
 import typing
@@ -9,9 +8,9 @@ The compiled half of mckibben; what users call is in the package `mckibben`.
 
 from _typeshed import SupportsGetItem
 from os import PathLike
-from typing import Final, SupportsFloat, SupportsIndex, final
+from typing import Any, Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Model", "Muscle", "Simulation", "ask", "body_html", "check_joint", "given", "quantities", "quantity", "read", "report_html", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
+__all__ = ["VERSION", "Formula", "Joint", "Model", "Muscle", "Simulation", "ask", "given", "page_html", "quantities", "quantity", "read", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
 
 VERSION: Final[str]
 """
@@ -26,8 +25,29 @@ class Formula:
         """
     def fill(self, /, points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate: bool, two_sided: bool, nan: bool) -> None:
         """
-        Pulls in N at points: rows of pressures, contractions, walls and diameters. The first one outside of the range raises, unless this is not
+        Pulls in N at points: in each row pressure, contraction, wall and diameter. The first one outside of the range raises, unless this is not
         looked at; or it is NaN.
+        """
+
+@final
+class Joint:
+    """
+    A joint.
+    """
+    def __new__(cls, /, request: "dict[str, typing.Any]") -> Joint:
+        """
+        The joint of its file and those of its muscles.
+        """
+    def levers(self, /, angle_deg: SupportsFloat | SupportsIndex, nan: bool) -> list[float]:
+        """
+        At an angle in degrees: torque of spring and weight in N m and its slope in N m/rad, then of
+        each muscle its contraction, its moment arm in mm and the slope of that in mm. Beyond the
+        range an error, or NaN.
+        """
+    @property
+    def link(self, /) -> tuple[float, float]:
+        """
+        Moment of inertia in kg m², and damping in N m s/rad.
         """
 
 @final
@@ -43,7 +63,7 @@ class Model:
         """
         The answer to one pair of numbers; NaN where it has none and `nan` is true.
         """
-    def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> int:
+    def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: Any | None = None) -> int:
         """
         Answers every pair of two lists into `out`, with slopes all numbers of a point one after the other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
         """
@@ -57,7 +77,7 @@ class Model:
         """
         The model's name.
         """
-    def solve(self, /, pressures: SupportsGetItem[int, SupportsFloat | SupportsIndex], contractions: SupportsGetItem[int, SupportsFloat | SupportsIndex], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "list[dict[str, typing.Any]]":
+    def solve(self, /, pressures: SupportsGetItem[int, SupportsFloat | SupportsIndex], contractions: SupportsGetItem[int, SupportsFloat | SupportsIndex], nan: bool, progress: Any | None = None) -> "list[dict[str, typing.Any]]":
         """
         All that is known of each point, or why it has no answer.
         """
@@ -128,6 +148,11 @@ class Simulation:
         """
         What was recorded last, in the order of the names.
         """
+    def linear(self, /) -> tuple[list[list[float]], list[float], float]:
+        """
+        The linear system about its rest at the first commands: A by its rows, B, and position per
+        coordinate.
+        """
     @property
     def names(self, /) -> list[str]:
         """
@@ -154,27 +179,23 @@ class Simulation:
         One step on, with a command for each of the drive's and a force in N or torque in N m from outside; what was recorded at its end.
         """
 
-def ask(command: "str", request: "object", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]":
+def ask(command: "str", request: "object", progress: Any | None = None) -> "dict[str, typing.Any]":
     """
     The answer to a request with numbers and the contents of files.
 
     `progress(done, total)` is called now and then.
     """
 
-def body_html(request: "dict[str, typing.Any]") -> str:
-    """
-    A page with the deformed muscle, which turns under the mouse.
-    """
-
-def check_joint(text: str) -> None:
-    """
-    Refuses the text of a joint file that is none.
-    """
-
 def given(command: str, request: "object") -> "dict[str, typing.Any]":
     """
     A request of a command with the files that it names; the caller is warned of numbers that were
     likely meant in another unit.
+    """
+
+def page_html(command: str, request: "dict[str, typing.Any]", progress: Any | None = None) -> str:
+    """
+    A page of a request: of `shape` the deformed muscle, which turns under the mouse, of `build` all
+    that is known of a muscle.
     """
 
 def quantities(name: str, text: str) -> list[float]:
@@ -189,16 +210,11 @@ def quantity(name: str, text: str) -> float:
 
 def read(path: str | PathLike[str], kind: str) -> "dict[str, typing.Any]":
     """
-    A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`, a `formula`; or of several, with those that it names: a
-    `joint`, a `drive`, a `case`.
+    A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`; or of
+    several, with those that it names: a `joint`, a `drive`.
     """
 
-def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> str:
-    """
-    A page with all that is known of a muscle.
-    """
-
-def rollout(simulation: Simulation, steps: SupportsIndex, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> None:
+def rollout(simulation: Simulation, steps: SupportsIndex, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan: bool, progress: Any | None = None) -> None:
     """
     Copies of a simulation, each with its own commands: a row of `commands` for each step of each copy in turn, and into `out` what is recorded at
     the start and the end of each step. Copies run side by side. Returns the first step that failed; from there on its copy is NaN.

@@ -238,7 +238,7 @@ class Formula(Saved):
         )
         out = np.empty(points[0].size)
         _compiled(self.name, self._text).fill(
-            np.stack([values.ravel() for values in points]),
+            np.stack([values.ravel() for values in points], axis=-1),
             out,
             extrapolate,
             two_sided,

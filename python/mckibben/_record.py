@@ -447,6 +447,9 @@ class Points(Record):
         import xarray as xr
 
         arrays = self._arrays()
+        if labelled := self.__dict__.get("_labels"):
+            held = {name: labelled(name, values) for name, values in arrays.items()}
+            return xr.Dataset(held, attrs={"model": self.model})
         p, e = arrays["pressure_mpa"], arrays["contraction"]
         dims: list[str] = [f"dim_{axis}" for axis in range(p.ndim)]
         coords: dict[str, Any] = {}
@@ -688,7 +691,7 @@ class Shaped(Record):
 
     def to_html(self) -> str:
         """A page with the muscle in space, to rotate with the mouse, for use offline."""
-        return _native.body_html(self.__dict__["_asked"][1])
+        return _native.page_html("shape", self.__dict__["_asked"][1])
 
     def _frame(self) -> str:
         from html import escape

@@ -205,6 +205,51 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
     return out
 
 
+def labels(
+    given: Mapping[str, Any],
+) -> tuple[list[Any], Callable[[str, Any], Any]]:
+    """Values without their labels, and what puts these on an answer of a name: dimensions and coordinates of xarray, by which values are broadcast, or the index of
+    pandas; both are to be the same. An answer without a dimension is a number.
+    """
+    values = list(given.values())
+    if any(hasattr(value, "dims") for value in values):
+        import xarray as xr
+
+        def dimensioned(name: str, value: Any) -> Any:
+            if not hasattr(value, "dims"):
+                return xr.DataArray(number(name, value))
+            unit = value.attrs.get("units")
+            return value * _native.quantity(name, f"1 {unit}") if unit else value
+
+        try:
+            aligned = xr.align(*map(dimensioned, given, values), join="exact")
+        except ValueError as error:
+            raise InputError(str(error), field=next(iter(given))) from None
+        values = list(xr.broadcast(*aligned))
+        own: Any = values[0]
+
+        def labelled(name: str, found: Any) -> Any:
+            dims = [*own.dims, "derivative"][: found.ndim]
+            units = {"units": _native.unit_of(name) or "1"}
+            return xr.DataArray(found, own.coords, dims, name, units)
+
+        return [value.values for value in values], labelled
+    series = {n: v for n, v in given.items() if hasattr(v, "to_frame")}
+    first = next(iter(series.values()), None)
+    for name, value in series.items():
+        if not value.index.equals(first.index):
+            raise InputError("series with another index", field=name)
+
+    def indexed(name: str, found: Any) -> Any:
+        if not found.ndim:
+            return float(found)
+        if first is None or found.ndim > 1:
+            return found
+        return type(first)(found, first.index, name=name)
+
+    return values, indexed
+
+
 def ask(
     command: str, request: Mapping[str, Any] | None = None, *, progress: Progress = None
 ) -> dict[str, Any]:

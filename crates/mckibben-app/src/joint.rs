@@ -45,7 +45,8 @@ impl JointFields {
         Ok(file.files().map(str::to_owned).collect())
     }
 
-    pub(crate) fn resolve(&self) -> Result<Joint> {
+    /// The joint of its file, with its muscles.
+    pub fn resolve(&self) -> Result<Joint> {
         let text = self
             .joint
             .as_ref()

@@ -10,6 +10,7 @@ mod ask;
 mod error;
 mod files;
 mod formula;
+mod joint;
 mod model;
 mod muscle;
 mod request;
@@ -26,13 +27,14 @@ mod _native {
     #[pymodule_export]
     use crate::{
         ask::{ask, quantities, quantity, unit_of},
-        files::{check_joint, read, toml, toml_text, write_file},
+        files::{read, toml, toml_text, write_file},
         formula::Formula,
+        joint::Joint,
         model::Model,
         muscle::Muscle,
         request::{stated_request, unlikely},
         simulation::{Simulation, rollout},
-        view::{body_html, report_html},
+        view::page_html,
     };
 
     /// The version of the crates, and of the package.

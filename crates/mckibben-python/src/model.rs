@@ -34,8 +34,7 @@ impl Model {
     }
 
     /// All that is known of each point, or why it has no answer.
-    #[pyo3(signature = (pressures, contractions, nan, progress: "collections.abc.Callable[[int, \
-        int], object] | None" = None) -> "list[dict[str, typing.Any]]")]
+    #[pyo3(signature = (pressures, contractions, nan, progress=None) -> "list[dict[str, typing.Any]]")]
     fn solve<'py>(
         &self,
         py: Python<'py>,
@@ -63,13 +62,13 @@ impl Model {
             }
             Ok(json!(rows))
         };
-        value::answer(py, &run::long(py, progress, work)?)
+        value::answer(py, &self.work(py, points.len(), progress, work)?)
     }
 
     /// Answers every pair of two lists into `out`, with slopes all numbers of a point one after the
     /// other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the
     /// first one raises).
-    #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
+    #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "called by the package alone")]
     fn fill(
         &self,
@@ -125,9 +124,20 @@ impl Model {
         places: &mut [f64],
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<usize> {
-        let moment = self.bound.is_moment(places.len());
+        let numbers = places.len();
         let work = |progress: &dyn Progress| Ok(self.bound.fill(pairs, many, places, progress)?);
-        if moment {
+        self.work(py, numbers, progress, work)
+    }
+
+    /// Work on so many numbers, on a thread of its own where it may take long.
+    fn work<T: Send>(
+        &self,
+        py: Python<'_>,
+        numbers: usize,
+        progress: Option<&Bound<'_, PyAny>>,
+        work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
+    ) -> PyResult<T> {
+        if self.bound.is_moment(numbers) {
             run::quick(py, work)
         } else {
             run::long(py, progress, work)

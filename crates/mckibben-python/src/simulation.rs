@@ -117,6 +117,17 @@ impl Simulation {
         rows.into_pyarray(py).reshape(shape)
     }
 
+    /// The linear system about its rest at the first commands: A by its rows, B, and position per
+    /// coordinate.
+    fn linear(&self, py: Python<'_>) -> PyResult<(Vec<Vec<f64>>, Vec<f64>, f64)> {
+        run::quick(py, |_| {
+            let linear = self.drive().linear()?;
+            let rows = linear.a.row_iter().map(|row| row.iter().copied().collect());
+            let b = linear.b.iter().copied().collect();
+            Ok((rows.collect(), b, linear.per_coordinate))
+        })
+    }
+
     /// What happened: stops, slack, switching and reversals.
     #[pyo3(signature = () -> "list[dict[str, typing.Any]]")]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -140,7 +151,7 @@ impl Simulation {
 /// copy in turn, and into `out` what is recorded at the start and the end of each step. Copies run
 /// side by side. Returns the first step that failed; from there on its copy is NaN.
 #[pyfunction]
-#[pyo3(signature = (simulation, steps, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
+#[pyo3(signature = (simulation, steps, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan, progress=None))]
 pub fn rollout(
     py: Python<'_>,
     simulation: &Simulation,

@@ -204,13 +204,13 @@ fn go(
     rise_time_s: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<(Motion, Option<f64>)> {
-    let bandwidth_hz = |side: f64| {
+    let linear = |side: f64| {
         let of_pressure = matches!(&drive.target, Commanded::Pressure(list) if !list.is_empty());
         of_pressure
             .then(|| Linear::at_state_reached(drive, side))?
-            .ok()?
-            .bandwidth_hz()
+            .ok()
     };
+    let bandwidth_hz = |side: f64| linear(side)?.bandwidth_hz();
     let (mut motion, conductance) = match rise_time_s {
         None => (run_as_far(drive, progress)?, None),
         Some(wanted) => {
@@ -218,7 +218,11 @@ fn go(
             (sized.motion, Some(sized.conductance_l_per_s_bar))
         }
     };
-    motion.bandwidth_hz = bandwidth_hz(0.0);
+    if let Some(linear) = linear(0.0) {
+        (motion.eigenfrequency_hz, motion.damping_ratio) = linear.oscillation().unzip();
+        motion.poles_per_s = linear.eigenvalues();
+        motion.bandwidth_hz = linear.bandwidth_hz();
+    }
     motion.bandwidth_filling_hz = bandwidth_hz(1.0);
     motion.bandwidth_venting_hz = bandwidth_hz(-1.0);
     motion
