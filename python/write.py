@@ -3,13 +3,11 @@
     python python/write.py api [--check]        python/mckibben/_api.py: commands and answers as plain functions and classes
     python python/write.py reference FILE       the reference page, from the docstrings
 
-The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of the package with its compiled half: the one beside it, or the library of the
-workspace's build. ``api`` formats what it writes by ruff.
+The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of the package that Python finds. ``api`` formats what it writes by ruff.
 """
 
 from __future__ import annotations
 
-import argparse
 import difflib
 import inspect
 import json
@@ -20,8 +18,6 @@ import subprocess
 import sys
 import textwrap
 from collections.abc import Iterable
-from importlib.machinery import ExtensionFileLoader
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
 
@@ -38,11 +34,7 @@ FUNCTIONS: dict[str, tuple[str, list[str]]] = {
     "parts-list": ("parts", ["kind"]),
     "parts-show": ("part", ["name"]),
     "measures": ("measures", []),
-    "validate": ("validate", []),
-    "measured": ("measured", []),
     "plan": ("plan", ["plan"]),
-    "fit-report": ("fit_report", []),
-    "export-list": ("export_targets", []),
     "check-formula": ("check_formula", ["file"]),
 }
 METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
@@ -99,7 +91,6 @@ NAMES = {
     "CheckFormulaAnswer": "FormulaCheck",
     "JointAnswer": "JointSolution",
     "MotionAnswer": "Motion",
-    "Results": "FitReport",
     "Summary": "CampaignSummary",
     "Outcome": "CampaignOutcome",
 }
@@ -119,19 +110,15 @@ ROWS = {
     "build": "parts",
     "export": "files",
     "export-joint": "files",
-    "export-list": "targets",
     "simulate": "points",
     "design": "candidates",
     "joint": "points",
     "study": "points",
-    "validate": "cases",
-    "measured": "results",
     "compare": "models",
     "identify": "parameters",
     "rubber": "laws",
     "measures": "measures",
     "motion": "series",
-    "fit-report": "findings",
     "parts-list": "tubes sleeves rubbers muscles models",
     "curve": "points",
     "plan": "table",
@@ -139,7 +126,6 @@ ROWS = {
 # Types of what may be given, by the names of fields.
 GIVEN = {
     "muscle": "MuscleLike",
-    "cases": "FileLike | Sequence[FileLike]",
     "rubber": "RubberLike",
     "models": "FormulaLike | Sequence[FormulaLike]",
     "file": "FormulaLike",
@@ -154,6 +140,16 @@ GIVEN = {
 }
 MEASURES = "What differs from the muscle, as in :class:`Muscle`."
 PROGRESS = "True for a line on standard error, or a function that is called with (done, total)."
+RAISES = [
+    ("InputError", "", "An argument is wrong: `field` names it."),
+    ("NoAnswerError", "", "There is none."),
+    ("NotConvergedError", "", "It was not found, or cancelled."),
+]
+# By function and method.
+EXAMPLES = dict(
+    part.split("\n\n", 1)
+    for part in (PACKAGE.parent / "docstrings.md").read_text("utf-8").split("\n## ")[1:]
+)
 HEAD = '''"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
 
 from __future__ import annotations
@@ -172,10 +168,6 @@ if TYPE_CHECKING:
 
     from ._muscle import Muscle
     from ._request import Choice, FileLike, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
-
-    # What a key of a joint or drive file may hold.
-    Key = Number | Numbers | bool | Sequence[Sequence[Number]]
-    Keys = Mapping[str, Key]
 '''
 
 
@@ -355,17 +347,15 @@ def described(
     about: str,
     parameters: list[tuple[str, str, str]],
     returns: tuple[str, str, str],
-    raises: tuple[str, str, str],
-    *examples: str,
+    example: str,
 ) -> list[str]:
     """The docstring of a function."""
-    lines = ["Examples", "--------", ">>> import mckibben as mk", *examples]
     return [
         about,
         section("Parameters", parameters),
         section("Returns", [returns]),
-        section("Raises", [raises]),
-        "\n".join(lines if examples else []),
+        section("Raises", RAISES),
+        f"Examples\n--------\n>>> import mckibben as mk\n{example.strip()}",
     ]
 
 
@@ -453,10 +443,10 @@ def function(
         given = f"modelled({given})"
     indent = "    " if owner else ""
     figure = bundle.request(command).get("figure")
-    # A curve is drawn when it is wanted, and so are measured muscles, which may be rubbers alone.
+    # A curve is drawn when it is wanted.
     drawn = (
         ""
-        if figure is None or command in ("curve", "measured")
+        if figure is None or command == "curve"
         else ", True"
         if figure.get("type") == "boolean"
         else ', "MPa"'
@@ -465,7 +455,7 @@ def function(
         wrapped(doc(held["request"]) or f"The command `{command}`."),
         listed,
         (answer, "", doc(held["answer"]) or "The answer."),
-        ("MckibbenError", "", "One of its classes says why there is no answer."),
+        EXAMPLES[".".join(filter(None, [owner, name]))],
     )
     me = ["self"] if owner else []
     return f'{indent}def {name}({signature(me, [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
@@ -494,9 +484,6 @@ def fields_class(bundle: Bundle) -> str:
     me, out = ["self: Any"], []
     out.append(
         f'    def __init__({signature(me, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
-    )
-    out.append(
-        f'    def replace({signature(me, [], list(made.values()))}) -> Muscle:\n{documented(["The same with other values, named as in :class:`Muscle`.", raises], "        ")}\n        found: Muscle = self._changed({{name: value for name, value in locals().items() if name != "self"}})\n        return found\n'
     )
     for name, field in fields.items():
         if name not in ("rubber", "braid"):
@@ -534,39 +521,17 @@ def solution(bundle: Bundle) -> str:
         for n, f in bundle.properties({"$ref": "#/$defs/Answer"}).items()
         if bundle.type_of(f, True) in ("float", "float | None")
     }
-    about = [
-        "Points of a muscle as arrays of one shape; NaN where a point does not have it.",
-        section(
-            "Attributes",
-            [
-                *entries_of(fields),
-                ("slack", "", "Whether the muscle hangs slack."),
-                ("status", "", "`ok`, or the kind of why there is no answer."),
-                ("cause", "", "Why there is none."),
-                ("warned", "", "A bit for each of `warnings`."),
-            ],
-        ),
-    ]
-    kinds = {
-        **dict.fromkeys(fields, "float64"),
-        "slack": "bool_",
-        "status": "str_",
-        "cause": "object_",
-        "warned": "int64",
-    }
-    lines = (f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items())
+    what = (
+        "Points of a muscle as arrays of one shape; NaN where a point does not have it."
+    )
+    lines = (f"    {n}: NDArray[np.float64]" for n in fields)
+    about = [what, section("Attributes", entries_of(fields))]
     return class_of("Solution(_record.Points)", about, lines)
 
 
 def state(bundle: Bundle) -> str:
     """Where a simulation is."""
-    fields = {
-        n: {
-            **f,
-            "description": re.sub(r"; of a liquid.*", "", f.get("description", "")),
-        }
-        for n, f in bundle.properties({"$ref": "#/$defs/MotionSeries"}).items()
-    }
+    fields = bundle.properties({"$ref": "#/$defs/MotionSeries"})
     about = [
         "Where a simulation is; None what it is not.",
         section("Attributes", entries_of(fields)),
@@ -581,41 +546,6 @@ def keywords(
     """Fields as keywords of one type."""
     lines = (f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items())
     return class_of(f"{name}(TypedDict, total=False)", about, lines)
-
-
-def tables(kind: str, own: list[str]) -> str:
-    """The tables of a file that people write, as keywords; its keys stand in their descriptions."""
-    held = {
-        n: f
-        for n, f in program("--file", kind)["properties"].items()
-        if n not in (*own, "notes")
-    }
-    listed = [
-        (
-            n,
-            "",
-            f["description"]
-            + (
-                ": " + ", ".join(f"``{key}``" for key in f["properties"])
-                if "properties" in f
-                else ""
-            ),
-        )
-        for n, f in held.items()
-    ]
-    kinds = {
-        n: "str | None"
-        if f["type"] == "string"
-        else "Keys | str | None"
-        if "name" in f["properties"]
-        else "Keys | None"
-        for n, f in held.items()
-    }
-    return class_of(
-        f"{kind.capitalize()}Tables(TypedDict, total=False)",
-        [f"Tables of a {kind} file.", section("Attributes", listed)],
-        (f"    {n}: {k}" for n, k in kinds.items()),
-    )
 
 
 def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
@@ -665,9 +595,8 @@ def api(bundle: Bundle) -> str:
     listed = section("Attributes", entries_of(how))
     parts += [
         keywords(bundle, "Options", [about, listed], how),
+        'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
         keywords(bundle, "Measures", [MEASURES], bundle.muscle()),
-        tables("joint", ["joint", "muscle_1", "muscle_2"]),
-        tables("drive", ["muscle", "joint", "command"]),
     ]
     parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip()]
     for owner, methods in METHODS.items():
@@ -696,75 +625,38 @@ def program(*words: str) -> Schema:
     )
 
 
-def ready() -> None:
-    """The package in the sources; where its compiled half is not beside it, with that of the workspace's build."""
-    sys.path.insert(0, str(ROOT / "python"))
-    built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
-    names = ("lib_native.so", "lib_native.dylib", "_native.dll")
-    native = next((path for n in names if (path := built / n).exists()), built)
-    if not any(
-        (PACKAGE / name).exists() for name in ("_native.abi3.so", "_native.pyd")
-    ):
-        spec = spec_from_file_location(
-            "mckibben._native",
-            native,
-            loader=ExtensionFileLoader("mckibben._native", str(native)),
-        )
-        assert spec is not None and spec.loader is not None
-        sys.modules["mckibben._native"] = module_from_spec(spec)
-        spec.loader.exec_module(sys.modules["mckibben._native"])
-
-
 def reference_page() -> str:
     """All that is public, each with its docstring as Python shows it."""
     import mckibben
     from mckibben import _api
 
-    answers = {name: getattr(_api, name) for name in _api.__all__}
-    named = {n: v for n, v in vars(mckibben).items() if hasattr(v, "__doc__")}
-    public = {
-        n: v for n, v in named.items() if not (n[0] == "_" or inspect.ismodule(v))
-    }
+    public = vars(mckibben) | {name: getattr(_api, name) for name in _api.__all__}
     out = ["# Python reference", "Made from the docstrings of the package."]
-    for title, held in (("Objects and functions", public), ("Answers", answers)):
-        out.append(f"## {title}")
-        for name, made in sorted(held.items()):
-            members = inspect.getmembers(made) if inspect.isclass(made) else []
-            for member, value in [("", made), *members]:
+    for name, made in sorted(public.items()):
+        if name[0] != "_" and callable(made):
+            parts = inspect.getmembers(made) if inspect.isclass(made) else []
+            out += [f"## `{name}`", f"```text\n{inspect.getdoc(made)}\n```"]
+            for part, value in parts:
                 is_part = inspect.isfunction(value) or isinstance(value, property)
-                if not member or (is_part and member[0] != "_" and value.__doc__):
-                    text = inspect.getdoc(value) or ""
-                    out.append(f"### `{name}{'.' * bool(member)}{member}`")
-                    out.append(f"```text\n{text}\n```")
+                if is_part and part[0] != "_":
+                    out.append(f"### `{name}.{part}`")
+                    out.append(f"```text\n{inspect.getdoc(value)}\n```")
     return "\n\n".join(out) + "\n"
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("what", choices=["api", "reference"])
-    parser.add_argument("place", type=Path, nargs="?", default=PACKAGE / "_api.py")
-    parser.add_argument("--check", action="store_true")
-    args = parser.parse_args()
-    if args.what == "api":
-        text, held = (
-            api(Bundle(program())),
-            args.place.read_text("utf-8") if args.place.exists() else "",
-        )
-        if args.check and text != held:
-            lines = difflib.unified_diff(
-                held.splitlines(True), text.splitlines(True), "kept", "made"
-            )
-            sys.exit(
-                "".join([*lines][:40]) + "python python/write.py api writes it anew"
-            )
-        if not args.check:
-            args.place.write_text(text, "utf-8")
+def main(what: str, place: str = str(PACKAGE / "_api.py")) -> None:
+    if what == "reference":
+        Path(place).write_text(reference_page(), "utf-8")
         return
-    ready()
-    args.place.write_text(reference_page(), "utf-8")
+    text, held = api(Bundle(program())), (PACKAGE / "_api.py").read_text("utf-8")
+    if place != "--check":
+        Path(place).write_text(text, "utf-8")
+    elif text != held:
+        lines = difflib.unified_diff(
+            held.splitlines(True), text.splitlines(True), "kept", "made"
+        )
+        sys.exit("".join([*lines][:40]) + "python python/write.py api writes it anew")
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

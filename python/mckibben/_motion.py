@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from math import pi
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, TypedDict
 
 from . import _api, _native
 from ._api import State
-from ._errors import InputError
+from ._errors import InputError, wrong_type
 from ._muscle import Muscle
 from ._request import (
     Fixed,
@@ -32,8 +32,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Self, Unpack
 
-    from ._api import Keys
-    from ._request import Floats, Number, Progress, TableLike
+    from ._request import Floats, Number, Numbers, Progress, TableLike
+
+    # What a key of a joint or drive file may hold.
+    Key = Number | Numbers | bool | Sequence[Sequence[Number]]
+    Keys = Mapping[str, Key]
 
 # Units of commands, by what is commanded.
 _COMMANDS = {
@@ -88,6 +91,72 @@ def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
+class JointTables(TypedDict, total=False):
+    """Tables of a joint file.
+
+    Attributes
+    ----------
+    link
+        The weight of the moving parts: ``mass``, ``centre``, ``inclination``, ``payload``, ``payload_at``
+    spring
+        A spring against the first muscle: ``rate``, ``preload``, ``angular_rate``, ``preload_torque``, ``radius``, ``origin``, ``insertion``
+    name
+        Name, for people
+    """
+
+    link: Keys | None
+    spring: Keys | None
+    name: str | None
+
+
+class DriveTables(TypedDict, total=False):
+    """Tables of a drive file.
+
+    Attributes
+    ----------
+    supply
+        The air supply: ``pressure``, ``temperature``
+    valve
+        A valve for each muscle: ``name``, ``sonic_conductance``, ``critical_ratio``, ``exhaust_conductance``, ``exhaust_critical_ratio``,
+        ``flow_coefficient``, ``return_coefficient``, ``kind``, ``lag``, ``wide_open_at``, ``hysteresis``, ``closed_centre``, ``hose_length``,
+        ``hose_diameter``
+    regulator
+        An ideal regulator, in place of a valve: ``time_constant``
+    pump
+        A pump of a liquid for each muscle, which runs both ways: ``flow``, ``kind``, ``lag``, ``wide_open_at``, ``hysteresis``, ``closed_centre``,
+        ``hose_length``, ``hose_diameter``
+    syringe
+        A syringe of a liquid for each muscle: ``volume``, ``time_constant``
+    air
+        The air in the muscle: ``dead_volume``, ``heat``, ``polytropic_index``
+    liquid
+        A liquid in the muscle, in place of air: ``name``, ``bulk_modulus``, ``gas_share``, ``dead_volume``
+    load
+        The load of a muscle: ``mass``, ``level``, ``line``, ``damping``, ``stops``, ``held``, ``start``
+    friction
+        Motion with the friction of the muscle: ``coefficient``, ``presliding``
+    rubber
+        Viscoelasticity of the rubber: ``prony``
+    controller
+        The controller of a position: ``proportional``, ``integral``, ``derivative``, ``filter``, ``tracking``, ``output``, ``bias``
+    name
+        Name, for people
+    """
+
+    supply: Keys | None
+    valve: Keys | str | None
+    regulator: Keys | None
+    pump: Keys | None
+    syringe: Keys | None
+    air: Keys | None
+    liquid: Keys | str | None
+    load: Keys | None
+    friction: Keys | None
+    rubber: Keys | None
+    controller: Keys | None
+    name: str | None
+
+
 class Linear(NamedTuple):
     """A linear system about a state: ẋ = A x + B u, y = C x + D u. ``control.ss(*linear)`` and ``scipy.signal.StateSpace(*linear)`` take it."""
 
@@ -107,11 +176,6 @@ class _File(Fixed):
     @classmethod
     def _of(cls, held: dict[str, Any]) -> Self:
         return object.__new__(cls)._hold(_held=held)
-
-    @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Self:
-        """The one of a file, with the files that it names from beside it."""
-        return cls._of(_native.read(path, cls._kind))
 
     @classmethod
     def _written(cls, given: Mapping[str, Any], **others: Any) -> dict[str, Any]:
@@ -220,7 +284,7 @@ class Joint(_api.JointCommands, _File):
         contraction_at_neutral: Number | None = None,
         geometry_1: Keys | None = None,
         geometry_2: Keys | None = None,
-        **tables: Unpack[_api.JointTables],
+        **tables: Unpack[JointTables],
     ) -> None:
         if without := [
             key
@@ -234,13 +298,17 @@ class Joint(_api.JointCommands, _File):
                 hint='radius_mm=25, or "radius": "25 mm"',
             )
         made, muscles = (
-            {"joint": _table(joint), **_tables(_api.JointTables, tables)},
+            {"joint": _table(joint), **_tables(JointTables, tables)},
             {},
         )
         for side, muscle, geometry in (
             (1, muscle_1, geometry_1),
             (2, muscle_2, geometry_2),
         ):
+            if muscle is not None and not isinstance(muscle, Muscle):
+                raise wrong_type(
+                    f"muscle_{side}", "a Muscle, as mk.load reads it", muscle
+                )
             if muscle is not None:
                 place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
                 muscles[place] = {"name": place, "text": muscle.to_toml()}
@@ -299,7 +367,7 @@ class Joint(_api.JointCommands, _File):
         for i, (muscle, pressure) in enumerate(zip(muscles, pressures)):
             contraction, arm, arm_slope = levers[3 * i : 3 * i + 3]
             pull, rates = muscle._asked(
-                "force", pressure, contraction, True, errors, None, options
+                "force", pressure, contraction, True, {"errors": errors, **options}
             )
             torque = torque + 1e-3 * arm * pull
             by_pressure.append(1e-3 * arm * rates[..., 0])
@@ -409,24 +477,15 @@ class Joint(_api.JointCommands, _File):
         self, *, muscle_1: Muscle | None = None, muscle_2: Muscle | None = None
     ) -> Joint:
         """The same with other muscles."""
-        tables, texts = self._tables(), self._beside()
-        if muscle_2 is not None and "muscle_2" not in tables:
+        tables, (_, held) = self._tables(), self._parts()
+        if muscle_2 is not None and len(held) == 1:
             raise TypeError("the joint has no muscle_2")
-        muscles = {
-            name: of.to_toml() if of else texts[tables[name]["file"]]
-            for name, of in (("muscle_1", muscle_1), ("muscle_2", muscle_2))
-            if name in tables
-        }
-        tables |= {name: {**tables[name], "file": f"{name}.toml"} for name in muscles}
-        return Joint._of(
-            Joint._written(
-                tables,
-                muscles=[
-                    {"name": f"{name}.toml", "text": text}
-                    for name, text in muscles.items()
-                ],
-            )
-        )
+        files = []
+        for i, (own, given) in enumerate(zip(held, (muscle_1, muscle_2)), 1):
+            name, text = f"muscle_{i}.toml", (given or own).to_toml()
+            tables[f"muscle_{i}"]["file"] = name
+            files.append({"name": name, "text": text})
+        return Joint._of(Joint._written(tables, muscles=files))
 
 
 class Drive(_api.DriveCommands, _File):
@@ -464,15 +523,17 @@ class Drive(_api.DriveCommands, _File):
         *,
         command: Keys,
         tables: Mapping[str, TableLike] | None = None,
-        **others: Unpack[_api.DriveTables],
+        **others: Unpack[DriveTables],
     ) -> None:
+        if not isinstance(of, (Muscle, Joint)):
+            raise wrong_type("of", "a Muscle or a Joint, as mk.load reads it", of)
         place, named = (
             f"{of._kind}.toml",
             [{**table(data), "name": name} for name, data in (tables or {}).items()],
         )
         made = {
             of._kind: place,
-            **_tables(_api.DriveTables, others),
+            **_tables(DriveTables, others),
             "command": _table(command),
         }
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
@@ -580,10 +641,12 @@ class Simulation:
         record: bool = True,
         **options: Unpack[_api.Options],
     ) -> None:
-        held = drive if isinstance(drive, Drive) else Drive.load(drive)
+        if not 0.0 < (dt_s := number("dt_s", dt_s)) < float("inf"):
+            raise InputError("a step takes some time", field="dt_s")
+        held = drive._held if isinstance(drive, Drive) else _native.read(drive, "drive")
         self._hold(
-            fields({**held._files("motion"), **modelled(known(options, _api.Options))}),
-            float(dt_s),
+            fields({**held, **modelled(known(options, _api.Options))}),
+            dt_s,
             record,
         )
 
@@ -707,7 +770,8 @@ class Simulation:
 
     def to_columns(self) -> dict[str, Any]:
         """What was recorded as arrays: the start, and the end of each step."""
-        return dict(zip(self._names, self._native.rows().T))
+        rows = self._native.rows().reshape(-1, len(self._names))
+        return dict(zip(self._names, rows.T))
 
     def to_pandas(self) -> pandas.DataFrame:
         """The same as a ``pandas.DataFrame``."""

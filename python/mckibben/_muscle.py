@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _api, _native
-from ._errors import InputError, MckibbenError, MuscleWarning, warned
+from ._errors import InputError, MckibbenError, MuscleWarning, warned, wrong_type
 from ._request import (
     Saved,
     array,
@@ -127,11 +129,27 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
     def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
         missing = [n for n in MEASURES[:3] if not base and given.get(n, 0) is None]
         if missing:
-            raise TypeError(f'{missing[0]}: a length such as 30 or "30 mm", not None')
+            raise wrong_type(missing[0], 'a length such as 30 or "30 mm"', None)
         return self._of(_native.Muscle({"muscle": fields({**given, "file": base})}))
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
         return object.__new__(Muscle)._make(given, self)
+
+    def replace(self, **measures: Unpack[_api.Measures]) -> Muscle:
+        """The same with other values, named as in :class:`Muscle`.
+
+        Raises
+        ------
+        InputError
+            There is no such muscle; `field` is the argument to blame.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Muscle.prototype().replace(wall_mm="2 mm").wall_mm
+        2.0
+        """
+        return self._changed(dict(known(measures, _api.Measures)))
 
     def _files(self, command: str) -> dict[str, Any]:
         return {"muscle": {"file": {"name": "muscle", "text": self.to_toml()}}}
@@ -206,11 +224,11 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         a: Any,
         b: Any,
         jac: bool | Sequence[str],
-        errors: str,
-        progress: Progress,
-        options: Mapping[str, Any],
+        options: dict[str, Any],
     ) -> Any:
-        bound, nan = self._bound(options), is_nan(errors)
+        nan = is_nan(options.pop("errors", "raise"))
+        progress = options.pop("progress", None)
+        bound = self._bound(options)
         numbers = (float, int)
         a = a if type(a) in numbers else _plain(a)
         b = b if type(b) in numbers else _plain(b)
@@ -245,9 +263,7 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         contraction: Number = 0.0,
         *,
         jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
+        **options: Unpack[_api.Asking],
     ) -> float: ...
     @overload
     def force(
@@ -256,21 +272,8 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         contraction: Floats = 0.0,
         *,
         jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
+        **options: Unpack[_api.Asking],
     ) -> Array: ...
-    @overload
-    def force(  # type: ignore[overload-overlap]
-        self,
-        pressure_mpa: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
-    ) -> tuple[float, Array]: ...
     @overload
     def force(
         self,
@@ -278,18 +281,14 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         contraction: Floats = 0.0,
         *,
         jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
-    ) -> tuple[Array, Array]: ...
+        **options: Unpack[_api.Asking],
+    ) -> tuple[Any, Array]: ...
     def force(
         self,
         pressure_mpa: Any,
         contraction: Any = 0.0,
         *,
         jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
         **options: Any,
     ) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.
@@ -330,9 +329,7 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         >>> muscle.force([0.1, 0.2], 0.1, model="paper").round(1)
         array([ 585.7, 1202.7])
         """
-        return self._asked(
-            "force", pressure_mpa, contraction, jac, errors, progress, options
-        )
+        return self._asked("force", pressure_mpa, contraction, jac, options)
 
     @overload
     def pressure(  # type: ignore[overload-overlap]
@@ -341,9 +338,7 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         contraction: Number = 0.0,
         *,
         jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
+        **options: Unpack[_api.Asking],
     ) -> float: ...
     @overload
     def pressure(
@@ -352,21 +347,8 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         contraction: Floats = 0.0,
         *,
         jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
+        **options: Unpack[_api.Asking],
     ) -> Array: ...
-    @overload
-    def pressure(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
-    ) -> tuple[float, Array]: ...
     @overload
     def pressure(
         self,
@@ -374,18 +356,14 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         contraction: Floats = 0.0,
         *,
         jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
-    ) -> tuple[Array, Array]: ...
+        **options: Unpack[_api.Asking],
+    ) -> tuple[Any, Array]: ...
     def pressure(
         self,
         force_n: Any,
         contraction: Any = 0.0,
         *,
         jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
         **options: Any,
     ) -> Any:
         """P(F, ε): the pressure that gives a pull, in MPa.
@@ -426,9 +404,7 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         >>> round(muscle.pressure(300, "10%", model="ideal"), 4)
         0.0377
         """
-        return self._asked(
-            "pressure", force_n, contraction, jac, errors, progress, options
-        )
+        return self._asked("pressure", force_n, contraction, jac, options)
 
     @overload
     def contraction(  # type: ignore[overload-overlap]
@@ -437,9 +413,7 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         pressure_mpa: Number,
         *,
         jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
+        **options: Unpack[_api.Asking],
     ) -> float: ...
     @overload
     def contraction(
@@ -448,21 +422,8 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         pressure_mpa: Floats,
         *,
         jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
+        **options: Unpack[_api.Asking],
     ) -> Array: ...
-    @overload
-    def contraction(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        pressure_mpa: Number,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
-    ) -> tuple[float, Array]: ...
     @overload
     def contraction(
         self,
@@ -470,18 +431,14 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         pressure_mpa: Floats,
         *,
         jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[_api.Options],
-    ) -> tuple[Array, Array]: ...
+        **options: Unpack[_api.Asking],
+    ) -> tuple[Any, Array]: ...
     def contraction(
         self,
         force_n: Any,
         pressure_mpa: Any,
         *,
         jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
         **options: Any,
     ) -> Any:
         """ε(F, P): the contraction at which a pressure gives a pull.
@@ -522,9 +479,7 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         >>> round(muscle.contraction(300, "2 bar", model="ideal"), 3)
         0.293
         """
-        return self._asked(
-            "contraction", force_n, pressure_mpa, jac, errors, progress, options
-        )
+        return self._asked("contraction", force_n, pressure_mpa, jac, options)
 
     def solve(
         self,
@@ -706,7 +661,8 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         return page
 
     def cite(self, model: str | None = None) -> str:
-        """BibTeX of the package, of the model, and of the data behind rubber and braid of this muscle.
+        """BibTeX of the package, and of what the model and the data of rubber and braid come from: authors, title, year and DOI; where the source is no publication,
+        a note.
 
         Examples
         --------
@@ -714,32 +670,23 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         >>> print(mk.Muscle.prototype().cite("ideal").splitlines()[0])
         @software{mckibben,
         """
-        point = _native.ask(
-            "force",
-            {**self._files("force"), "pressure_mpa": 0.0, "model": model or "fe"},
-        )
-        notes = {"model": (f"Model {point['model']}", point["about"]["source"])}
-        for kind, name in (("rubber", self.rubber), ("braid", self._field("braid"))):
-            if isinstance(name, str) and name.split(":")[0] not in (
-                "paper",
-                "shore",
-                "s100",
-            ):
-                held: Any = _api.part(name.split(":")[0])
-                notes[kind] = (
-                    f"{kind.capitalize()} {name}",
-                    (held.rubber or held.sleeve).source,
-                )
-        package = f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
-        return "\n\n".join(
-            [
-                package,
-                *(
-                    f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}"
-                    for key, (title, source) in notes.items()
-                ),
-            ]
-        )
+        asked = {**self._files("force"), "pressure_mpa": 0.0, "model": model or "fe"}
+        sources = {"model": _native.ask("force", asked)["about"]["source"]}
+        for part in ("rubber", "braid"):
+            name = str(self._field(part) or "").split(":")[0]
+            with suppress(InputError):
+                held: Any = _api.part(name)
+                sources[name] = (held.rubber or held.sleeve).source
+        known = re.findall(r"^(@\w+\{(\w+),.*?^\})", _native.LITERATURE, re.M | re.S)
+        entries = {key: text for text, key in known}
+        out = [
+            f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
+        ]
+        for name, source in sources.items():
+            keys = re.findall(r"\[(\w+)\]", source)
+            note = f"@misc{{mckibben_{name},\n  note = {{{source}}}\n}}"
+            out += [entries[key] for key in keys] or [note]
+        return "\n\n".join(dict.fromkeys(out))
 
     _key = to_toml
 

@@ -78,7 +78,12 @@ class Rubber(Saved):
         text = _native.toml_text({"tube": {"material": material}})
         # A muscle of nothing else says what is wrong with it.
         self._hold(
-            _held=_native.Muscle.of_rubber(text), _text=text, law=law, constants=given
+            _held=_native.Muscle(
+                {"muscle": {"file": {"name": "rubber", "text": text}}}
+            ),
+            _text=text,
+            law=law,
+            constants=given,
         )
 
     @classmethod
@@ -292,7 +297,8 @@ def load(path: str | os.PathLike[str]) -> Any:
     if not text.lstrip().startswith("{"):
         tables = _native.toml(held["name"], text)
         if "command" in tables or "joint" in tables:
-            return (Drive if "command" in tables else Joint).load(path)
+            kind = Drive if "command" in tables else Joint
+            return kind._of(_native.read(path, kind._kind))
         # A rubber that was saved begins with its table, a muscle with a comment.
         return (
             Rubber.from_toml(text)

@@ -181,10 +181,6 @@ class Record(Fixed):
     def __repr__(self) -> str:
         text = f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
         # Not more than a screen.
-        return text if len(text) <= 2000 else text[:1999] + "…"
-
-    def __str__(self) -> str:
-        text = repr(self)
         return text if len(text) <= 1000 else text[:999] + "…"
 
     def _repr_html_(self) -> str:
@@ -296,10 +292,11 @@ def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
 def drawn(figure: dict[str, Any], ax: Any) -> Any:
     """The axes with the figure on them."""
     import matplotlib.pyplot as plt
+    import numpy as np
     from matplotlib.colors import LinearSegmentedColormap
 
     panels = figure["panels"]
-    axes = list(ax) if isinstance(ax, (list, tuple)) or hasattr(ax, "flat") else [ax]
+    axes = list(np.ravel(ax))
     if ax is None:
         columns = max(1, min(figure.get("columns") or 1, len(panels)))
         rows = -(-len(panels) // columns)
@@ -363,12 +360,16 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
 class Points(Record):
     """Points of a muscle as arrays of one shape, each an attribute; ``model`` is the model's name.
 
-    ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
+    ``slack`` where the muscle hangs; ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
     """
 
     _rows: ClassVar[str | None] = "force_n"
     model: str
     warnings: list[str]
+    slack: NDArray[np.bool_]
+    status: NDArray[np.str_]
+    cause: NDArray[np.object_]
+    warned: NDArray[np.int64]
 
     @classmethod
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union
 
 from . import _native
-from ._errors import ExistingFileError, InputError, warned
+from ._errors import ExistingFileError, InputError, warned, wrong_type
 
 if TYPE_CHECKING:
     import numpy as np
@@ -146,11 +146,11 @@ def plain(name: str, value: Any) -> Any:
             for key, item in value.items()
             if item is not None
         }
-    return (
-        [plain(name, item) for item in value]
-        if isinstance(value, (list, tuple, range))
-        else value
-    )
+    if isinstance(value, (list, tuple, range)):
+        return [plain(name, item) for item in value]
+    if value is not None and not isinstance(value, (str, int, float)):
+        raise wrong_type(name, "a number, a text or what holds these", value)
+    return value
 
 
 def number(name: str, value: Any) -> float:
@@ -163,9 +163,8 @@ def number(name: str, value: Any) -> float:
         or getattr(found, "shape", ()) != ()
         or not hasattr(found, "__float__")
     ):
-        raise TypeError(
-            f"{name}: a number, a text with its unit or a quantity of pint, not {type(found).__name__}"
-        )
+        wanted = "a number, a text with its unit or a quantity of pint"
+        raise wrong_type(name, wanted, found)
     out = float(found)
     if found is value and (said := _native.unlikely(name, out)):
         warned(said)
@@ -195,9 +194,8 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
         else np.asarray(value)
     )
     if given.dtype.kind not in "fiu":
-        raise TypeError(
-            f"{name}: numbers, a text with its unit or quantities of pint, not {given.dtype}"
-        )
+        wanted = "numbers, a text with its unit or quantities of pint"
+        raise wrong_type(name, wanted, value)
     out: NDArray[np.float64] = given.astype(np.float64, copy=not given.flags.aligned)
     highest = float(np.nanmax(np.ma.filled(out, 0.0), initial=0.0))
     if value is own and (said := _native.unlikely(name, highest)):
@@ -446,12 +444,8 @@ def to_csv(data: Any) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(given)
-    for row in zip(
-        *(
-            values if name in several else [values] * rows
-            for name, values in given.items()
-        )
-    ):
+    columns = (v if name in several else [v] * rows for name, v in given.items())
+    for row in zip(*columns):
         writer.writerow(
             [
                 ""

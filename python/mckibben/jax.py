@@ -25,16 +25,10 @@ if TYPE_CHECKING:
 
     Array: TypeAlias = NDArray[np.float64]
 
-_NO_SECOND = "finite elements have first derivatives only: take the model universal for second ones, or the outer product of residuals' gradients (Gauss-Newton)"
-# Places and weights of differences of fourth order about a point, and from a point on.
-_ABOUT = (
-    np.array([-2.0, -1.0, 0.0, 1.0, 2.0]),
-    np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12,
-)
-_FROM = (
-    np.array([0.0, 1.0, 2.0, 3.0, 4.0]),
-    np.array([-25.0, 48.0, -36.0, 16.0, -3.0]) / 12,
-)
+_NO_SECOND = "finite elements have first derivatives only; universal has second ones"
+# Places and weights of differences of fourth order, about a point and from a point on.
+_PLACES = np.array([[-2, 0], [-1, 1], [0, 2], [1, 3], [2, 4]])
+_WEIGHTS = np.array([[1, -25], [-8, 48], [0, -36], [8, 16], [-1, -3]]) / 12
 # Steps of differences are this share of a value, or of what is usual where that is less.
 _STEP = 1e-3
 _USUAL = {"force": (0.1, 0.2), "pressure": (100.0, 0.2), "contraction": (100.0, 0.1)}
@@ -73,9 +67,7 @@ class _Asked:
             # Not below zero: no gauge pressure is, and no pull.
             about = (value >= 2 * h) | (i >= count) | (i == self.signed)
             row: Any = 0.0
-            for at, by in zip(
-                np.transpose([_ABOUT[0], _FROM[0]]), np.transpose([_ABOUT[1], _FROM[1]])
-            ):
+            for at, by in zip(_PLACES, _WEIGHTS):
                 moved = [
                     *values[:i],
                     value + np.where(about, *at) * h,
@@ -300,10 +292,6 @@ def _function(asked: _Asked) -> Callable[..., jax.Array]:
             *(along(rates[..., i * width : (i + 1) * width], by) for i in range(width)),
         ]
         return found, jnp.stack(rows, axis=-1)
-
-    @curvatures.defjvp
-    def third(at: Any, by: Any) -> Any:
-        raise NotImplementedError("a model has first and second derivatives only")
 
     def outer(first: Any, second: Any = 0.0, theta: Any = ()) -> jax.Array:
         if isinstance(theta, Mapping):

@@ -163,4 +163,3 @@ def test_a_linear_drive_follows_a_small_step_and_has_the_poles_of_motion(
     assert np.abs(poles) == pytest.approx(np.abs(printed), rel=1e-6, abs=1e-6)
     fastest = max(printed, key=lambda pole: pole.imag)
     assert motion.eigenfrequency_hz == pytest.approx(fastest.imag / (2 * math.pi))
-    assert motion.damping_ratio == pytest.approx(-fastest.real / abs(fastest))

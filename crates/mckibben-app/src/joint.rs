@@ -12,8 +12,8 @@ use crate::{
 use mckibben_core::{
     cancel,
     joint::{
-        BoundJoint, Joint, JointError, JointMap, JointPoint, JointTarget, Rest, Turning,
-        parse_joint,
+        BoundJoint, Joint, JointError, JointMap, JointMuscle, JointPoint, JointTarget, Rest,
+        Turning, parse_joint,
     },
     model::{ForceModel, Workspace},
     muscle::Muscle,
@@ -378,23 +378,26 @@ impl Solver<'_> {
         let minus = turning(Turning::Minus)?;
         self.warnings
             .extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
-        let first = point.muscles.first();
-        let second = point.muscles.get(1);
-        let response = |m: &mckibben_core::joint::MuscleState| m.answer.response;
+        let muscle = |i: usize| {
+            let m = point.muscles.get(i)?;
+            Some((m.answer.response, m.arm_mm, m.answer.slack))
+        };
+        let (response, arm_1_mm, slack_1) = muscle(0).unwrap_or_default();
+        let second = muscle(1);
         Ok(JointRow {
             pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
             torque_turning_plus_nm: plus,
             torque_turning_minus_nm: minus,
             rest,
-            force_1_n: first.map_or(0.0, |m| response(m).force_n),
-            force_2_n: second.map(|m| response(m).force_n),
-            contraction_1: first.map_or(0.0, |m| response(m).contraction),
-            contraction_2: second.map(|m| response(m).contraction),
-            arm_1_mm: first.map_or(0.0, |m| m.arm_mm),
-            arm_2_mm: second.map(|m| m.arm_mm),
-            slack_1: first.is_some_and(|m| m.answer.slack),
-            slack_2: second.map(|m| m.answer.slack),
+            force_1_n: response.force_n,
+            force_2_n: second.map(|m| m.0.force_n),
+            contraction_1: response.contraction,
+            contraction_2: second.map(|m| m.0.contraction),
+            arm_1_mm,
+            arm_2_mm: second.map(|m| m.1),
+            slack_1,
+            slack_2: second.map(|m| m.2),
             point,
             ..JointRow::default()
         })
@@ -429,19 +432,10 @@ fn key(kind: usize, contraction: f64) -> (usize, i64) {
 
 /// Adds P′ to rows: each contraction of each kind of muscle once, on all threads.
 fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
-    let digests: Vec<String> = model
-        .joint()
-        .muscles()
-        .iter()
-        .map(|m| m.muscle.digest())
-        .collect();
-    let kind = |i: usize| {
-        digests
-            .iter()
-            .position(|d| Some(d) == digests.get(i))
-            .unwrap_or(i)
-    };
-    let kinds = [kind(0), kind(1)];
+    let muscles = model.joint().muscles();
+    let digest = |m: &JointMuscle| m.muscle.digest();
+    let alike = muscles.first().map(digest) == muscles.last().map(digest);
+    let kinds = [0, usize::from(!alike)];
     let contractions = |row: &JointRow| [Some(row.contraction_1), row.contraction_2];
     let mut wanted: BTreeMap<(usize, i64), f64> = BTreeMap::new();
     for row in &*rows {

@@ -67,8 +67,6 @@ pub struct Motion {
     pub poles_per_s: Vec<(f64, f64)>,
     /// Frequency |Im λ|/2π of the fastest pair of them, Hz.
     pub eigenfrequency_hz: Option<f64>,
-    /// Its damping ratio.
-    pub damping_ratio: Option<f64>,
     /// Of commanded pressures: frequency up to which small changes about the state that the first
     /// step reaches (the mean of a periodic command) are followed (−3 dB), Hz; of two muscles of a
     /// joint, changes against each other. A valve lets air in and out half of the time each.

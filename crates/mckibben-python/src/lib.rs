@@ -41,6 +41,10 @@ mod _native {
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+    /// The sources that code and data name, BibTeX.
+    #[pymodule_export]
+    const LITERATURE: &str = include_str!("../../../literature.bib");
+
     #[pymodule_init]
     fn init() {
         mckibben_app::panics_are_problems();

@@ -3,6 +3,7 @@
 use crate::{error::Wrong, run, value};
 use mckibben_app::{BoundModel, Many, PointQuantity};
 use mckibben_core::progress::Progress;
+use mckibben_fit::identify::Target;
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::json;
@@ -83,12 +84,8 @@ impl Model {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<usize> {
         let parameters = parameters.iter().map(|name| self.bound.parameter(name));
-        let many = Many {
-            wanted: self::wanted(wanted)?,
-            slopes,
-            parameters: parameters.collect::<Result<_, _>>().map_err(Wrong::from)?,
-            nan,
-        };
+        let parameters = parameters.collect::<Result<_, _>>().map_err(Wrong::from)?;
+        let many = many(wanted, slopes, parameters, nan)?;
         let pairs = [first.as_slice()?, second.as_slice()?];
         self.answer(py, pairs, &many, out.as_slice_mut()?, progress)
     }
@@ -102,12 +99,7 @@ impl Model {
         second: f64,
         nan: bool,
     ) -> PyResult<f64> {
-        let many = Many {
-            wanted: self::wanted(wanted)?,
-            slopes: false,
-            parameters: vec![],
-            nan,
-        };
+        let many = many(wanted, false, vec![], nan)?;
         let mut place = [f64::NAN];
         self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
         Ok(place[0])
@@ -145,11 +137,17 @@ impl Model {
     }
 }
 
-fn wanted(name: &str) -> PyResult<PointQuantity> {
-    match name {
-        "force" => Ok(PointQuantity::Force),
-        "pressure" => Ok(PointQuantity::Pressure),
-        "contraction" => Ok(PointQuantity::Contraction),
-        _ => Err(PyValueError::new_err("force, pressure or contraction")),
-    }
+fn many(wanted: &str, slopes: bool, parameters: Vec<Target>, nan: bool) -> PyResult<Many> {
+    let wanted = match wanted {
+        "force" => PointQuantity::Force,
+        "pressure" => PointQuantity::Pressure,
+        "contraction" => PointQuantity::Contraction,
+        _ => return Err(PyValueError::new_err("force, pressure or contraction")),
+    };
+    Ok(Many {
+        wanted,
+        slopes,
+        parameters,
+        nan,
+    })
 }

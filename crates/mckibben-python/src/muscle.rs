@@ -7,7 +7,7 @@ use mckibben_app::{
 use mckibben_core::{
     muscle::{
         Muscle as Held,
-        file::{FileError, parse_muscle, to_toml},
+        file::to_toml,
         measures::{STIFFNESS, fields},
     },
     rubber::RubberLaw,
@@ -77,21 +77,6 @@ impl Muscle {
                 .map_err(|problem| blamed(problem, &request["muscle"]))?
                 .into())
         })
-    }
-
-    /// The paper's muscle with the rubber of a text: its table `tube.material`.
-    #[staticmethod]
-    fn of_rubber(text: &str) -> PyResult<Self> {
-        let wrong = |error: FileError| {
-            let error = FileError {
-                place: None,
-                ..error
-            };
-            Problem::new(ProblemKind::Rubber, error.to_string(), "").in_field("rubber")
-        };
-        Ok(parse_muscle(text)
-            .map(Self::from)
-            .map_err(|error| Wrong::from(wrong(error)))?)
     }
 
     /// The fields by which a muscle is given, of this one; those that it does not have are left

@@ -3,7 +3,7 @@
 use crate::{error::Wrong, request, run, value};
 use mckibben_app::{MotionRequest, Problem, SimulatedDrive, understood};
 use mckibben_core::threads::Threads;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyReadwriteArray1};
 use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::json;
 use std::sync::{
@@ -101,20 +101,16 @@ impl Simulation {
         py.detach(|| self.drive().motion().series.names())
     }
 
-    /// All that was recorded: a row for the start and for each step.
+    /// All that was recorded: a row for the start and for each step, one after the other.
     #[pyo3(signature = () -> "numpy.typing.NDArray[numpy.float64]")]
-    fn rows<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (rows, width) = py.detach(|| {
+    fn rows<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let rows = py.detach(|| {
             let drive = self.drive();
             let series = &drive.motion().series;
-            let rows: Vec<f64> = (0..series.points())
-                .filter_map(|i| series.row(i))
-                .flatten()
-                .collect();
-            (rows, series.names().len())
+            let rows = (0..series.points()).filter_map(|i| series.row(i));
+            rows.flatten().collect::<Vec<f64>>()
         });
-        let shape = [rows.len() / width.max(1), width];
-        rows.into_pyarray(py).reshape(shape)
+        rows.into_pyarray(py)
     }
 
     /// The linear system about its rest at the first commands: A by its rows, B, and position per

@@ -178,20 +178,10 @@ impl BoundModel {
         progress: &dyn Progress,
     ) -> Result<usize, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
-        if count != other {
-            return Err(ProblemKind::Usage
-                .problem(format!(
-                    "the two lists must have the same length; they have {count} and {other} numbers"
-                ))
-                .into());
-        }
-        if count.checked_mul(width) != Some(out.len()) {
-            return Err(ProblemKind::Usage
-                .problem(format!(
-                    "{} places for {count} points of {width} numbers",
-                    out.len()
-                ))
-                .into());
+        if count != other || count.checked_mul(width) != Some(out.len()) {
+            let places = out.len();
+            let message = format!("{count} and {other} numbers for {places} places of {width}");
+            return Err(ProblemKind::Usage.problem(message).into());
         }
         let share = if self.is_elements() {
             BLOCK_OF_ELEMENTS

@@ -219,7 +219,7 @@ fn go(
         }
     };
     if let Some(linear) = linear(0.0) {
-        (motion.eigenfrequency_hz, motion.damping_ratio) = linear.oscillation().unzip();
+        motion.eigenfrequency_hz = linear.oscillation().map(|of| of.0);
         motion.poles_per_s = linear.eigenvalues();
         motion.bandwidth_hz = linear.bandwidth_hz();
     }

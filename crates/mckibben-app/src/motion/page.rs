@@ -5,7 +5,7 @@ use crate::{
     Units, number,
     print::{Csv, Page, Rows, Show, Table, sentences},
     uncertainty::bounds,
-    units::{DEGREES, JOULES, NORMAL_LITRES, NUMBER, PERCENT, Scale},
+    units::{DEGREES, JOULES, NORMAL_LITRES, PERCENT, Scale},
 };
 
 const SECONDS: Scale = Scale::fixed("s");
@@ -94,7 +94,7 @@ impl MotionRun {
     /// The poles, of a conjugate pair one.
     fn poles(&self) -> String {
         let one = |(re, im): &(f64, f64)| match im {
-            0.0 => number(*re, 3),
+            0.0 => number(if re.abs() < 1e-9 { 0.0 } else { *re }, 3),
             _ => format!("{} ± {}i", number(*re, 3), number(im.abs(), 3)),
         };
         let mut poles = Vec::from_iter(self.motion.poles_per_s.iter().map(one));
@@ -140,7 +140,6 @@ impl MotionRun {
             .quantity("while filling", &HERTZ, run.bandwidth_filling_hz)
             .quantity("while venting", &HERTZ, run.bandwidth_venting_hz)
             .quantity("eigenfrequency", &HERTZ, run.eigenfrequency_hz)
-            .quantity("damping ratio", &NUMBER, run.damping_ratio)
             .text("poles [1/s]", self.poles())
     }
 
