@@ -631,16 +631,14 @@ def reference_page() -> str:
     from mckibben import _api
 
     public = vars(mckibben) | {name: getattr(_api, name) for name in _api.__all__}
-    out = ["# Python reference", "Made from the docstrings of the package."]
+    out = ["# Python reference"]
     for name, made in sorted(public.items()):
-        if name[0] != "_" and callable(made):
-            parts = inspect.getmembers(made) if inspect.isclass(made) else []
-            out += [f"## `{name}`", f"```text\n{inspect.getdoc(made)}\n```"]
-            for part, value in parts:
-                is_part = inspect.isfunction(value) or isinstance(value, property)
-                if is_part and part[0] != "_":
-                    out.append(f"### `{name}.{part}`")
-                    out.append(f"```text\n{inspect.getdoc(value)}\n```")
+        is_part = lambda value: inspect.isfunction(value) or isinstance(value, property)
+        parts = [("", made), *inspect.getmembers(made, is_part)]
+        for part, value in parts if name[0] != "_" and callable(made) else []:
+            if part[:1] != "_":
+                title = f"## `{name}`" if value is made else f"### `{name}.{part}`"
+                out += [title, f"```text\n{inspect.getdoc(value)}\n```"]
     return "\n\n".join(out) + "\n"
 
 

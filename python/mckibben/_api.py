@@ -3792,8 +3792,6 @@ class Motion(Record):
         is 0 where the air's temperature does not change: that of its mass.
     eigenfrequency_hz : Hz
         Frequency |Im λ|/2π of the fastest pair of them, Hz.
-    damping_ratio
-        Its damping ratio.
     bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
         followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
@@ -3876,7 +3874,6 @@ class Motion(Record):
     air_normal_litres_per_cycle: float | None = None
     efficiency: float | None = None
     eigenfrequency_hz: float | None = None
-    damping_ratio: float | None = None
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
@@ -3950,8 +3947,6 @@ class MotionRun(Record):
         is 0 where the air's temperature does not change: that of its mass.
     eigenfrequency_hz : Hz
         Frequency |Im λ|/2π of the fastest pair of them, Hz.
-    damping_ratio
-        Its damping ratio.
     bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
         followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
@@ -3999,7 +3994,6 @@ class MotionRun(Record):
     air_normal_litres_per_cycle: float | None = None
     efficiency: float | None = None
     eigenfrequency_hz: float | None = None
-    damping_ratio: float | None = None
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None

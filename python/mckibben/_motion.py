@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from math import pi
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, TypedDict
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 from . import _api, _native
 from ._api import State
@@ -79,7 +79,7 @@ def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
     return out
 
 
-def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
+def _tables(given: Mapping[str, Any]) -> dict[str, Any]:
     """Tables by their names, which are those of a kind of file; a part of the library stands for its table."""
     return {
         n: value
@@ -87,74 +87,8 @@ def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
         else {"name": value}
         if isinstance(value, str)
         else _table(value)
-        for n, value in known(given, kind).items()
+        for n, value in given.items()
     }
-
-
-class JointTables(TypedDict, total=False):
-    """Tables of a joint file.
-
-    Attributes
-    ----------
-    link
-        The weight of the moving parts: ``mass``, ``centre``, ``inclination``, ``payload``, ``payload_at``
-    spring
-        A spring against the first muscle: ``rate``, ``preload``, ``angular_rate``, ``preload_torque``, ``radius``, ``origin``, ``insertion``
-    name
-        Name, for people
-    """
-
-    link: Keys | None
-    spring: Keys | None
-    name: str | None
-
-
-class DriveTables(TypedDict, total=False):
-    """Tables of a drive file.
-
-    Attributes
-    ----------
-    supply
-        The air supply: ``pressure``, ``temperature``
-    valve
-        A valve for each muscle: ``name``, ``sonic_conductance``, ``critical_ratio``, ``exhaust_conductance``, ``exhaust_critical_ratio``,
-        ``flow_coefficient``, ``return_coefficient``, ``kind``, ``lag``, ``wide_open_at``, ``hysteresis``, ``closed_centre``, ``hose_length``,
-        ``hose_diameter``
-    regulator
-        An ideal regulator, in place of a valve: ``time_constant``
-    pump
-        A pump of a liquid for each muscle, which runs both ways: ``flow``, ``kind``, ``lag``, ``wide_open_at``, ``hysteresis``, ``closed_centre``,
-        ``hose_length``, ``hose_diameter``
-    syringe
-        A syringe of a liquid for each muscle: ``volume``, ``time_constant``
-    air
-        The air in the muscle: ``dead_volume``, ``heat``, ``polytropic_index``
-    liquid
-        A liquid in the muscle, in place of air: ``name``, ``bulk_modulus``, ``gas_share``, ``dead_volume``
-    load
-        The load of a muscle: ``mass``, ``level``, ``line``, ``damping``, ``stops``, ``held``, ``start``
-    friction
-        Motion with the friction of the muscle: ``coefficient``, ``presliding``
-    rubber
-        Viscoelasticity of the rubber: ``prony``
-    controller
-        The controller of a position: ``proportional``, ``integral``, ``derivative``, ``filter``, ``tracking``, ``output``, ``bias``
-    name
-        Name, for people
-    """
-
-    supply: Keys | None
-    valve: Keys | str | None
-    regulator: Keys | None
-    pump: Keys | None
-    syringe: Keys | None
-    air: Keys | None
-    liquid: Keys | str | None
-    load: Keys | None
-    friction: Keys | None
-    rubber: Keys | None
-    controller: Keys | None
-    name: str | None
 
 
 class Linear(NamedTuple):
@@ -284,7 +218,7 @@ class Joint(_api.JointCommands, _File):
         contraction_at_neutral: Number | None = None,
         geometry_1: Keys | None = None,
         geometry_2: Keys | None = None,
-        **tables: Unpack[JointTables],
+        **tables: Keys | str | None,
     ) -> None:
         if without := [
             key
@@ -298,7 +232,7 @@ class Joint(_api.JointCommands, _File):
                 hint='radius_mm=25, or "radius": "25 mm"',
             )
         made, muscles = (
-            {"joint": _table(joint), **_tables(JointTables, tables)},
+            {"joint": _table(joint), **_tables(tables)},
             {},
         )
         for side, muscle, geometry in (
@@ -306,9 +240,7 @@ class Joint(_api.JointCommands, _File):
             (2, muscle_2, geometry_2),
         ):
             if muscle is not None and not isinstance(muscle, Muscle):
-                raise wrong_type(
-                    f"muscle_{side}", "a Muscle, as mk.load reads it", muscle
-                )
+                raise wrong_type(f"muscle_{side}", "a Muscle", muscle)
             if muscle is not None:
                 place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
                 muscles[place] = {"name": place, "text": muscle.to_toml()}
@@ -352,7 +284,7 @@ class Joint(_api.JointCommands, _File):
         names = [f"pressure_{i + 1}_mpa" for i in range(len(muscles))]
         if len(pressures_mpa) != len(names):
             raise InputError(
-                f"one for each of {len(names)} muscles, each a number or an array",
+                "one for each muscle, each a number or an array",
                 field="pressures_mpa",
             )
         given, labelled = labels(
@@ -523,17 +455,17 @@ class Drive(_api.DriveCommands, _File):
         *,
         command: Keys,
         tables: Mapping[str, TableLike] | None = None,
-        **others: Unpack[DriveTables],
+        **others: Keys | str | None,
     ) -> None:
         if not isinstance(of, (Muscle, Joint)):
-            raise wrong_type("of", "a Muscle or a Joint, as mk.load reads it", of)
+            raise wrong_type("of", "a Muscle or a Joint", of)
         place, named = (
             f"{of._kind}.toml",
             [{**table(data), "name": name} for name, data in (tables or {}).items()],
         )
         made = {
             of._kind: place,
-            **_tables(DriveTables, others),
+            **_tables(others),
             "command": _table(command),
         }
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
@@ -565,15 +497,14 @@ class Drive(_api.DriveCommands, _File):
         import numpy as np
 
         simulation = Simulation(self, 1e-3, **options)
-        rows, column, gain = simulation._native.linear()
-        (kind, count), b = simulation._commands, np.zeros((len(rows), 1))
-        b[:, 0] = column
+        *numbers, gain = simulation._native.linear()
+        size, count = int(len(numbers) ** 0.5), simulation._commands[1]
+        a, b = np.split(np.reshape(numbers, (-1, size)).T, [size], axis=1)
         if count == 2:
             # Each command acts on its own muscle. They were changed against each other; a higher one fills.
-            split = len(rows) // 2 + 1
-            b = abs(b) * np.eye(2)[(np.arange(len(rows)) >= split).astype(int)]
-        c = np.eye(1, len(rows)) * gain
-        return Linear(np.array(rows), b, c, np.zeros((1, count)))
+            own = (np.arange(size) > size // 2).astype(int)
+            b = abs(b) * np.eye(2)[own]
+        return Linear(a, b, np.eye(1, size) * gain, np.zeros((1, count)))
 
     @property
     def of(self) -> Muscle | Joint:
@@ -641,7 +572,7 @@ class Simulation:
         record: bool = True,
         **options: Unpack[_api.Options],
     ) -> None:
-        if not 0.0 < (dt_s := number("dt_s", dt_s)) < float("inf"):
+        if not (dt_s := number("dt_s", dt_s)) > 0.0:
             raise InputError("a step takes some time", field="dt_s")
         held = drive._held if isinstance(drive, Drive) else _native.read(drive, "drive")
         self._hold(

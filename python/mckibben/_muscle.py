@@ -37,14 +37,12 @@ if TYPE_CHECKING:
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
-# The names of both numbers of a pair, by what is wanted.
+# The name of what is wanted, and those of both numbers of the question.
 PAIRS = {
-    "force": ("pressure_mpa", "contraction"),
-    "pressure": ("force_n", "contraction"),
-    "contraction": ("force_n", "pressure_mpa"),
+    "force": ("force_n", "pressure_mpa", "contraction"),
+    "pressure": ("pressure_mpa", "force_n", "contraction"),
+    "contraction": ("contraction", "force_n", "pressure_mpa"),
 }
-# Those of what is wanted.
-NAMES = {"force": "force_n", "pressure": "pressure_mpa", "contraction": "contraction"}
 # A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
 _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
 # Contractions at which a muscle is looked at for what is to be said of it, and of how many points of an array, those of the highest pressures.
@@ -61,7 +59,7 @@ class Bound:
             muscle,
             muscle._held.model(fields(modelled(known(given, _api.Options)))),
         )
-        allowed = self.native.allowed_mpa()
+        (_, allowed), _ = self.native.bounds()
         highest = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
         # Elements would take long, and warn of what a long muscle does.
         model = {"model": "thick-wall"} if self.native.is_elements else None
@@ -542,6 +540,9 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
             warned("; ".join(texts), MuscleWarning)
         usual = {"slack": False, "status": "ok", "cause": ""}
         for row in rows:
+            # They add as squares.
+            parts = row.pop("uncertainty_parts_n", {}).items()
+            row |= {f"uncertainty_{name}_n": part for name, part in parts}
             said = row.pop("warnings", ())
             row["warned"] = sum(1 << texts.index(text) for text in set(said))
         names = dict.fromkeys(
@@ -565,6 +566,17 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         if p.ndim and not isinstance(labelled("", p), np.ndarray):
             made.__dict__["_labels"] = labelled
         return made
+
+    def bounds(self, **options: Unpack[_api.Options]) -> list[tuple[float, float]]:
+        """Lowest and highest pressure in MPa and contraction of a model, as an optimiser takes them; the pressure is at most the allowed one.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.load("lib:dmsp-20-300").bounds(model="ideal")[0]
+        (0.0, 0.6)
+        """
+        return self._bound(options).native.bounds()
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -611,7 +623,7 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         among them, also where the braid's k follows the diameter.
         """
         return object.__new__(Muscle)._of(
-            self._held.changed({str(n): float(v) for n, v in values.items()})
+            self._held.changed([(n, float(v)) for n, v in values.items()])
         )
 
     @property
@@ -718,8 +730,9 @@ def _arrays(
     """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
     import numpy as np
 
-    given, labelled = labels(dict(zip(PAIRS[wanted], (a, b))))
-    a, b = (array(name, value) for name, value in zip(PAIRS[wanted], given))
+    name, *pair = PAIRS[wanted]
+    given, labelled = labels(dict(zip(pair, (a, b))))
+    a, b = map(array, pair, given)
     mask: Any = (
         np.ma.getmaskarray(a) | np.ma.getmaskarray(b)
         if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray)
@@ -778,5 +791,5 @@ def _arrays(
             if rates is None
             else np.ma.array(rates, mask=np.broadcast_to(mask[..., None], rates.shape))
         )
-    found = labelled(NAMES[wanted], value)
-    return found if rates is None else (found, labelled(NAMES[wanted], rates))
+    found = labelled(name, value)
+    return found if rates is None else (found, labelled(name, rates))

@@ -10,7 +10,12 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Joint", "Model", "Muscle", "Simulation", "ask", "given", "page_html", "quantities", "quantity", "read", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
+__all__ = ["LITERATURE", "VERSION", "Formula", "Joint", "Model", "Muscle", "Simulation", "ask", "given", "page_html", "quantities", "quantity", "read", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
+
+LITERATURE: Final[str]
+"""
+The sources that code and data name, BibTeX.
+"""
 
 VERSION: Final[str]
 """
@@ -55,13 +60,13 @@ class Model:
     """
     A model bound to its muscle.
     """
-    def allowed_mpa(self, /) -> float:
-        """
-        The pressure in MPa that the muscle is allowed; infinite where it is not known.
-        """
     def answer_pair(self, /, wanted: str, first: SupportsFloat | SupportsIndex, second: SupportsFloat | SupportsIndex, nan: bool) -> float:
         """
         The answer to one pair of numbers; NaN where it has none and `nan` is true.
+        """
+    def bounds(self, /) -> list[tuple[float, float]]:
+        """
+        Lowest and highest pressure in MPa of the model, at most the allowed one, and contraction.
         """
     def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: Any | None = None) -> int:
         """
@@ -91,7 +96,7 @@ class Muscle:
         """
         The muscle of a request.
         """
-    def changed(self, /, values: "dict[str, float]") -> Muscle:
+    def changed(self, /, values: SupportsGetItem[int, tuple[str, SupportsFloat | SupportsIndex]]) -> Muscle:
         """
         The same with other values of constants and measures, all others held.
         """
@@ -102,11 +107,6 @@ class Muscle:
     def model(self, /, request: "dict[str, typing.Any]") -> Model:
         """
         The model that a request names, of this muscle.
-        """
-    @staticmethod
-    def of_rubber(text: str) -> Muscle:
-        """
-        The paper's muscle with the rubber of a text: its table `tube.material`.
         """
     def parameters(self, /) -> list[tuple[str, float]]:
         """
@@ -148,9 +148,9 @@ class Simulation:
         """
         What was recorded last, in the order of the names.
         """
-    def linear(self, /) -> tuple[list[list[float]], list[float], float]:
+    def linear(self, /) -> list[float]:
         """
-        The linear system about its rest at the first commands: A by its rows, B, and position per
+        The linear system about its rest at the first commands: A by its columns, B, and position per
         coordinate.
         """
     @property
@@ -172,7 +172,7 @@ class Simulation:
         """
     def rows(self, /) -> "numpy.typing.NDArray[numpy.float64]":
         """
-        All that was recorded: a row for the start and for each step.
+        All that was recorded: a row for the start and for each step, one after the other.
         """
     def step(self, /, commands: SupportsGetItem[int, SupportsFloat | SupportsIndex], outside: SupportsFloat | SupportsIndex) -> list[float]:
         """

@@ -445,6 +445,7 @@ class Points(Record):
 
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
+        import numpy as np
         import xarray as xr
 
         arrays = self._arrays()
@@ -456,17 +457,11 @@ class Points(Record):
         coords: dict[str, Any] = {}
         for name, own, other in (("pressure_mpa", p, e), ("contraction", e, p)):
             axes = [
-                axis
-                for axis in range(p.ndim)
-                if p.shape[axis] > 1 and not (own == own.take([0], axis)).all()
+                axis for axis in range(p.ndim) if not (own == own.take([0], axis)).all()
             ]
             if len(axes) == 1 and (other == other.take([0], axes[0])).all():
                 dims[axes[0]] = name
-                coords[name] = own[
-                    tuple(
-                        slice(None) if axis == axes[0] else 0 for axis in range(p.ndim)
-                    )
-                ]
+                coords[name] = np.moveaxis(own, axes[0], -1)[(0,) * (p.ndim - 1)]
         out = xr.Dataset(
             {
                 name: (dims, values)
@@ -643,7 +638,7 @@ class Designed(Record):
             raise NoAnswerError(
                 f"one muscle is not enough: {bundle.muscles} side by side are",
                 kind="no_answer",
-                hint="count=… allows a bundle, of which `best` is one muscle",
+                hint="count=… allows a bundle",
             )
         if not self.muscles:
             raise NoAnswerError(

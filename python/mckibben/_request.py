@@ -57,6 +57,7 @@ if TYPE_CHECKING:
 # Fields that are tables, those of a model by their arguments, and those that a design searches through.
 TABLES = ("data", "log", "table", "tables", "load_tables")
 MODEL = {"model": "name", "mesh": "mesh", "match": "match", "terminal": "terminal"}
+_NUMBERS = "numbers, a text with its unit or quantities of pint"
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
 
 
@@ -163,8 +164,7 @@ def number(name: str, value: Any) -> float:
         or getattr(found, "shape", ()) != ()
         or not hasattr(found, "__float__")
     ):
-        wanted = "a number, a text with its unit or a quantity of pint"
-        raise wrong_type(name, wanted, found)
+        raise wrong_type(name, _NUMBERS, found)
     out = float(found)
     if found is value and (said := _native.unlikely(name, out)):
         warned(said)
@@ -194,8 +194,7 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
         else np.asarray(value)
     )
     if given.dtype.kind not in "fiu":
-        wanted = "numbers, a text with its unit or quantities of pint"
-        raise wrong_type(name, wanted, value)
+        raise wrong_type(name, _NUMBERS, value)
     out: NDArray[np.float64] = given.astype(np.float64, copy=not given.flags.aligned)
     highest = float(np.nanmax(np.ma.filled(out, 0.0), initial=0.0))
     if value is own and (said := _native.unlikely(name, highest)):
@@ -228,7 +227,7 @@ def labels(
 
         def labelled(name: str, found: Any) -> Any:
             dims = [*own.dims, "derivative"][: found.ndim]
-            units = {"units": _native.unit_of(name) or "1"}
+            units = {"units": u} if (u := _native.unit_of(name)) else {}
             return xr.DataArray(found, own.coords, dims, name, units)
 
         return [value.values for value in values], labelled
@@ -236,7 +235,7 @@ def labels(
     first = next(iter(series.values()), None)
     for name, value in series.items():
         if not value.index.equals(first.index):
-            raise InputError("series with another index", field=name)
+            raise InputError("another index", field=name)
 
     def indexed(name: str, found: Any) -> Any:
         if not found.ndim:

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
     Array: TypeAlias = NDArray[np.float64]
 
-_NO_SECOND = "finite elements have first derivatives only; universal has second ones"
 # Places and weights of differences of fourth order, about a point and from a point on.
 _PLACES = np.array([[-2, 0], [-1, 1], [0, 2], [1, 3], [2, 4]])
 _WEIGHTS = np.array([[1, -25], [-8, 48], [0, -36], [8, 16], [-1, -3]]) / 12
@@ -285,13 +284,19 @@ def _function(asked: _Asked) -> Callable[..., jax.Array]:
     @slopes.defjvp
     def second(at: Any, by: Any) -> Any:
         if not asked.has_second:
-            raise NotImplementedError(_NO_SECOND)
+            raise NotImplementedError(
+                "finite elements have first derivatives only: take universal"
+            )
         found, rates = slopes(*at), curvatures(*at)
         rows = [
             along(found[..., 1:], by),
             *(along(rates[..., i * width : (i + 1) * width], by) for i in range(width)),
         ]
         return found, jnp.stack(rows, axis=-1)
+
+    @curvatures.defjvp
+    def third(at: Any, by: Any) -> Any:
+        raise NotImplementedError("first and second derivatives only")
 
     def outer(first: Any, second: Any = 0.0, theta: Any = ()) -> jax.Array:
         if isinstance(theta, Mapping):

@@ -728,8 +728,12 @@ def test_a_number_that_is_not_finite_is_named(wrong: float) -> None:
         ("export-list", "targets"),
     ],
 )
-def test_a_command_without_a_function_is_asked(command: str, table: str) -> None:
-    assert mk.ask(command)[table] and not hasattr(mk, command.replace("-", "_"))
+def test_a_command_without_a_function_is_asked(
+    command: str, table: str, root: Path
+) -> None:
+    cases = {"cases": [str(root / "examples/measured/bench")]}
+    answer = mk.ask(command, cases if command == "measured" else {})
+    assert answer[table] and not hasattr(mk, command.replace("-", "_"))
 
 
 def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:

@@ -382,3 +382,21 @@ def test_a_warning_belongs_to_a_point_whichever_way_it_is_asked() -> None:
                 ):
                     assert said(ask) == point, (pressure, contraction, model)
     assert 0 < told < 36
+
+
+def test_a_muscle_with_other_parameters_keeps_its_branch() -> None:
+    """What a search knew of the muscle goes with it: the same parameters are the same pull, on the branch of its job, and slopes are differences."""
+    job = '[job]\npressure = "2 bar"\nbranch = "contraction"\n'
+    own = "[friction]\ncoefficient = 40\nexponent = 0.7\n"
+    muscle = mk.Muscle.from_toml(
+        '[tube]\nouter_diameter = "30 mm"\nwall_thickness = "3 mm"\n' + own + job
+    )
+    name, options = "tube.wall_thickness", {"model": "universal"}
+    pull, jac = muscle.force(0.2, 0.1, jac=[name], **options)  # type: ignore[arg-type]
+    assert pull < muscle.force(0.2, 0.1, direction="mean", **options)  # type: ignore[arg-type]
+
+    def at(wall: float) -> float:
+        return muscle.with_parameters({name: wall}).force(0.2, 0.1, **options)  # type: ignore[arg-type]
+
+    assert at(3.0) == pytest.approx(pull, rel=1e-12)
+    assert (at(3.001) - at(2.999)) / 0.002 == pytest.approx(jac[2], rel=1e-5)

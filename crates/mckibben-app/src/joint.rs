@@ -4,7 +4,7 @@
 mod page;
 
 use crate::{
-    ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
+    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
     TextFile, Units, above_zero, breakdown, burst_of, figure, finite,
     flags::{self, Args},
     number, warnings,
@@ -122,11 +122,7 @@ const MAP_POINT_BYTES: f64 = 500.0;
 pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer> {
     let joint = request.joint.resolve()?;
     let named = request.model.choose()?;
-    let models = joint
-        .muscles()
-        .iter()
-        .map(|m| Ok(named.bound(&m.muscle)?.into()))
-        .collect::<Result<Vec<Arc<dyn ForceModel>>>>()?;
+    let models = models_of(&joint, &named)?;
     let model = BoundJoint::new(joint.clone(), models.clone(), request.extrapolate)?;
     let mut solver = Solver {
         model: &model,
@@ -149,8 +145,6 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         let hint = "`pressures_mpa` alone gives the rest position";
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
-    let summaries: Vec<MuscleSummary> =
-        joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
     let bursts = models
         .iter()
         .map(|m| burst_of(&named, &**m))
@@ -161,11 +155,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
             .filter_map(|row| [Some(row.pressure_1_mpa), row.pressure_2_mpa][i])
             .fold(supplied, f64::max)
     };
-    let said: Vec<Warning> = bursts
-        .iter()
-        .enumerate()
-        .flat_map(|(i, burst)| burst.warnings(highest(i), 0.0))
-        .collect();
+    let said = bursts.iter().enumerate();
+    let said = said.flat_map(|(i, burst)| burst.warnings(highest(i), 0.0));
     let mut warnings = Warning::gravest(&solver.warnings);
     Warning::put_first(&mut warnings, said);
     let mut answer = JointAnswer {
@@ -174,7 +165,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         model: models
             .first()
             .map_or_else(String::new, |m| m.info().name.to_string()),
-        muscles: summaries,
+        muscles: joint.muscles().iter().map(|m| (&m.muscle).into()).collect(),
         range_deg: joint.range_deg(),
         points: rows,
         map,
@@ -185,6 +176,14 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     answer.figure =
         figure.and_then(|unit| figure::joint(&answer, request.angles_deg.is_some(), unit));
     Ok(answer)
+}
+
+/// The models of its muscles.
+pub fn models_of(joint: &Joint, choice: &Model) -> Result<Vec<Arc<dyn ForceModel>>> {
+    let models = joint.muscles().iter();
+    models
+        .map(|m| Ok(choice.bound(&m.muscle)?.into()))
+        .collect()
 }
 
 /// What is said of points that are left out.

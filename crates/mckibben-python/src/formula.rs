@@ -27,8 +27,7 @@ impl Formula {
         match read? {
             Document::Section(formula) => Ok(Self { formula }),
             Document::Universal(_) => {
-                let message = "a universal formula depends on the whole muscle, not only on its \
-                    diameter and wall";
+                let message = "a universal formula needs the whole muscle";
                 let problem =
                     Problem::new(ProblemKind::Usage, message, "ask its model of a muscle");
                 Err(Wrong::from(problem).into())

@@ -13,7 +13,7 @@ use mckibben_core::{
     rubber::RubberLaw,
 };
 use mckibben_fit::identify::Target;
-use pyo3::{exceptions::PyValueError, prelude::*, types::PyDict};
+use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::{Value, json};
 
 /// A muscle.
@@ -102,12 +102,7 @@ impl Muscle {
     }
 
     /// The same with other values of constants and measures, all others held.
-    #[pyo3(signature = (values: "dict[str, float]"))]
-    fn changed(&self, values: &Bound<'_, PyDict>) -> PyResult<Self> {
-        let values = values
-            .iter()
-            .map(|(name, value)| Ok((name.extract()?, value.extract()?)));
-        let values: Vec<(String, f64)> = values.collect::<PyResult<_>>()?;
+    fn changed(&self, values: Vec<(String, f64)>) -> PyResult<Self> {
         Ok(with_parameters(&self.held, &values)
             .map(Self::from)
             .map_err(Wrong::from)?)

@@ -113,14 +113,13 @@ impl Simulation {
         rows.into_pyarray(py)
     }
 
-    /// The linear system about its rest at the first commands: A by its rows, B, and position per
+    /// The linear system about its rest at the first commands: A by its columns, B, and position per
     /// coordinate.
-    fn linear(&self, py: Python<'_>) -> PyResult<(Vec<Vec<f64>>, Vec<f64>, f64)> {
+    fn linear(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
         run::quick(py, |_| {
             let linear = self.drive().linear()?;
-            let rows = linear.a.row_iter().map(|row| row.iter().copied().collect());
-            let b = linear.b.iter().copied().collect();
-            Ok((rows.collect(), b, linear.per_coordinate))
+            let numbers = linear.a.iter().chain(&linear.b);
+            Ok(numbers.chain([&linear.per_coordinate]).copied().collect())
         })
     }
 
@@ -164,7 +163,7 @@ pub fn rollout(
     let whole = (steps + 1) * width;
     if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
         return Err(PyValueError::new_err(
-            "places for as many steps as there are commands",
+            "not as many places",
         ));
     }
     let start = Mutex::new(py.detach(|| simulation.drive().duplicate()));

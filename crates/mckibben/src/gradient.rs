@@ -82,11 +82,11 @@ pub fn with_parameters(
     values: &[(impl AsRef<str>, f64)],
 ) -> Result<Muscle, GradientError> {
     let held = stated(muscle)?;
-    let values = values.iter();
     let list: Result<Vec<_>, GradientError> = values
+        .iter()
         .map(|(name, value)| Ok((parameter(muscle, name.as_ref())?, *value)))
         .collect();
-    Ok(Candidate::new(&held, &list?)?.muscle)
+    Ok(Candidate::new(&held, &list?)?.muscle.with_bench_of(muscle))
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures: by the diameter,

@@ -18,7 +18,7 @@ use mckibben::gradient;
 use mckibben_core::{
     analysis::Evaluation,
     answer::{Answer, Options},
-    model::{ForceModel, Reference, Workspace},
+    model::{ForceModel, ModelInfo, Reference, Workspace},
     muscle::Muscle,
     progress::Progress,
     threads::{self, Threads},
@@ -90,15 +90,6 @@ pub struct BoundModel {
     pub(crate) choice: Model,
 }
 
-impl std::fmt::Debug for BoundModel {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("BoundModel")
-            .field("choice", &self.choice)
-            .field("options", &self.options)
-            .finish()
-    }
-}
-
 impl BoundModel {
     /// The model of this muscle, and how it is asked.
     pub fn new(muscle: &Muscle, choice: Model, asking: AskFields) -> Result<Self> {
@@ -119,9 +110,9 @@ impl BoundModel {
         self.model.muscle()
     }
 
-    /// The model's name.
-    pub fn name(&self) -> &str {
-        &self.model.info().name
+    /// What the model is.
+    pub fn info(&self) -> &ModelInfo {
+        self.model.info()
     }
 
     /// The pressures that the muscle bears.

@@ -219,7 +219,7 @@ impl BoundModel {
             return Ok(());
         }
         Err(GradientError::None {
-            model: self.name().into(),
+            model: self.info().name.to_string(),
             by: "a requested quantity".into(),
             pressure_mpa: p,
             contraction: e,

@@ -91,13 +91,12 @@ impl MotionRun {
             .text("uncertainty", self.uncertainty_in(u))
     }
 
-    /// The poles, of a conjugate pair one.
+    /// The poles, of a conjugate pair one; that of the air's mass, 0, is left out.
     fn poles(&self) -> String {
-        let one = |(re, im): &(f64, f64)| match im {
-            0.0 => number(if re.abs() < 1e-9 { 0.0 } else { *re }, 3),
-            _ => format!("{} ± {}i", number(*re, 3), number(im.abs(), 3)),
-        };
-        let mut poles = Vec::from_iter(self.motion.poles_per_s.iter().map(one));
+        let poles = self.motion.poles_per_s.iter();
+        let poles = poles.filter(|(re, _)| re.abs() > 1e-9);
+        let one = |(re, im): &(f64, f64)| format!("{re:.3} ± {:.3}i", im.abs());
+        let mut poles = Vec::from_iter(poles.map(one));
         poles.dedup();
         poles.join(", ")
     }
