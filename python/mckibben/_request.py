@@ -150,7 +150,7 @@ def plain(name: str, value: Any) -> Any:
     if isinstance(value, (list, tuple, range)):
         return [plain(name, item) for item in value]
     if value is not None and not isinstance(value, (str, int, float)):
-        raise wrong_type(name, "a number, a text or what holds these", value)
+        raise wrong_type(name, "a number or a text", value)
     return value
 
 
