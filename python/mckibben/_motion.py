@@ -274,6 +274,7 @@ class Joint(_api.JointCommands, _File):
         self,
         pressures_mpa: Sequence[Floats],
         angle_deg: Floats,
+        slopes: bool,
         errors: str,
         options: Mapping[str, Any],
     ) -> tuple[Any, Any, Callable[[str, Any], Any]]:
@@ -290,17 +291,22 @@ class Joint(_api.JointCommands, _File):
         given, labelled = labels(
             {"angle_deg": angle_deg, **dict(zip(names, pressures_mpa))}
         )
-        angles, *pressures = np.broadcast_arrays(
-            *map(array, ["angle_deg", *["pressure_mpa"] * len(names)], given)
-        )
+        kinds = ["angle_deg", *["pressure_mpa"] * len(names)]
+        angles, *pressures = map(array, kinds, given)
         rows = [native.levers(angle, is_nan(errors)) for angle in angles.flat]
-        torque, slope, *levers = np.reshape(np.transpose(rows), (-1, *angles.shape))
+        levers = np.reshape(np.transpose(rows), (-1, *angles.shape))
+        torque, slope, *held = np.broadcast_arrays(*levers, *pressures)
         by_pressure = []
-        for i, (muscle, pressure) in enumerate(zip(muscles, pressures)):
-            contraction, arm, arm_slope = levers[3 * i : 3 * i + 3]
-            pull, rates = muscle._asked(
-                "force", pressure, contraction, True, {"errors": errors, **options}
+        for i, muscle in enumerate(muscles):
+            contraction, arm, arm_slope = held[3 * i : 3 * i + 3]
+            pull = muscle._asked(
+                "force",
+                held[i - len(muscles)],
+                contraction,
+                slopes,
+                {"direction": "mean", "errors": errors, **options},
             )
+            pull, rates = pull if slopes else (pull, np.zeros(2))
             torque = torque + 1e-3 * arm * pull
             by_pressure.append(1e-3 * arm * rates[..., 0])
             by_contraction = arm / muscle.length_mm * rates[..., 1]
@@ -347,7 +353,7 @@ class Joint(_api.JointCommands, _File):
         array([7.78, 4.38])
         """
         torque, rates, labelled = self._turned(
-            pressures_mpa, angle_deg, errors, options
+            pressures_mpa, angle_deg, jac, errors, options
         )
         rates[..., -1] *= pi / 180
         found = labelled("torque_nm", torque)
@@ -362,7 +368,9 @@ class Joint(_api.JointCommands, _File):
         **options: Unpack[_api.Options],
     ) -> Any:
         """-∂τ/∂φ at these pressures, in N m/rad; arguments and exceptions are those of :meth:`torque`."""
-        _, rates, labelled = self._turned(pressures_mpa, angle_deg, errors, options)
+        _, rates, labelled = self._turned(
+            pressures_mpa, angle_deg, True, errors, options
+        )
         return labelled("stiffness_nm_per_rad", -rates[..., -1])
 
     def linearise(
@@ -394,7 +402,7 @@ class Joint(_api.JointCommands, _File):
         import numpy as np
 
         inertia, damping = self._parts()[0].link
-        by = self._turned(pressures_mpa, angle_deg, "raise", options)[1]
+        by = self._turned(pressures_mpa, angle_deg, True, "raise", options)[1]
         *pressures, slope = by / inertia
         a = np.array([[0.0, 1.0], [slope, -damping / inertia]])
         b = np.array([np.zeros(len(by)), [*pressures, 1.0 / inertia]])

@@ -588,7 +588,7 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         value = self._field(measure)
         if not isinstance(value, float):
             raise ValueError(
-                f"{measure}: a muscle whose {measure} is {value!r} has no derivative by it; use jac=['braid.stiffness']"
+                f"{measure}: no derivative by {value!r}; use jac=['braid.stiffness']"
             )
         step = 1e-4 * abs(value)
         high, low = (

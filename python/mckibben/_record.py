@@ -312,7 +312,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
             spare.remove()
         made.suptitle(figure["title"] if len(panels) > 1 else "")
     if len(axes) < len(panels):
-        raise ValueError(f"{len(panels)} panels need as many axes, not {len(axes)}")
+        raise ValueError(f"{len(panels)} panels need as many axes")
     for panel, axis in zip(panels, axes):
         numbers = [
             s.get("colour") if s.get("colour") is not None else i
@@ -581,9 +581,7 @@ class Identified(Record):
         ]
         head = f"{me.model}: {len(me.points)} points, rms {me.rms_n:.3g} N (before {me.rms_before_n:.3g} N), largest {me.max_n:.3g} N"
         errors = "± half width of 95 %, " + (
-            "by the stated errors"
-            if me.errors_stated
-            else f"by the residuals, {me.degrees_of_freedom} degrees of freedom"
+            "by the stated errors" if me.errors_stated else "by the residuals"
         )
         return "\n".join(
             [head, *words, errors, *(f"note: {text}" for text in me.warnings)]

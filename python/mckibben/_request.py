@@ -373,7 +373,7 @@ def put(
                     f"{path} is another file and would be overwritten",
                     kind="output",
                     field="path",
-                    hint="name another place, or replace it with overwrite=True",
+                    hint="overwrite=True replaces it",
                 )
     for path, content in contents.items():
         _native.write_file(path, content)
@@ -430,9 +430,7 @@ def to_csv(data: Any) -> str:
 
         data = pa.table(data).to_pydict()
     if not isinstance(data, Mapping):
-        raise TypeError(
-            f"a table is a path, a data frame or columns by name, not {type(data).__name__}"
-        )
+        raise wrong_type("data", "a path, a data frame or columns by name", data)
     given = {str(name): plain(str(name), values) for name, values in data.items()}
     several = {
         name: len(values) for name, values in given.items() if isinstance(values, list)

@@ -175,7 +175,8 @@ class _OfJoint(_Asked):
         self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
     ) -> Array:
         errors = "nan" if self.nan else "raise"
-        torque, rates, _ = self.joint._turned(given[:-1], given[-1], errors, options)
+        *pressures, angle = given
+        torque, rates, _ = self.joint._turned(pressures, angle, slopes, errors, options)
         rates[..., -1] *= np.pi / 180
         return np.concatenate([torque[..., None], rates], -1) if slopes else torque
 

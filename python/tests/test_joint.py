@@ -54,6 +54,21 @@ def test_torque_and_stiffness_are_those_of_the_command(
     assert elbow.torque(["2 bar", "1 bar"], 20, model=model) == torque[0, 3]
 
 
+def test_a_joint_is_between_both_branches_of_its_muscles(elbow: mk.Joint) -> None:
+    """Also where the job of a muscle names one: as `joint` answers."""
+    text = elbow.muscles["biceps.toml"].to_toml()
+    job = '\n[job]\npressure = "2 bar"\nbranch = "contraction"\n'
+    muscle = mk.Muscle.from_toml(
+        text + "\n[friction]\ncoefficient = 20\nexponent = 0.7\n" + job
+    )
+    joint = elbow.replace(muscle_1=muscle, muscle_2=muscle)
+    found = joint.solve(
+        pressures_mpa=[[0.2, 0.1]], angles_deg=ANGLES, model="universal"
+    )
+    torque = joint.torque([0.2, 0.1], ANGLES, model="universal")
+    assert torque == pytest.approx(found["torque_nm"], rel=1e-9)
+
+
 @pytest.mark.parametrize("name", ["elbow", "with_points"])
 def test_derivatives_are_differences_of_the_torque(
     name: str, request: pytest.FixtureRequest
