@@ -573,8 +573,8 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         Examples
         --------
         >>> import mckibben as mk
-        >>> mk.load("lib:dmsp-20-300").bounds(model="ideal")[0]
-        (0.0, 0.6)
+        >>> mk.Muscle.prototype().bounds(model="paper")
+        [(0.0, 0.25), (0.0, 0.2)]
         """
         return self._bound(options).native.bounds()
 
