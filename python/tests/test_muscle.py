@@ -384,10 +384,11 @@ def test_a_warning_belongs_to_a_point_whichever_way_it_is_asked() -> None:
     assert 0 < told < 36
 
 
-def test_a_muscle_with_other_parameters_keeps_its_branch() -> None:
-    """What a search knew of the muscle goes with it: the same parameters are the same pull, on the branch of its job, and slopes are differences."""
+@pytest.mark.parametrize("own", ["", "[friction]\ncoefficient = 40\nexponent = 0.7\n"])
+def test_a_muscle_with_other_parameters_keeps_its_branch(own: str) -> None:
+    """What a search knew of the muscle goes with it: the same parameters are the same pull, on the branch of its job, and slopes are differences, also of friction
+    that is estimated from the pull."""
     job = '[job]\npressure = "2 bar"\nbranch = "contraction"\n'
-    own = "[friction]\ncoefficient = 40\nexponent = 0.7\n"
     muscle = mk.Muscle.from_toml(
         '[tube]\nouter_diameter = "30 mm"\nwall_thickness = "3 mm"\n' + own + job
     )

@@ -162,9 +162,7 @@ pub fn rollout(
     let width = py.detach(|| last(&simulation.drive()).len());
     let whole = (steps + 1) * width;
     if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
-        return Err(PyValueError::new_err(
-            "not as many places",
-        ));
+        return Err(PyValueError::new_err("not as many places"));
     }
     let start = Mutex::new(py.detach(|| simulation.drive().duplicate()));
     run::long(py, progress, |progress| {
