@@ -297,8 +297,8 @@ def load(path: str | os.PathLike[str]) -> Any:
     if not text.lstrip().startswith("{"):
         tables = _native.toml(held["name"], text)
         if "command" in tables or "joint" in tables:
-            kind = Drive if "command" in tables else Joint
-            return kind._of(_native.read(path, kind._kind))
+            of = Drive if "command" in tables else Joint
+            return of._of(_native.read(path, of._kind))
         # A rubber that was saved begins with its table, a muscle with a comment.
         return (
             Rubber.from_toml(text)

@@ -150,7 +150,7 @@ def plain(name: str, value: Any) -> Any:
     if isinstance(value, (list, tuple, range)):
         return [plain(name, item) for item in value]
     if value is not None and not isinstance(value, (str, int, float)):
-        raise wrong_type(name, "a number or a text", value)
+        raise wrong_type(name, "a number or text", value)
     return value
 
 
@@ -232,7 +232,7 @@ def labels(
 
         return [value.values for value in values], labelled
     series = {n: v for n, v in given.items() if hasattr(v, "to_frame")}
-    first = next(iter(series.values()), None)
+    first: Any = next(iter(series.values()), None)
     for name, value in series.items():
         if not value.index.equals(first.index):
             raise InputError("another index", field=name)
@@ -373,7 +373,7 @@ def put(
                     f"{path} is another file and would be overwritten",
                     kind="output",
                     field="path",
-                    hint="overwrite=True replaces it",
+                    hint="or overwrite=True",
                 )
     for path, content in contents.items():
         _native.write_file(path, content)

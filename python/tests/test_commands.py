@@ -738,17 +738,19 @@ def test_a_command_without_a_function_is_asked(
 
 def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
     """Whatever it is, and whichever way it goes in; hints are in the words of Python, and a single number is no point of a list."""
-    number, muscle = Decimal("0.2"), mk.Muscle.prototype()
+    number: Any = Decimal("0.2")
+    none: Any = None
+    muscle = mk.Muscle.prototype()
     of: Any = str(root / "examples/biceps.toml")
     calls: dict[str, list[Callable[[], Any]]] = {
         "pressure_mpa": [
-            lambda: muscle.force(number, 0.1),  # type: ignore[arg-type, call-overload]
-            lambda: muscle.force(None, 0.1),
-            lambda: muscle.force([None, 0.1], 0.1),
+            lambda: muscle.force(number, 0.1),
+            lambda: muscle.force(none, 0.1),
+            lambda: muscle.force([none, 0.1], 0.1),
             lambda: muscle.force(float("nan"), 0.1),
         ],
         "outer_diameter_mm": [
-            lambda: muscle.replace(outer_diameter_mm=number),  # type: ignore[arg-type]
+            lambda: muscle.replace(outer_diameter_mm=number),
             lambda: muscle.replace(outer_diameter_mm=[1, 2]),  # type: ignore[arg-type]
             lambda: muscle.replace(outer_diameter_mm=float("inf")),
         ],

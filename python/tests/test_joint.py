@@ -184,7 +184,9 @@ def test_monte_carlo_the_parts_of_two_opposed_muscles(elbow: mk.Joint) -> None:
     """What both muscles share (rubber, angle, braid) shifts both pulls at once, friction opposes the turn in both, the rest is drawn for each muscle: half widths of
     95 % of 200 000 torques against those of `joint`, each by its cause."""
     at, angle = [0.2, 0.12], 15.0
-    row = elbow.solve(pressures_mpa=[at], angles_deg=angle, model="universal").points[0]
+    row = elbow.solve(pressures_mpa=[at], angles_deg=[angle], model="universal").points[
+        0
+    ]
     native, muscles = elbow._parts()
     levers = native.levers(angle, False)
     parts = []

@@ -392,12 +392,12 @@ def test_a_muscle_with_other_parameters_keeps_its_branch(own: str) -> None:
     muscle = mk.Muscle.from_toml(
         '[tube]\nouter_diameter = "30 mm"\nwall_thickness = "3 mm"\n' + own + job
     )
-    name, options = "tube.wall_thickness", {"model": "universal"}
-    pull, jac = muscle.force(0.2, 0.1, jac=[name], **options)  # type: ignore[arg-type]
-    assert pull < muscle.force(0.2, 0.1, direction="mean", **options)  # type: ignore[arg-type]
+    name, model = "tube.wall_thickness", "universal"
+    pull, jac = muscle.force(0.2, 0.1, jac=[name], model=model)
+    assert pull < muscle.force(0.2, 0.1, direction="mean", model=model)
 
     def at(wall: float) -> float:
-        return muscle.with_parameters({name: wall}).force(0.2, 0.1, **options)  # type: ignore[arg-type]
+        return muscle.with_parameters({name: wall}).force(0.2, 0.1, model=model)
 
     assert at(3.0) == pytest.approx(pull, rel=1e-12)
     assert (at(3.001) - at(2.999)) / 0.002 == pytest.approx(jac[2], rel=1e-5)
