@@ -30,8 +30,8 @@ class Formula:
         """
     def fill(self, /, points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate: bool, two_sided: bool, nan: bool) -> None:
         """
-        Pulls in N at points: in each row pressure, contraction, wall and diameter. The first one outside of the range raises, unless this is not
-        looked at; or it is NaN.
+        Pulls in N at points: in each row pressure, contraction, wall and diameter. The first one
+        outside of the range raises, unless this is not looked at; or it is NaN.
         """
 
 @final
@@ -70,7 +70,9 @@ class Model:
         """
     def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: Any | None = None) -> int:
         """
-        Answers every pair of two lists into `out`, with slopes all numbers of a point one after the other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+        Answers every pair of two lists into `out`, with slopes all numbers of a point one after the
+        other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the
+        first one raises).
         """
     @property
     def is_elements(self, /) -> bool:
@@ -102,7 +104,8 @@ class Muscle:
         """
     def fields(self, /) -> "dict[str, typing.Any]":
         """
-        The fields by which a muscle is given, of this one; those that it does not have are left out.
+        The fields by which a muscle is given, of this one; those that it does not have are left
+        out.
         """
     def model(self, /, request: "dict[str, typing.Any]") -> Model:
         """
@@ -114,7 +117,8 @@ class Muscle:
         """
     def stress(self, /, mode: str, stretches: SupportsGetItem[int, SupportsFloat | SupportsIndex]) -> list[float]:
         """
-        Nominal stress in MPa of the rubber at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
+        Nominal stress in MPa of the rubber at stretches: `uniaxial`, `planar` or `equibiaxial`,
+        with plane stress and constant volume.
         """
     @property
     def text(self, /) -> str:
@@ -134,7 +138,8 @@ class Simulation:
     @property
     def commands(self, /) -> tuple[str, int, bool]:
         """
-        What is commanded (`pressure`, `opening` or `position`), how many commands there are, and whether a joint is moved.
+        What is commanded (`pressure`, `opening` or `position`), how many commands there are, and
+        whether a joint is moved.
         """
     def copy(self, /) -> Simulation:
         """
@@ -176,7 +181,8 @@ class Simulation:
         """
     def step(self, /, commands: SupportsGetItem[int, SupportsFloat | SupportsIndex], outside: SupportsFloat | SupportsIndex) -> list[float]:
         """
-        One step on, with a command for each of the drive's and a force in N or torque in N m from outside; what was recorded at its end.
+        One step on, with a command for each of the drive's and a force in N or torque in N m from
+        outside; what was recorded at its end.
         """
 
 def ask(command: "str", request: "object", progress: Any | None = None) -> "dict[str, typing.Any]":
@@ -200,7 +206,8 @@ def page_html(command: str, request: "dict[str, typing.Any]", progress: Any | No
 
 def quantities(name: str, text: str) -> list[float]:
     """
-    A text such as `0..2.5:0.5 bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
+    A text such as `0..2.5:0.5 bar` or `1,2,3 bar` as numbers; an interval without a step is cut
+    into 20 parts.
     """
 
 def quantity(name: str, text: str) -> float:
@@ -216,8 +223,9 @@ def read(path: str | PathLike[str], kind: str) -> "dict[str, typing.Any]":
 
 def rollout(simulation: Simulation, steps: SupportsIndex, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan: bool, progress: Any | None = None) -> None:
     """
-    Copies of a simulation, each with its own commands: a row of `commands` for each step of each copy in turn, and into `out` what is recorded at
-    the start and the end of each step. Copies run side by side. Returns the first step that failed; from there on its copy is NaN.
+    Copies of a simulation, each with its own commands: a row of `commands` for each step of each
+    copy in turn, and into `out` what is recorded at the start and the end of each step. Copies run
+    side by side. Returns the first step that failed; from there on its copy is NaN.
     """
 
 def toml(name: str, text: str) -> "dict[str, typing.Any]":
