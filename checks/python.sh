@@ -17,7 +17,7 @@ install) exit ;;
 smoke) tests=tests/test_same.py ;;
 *)
     tests=tests
-    "$target/venv/bin/python" -m pip install --quiet pandas polars pyarrow pint matplotlib scipy jax xarray gymnasium
+    "$target/venv/bin/python" -m pip install --quiet pandas polars pyarrow pint matplotlib scipy jax xarray gymnasium emcee
     ;;
 esac
 

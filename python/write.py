@@ -3,13 +3,11 @@
     python python/write.py api [--check]        python/mckibben/_api.py: commands and answers as plain functions and classes
     python python/write.py reference FILE       the reference page, from the docstrings
 
-The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of the package with its compiled half: the one beside it, or the library of the
-workspace's build. ``api`` formats what it writes by ruff.
+The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); docstrings are those of the package that Python finds. ``api`` formats what it writes by ruff.
 """
 
 from __future__ import annotations
 
-import argparse
 import difflib
 import inspect
 import json
@@ -19,9 +17,7 @@ import re
 import subprocess
 import sys
 import textwrap
-from collections.abc import Iterable, Iterator
-from importlib.machinery import ExtensionFileLoader
-from importlib.util import module_from_spec, spec_from_file_location
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -38,11 +34,7 @@ FUNCTIONS: dict[str, tuple[str, list[str]]] = {
     "parts-list": ("parts", ["kind"]),
     "parts-show": ("part", ["name"]),
     "measures": ("measures", []),
-    "validate": ("validate", []),
-    "measured": ("measured", []),
     "plan": ("plan", ["plan"]),
-    "fit-report": ("fit_report", []),
-    "export-list": ("export_targets", []),
     "check-formula": ("check_formula", ["file"]),
 }
 METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
@@ -99,7 +91,6 @@ NAMES = {
     "CheckFormulaAnswer": "FormulaCheck",
     "JointAnswer": "JointSolution",
     "MotionAnswer": "Motion",
-    "Results": "FitReport",
     "Summary": "CampaignSummary",
     "Outcome": "CampaignOutcome",
 }
@@ -119,19 +110,15 @@ ROWS = {
     "build": "parts",
     "export": "files",
     "export-joint": "files",
-    "export-list": "targets",
     "simulate": "points",
     "design": "candidates",
     "joint": "points",
     "study": "points",
-    "validate": "cases",
-    "measured": "results",
     "compare": "models",
     "identify": "parameters",
     "rubber": "laws",
     "measures": "measures",
     "motion": "series",
-    "fit-report": "findings",
     "parts-list": "tubes sleeves rubbers muscles models",
     "curve": "points",
     "plan": "table",
@@ -139,7 +126,6 @@ ROWS = {
 # Types of what may be given, by the names of fields.
 GIVEN = {
     "muscle": "MuscleLike",
-    "cases": "FileLike | Sequence[FileLike]",
     "rubber": "RubberLike",
     "models": "FormulaLike | Sequence[FormulaLike]",
     "file": "FormulaLike",
@@ -152,56 +138,24 @@ GIVEN = {
     ),
     "stiffness": "Number",
 }
-# Numbers that a muscle answers: what it is, of which two, what the derivatives are, and an example.
-NUMBERS = {
-    "force": (
-        "F(P, ε): the pull, in N; 0 where the muscle is slack",
-        ("pressure_mpa", "contraction"),
-        "∂F/∂P in N/MPa, ∂F/∂ε in N, then ∂F/∂θ of each name in N per its unit",
-        'muscle.force([0.1, 0.2], 0.1, model="paper").round(1)',
-        "array([ 585.7, 1202.7])",
-    ),
-    "pressure": (
-        "P(F, ε): the pressure that gives a pull, in MPa",
-        ("force_n", "contraction"),
-        "∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation",
-        'round(muscle.pressure(300, "10%", model="ideal"), 4)',
-        "0.0377",
-    ),
-    "contraction": (
-        "ε(F, P): the contraction at which a pressure gives a pull",
-        ("force_n", "pressure_mpa"),
-        "∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation",
-        'round(muscle.contraction(300, "2 bar", model="ideal"), 3)',
-        "0.293",
-    ),
-}
-OF = {
-    "pressure_mpa": (
-        "MPa",
-        'Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.',
-    ),
-    "contraction": (
-        "ratio",
-        "Contraction ratios ε = ΔL/L0, broadcast against the other argument.",
-    ),
-    "force_n": ("N", "Pulls F, broadcast against the other argument."),
-}
-JAC = (
-    "True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others held: k of the strands as well, where the "
-    "diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by `replace`: k of a named braid follows the diameter. Those of finite elements come from the "
-    "factorised tangent of the equilibrium itself."
-)
-OPTIONS = "`model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`, `two_sided`, `direction`."
 MEASURES = "What differs from the muscle, as in :class:`Muscle`."
-ERRORS = "`raise` for the first point without an answer, `nan` for NaN there."
 PROGRESS = "True for a line on standard error, or a function that is called with (done, total)."
+RAISES = [
+    ("InputError", "", "An argument is wrong: `field` names it."),
+    ("NoAnswerError", "", "There is none."),
+    ("NotConvergedError", "", "It was not found, or cancelled."),
+]
+# By function and method.
+EXAMPLES = dict(
+    part.split("\n\n", 1)
+    for part in (PACKAGE.parent / "docstrings.md").read_text("utf-8").split("\n## ")[1:]
+)
 HEAD = '''"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict
 
 from . import _record
 from ._record import Record
@@ -213,13 +167,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
-    from ._request import Choice, FileLike, Floats, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
-
-    Errors = Literal["raise", "nan"]
-    Array = NDArray[np.float64]
-    # What a key of a joint or drive file may hold.
-    Key = Number | Numbers | bool | Sequence[Sequence[Number]]
-    Keys = Mapping[str, Key]
+    from ._request import Choice, FileLike, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
 '''
 
 
@@ -399,17 +347,15 @@ def described(
     about: str,
     parameters: list[tuple[str, str, str]],
     returns: tuple[str, str, str],
-    raises: tuple[str, str, str],
-    *examples: str,
+    example: str,
 ) -> list[str]:
     """The docstring of a function."""
-    lines = ["Examples", "--------", ">>> import mckibben as mk", *examples]
     return [
         about,
         section("Parameters", parameters),
         section("Returns", [returns]),
-        section("Raises", [raises]),
-        "\n".join(lines if examples else []),
+        section("Raises", RAISES),
+        f"Examples\n--------\n>>> import mckibben as mk\n{example.strip()}",
     ]
 
 
@@ -497,10 +443,10 @@ def function(
         given = f"modelled({given})"
     indent = "    " if owner else ""
     figure = bundle.request(command).get("figure")
-    # A curve is drawn when it is wanted, and so are measured muscles, which may be rubbers alone.
+    # A curve is drawn when it is wanted.
     drawn = (
         ""
-        if figure is None or command in ("curve", "measured")
+        if figure is None or command == "curve"
         else ", True"
         if figure.get("type") == "boolean"
         else ', "MPa"'
@@ -509,7 +455,7 @@ def function(
         wrapped(doc(held["request"]) or f"The command `{command}`."),
         listed,
         (answer, "", doc(held["answer"]) or "The answer."),
-        ("MckibbenError", "", "One of its classes says why there is no answer."),
+        EXAMPLES[".".join(filter(None, [owner, name]))],
     )
     me = ["self"] if owner else []
     return f'{indent}def {name}({signature(me, [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
@@ -538,9 +484,6 @@ def fields_class(bundle: Bundle) -> str:
     me, out = ["self: Any"], []
     out.append(
         f'    def __init__({signature(me, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
-    )
-    out.append(
-        f'    def replace({signature(me, [], list(made.values()))}) -> Muscle:\n{documented(["The same with other values, named as in :class:`Muscle`.", raises], "        ")}\n        found: Muscle = self._changed({{name: value for name, value in locals().items() if name != "self"}})\n        return found\n'
     )
     for name, field in fields.items():
         if name not in ("rubber", "braid"):
@@ -578,104 +521,17 @@ def solution(bundle: Bundle) -> str:
         for n, f in bundle.properties({"$ref": "#/$defs/Answer"}).items()
         if bundle.type_of(f, True) in ("float", "float | None")
     }
-    about = [
-        "Points of a muscle as arrays of one shape; NaN where a point does not have it.",
-        section(
-            "Attributes",
-            [
-                *entries_of(fields),
-                ("slack", "", "Whether the muscle hangs slack."),
-                ("status", "", "`ok`, or the kind of why there is no answer."),
-                ("cause", "", "Why there is none."),
-                ("warned", "", "A bit for each of `warnings`."),
-            ],
-        ),
-    ]
-    kinds = {
-        **dict.fromkeys(fields, "float64"),
-        "slack": "bool_",
-        "status": "str_",
-        "cause": "object_",
-        "warned": "int64",
-    }
-    lines = (f"    {n}: NDArray[np.{kind}]" for n, kind in kinds.items())
+    what = (
+        "Points of a muscle as arrays of one shape; NaN where a point does not have it."
+    )
+    lines = (f"    {n}: NDArray[np.float64]" for n in fields)
+    about = [what, section("Attributes", entries_of(fields))]
     return class_of("Solution(_record.Points)", about, lines)
-
-
-def numbers() -> str:
-    """What a muscle answers of numbers and arrays."""
-    out = []
-    more = 'errors: Errors = "raise", progress: Progress = None, **options'
-    raises = (
-        "MckibbenError",
-        "",
-        "One of its classes says why there is no answer; `index` is the place of the point.",
-    )
-    rest = [
-        ("errors", "", ERRORS),
-        ("progress", "", PROGRESS),
-        ("options", "", OPTIONS),
-    ]
-    for name, (about, pair, slopes, example, shown) in NUMBERS.items():
-        first, second = pair
-        usual = " = 0.0" if second == "contraction" else ""
-        for kind, jac, found in (
-            ("Number", "Literal[False] = False", "float"),
-            ("Floats", "Literal[False] = False", "Array"),
-            ("Number", "Literal[True] | Sequence[str]", "tuple[float, Array]"),
-            ("Floats", "Literal[True] | Sequence[str]", "tuple[Array, Array]"),
-        ):
-            ignored = "# type: ignore[overload-overlap]\n" if kind == "Number" else ""
-            out.append(
-                f"    @overload\n    def {name}({ignored}self, {first}: {kind}, {second}: {kind}{usual}, *, jac: {jac}, {more}: Unpack[Options]) -> {found}: ..."
-            )
-        returns = (
-            "float or numpy.ndarray",
-            "",
-            f"Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: {slopes}, all other constants held.",
-        )
-        text = described(
-            about + ".",
-            [*((n, *OF[n]) for n in pair), ("jac", "", JAC), *rest],
-            returns,
-            raises,
-            ">>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)",
-            f">>> {example}",
-            shown,
-        )
-        out.append(
-            f'    def {name}(self: Any, {first}: Any, {second}: Any{usual}, *, jac: bool | Sequence[str] = False, {more}: Any) -> Any:\n{documented(text, "        ")}\n        return self._asked("{name}", {first}, {second}, jac, errors, progress, options)\n'
-        )
-    returns = (
-        "Solution",
-        "",
-        "Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.",
-    )
-    text = described(
-        "All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.",
-        [*((n, *OF[n]) for n in ("pressure_mpa", "contraction")), *rest],
-        returns,
-        raises,
-        '>>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")',
-        ">>> points.force_n.shape, bool((points.uncertainty_n > 0).all())",
-        "((2,), True)",
-    )
-    out.append(
-        f"    def solve(self: Any, pressure_mpa: Floats, contraction: Floats = 0.0, *, {more}: Unpack[Options]) -> Solution:\n{documented(text, '        ')}\n        found: Solution = self._solved(pressure_mpa, contraction, errors, progress, options)\n        return found"
-    )
-    about = "What a muscle answers of numbers and arrays."
-    return class_of("MuscleNumbers", [about], out)
 
 
 def state(bundle: Bundle) -> str:
     """Where a simulation is."""
-    fields = {
-        n: {
-            **f,
-            "description": re.sub(r"; of a liquid.*", "", f.get("description", "")),
-        }
-        for n, f in bundle.properties({"$ref": "#/$defs/MotionSeries"}).items()
-    }
+    fields = bundle.properties({"$ref": "#/$defs/MotionSeries"})
     about = [
         "Where a simulation is; None what it is not.",
         section("Attributes", entries_of(fields)),
@@ -690,41 +546,6 @@ def keywords(
     """Fields as keywords of one type."""
     lines = (f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items())
     return class_of(f"{name}(TypedDict, total=False)", about, lines)
-
-
-def tables(kind: str, own: list[str]) -> str:
-    """The tables of a file that people write, as keywords; its keys stand in their descriptions."""
-    held = {
-        n: f
-        for n, f in program("--file", kind)["properties"].items()
-        if n not in (*own, "notes")
-    }
-    listed = [
-        (
-            n,
-            "",
-            f["description"]
-            + (
-                ": " + ", ".join(f"``{key}``" for key in f["properties"])
-                if "properties" in f
-                else ""
-            ),
-        )
-        for n, f in held.items()
-    ]
-    kinds = {
-        n: "str | None"
-        if f["type"] == "string"
-        else "Keys | str | None"
-        if "name" in f["properties"]
-        else "Keys | None"
-        for n, f in held.items()
-    }
-    return class_of(
-        f"{kind.capitalize()}Tables(TypedDict, total=False)",
-        [f"Tables of a {kind} file.", section("Attributes", listed)],
-        (f"    {n}: {k}" for n, k in kinds.items()),
-    )
 
 
 def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
@@ -774,11 +595,10 @@ def api(bundle: Bundle) -> str:
     listed = section("Attributes", entries_of(how))
     parts += [
         keywords(bundle, "Options", [about, listed], how),
+        'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
         keywords(bundle, "Measures", [MEASURES], bundle.muscle()),
-        tables("joint", ["joint", "muscle_1", "muscle_2"]),
-        tables("drive", ["muscle", "joint", "command"]),
     ]
-    parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip(), numbers()]
+    parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip()]
     for owner, methods in METHODS.items():
         what = ["What the program answers of it, by command."]
         made_of = (function(bundle, c, *of, owner) for c, of in methods.items())
@@ -805,156 +625,36 @@ def program(*words: str) -> Schema:
     )
 
 
-def ready() -> None:
-    """The package in the sources; where its compiled half is not beside it, with that of the workspace's build."""
-    sys.path.insert(0, str(ROOT / "python"))
-    built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
-    names = ("lib_native.so", "lib_native.dylib", "_native.dll")
-    native = next((path for n in names if (path := built / n).exists()), built)
-    if not any(
-        (PACKAGE / name).exists() for name in ("_native.abi3.so", "_native.pyd")
-    ):
-        spec = spec_from_file_location(
-            "mckibben._native",
-            native,
-            loader=ExtensionFileLoader("mckibben._native", str(native)),
-        )
-        assert spec is not None and spec.loader is not None
-        sys.modules["mckibben._native"] = module_from_spec(spec)
-        spec.loader.exec_module(sys.modules["mckibben._native"])
-
-
-def parts() -> Iterator[tuple[str, str, Any]]:
-    """What is documented: the section, the name, and what it is."""
+def reference_page() -> str:
+    """All that is public, each with its docstring as Python shows it."""
     import mckibben
     from mckibben import _api
 
-    for name, made in sorted(vars(mckibben).items()):
-        title = (
-            "Exceptions"
-            if inspect.isclass(made) and issubclass(made, (Exception, Warning))
-            else "Objects"
-            if inspect.isclass(made)
-            else "Functions"
-        )
-        if not inspect.ismodule(made) and not name.startswith("_"):
-            yield title, name, made
-    for name in _api.__all__:
-        yield "Answers", name, getattr(_api, name)
+    public = vars(mckibben) | {name: getattr(_api, name) for name in _api.__all__}
+    out = ["# Python reference"]
+    for name, made in sorted(public.items()):
+        is_part = lambda value: inspect.isfunction(value) or isinstance(value, property)
+        parts = [("", made), *inspect.getmembers(made, is_part)]
+        for part, value in parts if name[0] != "_" and callable(made) else []:
+            if part[:1] != "_":
+                title = f"## `{name}`" if value is made else f"### `{name}.{part}`"
+                out += [title, f"```text\n{inspect.getdoc(value)}\n```"]
+    return "\n\n".join(out) + "\n"
 
 
-def members(made: type) -> Iterator[tuple[str, Any]]:
-    """What a class has itself, and what a noun has of its commands."""
-    for part in (
-        made,
-        *(
-            base
-            for base in made.__mro__
-            if base.__name__.endswith(("Fields", "Commands", "Numbers"))
-        ),
-    ):
-        for name, value in vars(part).items():
-            value = (
-                value.__func__
-                if isinstance(value, (classmethod, staticmethod))
-                else value
-            )
-            if (
-                not name.startswith("_")
-                and (inspect.isfunction(value) or isinstance(value, property))
-                and value.__doc__
-            ):
-                yield name, value
-
-
-def reference_page() -> str:
-    out, last = (
-        [
-            "# Python reference\n",
-            "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n",
-        ],
-        "",
-    )
-    for title, name, made in sorted(
-        parts(),
-        key=lambda p: ("Objects", "Functions", "Answers", "Exceptions").index(p[0]),
-    ):
-        out += [f"## {title}\n"] if title != last else []
-        last = title
-        out += entry(name, made, "###")
-        for member, value in members(made) if inspect.isclass(made) else ():
-            out += entry(f"{name}.{member}", value, "####")
-    return "\n".join(out).rstrip() + "\n"
-
-
-def entry(heading: str, made: Any, level: str) -> list[str]:
-    text = inspect.getdoc(made) or ""
-    if (
-        inspect.isclass(made)
-        and made.__init__ is not object.__init__
-        and "Parameters" not in text
-    ):
-        text += "\n\n" + (
-            inspect.getdoc(made.__init__) or ""
-            if "Parameters" in (made.__init__.__doc__ or "")
-            else ""
-        )
-    if inspect.isfunction(made):
-        names = [
-            name
-            for name in inspect.signature(made).parameters
-            if name not in ("self", "cls")
-        ]
-        heading += "(" + ", ".join(names[:4] + (["…"] if len(names) > 4 else [])) + ")"
-    text = re.sub(r":\w+:`([^`]+)`", r"`\1`", text)
-    text = re.sub(
-        r"((?:^(?:>>>|\.\.\.).*\n?(?:^(?!>>>)\S.*\n?)*)+)",
-        r"```python\n\1\n```\n",
-        text,
-        flags=re.MULTILINE,
-    )
-    text = re.sub(r"^(\w[\w ]*)\n-+$", r"**\1**\n", text, flags=re.MULTILINE)
-    text = re.sub(
-        r"^(\w[\w, ]*?)(?: : (.*))?\n((?:    .*\n?)+)",
-        lambda m: (
-            f"- `{m[1]}`"
-            + (f" ({m[2]})" if m[2] else "")
-            + ": "
-            + " ".join(m[3].split())
-            + "\n"
-        ),
-        text,
-        flags=re.MULTILINE,
-    )
-    return [f"{level} `{heading}`\n", text.strip().replace("<module", "&lt;module"), ""]
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("what", choices=["api", "reference"])
-    parser.add_argument("place", type=Path, nargs="?", default=PACKAGE / "_api.py")
-    parser.add_argument("--check", action="store_true")
-    args = parser.parse_args()
-    if args.what == "api":
-        text, held = (
-            api(Bundle(program())),
-            args.place.read_text("utf-8") if args.place.exists() else "",
-        )
-        if args.check and text != held:
-            lines = difflib.unified_diff(
-                held.splitlines(True), text.splitlines(True), "kept", "made"
-            )
-            sys.exit(
-                "".join([*lines][:40]) + "python python/write.py api writes it anew"
-            )
-        if not args.check:
-            args.place.write_text(text, "utf-8")
+def main(what: str, place: str = str(PACKAGE / "_api.py")) -> None:
+    if what == "reference":
+        Path(place).write_text(reference_page(), "utf-8")
         return
-    ready()
-    args.place.write_text(reference_page(), "utf-8")
+    text, held = api(Bundle(program())), (PACKAGE / "_api.py").read_text("utf-8")
+    if place != "--check":
+        Path(place).write_text(text, "utf-8")
+    elif text != held:
+        lines = difflib.unified_diff(
+            held.splitlines(True), text.splitlines(True), "kept", "made"
+        )
+        sys.exit("".join([*lines][:40]) + "python python/write.py api writes it anew")
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

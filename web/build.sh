@@ -45,7 +45,10 @@ if [ -n "$site" ]; then
     "$CARGO_TARGET_DIR/debug/mckibben" schema -o "$book/schema"
     test -x "$CARGO_TARGET_DIR/venv/bin/python" || python3 -m venv "$CARGO_TARGET_DIR/venv"
     "$CARGO_TARGET_DIR/venv/bin/python" -m pip install --quiet -r python/requirements-build.txt
-    "$CARGO_TARGET_DIR/venv/bin/python" python/write.py reference "$book/python-reference.md"
+    cp -r python/mckibben "$made"
+    cp "$CARGO_TARGET_DIR/debug/lib_native.so" "$made/mckibben/_native.abi3.so"
+    PYTHONPATH=$made "$CARGO_TARGET_DIR/venv/bin/python" python/write.py reference "$book/python-reference.md"
+    rm -r "$made/mckibben"
     sed -i 's#^- \[The Python package\].*#&\n- [Python reference](python-reference.md)#' "$book/SUMMARY.md"
     for kind in muscle joint drive plan; do
         "$CARGO_TARGET_DIR/debug/mckibben" schema --file $kind -o "$book/schema/$kind.schema.json"

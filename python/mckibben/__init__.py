@@ -9,10 +9,10 @@ Lengths in mm, pressures in MPa (gauge), forces in N, angles in degrees, as ever
 
 - a muscle: ``Muscle``, its ``Rubber``; ``muscle.force(p, e)``, ``.pressure``, ``.contraction`` answer numbers and arrays, ``.solve`` all that is known of points,
   ``.curve``, ``.shape``, ``.simulate``, ``.fill``, ``.check``, ``.compare``, ``.study``, ``.build``, ``.export``, ``.report``, ``.cite`` the rest
-- find one: ``design``; from measurements: ``identify``, ``fit_rubber``, ``measured``; move it: ``Joint``, ``Drive``, ``Simulation``, ``rollout``
+- find one: ``design``; from measurements: ``identify``, ``fit_rubber``; move it: ``Joint``, ``Drive``, ``Simulation``, ``rollout``
 - a formula: ``campaign``, ``Campaign``, ``plan``, ``fit``, ``Formula``
-- what is known: ``parts``, ``part``, ``measures``, ``validate``, ``fit_report``, ``export_targets``
-- files: ``load`` reads what ``.save`` of each object wrote; ``ask`` is JSON in and out
+- what is known: ``parts``, ``part``, ``measures``
+- files: ``load`` reads what ``.save`` of each object wrote; ``ask`` is JSON in and out, of every command
 - what is wrong: below ``MckibbenError`` are ``InputError``, ``OutOfRangeError``, ``FileError``, ``NoAnswerError``, ``NotConvergedError``, ``InternalError``
 - ``mckibben.units`` for pint, ``mckibben.jax`` for JAX, ``mckibben.answers`` for the types of answers
 """
@@ -32,17 +32,13 @@ from ._errors import (
 )
 from ._api import (
     design as design,
-    export_targets as export_targets,
     fit as fit,
-    fit_report as fit_report,
     fit_rubber as fit_rubber,
     identify as identify,
-    measured as measured,
     measures as measures,
     part as part,
     parts as parts,
     plan as plan,
-    validate as validate,
 )
 from ._campaign import Campaign as Campaign, campaign as campaign
 from ._motion import (

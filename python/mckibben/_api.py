@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict
 
 from . import _record
 from ._record import Record
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from ._request import (
         Choice,
         FileLike,
-        Floats,
         FormulaLike,
         MuscleLike,
         Number,
@@ -28,12 +27,6 @@ if TYPE_CHECKING:
         RubberLike,
         TableLike,
     )
-
-    Errors = Literal["raise", "nan"]
-    Array = NDArray[np.float64]
-    # What a key of a joint or drive file may hold.
-    Key = Number | Numbers | bool | Sequence[Sequence[Number]]
-    Keys = Mapping[str, Key]
 
 
 __all__ = [
@@ -55,7 +48,6 @@ __all__ = [
     "CandidateAnswer",
     "CandidateEnds",
     "CandidateJoint",
-    "Case",
     "Characteristics",
     "CheckAnswer",
     "ChoiceAnswer",
@@ -77,24 +69,19 @@ __all__ = [
     "ErrorSummary",
     "Export",
     "ExportForm",
-    "ExportListAnswer",
-    "ExportTarget",
     "Extent",
     "Failed",
     "FailedPoint",
     "Figure",
     "FillAnswer",
-    "Finding",
     "FindingAnswer",
     "Fit",
-    "FitReport",
     "FormulaCheck",
     "FormulaErrors",
     "FormulaRange",
     "GlobalTerm",
     "HeldOut",
     "HeldOutError",
-    "HeldOutRow",
     "Identification",
     "Identified",
     "IdentifiedPoint",
@@ -120,15 +107,6 @@ __all__ = [
     "MapPoint",
     "Mark",
     "MeasureEntry",
-    "MeasuredAnswer",
-    "MeasuredBin",
-    "MeasuredBranch",
-    "MeasuredCase",
-    "MeasuredFit",
-    "MeasuredResult",
-    "MeasuredRubber",
-    "MeasuredRubberFit",
-    "MeasuredStress",
     "MeasuresAnswer",
     "ModeError",
     "ModelAbout",
@@ -191,7 +169,6 @@ __all__ = [
     "UniversalFile",
     "UniversalRange",
     "UniversalSummary",
-    "ValidateAnswer",
     "Solution",
     "State",
 ]
@@ -1017,42 +994,6 @@ class CandidateJoint(Record):
     radius_mm: float
     contraction_at_neutral: float
     largest_angle_deg: float
-
-
-class Case(Record):
-    """A case.
-
-    Attributes
-    ----------
-    name
-        What is computed.
-    kind
-        Verification or validation.
-    measure
-        What its numbers are.
-    source
-        Where the reference comes from.
-    reference
-        The reference.
-    ours
-        Our value, where there was an answer.
-    error
-        |ours − reference|, relative where the reference is not zero.
-    tolerance
-        Largest error that passes.
-    ok
-        Whether it passes.
-    """
-
-    name: str
-    kind: Literal["verification", "validation"]
-    measure: Literal["value", "rms", "share"]
-    source: str
-    reference: float
-    ours: float | None
-    error: float | None
-    tolerance: float
-    ok: bool
 
 
 class Characteristics(Record):
@@ -2170,40 +2111,6 @@ class ExportForm(Record):
     presliding_m: float
 
 
-class ExportListAnswer(Record):
-    """The targets of `export`.
-
-    Attributes
-    ----------
-    targets
-        One for each host.
-    """
-
-    _rows: ClassVar[str | None] = "targets"
-    targets: list[ExportTarget]
-
-
-class ExportTarget(Record):
-    """A target of `export`.
-
-    Attributes
-    ----------
-    name
-        Its word for `target`.
-    about
-        What it is.
-    needs
-        What it needs.
-    loses
-        What of the muscle it loses.
-    """
-
-    name: str
-    about: str
-    needs: str
-    loses: str
-
-
 class Extent(Record):
     """Smallest and largest value of a column.
 
@@ -2486,63 +2393,6 @@ class FillAnswer(Record):
     allowed_factor: float | None = None
 
 
-class Finding(Record):
-    """One comparison.
-
-    Attributes
-    ----------
-    comparison
-        What is compared with what.
-    at_most_of_blocked
-        The largest share that was set as a goal, where there is one.
-    ok
-        Whether the goal is met.
-    points
-        How many points.
-    rms_of_blocked
-        Root mean square as a share of the blocked force.
-    p95_of_blocked
-        The share that 95 % of the points do not exceed.
-    max_of_blocked
-        Largest share.
-    max_n : N
-        Largest difference in N.
-    max_of_isobar
-        Largest by the paper's (12): share of the largest force of the same isobaric curve.
-    outer_diameter_mm : mm
-        D0 in mm.
-    wall_mm : mm
-        s in mm.
-    length_mm : mm
-        L0 in mm.
-    angle_deg : deg
-        θ0 in degrees.
-    pressure_mpa : MPa
-        P in MPa.
-    contraction
-        ε.
-    force_n : N
-        F in N, two-sided.
-    """
-
-    comparison: str
-    at_most_of_blocked: float | None
-    ok: bool
-    points: int
-    rms_of_blocked: float
-    p95_of_blocked: float
-    max_of_blocked: float
-    max_n: float
-    max_of_isobar: float
-    outer_diameter_mm: float
-    wall_mm: float
-    length_mm: float
-    angle_deg: float
-    pressure_mpa: float
-    contraction: float
-    force_n: float
-
-
 class FindingAnswer(Record):
     """One of the paper's statements beside what this model says.
 
@@ -2607,22 +2457,6 @@ class Fit(_record.Fitting):
     scales: Scales | None = None
     made_for: Made | None = None
     form: Literal["membrane", "bulge"] | None = None
-
-
-class FitReport(Record):
-    """All results.
-
-    Attributes
-    ----------
-    findings
-        The comparisons.
-    random_muscles
-        Models on random muscles that no fit has seen.
-    """
-
-    _rows: ClassVar[str | None] = "findings"
-    findings: list[Finding]
-    random_muscles: list[HeldOutRow]
 
 
 class FormulaCheck(Record):
@@ -2798,36 +2632,6 @@ class HeldOutError(Record):
     bias_mpa: float
     largest_mpa: float
     stiffer: float
-
-
-class HeldOutRow(Record):
-    """A model and its errors.
-
-    Attributes
-    ----------
-    model
-        The model, in words.
-    points
-        How many points.
-    muscles
-        Of how many muscles.
-    rms_of_blocked
-        Root mean square.
-    p95_of_blocked
-        The share that 95 % of the points do not exceed.
-    p99_of_blocked
-        The share that 99 % of the points do not exceed.
-    max_of_blocked
-        Largest.
-    """
-
-    model: str
-    points: int
-    muscles: int
-    rms_of_blocked: float
-    p95_of_blocked: float
-    p99_of_blocked: float
-    max_of_blocked: float
 
 
 class Identification(_record.Identified):
@@ -3833,319 +3637,6 @@ class MeasureEntry(Record):
     default: float | None = None
 
 
-class MeasuredAnswer(Record):
-    """The validation reports of measured muscles and rubbers.
-
-    Attributes
-    ----------
-    model
-        The model.
-    cases
-        The muscles.
-    results
-        Errors at their points, fit by fit.
-    rubbers
-        The rubbers.
-    stresses
-        Errors at their stresses, fit by fit.
-    figure
-        The figure, if requested.
-    """
-
-    _rows: ClassVar[str | None] = "results"
-    model: str
-    cases: list[MeasuredCase]
-    results: list[MeasuredResult]
-    rubbers: list[MeasuredRubber]
-    stresses: list[MeasuredStress]
-    figure: Figure | None = None
-
-
-class MeasuredBin(Record):
-    """Errors of a fit at points of about one contraction.
-
-    Attributes
-    ----------
-    from_
-        From this contraction ratio,
-    to
-        to less than this.
-    points
-        How many points.
-    rms_n : N
-        Root mean square of the differences in N.
-    largest_n : N
-        Largest difference in N.
-    bias_n : N
-        Mean of measured − computed in N.
-    rms_of_blocked
-        `rms_n` over the largest blocked force of these points.
-    held
-        Share of the points within the ± of the model; null if there are none, or no ±.
-    """
-
-    from_: float
-    to: float
-    points: int
-    rms_n: float
-    largest_n: float
-    bias_n: float
-    rms_of_blocked: float
-    held: float | None
-
-
-class MeasuredBranch(Record):
-    """Errors of a fit at the points of one branch of the hysteresis.
-
-    Attributes
-    ----------
-    branch
-        The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
-    points
-        How many points.
-    rms_n : N
-        Root mean square of the differences in N.
-    largest_n : N
-        Largest difference in N.
-    bias_n : N
-        Mean of measured − computed in N.
-    rms_of_blocked
-        `rms_n` over the largest blocked force of these points.
-    held
-        Share of the points within the ± of the model; null if there are none, or no ±.
-    """
-
-    branch: Literal["mean", "contraction", "elongation"]
-    points: int
-    rms_n: float
-    largest_n: float
-    bias_n: float
-    rms_of_blocked: float
-    held: float | None
-
-
-class MeasuredCase(Record):
-    """A measured muscle.
-
-    Attributes
-    ----------
-    name
-        Name of its folder.
-    title
-        Which muscle or rubber.
-    source
-        Who measured it.
-    terms
-        Terms of use of the points.
-    known
-        What is known of it.
-    unknown
-        What is not.
-    product
-        The product, where one can buy it.
-    family
-        The family that it belongs to: what one maker or workshop made.
-    angle_deviation_deg : deg
-        Standard deviation of an angle that nobody stated, in degrees.
-    points
-        Points that pull.
-    fits
-        What was fitted.
-    """
-
-    name: str
-    title: str
-    source: str
-    terms: str
-    known: str
-    unknown: str
-    points: int
-    fits: list[MeasuredFit]
-    product: str | None = None
-    family: str | None = None
-    angle_deviation_deg: float | None = None
-
-
-class MeasuredFit(Record):
-    """A fit to some points, with its constants and its errors.
-
-    Attributes
-    ----------
-    fit
-        Its name.
-    fitted_to
-        Its points: `all`, `nothing`, or their lengths, pressures or contractions.
-    parameters
-        The constants, with their errors.
-    """
-
-    fit: str
-    fitted_to: str
-    parameters: list[Identified]
-
-
-class MeasuredResult(Record):
-    """Errors of a fit at some points: measured − computed.
-
-    Attributes
-    ----------
-    case
-        Name of the case's folder.
-    fit
-        Name of the fit.
-    fitted_to
-        The points it was fitted to.
-    of
-        The points that are compared.
-    blind
-        Whether nothing was fitted to them.
-    points
-        How many points.
-    rms_n : N
-        Root mean square of the differences in N.
-    largest_n : N
-        Largest difference in N.
-    bias_n : N
-        Mean of measured − computed in N.
-    rms_of_blocked
-        `rms_n` over the largest blocked force of these points.
-    held
-        Share of the points within the ± of the model; null if there are none, or no ±.
-    branch_points
-        How many points of single branches there are.
-    branch_held
-        Share of these within the ± with its part for friction; null if there are none.
-    by_branch
-        The points of each branch of the hysteresis, where it was measured.
-    unanswered
-        Points without an answer of the model.
-    by_contraction
-        The same by contraction ratio.
-    """
-
-    case: str
-    fit: str
-    fitted_to: str
-    of: str
-    blind: bool
-    points: int
-    rms_n: float
-    largest_n: float
-    bias_n: float
-    rms_of_blocked: float
-    held: float | None
-    branch_points: int
-    branch_held: float | None
-    by_branch: list[MeasuredBranch]
-    unanswered: int
-    by_contraction: list[MeasuredBin]
-
-
-class MeasuredRubber(Record):
-    """A measured rubber.
-
-    Attributes
-    ----------
-    name
-        Name of its folder.
-    title
-        Which muscle or rubber.
-    source
-        Who measured it.
-    terms
-        Terms of use of the points.
-    known
-        What is known of it.
-    unknown
-        What is not.
-    product
-        The product, where one can buy it.
-    family
-        The family that it belongs to: what one maker or workshop made.
-    angle_deviation_deg : deg
-        Standard deviation of an angle that nobody stated, in degrees.
-    points
-        Points.
-    fits
-        What was fitted.
-    """
-
-    name: str
-    title: str
-    source: str
-    terms: str
-    known: str
-    unknown: str
-    points: int
-    fits: list[MeasuredRubberFit]
-    product: str | None = None
-    family: str | None = None
-    angle_deviation_deg: float | None = None
-
-
-class MeasuredRubberFit(Record):
-    """A law that was fitted, with its constants and errors.
-
-    Attributes
-    ----------
-    fit
-        Its name.
-    law
-        The law.
-    parameters
-        Its constants, with a Prony series those at once.
-    prony
-        Shares and time constants in s of the Prony series, where one was fitted.
-    stable
-        Whether the law is stable in a muscle.
-    """
-
-    fit: str
-    law: str
-    parameters: list[Parameter]
-    stable: bool
-    prony: list[tuple[float, float]] | None = None
-
-
-class MeasuredStress(Record):
-    """Errors of a fit at some nominal stresses: measured − computed.
-
-    Attributes
-    ----------
-    case
-        Name of the case's folder.
-    fit
-        Name of the fit.
-    of
-        The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over time.
-    blind
-        Whether nothing was fitted to them.
-    points
-        How many points.
-    to_stretch
-        Largest stretch of them in the plane of the specimen.
-    rms_mpa : MPa
-        Root mean square of the differences, in MPa.
-    relative
-        The same over the root mean square of the measured stresses.
-    bias_mpa : MPa
-        Mean of measured − computed, in MPa.
-    largest_mpa : MPa
-        Largest difference, in MPa.
-    """
-
-    case: str
-    fit: str
-    of: str
-    blind: bool
-    points: int
-    to_stretch: float
-    rms_mpa: float
-    relative: float
-    bias_mpa: float
-    largest_mpa: float
-
-
 class MeasuresAnswer(Record):
     """The measures of a muscle.
 
@@ -4296,6 +3787,11 @@ class Motion(Record):
     efficiency
         Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid; not of a load that is released, nor
         where what was stored does the work.
+    poles_per_s : s
+        Of commanded pressures: the poles about the state that the first step reaches (the mean of a periodic command), real and imaginary part, 1/s. One
+        is 0 where the air's temperature does not change: that of its mass.
+    eigenfrequency_hz : Hz
+        Frequency |Im λ|/2π of the fastest pair of them, Hz.
     bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
         followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
@@ -4363,6 +3859,7 @@ class Motion(Record):
     largest_power_w: float
     air_normal_litres: float
     energies: Any
+    poles_per_s: list[tuple[float, float]]
     events: list[Any]
     burst_pressure_mpa: float | None
     ends_included: bool
@@ -4376,6 +3873,7 @@ class Motion(Record):
     liquid_volume_mm3: float | None = None
     air_normal_litres_per_cycle: float | None = None
     efficiency: float | None = None
+    eigenfrequency_hz: float | None = None
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
@@ -4444,6 +3942,11 @@ class MotionRun(Record):
     efficiency
         Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid; not of a load that is released, nor
         where what was stored does the work.
+    poles_per_s : s
+        Of commanded pressures: the poles about the state that the first step reaches (the mean of a periodic command), real and imaginary part, 1/s. One
+        is 0 where the air's temperature does not change: that of its mass.
+    eigenfrequency_hz : Hz
+        Frequency |Im λ|/2π of the fastest pair of them, Hz.
     bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
         followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
@@ -4479,6 +3982,7 @@ class MotionRun(Record):
     largest_power_w: float
     air_normal_litres: float
     energies: Any
+    poles_per_s: list[tuple[float, float]]
     events: list[Any]
     value: str | None = None
     largest_velocity_mm_per_s: float | None = None
@@ -4489,6 +3993,7 @@ class MotionRun(Record):
     liquid_volume_mm3: float | None = None
     air_normal_litres_per_cycle: float | None = None
     efficiency: float | None = None
+    eigenfrequency_hz: float | None = None
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
@@ -6634,19 +6139,6 @@ class UniversalSummary(Record):
     max_of_blocked: float
 
 
-class ValidateAnswer(Record):
-    """The table of cases.
-
-    Attributes
-    ----------
-    cases
-        The cases.
-    """
-
-    _rows: ClassVar[str | None] = "cases"
-    cases: list[Case]
-
-
 class Options(TypedDict, total=False):
     """Which model of a muscle answers, and how.
 
@@ -6679,6 +6171,13 @@ class Options(TypedDict, total=False):
     mesh: str | None
     match: Literal["length", "angle"] | None
     terminal: Mapping[str, Plain] | None
+
+
+class Asking(Options, total=False):
+    """How a muscle is asked for numbers."""
+
+    errors: Literal["raise", "nan"]
+    progress: Progress
 
 
 class Measures(TypedDict, total=False):
@@ -6723,72 +6222,6 @@ class Measures(TypedDict, total=False):
     braid: str | None
     strand_diameter_mm: Number | None
     stiffness: Number | None
-
-
-class JointTables(TypedDict, total=False):
-    """Tables of a joint file.
-
-    Attributes
-    ----------
-    link
-        The weight of the moving parts: ``mass``, ``centre``, ``inclination``, ``payload``, ``payload_at``
-    spring
-        A spring against the first muscle: ``rate``, ``preload``, ``angular_rate``, ``preload_torque``, ``radius``, ``origin``, ``insertion``
-    name
-        Name, for people
-    """
-
-    link: Keys | None
-    spring: Keys | None
-    name: str | None
-
-
-class DriveTables(TypedDict, total=False):
-    """Tables of a drive file.
-
-    Attributes
-    ----------
-    supply
-        The air supply: ``pressure``, ``temperature``
-    valve
-        A valve for each muscle: ``name``, ``sonic_conductance``, ``critical_ratio``, ``exhaust_conductance``, ``exhaust_critical_ratio``,
-        ``flow_coefficient``, ``return_coefficient``, ``kind``, ``lag``, ``wide_open_at``, ``hysteresis``, ``closed_centre``, ``hose_length``,
-        ``hose_diameter``
-    regulator
-        An ideal regulator, in place of a valve: ``time_constant``
-    pump
-        A pump of a liquid for each muscle, which runs both ways: ``flow``, ``kind``, ``lag``, ``wide_open_at``, ``hysteresis``, ``closed_centre``,
-        ``hose_length``, ``hose_diameter``
-    syringe
-        A syringe of a liquid for each muscle: ``volume``, ``time_constant``
-    air
-        The air in the muscle: ``dead_volume``, ``heat``, ``polytropic_index``
-    liquid
-        A liquid in the muscle, in place of air: ``name``, ``bulk_modulus``, ``gas_share``, ``dead_volume``
-    load
-        The load of a muscle: ``mass``, ``level``, ``line``, ``damping``, ``stops``, ``held``, ``start``
-    friction
-        Motion with the friction of the muscle: ``coefficient``, ``presliding``
-    rubber
-        Viscoelasticity of the rubber: ``prony``
-    controller
-        The controller of a position: ``proportional``, ``integral``, ``derivative``, ``filter``, ``tracking``, ``output``, ``bias``
-    name
-        Name, for people
-    """
-
-    supply: Keys | None
-    valve: Keys | str | None
-    regulator: Keys | None
-    pump: Keys | None
-    syringe: Keys | None
-    air: Keys | None
-    liquid: Keys | str | None
-    load: Keys | None
-    friction: Keys | None
-    rubber: Keys | None
-    controller: Keys | None
-    name: str | None
 
 
 class Solution(_record.Points):
@@ -6853,14 +6286,6 @@ class Solution(_record.Points):
         Half of what lies between.
     buckling_load_n : N
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
-    slack
-        Whether the muscle hangs slack.
-    status
-        `ok`, or the kind of why there is no answer.
-    cause
-        Why there is none.
-    warned
-        A bit for each of `warnings`.
     """
 
     pressure_mpa: NDArray[np.float64]
@@ -6891,10 +6316,6 @@ class Solution(_record.Points):
     predicted_high: NDArray[np.float64]
     contraction_uncertainty: NDArray[np.float64]
     buckling_load_n: NDArray[np.float64]
-    slack: NDArray[np.bool_]
-    status: NDArray[np.str_]
-    cause: NDArray[np.object_]
-    warned: NDArray[np.int64]
 
 
 class State(Record):
@@ -6917,7 +6338,7 @@ class State(Record):
     force_n : N
         Pull, N.
     air_mass_g : g
-        Mass of its air, g.
+        Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_degc : degC
         Temperature of its air or liquid, °C.
     volume_mm3 : mm3
@@ -6933,7 +6354,7 @@ class State(Record):
     force_1_n : N
         Pull, N.
     air_mass_1_g : g
-        Mass of its air, g.
+        Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_1_degc : degC
         Temperature of its air or liquid, °C.
     volume_1_mm3 : mm3
@@ -6949,7 +6370,7 @@ class State(Record):
     force_2_n : N
         Pull, N.
     air_mass_2_g : g
-        Mass of its air, g.
+        Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_2_degc : degC
         Temperature of its air or liquid, °C.
     volume_2_mm3 : mm3
@@ -7126,61 +6547,6 @@ class MuscleFields:
             There is no such muscle; `field` is the argument to blame.
         """
         self._make({name: value for name, value in locals().items() if name != "self"})
-
-    def replace(
-        self: Any,
-        *,
-        outer_diameter_mm: Number | None = None,
-        wall_mm: Number | None = None,
-        length_mm: Number | None = None,
-        density_kg_per_m3: Number | None = None,
-        prestretch: Number | None = None,
-        temperature_degc: Number | None = None,
-        angle_deg: Number | None = None,
-        insertion_mm: Number | None = None,
-        seating_mm: Number | None = None,
-        slip_mm_per_n: Number | None = None,
-        grip_mm: Number | None = None,
-        plug_diameter_mm: Number | None = None,
-        pull_off_n: Number | None = None,
-        rated_pressure_mpa: Number | None = None,
-        end_factor: Number | None = None,
-        cone_factor: Number | None = None,
-        stiffness_factor: Number | None = None,
-        strands: Number | None = None,
-        strands_factor: Number | None = None,
-        strand_area_mm2: Number | None = None,
-        strand_modulus_mpa: Number | None = None,
-        strand_strength_n: Number | None = None,
-        strand_strength_factor: Number | None = None,
-        strands_per_carrier: Number | None = None,
-        strand_length_mm: Number | None = None,
-        turns: Number | None = None,
-        take_up_mpa: Number | None = None,
-        braid_thickness_mm: Number | None = None,
-        braid_diameter_mm: Number | None = None,
-        crimp: Number | None = None,
-        crimp_stiffness: Number | None = None,
-        friction_coefficient: Number | None = None,
-        friction_exponent: Number | None = None,
-        friction_lever_mm: Number | None = None,
-        friction_presliding_mm: Number | None = None,
-        rubber: RubberLike | None = None,
-        braid: str | None = None,
-        strand_diameter_mm: Number | None = None,
-        stiffness: Number | None = None,
-    ) -> Muscle:
-        """The same with other values, named as in :class:`Muscle`.
-
-        Raises
-        ------
-        InputError
-            There is no such muscle; `field` is the argument to blame.
-        """
-        found: Muscle = self._changed(
-            {name: value for name, value in locals().items() if name != "self"}
-        )
-        return found
 
     @property
     def outer_diameter_mm(self: Any) -> float:
@@ -7407,345 +6773,6 @@ class MuscleFields:
         return found
 
 
-class MuscleNumbers:
-    """What a muscle answers of numbers and arrays."""
-
-    @overload
-    def force(  # type: ignore[overload-overlap]
-        self,
-        pressure_mpa: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> float: ...
-    @overload
-    def force(
-        self,
-        pressure_mpa: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> Array: ...
-    @overload
-    def force(  # type: ignore[overload-overlap]
-        self,
-        pressure_mpa: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...
-    @overload
-    def force(
-        self,
-        pressure_mpa: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[Array, Array]: ...
-    def force(
-        self: Any,
-        pressure_mpa: Any,
-        contraction: Any = 0.0,
-        *,
-        jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Any,
-    ) -> Any:
-        """F(P, ε): the pull, in N; 0 where the muscle is slack.
-
-        Parameters
-        ----------
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
-            N, then ∂F/∂θ of each name in N per its unit, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> muscle.force([0.1, 0.2], 0.1, model="paper").round(1)
-        array([ 585.7, 1202.7])
-        """
-        return self._asked(
-            "force", pressure_mpa, contraction, jac, errors, progress, options
-        )
-
-    @overload
-    def pressure(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> float: ...
-    @overload
-    def pressure(
-        self,
-        force_n: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> Array: ...
-    @overload
-    def pressure(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...
-    @overload
-    def pressure(
-        self,
-        force_n: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[Array, Array]: ...
-    def pressure(
-        self: Any,
-        force_n: Any,
-        contraction: Any = 0.0,
-        *,
-        jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Any,
-    ) -> Any:
-        """P(F, ε): the pressure that gives a pull, in MPa.
-
-        Parameters
-        ----------
-        force_n : N
-            Pulls F, broadcast against the other argument.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂P/∂F, ∂P/∂ε, then
-            ∂P/∂θ, by implicit differentiation, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> round(muscle.pressure(300, "10%", model="ideal"), 4)
-        0.0377
-        """
-        return self._asked(
-            "pressure", force_n, contraction, jac, errors, progress, options
-        )
-
-    @overload
-    def contraction(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        pressure_mpa: Number,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> float: ...
-    @overload
-    def contraction(
-        self,
-        force_n: Floats,
-        pressure_mpa: Floats,
-        *,
-        jac: Literal[False] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> Array: ...
-    @overload
-    def contraction(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        pressure_mpa: Number,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[float, Array]: ...
-    @overload
-    def contraction(
-        self,
-        force_n: Floats,
-        pressure_mpa: Floats,
-        *,
-        jac: Literal[True] | Sequence[str],
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> tuple[Array, Array]: ...
-    def contraction(
-        self: Any,
-        force_n: Any,
-        pressure_mpa: Any,
-        *,
-        jac: bool | Sequence[str] = False,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Any,
-    ) -> Any:
-        """ε(F, P): the contraction at which a pressure gives a pull.
-
-        Parameters
-        ----------
-        force_n : N
-            Pulls F, broadcast against the other argument.
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂ε/∂F, ∂ε/∂P, then
-            ∂ε/∂θ, by implicit differentiation, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> round(muscle.contraction(300, "2 bar", model="ideal"), 3)
-        0.293
-        """
-        return self._asked(
-            "contraction", force_n, pressure_mpa, jac, errors, progress, options
-        )
-
-    def solve(
-        self: Any,
-        pressure_mpa: Floats,
-        contraction: Floats = 0.0,
-        *,
-        errors: Errors = "raise",
-        progress: Progress = None,
-        **options: Unpack[Options],
-    ) -> Solution:
-        """All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.
-
-        Parameters
-        ----------
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        Solution
-            Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")
-        >>> points.force_n.shape, bool((points.uncertainty_n > 0).all())
-        ((2,), True)
-        """
-        found: Solution = self._solved(
-            pressure_mpa, contraction, errors, progress, options
-        )
-        return found
-
-
 class MuscleCommands:
     """What the program answers of it, by command."""
 
@@ -7816,8 +6843,20 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> curve = mk.Muscle.prototype().curve("isobaric", pressures_mpa="1..2:1 bar", contractions="0..0.2:0.1", model="ideal")
+        >>> curve.grid("force_n").round(0)
+        array([[429., 287., 159.],
+               [859., 574., 319.]])
         """
         return answered(Curve, "curve", modelled(locals()))
 
@@ -7882,8 +6921,19 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> test = mk.Muscle.prototype().simulate(pressures_mpa=["1 bar"], contractions=[0.0, 0.1])
+        >>> test["force_n"].shape
+        (2,)
         """
         return answered(SimulateAnswer, "simulate", modelled(locals()), "MPa")
 
@@ -7924,8 +6974,19 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> shape = mk.Muscle.prototype().shape("2 bar", 0.1)
+        >>> shape.array("r_mm").shape == (shape.stations, shape.across)
+        True
         """
         return answered(Shape, "shape", locals())
 
@@ -7995,8 +7056,19 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> filled = mk.Muscle.prototype().fill("20 mL", load="mass:5kg", model="thick-wall")
+        >>> filled.stroke_mm > 0
+        True
         """
         return answered(FillAnswer, "fill", modelled(locals()))
 
@@ -8050,8 +7122,18 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Muscle.prototype().check(pressure_mpa="2 bar", model="ideal").angle_deg
+        28.0
         """
         return answered(CheckAnswer, "check", modelled(locals()))
 
@@ -8119,8 +7201,21 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> e = [0.0, 0.05, 0.1]
+        >>> muscle = mk.Muscle.prototype()
+        >>> bench = {"pressure_mpa": 0.2, "contraction": e, "force_n": muscle.force(0.2, e, model="universal")}
+        >>> muscle.compare(data=bench, models=["universal"]).models[0].rms_n < 1e-6
+        True
         """
         return answered(CompareAnswer, "compare", locals(), "MPa")
 
@@ -8168,8 +7263,19 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> study = mk.Muscle.prototype().study(model="universal")
+        >>> len(study.to_pandas()) == len(study.points)
+        True
         """
         return answered(StudyAnswer, "study", modelled(locals()), "MPa")
 
@@ -8235,8 +7341,18 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Muscle.prototype().build("2 bar").write("build")  # doctest: +SKIP
+        PosixPath('build/build.html')
         """
         return answered(Build, "build", locals())
 
@@ -8295,8 +7411,18 @@ class MuscleCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> [file.name for file in mk.Muscle.prototype().export("python", model="thick-wall").files]
+        ['muscle.py']
         """
         return answered(Export, "export", modelled(locals()))
 
@@ -8362,8 +7488,21 @@ class JointCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.load("lib:tondu2012")
+        >>> joint = mk.Joint(muscle, muscle, joint={"radius_mm": 20, "range_deg": (-30, 30)}, contraction_at_neutral=0.1)
+        >>> found = joint.solve(pressures_mpa=[["2 bar", "2 bar"]], model="universal")
+        >>> found.points[0].rest, abs(found.points[0].angle_deg) < 1e-6
+        ('stable', True)
         """
         return answered(JointSolution, "joint", modelled(locals()), "MPa")
 
@@ -8413,8 +7552,17 @@ class JointCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> joint.export("c").write("joint_c")  # doctest: +SKIP
         """
         return answered(JointExport, "export-joint", modelled(locals()))
 
@@ -8470,8 +7618,20 @@ class DriveCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> drive = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load={"mass_kg": 10, "damping": "200 N s/m"}, command={"pressure_mpa": [[0, 0], [0.1, 0.2]], "until_s": 1})
+        >>> motion = drive.motion(model="universal")
+        >>> motion.at_rest
+        True
         """
         return answered(Motion, "motion", modelled(locals()), "MPa")
 
@@ -8507,8 +7667,17 @@ class CampaignCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Campaign("campaign.parquet", "plans/paper.toml").run()  # doctest: +SKIP
         """
         return answered(CampaignOutcome, "campaign", locals())
 
@@ -8522,8 +7691,17 @@ class CampaignCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Campaign("campaign.parquet", "plans/paper.toml").status()  # doctest: +SKIP
         """
         return answered(CampaignStatus, "campaign-status", locals())
 
@@ -8537,8 +7715,17 @@ class CampaignCommands:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer.
+        InputError
+            An argument is wrong: `field` names it.
+        NoAnswerError
+            There is none.
+        NotConvergedError
+            It was not found, or cancelled.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Campaign("campaign.parquet").summary()  # doctest: +SKIP
         """
         return answered(CampaignSummary, "campaign-show", locals())
 
@@ -8729,8 +7916,19 @@ def design(
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> found = mk.design(force_n="700 N", contraction="15%", max_pressure_mpa="2.5 bar", model="universal")
+    >>> found.best.rubber, len(found["outer_diameter_mm"]) == len(found.candidates)
+    ('dragon-skin-30', True)
     """
     return answered(Design, "design", modelled(locals()), "MPa")
 
@@ -8816,8 +8014,22 @@ def identify(
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+    >>> e = [0.0, 0.05, 0.1, 0.15]
+    >>> bench = {"pressure_mpa": 0.2, "contraction": e, "force_n": muscle.force(0.2, e, model="thick-wall")}
+    >>> found = mk.identify(muscle.replace(stiffness="500 N/mm"), bench, free=["braid.stiffness"], model="thick-wall")
+    >>> bool(abs(found["value"][0] / muscle.parameters["braid.stiffness"] - 1) < 1e-3)
+    True
     """
     return answered(
         Identification,
@@ -8904,8 +8116,19 @@ def fit_rubber(
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> tension = {"stretch": [1.0, 1.2, 1.5, 2.0], "stress_mpa": [0.0, 0.10, 0.21, 0.35]}
+    >>> mk.fit_rubber(tension, laws=["neo-hookean"]).rubber("neo-hookean").law
+    'neo-hookean'
     """
     return answered(RubberFit, "rubber", locals(), True)
 
@@ -8967,8 +8190,19 @@ def fit(
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> plan = mk.Campaign("campaign.parquet", "plans/paper.toml")  # doctest: +SKIP
+    >>> mk.fit(campaign=plan).formula  # doctest: +SKIP
+    <Formula 'fitted'>
     """
     return answered(Fit, "fit", locals())
 
@@ -8994,8 +8228,19 @@ def parts(
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> mk.parts("rubbers").to_pandas()  # doctest: +SKIP
+    >>> "latex" in [rubber.name for rubber in mk.parts("rubbers").rubbers]
+    True
     """
     return answered(PartsListAnswer, "parts-list", locals())
 
@@ -9015,8 +8260,18 @@ def part(name: str) -> PartShowAnswer:
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> mk.part("dragon-skin-30").rubber.source[:14]
+    'L. Marechal et'
     """
     return answered(PartShowAnswer, "parts-show", locals())
 
@@ -9031,63 +8286,20 @@ def measures() -> MeasuresAnswer:
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> [m.field for m in mk.measures().measures if m.key == "tube.density"]
+    ['density_kg_per_m3']
     """
     return answered(MeasuresAnswer, "measures", locals())
-
-
-def validate(*, all: bool = False, progress: Progress = None) -> ValidateAnswer:
-    """The cases.
-
-    Parameters
-    ----------
-    all
-        Also compute the finest meshes (some seconds more).
-    progress
-        True for a line on standard error, or a function that is called with (done, total).
-
-    Returns
-    -------
-    ValidateAnswer
-        The table of cases.
-
-    Raises
-    ------
-    MckibbenError
-        One of its classes says why there is no answer.
-    """
-    return answered(ValidateAnswer, "validate", locals())
-
-
-def measured(
-    *,
-    cases: FileLike | Sequence[FileLike] | None = None,
-    model: str | None = None,
-    progress: Progress = None,
-) -> MeasuredAnswer:
-    """Measured muscles and rubbers, each with its known data and its fits.
-
-    Parameters
-    ----------
-    cases
-        The folders; default: the built-in cases.
-    model
-        The model of the muscles; `fe` where none is named.
-    progress
-        True for a line on standard error, or a function that is called with (done, total).
-
-    Returns
-    -------
-    MeasuredAnswer
-        The validation reports of measured muscles and rubbers.
-
-    Raises
-    ------
-    MckibbenError
-        One of its classes says why there is no answer.
-    """
-    return answered(MeasuredAnswer, "measured", locals())
 
 
 def plan(plan: FileLike, *, progress: Progress = None) -> Plan:
@@ -9107,47 +8319,19 @@ def plan(plan: FileLike, *, progress: Progress = None) -> Plan:
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> mk.plan("plans/paper.toml").to_pandas()  # doctest: +SKIP
     """
     return answered(Plan, "plan", locals())
-
-
-def fit_report(*, progress: Progress = None) -> FitReport:
-    """The paper's campaign computed anew.
-
-    Parameters
-    ----------
-    progress
-        True for a line on standard error, or a function that is called with (done, total).
-
-    Returns
-    -------
-    FitReport
-        All results.
-
-    Raises
-    ------
-    MckibbenError
-        One of its classes says why there is no answer.
-    """
-    return answered(FitReport, "fit-report", locals())
-
-
-def export_targets() -> ExportListAnswer:
-    """The targets of `export`.
-
-    Returns
-    -------
-    ExportListAnswer
-        The targets of `export`.
-
-    Raises
-    ------
-    MckibbenError
-        One of its classes says why there is no answer.
-    """
-    return answered(ExportListAnswer, "export-list", locals())
 
 
 def check_formula(
@@ -9171,7 +8355,17 @@ def check_formula(
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        An argument is wrong: `field` names it.
+    NoAnswerError
+        There is none.
+    NotConvergedError
+        It was not found, or cancelled.
+
+    Examples
+    --------
+    >>> import mckibben as mk
+    >>> formula = mk.load("formula.json")  # doctest: +SKIP
+    >>> formula.check().errors  # doctest: +SKIP
     """
     return answered(FormulaCheck, "check-formula", locals())

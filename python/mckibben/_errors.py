@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import warnings
 from typing import Any
@@ -28,7 +29,7 @@ class MckibbenError(Exception):
         self,
         message: str = "",
         *,
-        kind: str = "internal",
+        kind: str = "usage",
         hint: str = "",
         field: str | None = None,
         nearest: dict[str, float | None] | None = None,
@@ -50,6 +51,10 @@ class MckibbenError(Exception):
 
 class InputError(MckibbenError, ValueError):
     """The input is wrong: a quantity, a name, an argument."""
+
+
+class WrongTypeError(InputError, TypeError):
+    """Not what an argument takes."""
 
 
 class OutOfRangeError(InputError):
@@ -80,6 +85,11 @@ class InternalError(MckibbenError, RuntimeError):
     """The program itself is at fault."""
 
 
+def wrong_type(field: str, wanted: str, value: object) -> WrongTypeError:
+    """That an argument takes something else."""
+    return WrongTypeError(f"{wanted}, not {type(value).__name__}", field=field)
+
+
 # Words of JSON whose class is not InputError.
 KINDS: dict[str, type[MckibbenError]] = {
     "out_of_range": OutOfRangeError,
@@ -93,14 +103,27 @@ KINDS: dict[str, type[MckibbenError]] = {
 }
 
 # What keywords make is no file, and is named by what it is.
-_TEXTS = ("the joint", "joint", "drive")
+_TEXTS = ("muscle", "rubber", "joint", "drive")
 
 
 def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
-    kind, message = KINDS.get(str(values["kind"]), InputError), str(values["message"])
-    if kind is FileError and message.split(":")[0] in _TEXTS:
-        return InputError(**{**values, "kind": "usage"})
+    # Commands in the words of Python, and the argument that is to blame.
+    for name in ("message", "hint"):
+        found = re.sub(
+            r"`(?:mckibben )?parts list (\w+)`", r'`mk.parts("\1")`', values[name]
+        )
+        values[name] = found.replace("`parts list`", "`mk.parts(…)`")
+    kind, message = KINDS.get(values["kind"], InputError), values["message"]
+    unknown = re.match(r"there is no (command|model|part)\b", message)
+    if unknown and not values["field"]:
+        values["field"] = unknown[1].replace("part", "name")
+    name, _, rest = message.partition(":")
+    if kind is FileError and name in _TEXTS:
+        values |= {"field": name, "message": rest.strip(), "kind": "usage"}
+        kind = InputError
+    if kind is FileError and message.startswith("there is no"):
+        kind = InputError
     if kind is FileError and any(
         words in message for words in ("(os error 2)", "does not exist")
     ):

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from math import pi
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 
 from . import _api, _native
 from ._api import State
-from ._errors import InputError
+from ._errors import InputError, wrong_type
 from ._muscle import Muscle
 from ._request import (
     Fixed,
+    array,
     fields,
     heard,
     is_nan,
     known,
+    labels,
     modelled,
     number,
     plain,
@@ -29,8 +32,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Self, Unpack
 
-    from ._api import Keys
-    from ._request import Number, Progress, TableLike
+    from ._request import Floats, Number, Numbers, Progress, TableLike
+
+    # What a key of a joint or drive file may hold.
+    Key = Number | Numbers | bool | Sequence[Sequence[Number]]
+    Keys = Mapping[str, Key]
 
 # Units of commands, by what is commanded.
 _COMMANDS = {
@@ -73,7 +79,7 @@ def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
     return out
 
 
-def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
+def _tables(given: Mapping[str, Any]) -> dict[str, Any]:
     """Tables by their names, which are those of a kind of file; a part of the library stands for its table."""
     return {
         n: value
@@ -81,8 +87,17 @@ def _tables(kind: Any, given: Mapping[str, Any]) -> dict[str, Any]:
         else {"name": value}
         if isinstance(value, str)
         else _table(value)
-        for n, value in known(given, kind).items()
+        for n, value in given.items()
     }
+
+
+class Linear(NamedTuple):
+    """A linear system about a state: ẋ = A x + B u, y = C x + D u. ``control.ss(*linear)`` and ``scipy.signal.StateSpace(*linear)`` take it."""
+
+    a: NDArray[np.float64]
+    b: NDArray[np.float64]
+    c: NDArray[np.float64]
+    d: NDArray[np.float64]
 
 
 class _File(Fixed):
@@ -95,11 +110,6 @@ class _File(Fixed):
     @classmethod
     def _of(cls, held: dict[str, Any]) -> Self:
         return object.__new__(cls)._hold(_held=held)
-
-    @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Self:
-        """The one of a file, with the files that it names from beside it."""
-        return cls._of(_native.read(path, cls._kind))
 
     @classmethod
     def _written(cls, given: Mapping[str, Any], **others: Any) -> dict[str, Any]:
@@ -195,8 +205,9 @@ class Joint(_api.JointCommands, _File):
     7.78
     """
 
-    __slots__ = ()
+    __slots__ = ("_made",)
     _kind = "joint"
+    _made: tuple[_native.Joint, list[Muscle]]
 
     def __init__(
         self,
@@ -207,7 +218,7 @@ class Joint(_api.JointCommands, _File):
         contraction_at_neutral: Number | None = None,
         geometry_1: Keys | None = None,
         geometry_2: Keys | None = None,
-        **tables: Unpack[_api.JointTables],
+        **tables: Keys | str | None,
     ) -> None:
         if without := [
             key
@@ -221,13 +232,15 @@ class Joint(_api.JointCommands, _File):
                 hint='radius_mm=25, or "radius": "25 mm"',
             )
         made, muscles = (
-            {"joint": _table(joint), **_tables(_api.JointTables, tables)},
+            {"joint": _table(joint), **_tables(tables)},
             {},
         )
         for side, muscle, geometry in (
             (1, muscle_1, geometry_1),
             (2, muscle_2, geometry_2),
         ):
+            if muscle is not None and not isinstance(muscle, Muscle):
+                raise wrong_type(f"muscle_{side}", "a Muscle", muscle)
             if muscle is not None:
                 place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
                 muscles[place] = {"name": place, "text": muscle.to_toml()}
@@ -241,7 +254,159 @@ class Joint(_api.JointCommands, _File):
                     ),
                 }
         self._hold(_held=self._written(made, muscles=list(muscles.values())))
-        _native.check_joint(self.to_toml())
+        self._parts()
+
+    def _parts(self) -> tuple[_native.Joint, list[Muscle]]:
+        """How it turns its muscles, and these; kept for the next question."""
+        try:
+            return self._made
+        except AttributeError:
+            native, tables, held = (
+                _native.Joint(self._held),
+                self._tables(),
+                self.muscles,
+            )
+            files = [tables[n]["file"] for n in ("muscle_1", "muscle_2") if n in tables]
+            self._hold(_made=(native, [held[name] for name in files]))
+            return self._made
+
+    def _turned(
+        self,
+        pressures_mpa: Sequence[Floats],
+        angle_deg: Floats,
+        slopes: bool,
+        errors: str,
+        options: Mapping[str, Any],
+    ) -> tuple[Any, Any, Callable[[str, Any], Any]]:
+        """The torque, its derivatives by pressures and angle in rad, and what puts the labels on both."""
+        import numpy as np
+
+        native, muscles = self._parts()
+        names = [f"pressure_{i + 1}_mpa" for i in range(len(muscles))]
+        if len(pressures_mpa) != len(names):
+            raise InputError(
+                "one for each muscle, each a number or an array",
+                field="pressures_mpa",
+            )
+        given, labelled = labels(
+            {"angle_deg": angle_deg, **dict(zip(names, pressures_mpa))}
+        )
+        kinds = ["angle_deg", *["pressure_mpa"] * len(names)]
+        angles, *pressures = map(array, kinds, given)
+        rows = [native.levers(angle, is_nan(errors)) for angle in angles.flat]
+        levers = np.reshape(np.transpose(rows), (-1, *angles.shape))
+        torque, slope, *held = np.broadcast_arrays(*levers, *pressures)
+        by_pressure = []
+        for i, muscle in enumerate(muscles):
+            contraction, arm, arm_slope = held[3 * i : 3 * i + 3]
+            pull = muscle._asked(
+                "force",
+                held[i - len(muscles)],
+                contraction,
+                slopes,
+                {"direction": "mean", "errors": errors, **options},
+            )
+            pull, rates = pull if slopes else (pull, np.zeros(2))
+            torque = torque + 1e-3 * arm * pull
+            by_pressure.append(1e-3 * arm * rates[..., 0])
+            by_contraction = arm / muscle.length_mm * rates[..., 1]
+            slope = slope + 1e-3 * (arm_slope * pull + arm * by_contraction)
+        return torque, np.stack([*by_pressure, slope], axis=-1), labelled
+
+    def torque(
+        self,
+        pressures_mpa: Sequence[Floats],
+        angle_deg: Floats,
+        *,
+        jac: bool = False,
+        errors: Literal["raise", "nan"] = "raise",
+        **options: Unpack[_api.Options],
+    ) -> Any:
+        """τ(P, φ): torque of muscles, spring and weight towards +, in N m, between both branches of friction.
+
+        Parameters
+        ----------
+        pressures_mpa : MPa
+            Of each muscle a gauge pressure: a number, an array, a text with its unit; all are broadcast.
+        angle_deg : deg
+            Angles from the neutral one, broadcast against the pressures.
+        jac
+            True for a pair with the derivatives along one axis more: ∂τ/∂P of each muscle in N m/MPa, ∂τ/∂φ in N m/deg.
+        errors
+            ``raise``, or ``nan``: NaN at points without an answer.
+        options
+            Which model, as in :meth:`Muscle.force`.
+
+        Raises
+        ------
+        InputError
+            An angle outside of the range, or pressures that are not as many as the muscles.
+        NoAnswerError
+            A muscle has no answer there; ``index`` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> biceps = mk.Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
+        >>> elbow = mk.Joint(biceps, biceps, joint={"radius_mm": 25, "range_deg": (-60, 60)}, contraction_at_neutral=0.12)
+        >>> elbow.torque(["3 bar", "1 bar"], [0, 20], model="universal").round(2)
+        array([7.78, 4.38])
+        """
+        torque, rates, labelled = self._turned(
+            pressures_mpa, angle_deg, jac, errors, options
+        )
+        rates[..., -1] *= pi / 180
+        found = labelled("torque_nm", torque)
+        return (found, labelled("torque_nm", rates)) if jac else found
+
+    def stiffness(
+        self,
+        pressures_mpa: Sequence[Floats],
+        angle_deg: Floats,
+        *,
+        errors: Literal["raise", "nan"] = "raise",
+        **options: Unpack[_api.Options],
+    ) -> Any:
+        """-∂τ/∂φ at these pressures, in N m/rad; arguments and exceptions are those of :meth:`torque`."""
+        _, rates, labelled = self._turned(
+            pressures_mpa, angle_deg, True, errors, options
+        )
+        return labelled("stiffness_nm_per_rad", -rates[..., -1])
+
+    def linearise(
+        self,
+        pressures_mpa: Sequence[Number],
+        angle_deg: Number,
+        **options: Unpack[_api.Options],
+    ) -> Linear:
+        """The joint about a state as ẋ = A x + B u, y = C x + D u: of angle (rad) and velocity, under changes of the pressures (MPa) and of a torque from outside
+        (N m); y is the angle.
+
+        Parameters
+        ----------
+        pressures_mpa : MPa
+            Of each muscle its gauge pressure.
+        angle_deg : deg
+            Where it is.
+        options
+            Which model, as in :meth:`Muscle.force`.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> biceps = mk.Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
+        >>> elbow = mk.Joint(biceps, biceps, joint={"radius_mm": 25, "range_deg": (-60, 60), "inertia_kg_m2": 0.03}, contraction_at_neutral=0.12)
+        >>> [m.shape for m in elbow.linearise(["2 bar", "2 bar"], 0, model="universal")]
+        [(2, 2), (2, 3), (1, 2), (1, 3)]
+        """
+        import numpy as np
+
+        inertia, damping = self._parts()[0].link
+        by = self._turned(pressures_mpa, angle_deg, True, "raise", options)[1]
+        *pressures, slope = by / inertia
+        a = np.array([[0.0, 1.0], [slope, -damping / inertia]])
+        b = np.array([np.zeros(len(by)), [*pressures, 1.0 / inertia]])
+        return Linear(a, b, np.array([[1.0, 0.0]]), np.zeros((1, len(by))))
 
     @property
     def muscles(self) -> dict[str, Muscle]:
@@ -252,24 +417,15 @@ class Joint(_api.JointCommands, _File):
         self, *, muscle_1: Muscle | None = None, muscle_2: Muscle | None = None
     ) -> Joint:
         """The same with other muscles."""
-        tables, texts = self._tables(), self._beside()
-        if muscle_2 is not None and "muscle_2" not in tables:
+        tables, (_, held) = self._tables(), self._parts()
+        if muscle_2 is not None and len(held) == 1:
             raise TypeError("the joint has no muscle_2")
-        muscles = {
-            name: of.to_toml() if of else texts[tables[name]["file"]]
-            for name, of in (("muscle_1", muscle_1), ("muscle_2", muscle_2))
-            if name in tables
-        }
-        tables |= {name: {**tables[name], "file": f"{name}.toml"} for name in muscles}
-        return Joint._of(
-            Joint._written(
-                tables,
-                muscles=[
-                    {"name": f"{name}.toml", "text": text}
-                    for name, text in muscles.items()
-                ],
-            )
-        )
+        files = []
+        for i, (own, given) in enumerate(zip(held, (muscle_1, muscle_2)), 1):
+            name, text = f"muscle_{i}.toml", (given or own).to_toml()
+            tables[f"muscle_{i}"]["file"] = name
+            files.append({"name": name, "text": text})
+        return Joint._of(Joint._written(tables, muscles=files))
 
 
 class Drive(_api.DriveCommands, _File):
@@ -307,18 +463,56 @@ class Drive(_api.DriveCommands, _File):
         *,
         command: Keys,
         tables: Mapping[str, TableLike] | None = None,
-        **others: Unpack[_api.DriveTables],
+        **others: Keys | str | None,
     ) -> None:
+        if not isinstance(of, (Muscle, Joint)):
+            raise wrong_type("of", "a Muscle or a Joint", of)
         place, named = (
             f"{of._kind}.toml",
             [{**table(data), "name": name} for name, data in (tables or {}).items()],
         )
         made = {
             of._kind: place,
-            **_tables(_api.DriveTables, others),
+            **_tables(others),
             "command": _table(command),
         }
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
+
+    def linearise(self, **options: Unpack[_api.Options]) -> Linear:
+        """The drive with its air and valves about its rest at the first commands as ẋ = A x + B u, y = C x + D u.
+
+        x is the coordinate (shortening in mm, or angle in rad), its velocity, and of each muscle the absolute pressure in MPa, the mass of its air in g, and what else
+        the drive has: the opening of a valve that lags, forces of relaxation. u are changes of the commands, y is the contraction, or the angle in rad.
+
+        Parameters
+        ----------
+        options
+            Which model, as in :meth:`Muscle.force`.
+
+        Raises
+        ------
+        MckibbenError
+            It rests on a stop, or has no rest.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
+        >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": 0.2, "until_s": 1})
+        >>> [m.shape for m in lift.linearise(model="universal")]
+        [(4, 4), (4, 1), (1, 4), (1, 1)]
+        """
+        import numpy as np
+
+        simulation = Simulation(self, 1e-3, **options)
+        *numbers, gain = simulation._native.linear()
+        size, count = int(len(numbers) ** 0.5), simulation._commands[1]
+        a, b = np.split(np.reshape(numbers, (-1, size)).T, [size], axis=1)
+        if count == 2:
+            # Each command acts on its own muscle. They were changed against each other; a higher one fills.
+            own = (np.arange(size) > size // 2).astype(int)
+            b = abs(b) * np.eye(2)[own]
+        return Linear(a, b, np.eye(1, size) * gain, np.zeros((1, count)))
 
     @property
     def of(self) -> Muscle | Joint:
@@ -386,10 +580,12 @@ class Simulation:
         record: bool = True,
         **options: Unpack[_api.Options],
     ) -> None:
-        held = drive if isinstance(drive, Drive) else Drive.load(drive)
+        if not (dt_s := number("dt_s", dt_s)) > 0.0:
+            raise InputError("a step takes some time", field="dt_s")
+        held = drive._held if isinstance(drive, Drive) else _native.read(drive, "drive")
         self._hold(
-            fields({**held._files("motion"), **modelled(known(options, _api.Options))}),
-            float(dt_s),
+            fields({**held, **modelled(known(options, _api.Options))}),
+            dt_s,
             record,
         )
 
@@ -513,7 +709,8 @@ class Simulation:
 
     def to_columns(self) -> dict[str, Any]:
         """What was recorded as arrays: the start, and the end of each step."""
-        return dict(zip(self._names, self._native.rows().T))
+        rows = self._native.rows().reshape(-1, len(self._names))
+        return dict(zip(self._names, rows.T))
 
     def to_pandas(self) -> pandas.DataFrame:
         """The same as a ``pandas.DataFrame``."""

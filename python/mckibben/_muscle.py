@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Collection, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import _api, _native
-from ._errors import InputError, MuscleWarning, warned
+from ._errors import InputError, MckibbenError, MuscleWarning, warned, wrong_type
 from ._request import (
     Saved,
     array,
@@ -16,6 +18,7 @@ from ._request import (
     heard,
     is_nan,
     known,
+    labels,
     modelled,
     number,
     put,
@@ -24,19 +27,21 @@ from ._request import (
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
+    from typing_extensions import Unpack
 
     from ._parts import Rubber
-    from ._request import Number, Progress
+    from ._request import Floats, Number, Progress
 
     Array = NDArray[np.float64]
+    Errors = Literal["raise", "nan"]
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
-# The names of both numbers of a pair, by what is wanted.
+# The name of what is wanted, and those of both numbers of the question.
 PAIRS = {
-    "force": ("pressure_mpa", "contraction"),
-    "pressure": ("force_n", "contraction"),
-    "contraction": ("force_n", "pressure_mpa"),
+    "force": ("force_n", "pressure_mpa", "contraction"),
+    "pressure": ("pressure_mpa", "force_n", "contraction"),
+    "contraction": ("contraction", "force_n", "pressure_mpa"),
 }
 # A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
 _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
@@ -54,7 +59,7 @@ class Bound:
             muscle,
             muscle._held.model(fields(modelled(known(given, _api.Options)))),
         )
-        allowed = self.native.allowed_mpa()
+        (_, allowed), _ = self.native.bounds()
         highest = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
         # Elements would take long, and warn of what a long muscle does.
         model = {"model": "thick-wall"} if self.native.is_elements else None
@@ -88,13 +93,16 @@ class Bound:
 
 
 def _plain(value: Any) -> Any:
-    """A number of NumPy as one of Python."""
+    """A number of NumPy, or an array of no dimension, as one of Python."""
     # While another thread imports NumPy, its module is not complete.
-    generic = getattr(sys.modules.get("numpy"), "generic", ())
-    return value.item() if isinstance(value, generic) else value
+    numpy = sys.modules.get("numpy")
+    is_number = isinstance(value, getattr(numpy, "generic", ())) or (
+        type(value) is getattr(numpy, "ndarray", None) and not value.shape
+    )
+    return value.item() if is_number else value
 
 
-class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
+class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
     """A McKibben muscle: a rubber tube in a braid between two terminals. Diameter, wall and length are to be given; :meth:`prototype` is that
     of the paper. Angle 28°, rubber and braid ``paper`` where they are left out.
 
@@ -119,11 +127,27 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
         missing = [n for n in MEASURES[:3] if not base and given.get(n, 0) is None]
         if missing:
-            raise TypeError(f'{missing[0]}: a length such as 30 or "30 mm", not None')
+            raise wrong_type(missing[0], 'a length such as 30 or "30 mm"', None)
         return self._of(_native.Muscle({"muscle": fields({**given, "file": base})}))
 
     def _changed(self, given: dict[str, Any]) -> Muscle:
         return object.__new__(Muscle)._make(given, self)
+
+    def replace(self, **measures: Unpack[_api.Measures]) -> Muscle:
+        """The same with other values, named as in :class:`Muscle`.
+
+        Raises
+        ------
+        InputError
+            There is no such muscle; `field` is the argument to blame.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Muscle.prototype().replace(wall_mm="2 mm").wall_mm
+        2.0
+        """
+        return self._changed(dict(known(measures, _api.Measures)))
 
     def _files(self, command: str) -> dict[str, Any]:
         return {"muscle": {"file": {"name": "muscle", "text": self.to_toml()}}}
@@ -198,22 +222,29 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         a: Any,
         b: Any,
         jac: bool | Sequence[str],
-        errors: str,
-        progress: Progress,
-        options: Mapping[str, Any],
+        options: dict[str, Any],
     ) -> Any:
-        bound, nan = self._bound(options), is_nan(errors)
-        a, b = _plain(a), _plain(b)
+        nan = is_nan(options.pop("errors", "raise"))
+        progress = options.pop("progress", None)
+        bound = self._bound(options)
+        numbers = (float, int)
+        a = a if type(a) in numbers else _plain(a)
+        b = b if type(b) in numbers else _plain(b)
         if (
             jac is False
             and progress is None
-            and type(a) in (float, int)
-            and type(b) in (float, int)
+            and type(a) in numbers
+            and type(b) in numbers
         ):
             stated = {"force": a, "contraction": b}.get(wanted, 0.0)
             if stated > _LIKELY_MPA:
                 number("pressure_mpa", stated)
-            found = bound.native.answer_pair(wanted, a, b, nan)
+            try:
+                found = bound.native.answer_pair(wanted, a, b, nan)
+            except MckibbenError as error:
+                # It is not one of several.
+                error.index = None
+                raise
             pressure = (
                 a if wanted == "force" else b if wanted == "contraction" else found
             )
@@ -223,21 +254,280 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             return found
         return _arrays(bound, wanted, a, b, jac, nan, progress)
 
-    def _solved(
+    @overload
+    def force(  # type: ignore[overload-overlap]
+        self,
+        pressure_mpa: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[_api.Asking],
+    ) -> float: ...
+    @overload
+    def force(
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[_api.Asking],
+    ) -> Array: ...
+    @overload
+    def force(
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[_api.Asking],
+    ) -> tuple[Any, Array]: ...
+    def force(
         self,
         pressure_mpa: Any,
-        contraction: Any,
-        errors: str,
-        progress: Progress,
-        options: Mapping[str, Any],
+        contraction: Any = 0.0,
+        *,
+        jac: bool | Sequence[str] = False,
+        **options: Any,
+    ) -> Any:
+        """F(P, ε): the pull, in N; 0 where the muscle is slack.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        contraction : ratio
+            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `direction`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
+            N, then ∂F/∂θ of each name in N per its unit, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> muscle.force([0.1, 0.2], 0.1, model="paper").round(1)
+        array([ 585.7, 1202.7])
+        """
+        return self._asked("force", pressure_mpa, contraction, jac, options)
+
+    @overload
+    def pressure(  # type: ignore[overload-overlap]
+        self,
+        force_n: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[_api.Asking],
+    ) -> float: ...
+    @overload
+    def pressure(
+        self,
+        force_n: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[_api.Asking],
+    ) -> Array: ...
+    @overload
+    def pressure(
+        self,
+        force_n: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[_api.Asking],
+    ) -> tuple[Any, Array]: ...
+    def pressure(
+        self,
+        force_n: Any,
+        contraction: Any = 0.0,
+        *,
+        jac: bool | Sequence[str] = False,
+        **options: Any,
+    ) -> Any:
+        """P(F, ε): the pressure that gives a pull, in MPa.
+
+        Parameters
+        ----------
+        force_n : N
+            Pulls F, broadcast against the other argument.
+        contraction : ratio
+            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `direction`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂P/∂F, ∂P/∂ε, then
+            ∂P/∂θ, by implicit differentiation, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> round(muscle.pressure(300, "10%", model="ideal"), 4)
+        0.0377
+        """
+        return self._asked("pressure", force_n, contraction, jac, options)
+
+    @overload
+    def contraction(  # type: ignore[overload-overlap]
+        self,
+        force_n: Number,
+        pressure_mpa: Number,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[_api.Asking],
+    ) -> float: ...
+    @overload
+    def contraction(
+        self,
+        force_n: Floats,
+        pressure_mpa: Floats,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[_api.Asking],
+    ) -> Array: ...
+    @overload
+    def contraction(
+        self,
+        force_n: Floats,
+        pressure_mpa: Floats,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[_api.Asking],
+    ) -> tuple[Any, Array]: ...
+    def contraction(
+        self,
+        force_n: Any,
+        pressure_mpa: Any,
+        *,
+        jac: bool | Sequence[str] = False,
+        **options: Any,
+    ) -> Any:
+        """ε(F, P): the contraction at which a pressure gives a pull.
+
+        Parameters
+        ----------
+        force_n : N
+            Pulls F, broadcast against the other argument.
+        pressure_mpa : MPa
+            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `direction`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂ε/∂F, ∂ε/∂P, then
+            ∂ε/∂θ, by implicit differentiation, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> round(muscle.contraction(300, "2 bar", model="ideal"), 3)
+        0.293
+        """
+        return self._asked("contraction", force_n, pressure_mpa, jac, options)
+
+    def solve(
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats = 0.0,
+        *,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **options: Unpack[_api.Options],
     ) -> _api.Solution:
-        """All that is known of points as arrays of the broadcast shape, and what is to be known of them."""
+        """All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        contraction : ratio
+            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `direction`.
+
+        Returns
+        -------
+        Solution
+            Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> points = mk.Muscle.prototype().solve([0.1, 0.2], 0.1, model="universal")
+        >>> points.force_n.shape, bool((points.uncertainty_n > 0).all())
+        ((2,), True)
+        """
         import numpy as np
 
         bound = self._bound(options)
-        p, e = np.broadcast_arrays(
-            array("pressure_mpa", pressure_mpa), array("contraction", contraction)
+        (p, e), labelled = labels(
+            {"pressure_mpa": pressure_mpa, "contraction": contraction}
         )
+        p, e = np.broadcast_arrays(array("pressure_mpa", p), array("contraction", e))
         rows = bound.native.solve(
             p.ravel().tolist(),
             e.ravel().tolist(),
@@ -250,6 +540,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             warned("; ".join(texts), MuscleWarning)
         usual = {"slack": False, "status": "ok", "cause": ""}
         for row in rows:
+            # They add as squares.
+            parts = row.pop("uncertainty_parts_n", {}).items()
+            row |= {f"uncertainty_{name}_n": part for name, part in parts}
             said = row.pop("warnings", ())
             row["warned"] = sum(1 << texts.index(text) for text in set(said))
         names = dict.fromkeys(
@@ -261,7 +554,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         columns = {
             name: [row.get(name, usual.get(name)) for row in rows] for name in names
         }
-        return _api.Solution._read(
+        made = _api.Solution._read(
             {
                 **columns,
                 "pressure_mpa": p,
@@ -270,6 +563,20 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
                 "warnings": texts,
             }
         )
+        if p.ndim and not isinstance(labelled("", p), np.ndarray):
+            made.__dict__["_labels"] = labelled
+        return made
+
+    def bounds(self, **options: Unpack[_api.Options]) -> list[tuple[float, float]]:
+        """Lowest and highest pressure in MPa and contraction of a model, as an optimiser takes them; the pressure is at most the allowed one.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Muscle.prototype().bounds(model="paper")
+        [(0.0, 0.25), (0.0, 0.2)]
+        """
+        return self._bound(options).native.bounds()
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -281,7 +588,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         value = self._field(measure)
         if not isinstance(value, float):
             raise ValueError(
-                f"{measure}: a muscle whose {measure} is {value!r} has no derivative by it; use jac=['braid.stiffness']"
+                f"{measure}: no derivative by {value!r}; use jac=['braid.stiffness']"
             )
         step = 1e-4 * abs(value)
         high, low = (
@@ -316,7 +623,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         among them, also where the braid's k follows the diameter.
         """
         return object.__new__(Muscle)._of(
-            self._held.changed({str(n): float(v) for n, v in values.items()})
+            self._held.changed([(n, float(v)) for n, v in values.items()])
         )
 
     @property
@@ -360,13 +667,14 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
                 "units": units,
             }
         )
-        page = _native.report_html(request, heard(progress, "build"))
+        page = _native.page_html("build", request, heard(progress, "build"))
         if path is not None:
             put({path: page}, overwrite)
         return page
 
     def cite(self, model: str | None = None) -> str:
-        """BibTeX of the package, of the model, and of the data behind rubber and braid of this muscle.
+        """BibTeX of the package, and of what the model and the data of rubber and braid come from: authors, title, year and DOI; where the source is no publication,
+        a note.
 
         Examples
         --------
@@ -374,32 +682,23 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         >>> print(mk.Muscle.prototype().cite("ideal").splitlines()[0])
         @software{mckibben,
         """
-        point = _native.ask(
-            "force",
-            {**self._files("force"), "pressure_mpa": 0.0, "model": model or "fe"},
-        )
-        notes = {"model": (f"Model {point['model']}", point["about"]["source"])}
-        for kind, name in (("rubber", self.rubber), ("braid", self._field("braid"))):
-            if isinstance(name, str) and name.split(":")[0] not in (
-                "paper",
-                "shore",
-                "s100",
-            ):
-                held: Any = _api.part(name.split(":")[0])
-                notes[kind] = (
-                    f"{kind.capitalize()} {name}",
-                    (held.rubber or held.sleeve).source,
-                )
-        package = f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
-        return "\n\n".join(
-            [
-                package,
-                *(
-                    f"@misc{{mckibben_{key},\n  title = {{{title}}},\n  note = {{{source}}}\n}}"
-                    for key, (title, source) in notes.items()
-                ),
-            ]
-        )
+        asked = {**self._files("force"), "pressure_mpa": 0.0, "model": model or "fe"}
+        sources = {"model": _native.ask("force", asked)["about"]["source"]}
+        for part in ("rubber", "braid"):
+            name = str(self._field(part) or "").split(":")[0]
+            with suppress(InputError):
+                held: Any = _api.part(name)
+                sources[name] = (held.rubber or held.sleeve).source
+        known = re.findall(r"^(@\w+\{(\w+),.*?^\})", _native.LITERATURE, re.M | re.S)
+        entries = {key: text for text, key in known}
+        out = [
+            f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
+        ]
+        for name, source in sources.items():
+            keys = re.findall(r"\[(\w+)\]", source)
+            note = f"@misc{{mckibben_{name},\n  note = {{{source}}}\n}}"
+            out += [entries[key] for key in keys] or [note]
+        return "\n\n".join(dict.fromkeys(out))
 
     _key = to_toml
 
@@ -431,7 +730,9 @@ def _arrays(
     """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
     import numpy as np
 
-    a, b = (array(name, value) for name, value in zip(PAIRS[wanted], (a, b)))
+    name, *pair = PAIRS[wanted]
+    given, labelled = labels(dict(zip(pair, (a, b))))
+    a, b = map(array, pair, given)
     mask: Any = (
         np.ma.getmaskarray(a) | np.ma.getmaskarray(b)
         if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray)
@@ -490,5 +791,5 @@ def _arrays(
             if rates is None
             else np.ma.array(rates, mask=np.broadcast_to(mask[..., None], rates.shape))
         )
-    found = value if shape else float(value)
-    return found if rates is None else (found, rates)
+    found = labelled(name, value)
+    return found if rates is None else (found, labelled(name, rates))

@@ -1,5 +1,4 @@
 # Written by python/stubs.sh (maturin generate-stubs); do not edit.
-import collections.abc
 import numpy
 import numpy.typing
 import typing
@@ -9,9 +8,14 @@ The compiled half of mckibben; what users call is in the package `mckibben`.
 
 from _typeshed import SupportsGetItem
 from os import PathLike
-from typing import Final, SupportsFloat, SupportsIndex, final
+from typing import Any, Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Formula", "Model", "Muscle", "Simulation", "ask", "body_html", "check_joint", "given", "quantities", "quantity", "read", "report_html", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
+__all__ = ["LITERATURE", "VERSION", "Formula", "Joint", "Model", "Muscle", "Simulation", "ask", "given", "page_html", "quantities", "quantity", "read", "rollout", "toml", "toml_text", "unit_of", "unlikely", "write_file"]
+
+LITERATURE: Final[str]
+"""
+The sources that code and data name, BibTeX.
+"""
 
 VERSION: Final[str]
 """
@@ -26,8 +30,29 @@ class Formula:
         """
     def fill(self, /, points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate: bool, two_sided: bool, nan: bool) -> None:
         """
-        Pulls in N at points: rows of pressures, contractions, walls and diameters. The first one outside of the range raises, unless this is not
-        looked at; or it is NaN.
+        Pulls in N at points: in each row pressure, contraction, wall and diameter. The first one
+        outside of the range raises, unless this is not looked at; or it is NaN.
+        """
+
+@final
+class Joint:
+    """
+    A joint.
+    """
+    def __new__(cls, /, request: "dict[str, typing.Any]") -> Joint:
+        """
+        The joint of its file and those of its muscles.
+        """
+    def levers(self, /, angle_deg: SupportsFloat | SupportsIndex, nan: bool) -> list[float]:
+        """
+        At an angle in degrees: torque of spring and weight in N m and its slope in N m/rad, then of
+        each muscle its contraction, its moment arm in mm and the slope of that in mm. Beyond the
+        range an error, or NaN.
+        """
+    @property
+    def link(self, /) -> tuple[float, float]:
+        """
+        Moment of inertia in kg m², and damping in N m s/rad.
         """
 
 @final
@@ -35,17 +60,19 @@ class Model:
     """
     A model bound to its muscle.
     """
-    def allowed_mpa(self, /) -> float:
-        """
-        The pressure in MPa that the muscle is allowed; infinite where it is not known.
-        """
     def answer_pair(self, /, wanted: str, first: SupportsFloat | SupportsIndex, second: SupportsFloat | SupportsIndex, nan: bool) -> float:
         """
         The answer to one pair of numbers; NaN where it has none and `nan` is true.
         """
-    def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> int:
+    def bounds(self, /) -> list[tuple[float, float]]:
         """
-        Answers every pair of two lists into `out`, with slopes all numbers of a point one after the other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+        Lowest and highest pressure in MPa of the model, at most the allowed one, and contraction.
+        """
+    def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: Any | None = None) -> int:
+        """
+        Answers every pair of two lists into `out`, with slopes all numbers of a point one after the
+        other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the
+        first one raises).
         """
     @property
     def is_elements(self, /) -> bool:
@@ -57,7 +84,7 @@ class Model:
         """
         The model's name.
         """
-    def solve(self, /, pressures: SupportsGetItem[int, SupportsFloat | SupportsIndex], contractions: SupportsGetItem[int, SupportsFloat | SupportsIndex], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "list[dict[str, typing.Any]]":
+    def solve(self, /, pressures: SupportsGetItem[int, SupportsFloat | SupportsIndex], contractions: SupportsGetItem[int, SupportsFloat | SupportsIndex], nan: bool, progress: Any | None = None) -> "list[dict[str, typing.Any]]":
         """
         All that is known of each point, or why it has no answer.
         """
@@ -71,22 +98,18 @@ class Muscle:
         """
         The muscle of a request.
         """
-    def changed(self, /, values: "dict[str, float]") -> Muscle:
+    def changed(self, /, values: SupportsGetItem[int, tuple[str, SupportsFloat | SupportsIndex]]) -> Muscle:
         """
         The same with other values of constants and measures, all others held.
         """
     def fields(self, /) -> "dict[str, typing.Any]":
         """
-        The fields by which a muscle is given, of this one; those that it does not have are left out.
+        The fields by which a muscle is given, of this one; those that it does not have are left
+        out.
         """
     def model(self, /, request: "dict[str, typing.Any]") -> Model:
         """
         The model that a request names, of this muscle.
-        """
-    @staticmethod
-    def of_rubber(text: str) -> Muscle:
-        """
-        The paper's muscle with the rubber of a text: its table `tube.material`.
         """
     def parameters(self, /) -> list[tuple[str, float]]:
         """
@@ -94,7 +117,8 @@ class Muscle:
         """
     def stress(self, /, mode: str, stretches: SupportsGetItem[int, SupportsFloat | SupportsIndex]) -> list[float]:
         """
-        Nominal stress in MPa of the rubber at stretches: `uniaxial`, `planar` or `equibiaxial`, with plane stress and constant volume.
+        Nominal stress in MPa of the rubber at stretches: `uniaxial`, `planar` or `equibiaxial`,
+        with plane stress and constant volume.
         """
     @property
     def text(self, /) -> str:
@@ -114,7 +138,8 @@ class Simulation:
     @property
     def commands(self, /) -> tuple[str, int, bool]:
         """
-        What is commanded (`pressure`, `opening` or `position`), how many commands there are, and whether a joint is moved.
+        What is commanded (`pressure`, `opening` or `position`), how many commands there are, and
+        whether a joint is moved.
         """
     def copy(self, /) -> Simulation:
         """
@@ -127,6 +152,11 @@ class Simulation:
     def last(self, /) -> list[float]:
         """
         What was recorded last, in the order of the names.
+        """
+    def linear(self, /) -> list[float]:
+        """
+        The linear system about its rest at the first commands: A by its columns, B, and position per
+        coordinate.
         """
     @property
     def names(self, /) -> list[str]:
@@ -147,28 +177,19 @@ class Simulation:
         """
     def rows(self, /) -> "numpy.typing.NDArray[numpy.float64]":
         """
-        All that was recorded: a row for the start and for each step.
+        All that was recorded: a row for the start and for each step, one after the other.
         """
     def step(self, /, commands: SupportsGetItem[int, SupportsFloat | SupportsIndex], outside: SupportsFloat | SupportsIndex) -> list[float]:
         """
-        One step on, with a command for each of the drive's and a force in N or torque in N m from outside; what was recorded at its end.
+        One step on, with a command for each of the drive's and a force in N or torque in N m from
+        outside; what was recorded at its end.
         """
 
-def ask(command: "str", request: "object", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]":
+def ask(command: "str", request: "object", progress: Any | None = None) -> "dict[str, typing.Any]":
     """
     The answer to a request with numbers and the contents of files.
 
     `progress(done, total)` is called now and then.
-    """
-
-def body_html(request: "dict[str, typing.Any]") -> str:
-    """
-    A page with the deformed muscle, which turns under the mouse.
-    """
-
-def check_joint(text: str) -> None:
-    """
-    Refuses the text of a joint file that is none.
     """
 
 def given(command: str, request: "object") -> "dict[str, typing.Any]":
@@ -177,9 +198,16 @@ def given(command: str, request: "object") -> "dict[str, typing.Any]":
     likely meant in another unit.
     """
 
+def page_html(command: str, request: "dict[str, typing.Any]", progress: Any | None = None) -> str:
+    """
+    A page of a request: of `shape` the deformed muscle, which turns under the mouse, of `build` all
+    that is known of a muscle.
+    """
+
 def quantities(name: str, text: str) -> list[float]:
     """
-    A text such as `0..2.5:0.5 bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
+    A text such as `0..2.5:0.5 bar` or `1,2,3 bar` as numbers; an interval without a step is cut
+    into 20 parts.
     """
 
 def quantity(name: str, text: str) -> float:
@@ -189,19 +217,15 @@ def quantity(name: str, text: str) -> float:
 
 def read(path: str | PathLike[str], kind: str) -> "dict[str, typing.Any]":
     """
-    A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`, a `formula`; or of several, with those that it names: a
-    `joint`, a `drive`, a `case`.
+    A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`; or of
+    several, with those that it names: a `joint`, a `drive`.
     """
 
-def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> str:
+def rollout(simulation: Simulation, steps: SupportsIndex, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan: bool, progress: Any | None = None) -> None:
     """
-    A page with all that is known of a muscle.
-    """
-
-def rollout(simulation: Simulation, steps: SupportsIndex, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> None:
-    """
-    Copies of a simulation, each with its own commands: a row of `commands` for each step of each copy in turn, and into `out` what is recorded at
-    the start and the end of each step. Copies run side by side. Returns the first step that failed; from there on its copy is NaN.
+    Copies of a simulation, each with its own commands: a row of `commands` for each step of each
+    copy in turn, and into `out` what is recorded at the start and the end of each step. Copies run
+    side by side. Returns the first step that failed; from there on its copy is NaN.
     """
 
 def toml(name: str, text: str) -> "dict[str, typing.Any]":

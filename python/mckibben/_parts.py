@@ -78,7 +78,12 @@ class Rubber(Saved):
         text = _native.toml_text({"tube": {"material": material}})
         # A muscle of nothing else says what is wrong with it.
         self._hold(
-            _held=_native.Muscle.of_rubber(text), _text=text, law=law, constants=given
+            _held=_native.Muscle(
+                {"muscle": {"file": {"name": "rubber", "text": text}}}
+            ),
+            _text=text,
+            law=law,
+            constants=given,
         )
 
     @classmethod
@@ -238,7 +243,7 @@ class Formula(Saved):
         )
         out = np.empty(points[0].size)
         _compiled(self.name, self._text).fill(
-            np.stack([values.ravel() for values in points]),
+            np.stack([values.ravel() for values in points], axis=-1),
             out,
             extrapolate,
             two_sided,
@@ -292,7 +297,8 @@ def load(path: str | os.PathLike[str]) -> Any:
     if not text.lstrip().startswith("{"):
         tables = _native.toml(held["name"], text)
         if "command" in tables or "joint" in tables:
-            return (Drive if "command" in tables else Joint).load(path)
+            of = Drive if "command" in tables else Joint
+            return of._of(_native.read(path, of._kind))
         # A rubber that was saved begins with its table, a muscle with a comment.
         return (
             Rubber.from_toml(text)

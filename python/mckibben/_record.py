@@ -181,10 +181,6 @@ class Record(Fixed):
     def __repr__(self) -> str:
         text = f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
         # Not more than a screen.
-        return text if len(text) <= 2000 else text[:1999] + "…"
-
-    def __str__(self) -> str:
-        text = repr(self)
         return text if len(text) <= 1000 else text[:999] + "…"
 
     def _repr_html_(self) -> str:
@@ -296,10 +292,11 @@ def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
 def drawn(figure: dict[str, Any], ax: Any) -> Any:
     """The axes with the figure on them."""
     import matplotlib.pyplot as plt
+    import numpy as np
     from matplotlib.colors import LinearSegmentedColormap
 
     panels = figure["panels"]
-    axes = list(ax) if isinstance(ax, (list, tuple)) or hasattr(ax, "flat") else [ax]
+    axes = list(np.ravel(ax))
     if ax is None:
         columns = max(1, min(figure.get("columns") or 1, len(panels)))
         rows = -(-len(panels) // columns)
@@ -315,7 +312,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
             spare.remove()
         made.suptitle(figure["title"] if len(panels) > 1 else "")
     if len(axes) < len(panels):
-        raise ValueError(f"{len(panels)} panels need as many axes, not {len(axes)}")
+        raise ValueError(f"{len(panels)} panels need as many axes")
     for panel, axis in zip(panels, axes):
         numbers = [
             s.get("colour") if s.get("colour") is not None else i
@@ -363,12 +360,16 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
 class Points(Record):
     """Points of a muscle as arrays of one shape, each an attribute; ``model`` is the model's name.
 
-    ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
+    ``slack`` where the muscle hangs; ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
     """
 
     _rows: ClassVar[str | None] = "force_n"
     model: str
     warnings: list[str]
+    slack: NDArray[np.bool_]
+    status: NDArray[np.str_]
+    cause: NDArray[np.object_]
+    warned: NDArray[np.int64]
 
     @classmethod
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
@@ -444,25 +445,23 @@ class Points(Record):
 
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
+        import numpy as np
         import xarray as xr
 
         arrays = self._arrays()
+        if labelled := self.__dict__.get("_labels"):
+            held = {name: labelled(name, values) for name, values in arrays.items()}
+            return xr.Dataset(held, attrs={"model": self.model})
         p, e = arrays["pressure_mpa"], arrays["contraction"]
         dims: list[str] = [f"dim_{axis}" for axis in range(p.ndim)]
         coords: dict[str, Any] = {}
         for name, own, other in (("pressure_mpa", p, e), ("contraction", e, p)):
             axes = [
-                axis
-                for axis in range(p.ndim)
-                if p.shape[axis] > 1 and not (own == own.take([0], axis)).all()
+                axis for axis in range(p.ndim) if not (own == own.take([0], axis)).all()
             ]
             if len(axes) == 1 and (other == other.take([0], axes[0])).all():
                 dims[axes[0]] = name
-                coords[name] = own[
-                    tuple(
-                        slice(None) if axis == axes[0] else 0 for axis in range(p.ndim)
-                    )
-                ]
+                coords[name] = np.moveaxis(own, axes[0], -1)[(0,) * (p.ndim - 1)]
         out = xr.Dataset(
             {
                 name: (dims, values)
@@ -582,9 +581,7 @@ class Identified(Record):
         ]
         head = f"{me.model}: {len(me.points)} points, rms {me.rms_n:.3g} N (before {me.rms_before_n:.3g} N), largest {me.max_n:.3g} N"
         errors = "± half width of 95 %, " + (
-            "by the stated errors"
-            if me.errors_stated
-            else f"by the residuals, {me.degrees_of_freedom} degrees of freedom"
+            "by the stated errors" if me.errors_stated else "by the residuals"
         )
         return "\n".join(
             [head, *words, errors, *(f"note: {text}" for text in me.warnings)]
@@ -639,7 +636,7 @@ class Designed(Record):
             raise NoAnswerError(
                 f"one muscle is not enough: {bundle.muscles} side by side are",
                 kind="no_answer",
-                hint="count=… allows a bundle, of which `best` is one muscle",
+                hint="count=… allows a bundle",
             )
         if not self.muscles:
             raise NoAnswerError(
@@ -688,7 +685,7 @@ class Shaped(Record):
 
     def to_html(self) -> str:
         """A page with the muscle in space, to rotate with the mouse, for use offline."""
-        return _native.body_html(self.__dict__["_asked"][1])
+        return _native.page_html("shape", self.__dict__["_asked"][1])
 
     def _frame(self) -> str:
         from html import escape

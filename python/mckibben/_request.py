@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union
 
 from . import _native
-from ._errors import ExistingFileError, InputError, warned
+from ._errors import ExistingFileError, InputError, warned, wrong_type
 
 if TYPE_CHECKING:
     import numpy as np
@@ -57,6 +57,7 @@ if TYPE_CHECKING:
 # Fields that are tables, those of a model by their arguments, and those that a design searches through.
 TABLES = ("data", "log", "table", "tables", "load_tables")
 MODEL = {"model": "name", "mesh": "mesh", "match": "match", "terminal": "terminal"}
+_NUMBERS = "numbers, a text with its unit or quantities of pint"
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
 
 
@@ -146,11 +147,11 @@ def plain(name: str, value: Any) -> Any:
             for key, item in value.items()
             if item is not None
         }
-    return (
-        [plain(name, item) for item in value]
-        if isinstance(value, (list, tuple, range))
-        else value
-    )
+    if isinstance(value, (list, tuple, range)):
+        return [plain(name, item) for item in value]
+    if value is not None and not isinstance(value, (str, int, float)):
+        raise wrong_type(name, "a number or text", value)
+    return value
 
 
 def number(name: str, value: Any) -> float:
@@ -163,9 +164,7 @@ def number(name: str, value: Any) -> float:
         or getattr(found, "shape", ()) != ()
         or not hasattr(found, "__float__")
     ):
-        raise TypeError(
-            f"{name}: a number, a text with its unit or a quantity of pint, not {type(found).__name__}"
-        )
+        raise wrong_type(name, _NUMBERS, found)
     out = float(found)
     if found is value and (said := _native.unlikely(name, out)):
         warned(said)
@@ -195,14 +194,57 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
         else np.asarray(value)
     )
     if given.dtype.kind not in "fiu":
-        raise TypeError(
-            f"{name}: numbers, a text with its unit or quantities of pint, not {given.dtype}"
-        )
+        raise wrong_type(name, _NUMBERS, value)
     out: NDArray[np.float64] = given.astype(np.float64, copy=not given.flags.aligned)
     highest = float(np.nanmax(np.ma.filled(out, 0.0), initial=0.0))
     if value is own and (said := _native.unlikely(name, highest)):
         warned(said)
     return out
+
+
+def labels(
+    given: Mapping[str, Any],
+) -> tuple[list[Any], Callable[[str, Any], Any]]:
+    """Values without their labels, and what puts these on an answer of a name: dimensions and coordinates of xarray, by which values are broadcast, or the index of
+    pandas; both are to be the same. An answer without a dimension is a number.
+    """
+    values = list(given.values())
+    if any(hasattr(value, "dims") for value in values):
+        import xarray as xr
+
+        def dimensioned(name: str, value: Any) -> Any:
+            if not hasattr(value, "dims"):
+                return xr.DataArray(number(name, value))
+            unit = value.attrs.get("units")
+            return value * _native.quantity(name, f"1 {unit}") if unit else value
+
+        try:
+            aligned = xr.align(*map(dimensioned, given, values), join="exact")
+        except ValueError as error:
+            raise InputError(str(error), field=next(iter(given))) from None
+        values = list(xr.broadcast(*aligned))
+        own: Any = values[0]
+
+        def labelled(name: str, found: Any) -> Any:
+            dims = [*own.dims, "derivative"][: found.ndim]
+            units = {"units": u} if (u := _native.unit_of(name)) else {}
+            return xr.DataArray(found, own.coords, dims, name, units)
+
+        return [value.values for value in values], labelled
+    series = {n: v for n, v in given.items() if hasattr(v, "to_frame")}
+    first: Any = next(iter(series.values()), None)
+    for name, value in series.items():
+        if not value.index.equals(first.index):
+            raise InputError("another index", field=name)
+
+    def indexed(name: str, found: Any) -> Any:
+        if not found.ndim:
+            return float(found)
+        if first is None or found.ndim > 1:
+            return found
+        return type(first)(found, first.index, name=name)
+
+    return values, indexed
 
 
 def ask(
@@ -331,7 +373,7 @@ def put(
                     f"{path} is another file and would be overwritten",
                     kind="output",
                     field="path",
-                    hint="name another place, or replace it with overwrite=True",
+                    hint="or overwrite=True",
                 )
     for path, content in contents.items():
         _native.write_file(path, content)
@@ -388,9 +430,7 @@ def to_csv(data: Any) -> str:
 
         data = pa.table(data).to_pydict()
     if not isinstance(data, Mapping):
-        raise TypeError(
-            f"a table is a path, a data frame or columns by name, not {type(data).__name__}"
-        )
+        raise wrong_type("data", "a path, a data frame or columns by name", data)
     given = {str(name): plain(str(name), values) for name, values in data.items()}
     several = {
         name: len(values) for name, values in given.items() if isinstance(values, list)
@@ -401,12 +441,8 @@ def to_csv(data: Any) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(given)
-    for row in zip(
-        *(
-            values if name in several else [values] * rows
-            for name, values in given.items()
-        )
-    ):
+    columns = (v if name in several else [v] * rows for name, v in given.items())
+    for row in zip(*columns):
         writer.writerow(
             [
                 ""

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
-from ._errors import MckibbenError
+from ._errors import InputError, MckibbenError
+from ._motion import Joint
 from ._muscle import MEASURES
-from ._request import is_nan
+from ._request import fields, is_nan, modelled
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -24,23 +25,95 @@ if TYPE_CHECKING:
 
     Array: TypeAlias = NDArray[np.float64]
 
-_NO_SECOND = "finite elements have first derivatives only: take the model universal for second ones, or the outer product of residuals' gradients (Gauss-Newton)"
-# Places and weights of differences of fourth order about a point, and from a point on.
-_ABOUT = (
-    np.array([-2.0, -1.0, 0.0, 1.0, 2.0]),
-    np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12,
-)
-_FROM = (
-    np.array([0.0, 1.0, 2.0, 3.0, 4.0]),
-    np.array([-25.0, 48.0, -36.0, 16.0, -3.0]) / 12,
-)
+# Places and weights of differences of fourth order, about a point and from a point on.
+_PLACES = np.array([[-2, 0], [-1, 1], [0, 2], [1, 3], [2, 4]])
+_WEIGHTS = np.array([[1, -25], [-8, 48], [0, -36], [8, 16], [-1, -3]]) / 12
 # Steps of differences are this share of a value, or of what is usual where that is less.
 _STEP = 1e-3
 _USUAL = {"force": (0.1, 0.2), "pressure": (100.0, 0.2), "contraction": (100.0, 0.1)}
 
 
 class _Asked:
-    """One of ``force``, ``pressure``, ``contraction`` of a muscle by a model, as a function of two arrays and of θ."""
+    """A number that is asked of a model, as a function of arrays and of θ."""
+
+    # Numbers of the question, with what is usual of each, and which of them may be below zero.
+    usual: Sequence[float]
+    signed: int | None = 1
+    names: Sequence[str] = ()
+
+    def __init__(self, muscle: Muscle, errors: str, options: Mapping[str, Any]) -> None:
+        self.nan, self.options = is_nan(errors), options
+        # Which model it is, and whether there is one.
+        self.has_second = not muscle._bound(options).native.is_elements
+        # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
+        width = len(self.usual) + len(self.names)
+        self.widths: Any = (), (1 + width,), (width**2,)
+
+    def numbers(
+        self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
+    ) -> Array:
+        """Values, or with an axis more at the end their slopes."""
+        raise NotImplementedError
+
+    def second(self, given: list[Array], theta: Array) -> Array:
+        """Second derivatives at one θ: differences of slopes, which closed forms have to their last digits. Slack muscles have none."""
+        options = {**self.options, "extrapolate": True, "two_sided": True}
+        values: list[Any] = [*np.broadcast_arrays(*given), *theta]
+        count = len(given)
+        rows: list[Array] = []
+        for i, (value, usual) in enumerate(zip(values, (*self.usual, *abs(theta)))):
+            h = _STEP * (np.maximum(abs(value), usual) if usual else 1.0)
+            # Not below zero: no gauge pressure is, and no pull.
+            about = (value >= 2 * h) | (i >= count) | (i == self.signed)
+            row: Any = 0.0
+            for at, by in zip(_PLACES, _WEIGHTS):
+                moved = [
+                    *values[:i],
+                    value + np.where(about, *at) * h,
+                    *values[i + 1 :],
+                ]
+                slopes = self.numbers(
+                    moved[:count], np.array(moved[count:]), True, options
+                )
+                row = row + (np.where(about, *by) / h)[..., None] * slopes[..., 1:]
+            rows.append(row)
+        out = np.stack(rows, axis=-1)
+        # What is equal differs by rounding alone.
+        out = 0.5 * (out + out.swapaxes(-1, -2))
+        return out.reshape(*values[0].shape, -1)
+
+    def one(self, given: list[Array], theta: Array, order: int) -> Array:
+        """The values, or with an axis more at the end derivatives of an order, at one θ."""
+        try:
+            if order == 2:
+                return self.second(given, theta)
+            return self.numbers(given, theta, order == 1, self.options)
+        except MckibbenError:
+            # A muscle that cannot be.
+            if not self.nan:
+                raise
+            shape = np.broadcast_shapes(*(v.shape for v in given))
+            return np.full((*shape, *self.widths[order]), np.nan)
+
+    def many(self, *numbers: Any, order: int) -> Array:
+        """The same where all may have axes of a batch in front, as many as θ has more than one."""
+        *given, theta = (np.asarray(v, dtype=np.float64) for v in numbers)
+        if theta.size == theta.shape[-1]:
+            return self.one(given, theta.reshape(-1), order)
+        deep = theta.ndim - 1
+        axes = np.broadcast_shapes(*(v.shape[:deep] for v in (*given, theta)))
+        given, theta = (
+            [np.broadcast_to(v, axes + v.shape[deep:]) for v in given],
+            np.broadcast_to(theta, axes + theta.shape[deep:]),
+        )
+        parts = [
+            self.one([v[i] for v in given], theta[i], order) for i in np.ndindex(axes)
+        ]
+        return np.stack(parts).reshape(axes + parts[0].shape)
+
+
+class _OfMuscle(_Asked):
+    """``force``, ``pressure`` or ``contraction`` of a muscle."""
 
     def __init__(
         self,
@@ -48,120 +121,64 @@ class _Asked:
         wanted: str,
         names: Sequence[str],
         errors: str,
-        options: dict[str, Any],
+        options: Mapping[str, Any],
     ) -> None:
-        self.muscle, self.wanted, self.names, self.nan, self.options = (
-            muscle,
-            wanted,
-            tuple(names),
-            is_nan(errors),
-            options,
-        )
-        if unknown := [
-            name
-            for name in names
-            if name not in MEASURES and name not in muscle.parameters
-        ]:
-            raise ValueError(
-                f"{unknown[0]}: there is {', '.join([*MEASURES, *muscle.parameters])}"
-            )
-        # Which model it is, and whether there is one.
-        self.has_second = not muscle._bound(options).native.is_elements
-        # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
-        self.widths = (), (3 + len(names),), ((2 + len(names)) ** 2,)
+        there = [*MEASURES, *muscle.parameters]
+        if unknown := [name for name in names if name not in there]:
+            raise InputError(f"there is {', '.join(there)}", field=unknown[0])
+        self.muscle, self.wanted, self.names = muscle, wanted, names
+        self.usual = _USUAL[wanted]
+        self.signed = None if wanted == "contraction" else 1
+        super().__init__(muscle, errors, options)
 
-    def at(self, theta: Array) -> tuple[Muscle, list[str], Array]:
-        """The muscle with these values, and how its parameters change with each, of which one that is a value itself follows no measure."""
+    def numbers(
+        self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
+    ) -> Array:
         values = dict(zip(self.names, theta.tolist()))
         measures = {name: value for name, value in values.items() if name in MEASURES}
         own = {name: value for name, value in values.items() if name not in MEASURES}
         muscle = self.muscle._changed(measures) if measures else self.muscle
-        return muscle.with_parameters(own) if own else muscle, *muscle._chain(
-            self.names, own
+        # One that is a value itself follows no measure.
+        names, by = muscle._chain(self.names, own) if slopes else ([], None)
+        muscle = muscle.with_parameters(own) if own else muscle
+        # Nothing is said of points: a sampler asks many. The model of the muscle itself is kept.
+        native = (
+            muscle._held.model(fields(modelled(options)))
+            if values
+            else muscle._bound(options).native
         )
+        pair = np.broadcast_arrays(*given)
+        out = np.empty((*pair[0].shape, 3 + len(names)) if slopes else pair[0].shape)
+        first, second = (np.ascontiguousarray(v).reshape(-1) for v in pair)
+        native.fill(
+            self.wanted, first, second, out.reshape(-1), slopes, names, self.nan
+        )
+        return np.concatenate([out[..., :3], out[..., 3:] @ by], -1) if slopes else out
 
-    def second(self, a: Array, b: Array, theta: Array) -> Array:
-        """Second derivatives at one θ: differences of slopes, which closed forms have to their last digits. Slack muscles have none."""
-        smooth = _Asked(
-            self.muscle,
-            self.wanted,
-            self.names,
-            "nan" if self.nan else "raise",
-            {**self.options, "extrapolate": True, "two_sided": True},
-        )
-        values: list[Any] = [*np.broadcast_arrays(a, b), *theta]
-        rows: list[Array] = []
-        for i, (value, usual) in enumerate(
-            zip(values, (*_USUAL[self.wanted], *abs(theta)))
-        ):
-            h = _STEP * (np.maximum(abs(value), usual) if usual else 1.0)
-            # Not below zero: no gauge pressure is, and no pull.
-            about = (
-                (value >= 2 * h) | (i > 1) | (i == 1 and self.wanted != "contraction")
-            )
-            row: Any = 0.0
-            for at, by in zip(
-                np.transpose([_ABOUT[0], _FROM[0]]), np.transpose([_ABOUT[1], _FROM[1]])
-            ):
-                moved = [
-                    *values[:i],
-                    value + np.where(about, *at) * h,
-                    *values[i + 1 :],
-                ]
-                row = (
-                    row
-                    + (np.where(about, *by) / h)[..., None]
-                    * smooth.one(moved[0], moved[1], np.array(moved[2:]), 1)[..., 1:]
-                )
-            rows.append(row)
-        out = np.stack(rows, axis=-1)
-        # What is equal differs by rounding alone.
-        out = 0.5 * (out + out.swapaxes(-1, -2))
+    def second(self, given: list[Array], theta: Array) -> Array:
+        out = super().second(given, theta)
         if self.wanted == "force" and not self.options.get("two_sided"):
-            out = np.where((self.one(a, b, theta, 0) == 0)[..., None, None], 0.0, out)
-        return out.reshape(*values[0].shape, -1)
+            out = np.where((self.one(given, theta, 0) == 0)[..., None], 0.0, out)
+        return out
 
-    def one(self, a: Array, b: Array, theta: Array, order: int) -> Array:
-        """The values, or with an axis more at the end derivatives of an order, at one θ."""
-        try:
-            if order == 2:
-                return self.second(a, b, theta)
-            muscle, own, by = self.at(theta)
-            found = getattr(muscle, self.wanted)(
-                a,
-                b,
-                jac=(own or True) if order else False,
-                errors="nan" if self.nan else "raise",
-                **self.options,
-            )
-        except MckibbenError:
-            # A muscle that cannot be.
-            if not self.nan:
-                raise
-            return np.full(
-                (*np.broadcast_shapes(a.shape, b.shape), *self.widths[order]), np.nan
-            )
-        if not order:
-            return np.asarray(found)
-        return np.concatenate(
-            [
-                np.asarray(found[0])[..., None],
-                found[1][..., :2],
-                found[1][..., 2:] @ by,
-            ],
-            axis=-1,
-        )
 
-    def many(self, a: Any, b: Any, theta: Any, order: int) -> Array:
-        """The same where all three may have axes of a batch in front, as many as θ has more than one."""
-        a, b, theta = (np.asarray(v, dtype=np.float64) for v in (a, b, theta))
-        if theta.size == theta.shape[-1]:
-            return self.one(a, b, theta.reshape(-1), order)
-        deep = theta.ndim - 1
-        axes = np.broadcast_shapes(*(v.shape[:deep] for v in (a, b, theta)))
-        a, b, theta = (np.broadcast_to(v, axes + v.shape[deep:]) for v in (a, b, theta))
-        parts = [self.one(a[i], b[i], theta[i], order) for i in np.ndindex(axes)]
-        return np.stack(parts).reshape(axes + parts[0].shape)
+class _OfJoint(_Asked):
+    """The torque of a joint."""
+
+    def __init__(self, joint: Joint, errors: str, options: Mapping[str, Any]) -> None:
+        muscles = joint._parts()[1]
+        self.joint, self.signed = joint, len(muscles)
+        self.usual = *[0.1] * len(muscles), 20.0
+        super().__init__(muscles[0], errors, options)
+
+    def numbers(
+        self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
+    ) -> Array:
+        errors = "nan" if self.nan else "raise"
+        *pressures, angle = given
+        torque, rates, _ = self.joint._turned(pressures, angle, slopes, errors, options)
+        rates[..., -1] *= np.pi / 180
+        return np.concatenate([torque[..., None], rates], -1) if slopes else torque
 
 
 def force(
@@ -172,7 +189,7 @@ def force(
     **options: Unpack[Options],
 ) -> Callable[..., jax.Array]:
     """F(P, ε; θ) of a muscle as a function of JAX with its first and second derivatives (``jax.custom_jvp``): ``f(pressure_mpa, contraction)``, or
-    ``f(pressure_mpa, contraction, theta)`` with the values of the names in their order, of the broadcast shape of pressures and contractions.
+    ``f(pressure_mpa, contraction, theta)`` with the values of the names in their order, or a dict of them, of the broadcast shape of pressures and contractions.
 
     Parameters
     ----------
@@ -189,9 +206,9 @@ def force(
     Raises
     ------
     ValueError
-        A muscle has no constant or measure of that name.
+        A muscle has no constant or measure of that name (:class:`InputError`).
     """
-    return _function(_Asked(muscle, "force", wrt, errors, dict(options)))
+    return _function(_OfMuscle(muscle, "force", wrt, errors, options))
 
 
 def pressure(
@@ -202,7 +219,7 @@ def pressure(
     **options: Unpack[Options],
 ) -> Callable[..., jax.Array]:
     """P(F, ε; θ) of a muscle: ``f(force_n, contraction)`` or ``f(force_n, contraction, theta)`` in MPa; arguments as in :func:`force`."""
-    return _function(_Asked(muscle, "pressure", wrt, errors, dict(options)))
+    return _function(_OfMuscle(muscle, "pressure", wrt, errors, options))
 
 
 def contraction(
@@ -213,32 +230,40 @@ def contraction(
     **options: Unpack[Options],
 ) -> Callable[..., jax.Array]:
     """ε(F, P; θ) of a muscle: ``f(force_n, pressure_mpa)`` or ``f(force_n, pressure_mpa, theta)``; arguments as in :func:`force`."""
-    return _function(_Asked(muscle, "contraction", wrt, errors, dict(options)))
+    return _function(_OfMuscle(muscle, "contraction", wrt, errors, options))
+
+
+def torque(
+    joint: Joint, *, errors: str = "raise", **options: Unpack[Options]
+) -> Callable[..., jax.Array]:
+    """τ(P, φ) of a joint with its first and second derivatives: ``f(pressures_mpa, angle_deg)`` in N m, with a pressure for each muscle; arguments as in :func:`force`."""
+    return _function(_OfJoint(joint, errors, options))
 
 
 def _function(asked: _Asked) -> Callable[..., jax.Array]:
     count = len(asked.names)
 
+    width = len(asked.usual) + count
+
     def of_order(order: int) -> jax.custom_jvp[Any]:
-        def call(a: Any, b: Any, theta: Any) -> Any:
+        def call(*numbers: Any) -> Any:
+            *given, theta = numbers
             shape, kind = (
-                jnp.broadcast_shapes(jnp.shape(a), jnp.shape(b)),
+                jnp.broadcast_shapes(*(jnp.shape(v) for v in given)),
                 jnp.result_type(float),
             )
             # As many axes each, so that those of a batch come in front of all.
-            a, b = (
+            given = [
                 jnp.reshape(v, (1,) * (len(shape) - jnp.ndim(v)) + jnp.shape(v))
-                for v in (a, b)
-            )
+                for v in given
+            ]
             struct: Any = jax.ShapeDtypeStruct
-            ask = lambda a, b, theta: np.asarray(
-                asked.many(a, b, theta, order), dtype=kind
-            )
             return jax.pure_callback(
-                ask,
+                lambda *numbers: np.asarray(
+                    asked.many(*numbers, order=order), dtype=kind
+                ),
                 struct((*shape, *asked.widths[order]), kind),
-                a,
-                b,
+                *given,
                 theta,
                 vmap_method="expand_dims",
             )
@@ -249,11 +274,8 @@ def _function(asked: _Asked) -> Callable[..., jax.Array]:
 
     def along(rates: Any, by: Any) -> Any:
         """How what has these rates changes along a direction."""
-        return (
-            rates[..., 0] * by[0]
-            + rates[..., 1] * by[1]
-            + (rates[..., 2:] @ by[2] if count else 0.0)
-        )
+        of_theta = rates[..., width - count :] @ by[-1] if count else 0.0
+        return sum(rates[..., i] * v for i, v in enumerate(by[:-1])) + of_theta
 
     @value.defjvp
     def first(at: Any, by: Any) -> Any:
@@ -263,29 +285,30 @@ def _function(asked: _Asked) -> Callable[..., jax.Array]:
     @slopes.defjvp
     def second(at: Any, by: Any) -> Any:
         if not asked.has_second:
-            raise NotImplementedError(_NO_SECOND)
+            raise NotImplementedError(
+                "finite elements have first derivatives only: take universal"
+            )
         found, rates = slopes(*at), curvatures(*at)
         rows = [
             along(found[..., 1:], by),
-            *(
-                along(rates[..., i * (2 + count) : (i + 1) * (2 + count)], by)
-                for i in range(2 + count)
-            ),
+            *(along(rates[..., i * width : (i + 1) * width], by) for i in range(width)),
         ]
         return found, jnp.stack(rows, axis=-1)
 
     @curvatures.defjvp
     def third(at: Any, by: Any) -> Any:
-        raise NotImplementedError("a model has first and second derivatives only")
+        raise NotImplementedError("first and second derivatives only")
 
     def outer(first: Any, second: Any = 0.0, theta: Any = ()) -> jax.Array:
+        if isinstance(theta, Mapping):
+            theta = jnp.stack([jnp.asarray(theta[name]) for name in asked.names])
+        first = [first] if isinstance(asked, _OfMuscle) else first
         numbers = [
-            jnp.asarray(v, dtype=jnp.result_type(float)) for v in (first, second, theta)
+            jnp.asarray(v, dtype=jnp.result_type(float))
+            for v in (*first, second, theta)
         ]
-        if numbers[2].shape != (count,):
-            raise ValueError(
-                f"theta holds the values of {list(asked.names)}, not {numbers[2].shape}"
-            )
+        if numbers[-1].shape != (count,):
+            raise InputError(f"the values of {[*asked.names]}", field="theta")
         found: jax.Array = value(*numbers)
         return found
 

@@ -33,11 +33,8 @@ def quantity(name: str, value: Any, registry: Any = None) -> Any:
 
 def quantities(answer: Record | Points, registry: Any = None) -> dict[str, Any]:
     """The numbers and arrays of an answer that have a unit, by name, as quantities."""
-    held = {
-        name: value for name, value in vars(answer).items() if not name.startswith("_")
-    }
     return {
         name: quantity(name, value, registry)
-        for name, value in held.items()
+        for name, value in answer._fields().items()
         if unit_of(name) and (isinstance(value, float) or hasattr(value, "dtype"))
     }

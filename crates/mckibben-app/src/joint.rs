@@ -4,7 +4,7 @@
 mod page;
 
 use crate::{
-    ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
+    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
     TextFile, Units, above_zero, breakdown, burst_of, figure, finite,
     flags::{self, Args},
     number, warnings,
@@ -12,8 +12,8 @@ use crate::{
 use mckibben_core::{
     cancel,
     joint::{
-        BoundJoint, Joint, JointError, JointMap, JointPoint, JointTarget, Rest, Turning,
-        parse_joint,
+        BoundJoint, Joint, JointError, JointMap, JointMuscle, JointPoint, JointTarget, Rest,
+        Turning, parse_joint,
     },
     model::{ForceModel, Workspace},
     muscle::Muscle,
@@ -45,7 +45,8 @@ impl JointFields {
         Ok(file.files().map(str::to_owned).collect())
     }
 
-    pub(crate) fn resolve(&self) -> Result<Joint> {
+    /// The joint of its file, with its muscles.
+    pub fn resolve(&self) -> Result<Joint> {
         let text = self
             .joint
             .as_ref()
@@ -121,11 +122,7 @@ const MAP_POINT_BYTES: f64 = 500.0;
 pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer> {
     let joint = request.joint.resolve()?;
     let named = request.model.choose()?;
-    let models = joint
-        .muscles()
-        .iter()
-        .map(|m| Ok(named.bound(&m.muscle)?.into()))
-        .collect::<Result<Vec<Arc<dyn ForceModel>>>>()?;
+    let models = models_of(&joint, &named)?;
     let model = BoundJoint::new(joint.clone(), models.clone(), request.extrapolate)?;
     let mut solver = Solver {
         model: &model,
@@ -148,8 +145,6 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         let hint = "`pressures_mpa` alone gives the rest position";
         return Err(Problem::new(ProblemKind::Usage, message, hint));
     }
-    let summaries: Vec<MuscleSummary> =
-        joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
     let bursts = models
         .iter()
         .map(|m| burst_of(&named, &**m))
@@ -160,11 +155,8 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
             .filter_map(|row| [Some(row.pressure_1_mpa), row.pressure_2_mpa][i])
             .fold(supplied, f64::max)
     };
-    let said: Vec<Warning> = bursts
-        .iter()
-        .enumerate()
-        .flat_map(|(i, burst)| burst.warnings(highest(i), 0.0))
-        .collect();
+    let said = bursts.iter().enumerate();
+    let said = said.flat_map(|(i, burst)| burst.warnings(highest(i), 0.0));
     let mut warnings = Warning::gravest(&solver.warnings);
     Warning::put_first(&mut warnings, said);
     let mut answer = JointAnswer {
@@ -173,7 +165,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         model: models
             .first()
             .map_or_else(String::new, |m| m.info().name.to_string()),
-        muscles: summaries,
+        muscles: joint.muscles().iter().map(|m| (&m.muscle).into()).collect(),
         range_deg: joint.range_deg(),
         points: rows,
         map,
@@ -184,6 +176,14 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     answer.figure =
         figure.and_then(|unit| figure::joint(&answer, request.angles_deg.is_some(), unit));
     Ok(answer)
+}
+
+/// The models of its muscles.
+pub fn models_of(joint: &Joint, choice: &Model) -> Result<Vec<Arc<dyn ForceModel>>> {
+    let models = joint.muscles().iter();
+    models
+        .map(|m| Ok(choice.bound(&m.muscle)?.into()))
+        .collect()
 }
 
 /// What is said of points that are left out.
@@ -377,23 +377,26 @@ impl Solver<'_> {
         let minus = turning(Turning::Minus)?;
         self.warnings
             .extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
-        let first = point.muscles.first();
-        let second = point.muscles.get(1);
-        let response = |m: &mckibben_core::joint::MuscleState| m.answer.response;
+        let muscle = |i: usize| {
+            let m = point.muscles.get(i)?;
+            Some((m.answer.response, m.arm_mm, m.answer.slack))
+        };
+        let (response, arm_1_mm, slack_1) = muscle(0).unwrap_or_default();
+        let second = muscle(1);
         Ok(JointRow {
             pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
             torque_turning_plus_nm: plus,
             torque_turning_minus_nm: minus,
             rest,
-            force_1_n: first.map_or(0.0, |m| response(m).force_n),
-            force_2_n: second.map(|m| response(m).force_n),
-            contraction_1: first.map_or(0.0, |m| response(m).contraction),
-            contraction_2: second.map(|m| response(m).contraction),
-            arm_1_mm: first.map_or(0.0, |m| m.arm_mm),
-            arm_2_mm: second.map(|m| m.arm_mm),
-            slack_1: first.is_some_and(|m| m.answer.slack),
-            slack_2: second.map(|m| m.answer.slack),
+            force_1_n: response.force_n,
+            force_2_n: second.map(|m| m.0.force_n),
+            contraction_1: response.contraction,
+            contraction_2: second.map(|m| m.0.contraction),
+            arm_1_mm,
+            arm_2_mm: second.map(|m| m.1),
+            slack_1,
+            slack_2: second.map(|m| m.2),
             point,
             ..JointRow::default()
         })
@@ -428,19 +431,10 @@ fn key(kind: usize, contraction: f64) -> (usize, i64) {
 
 /// Adds P′ to rows: each contraction of each kind of muscle once, on all threads.
 fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
-    let digests: Vec<String> = model
-        .joint()
-        .muscles()
-        .iter()
-        .map(|m| m.muscle.digest())
-        .collect();
-    let kind = |i: usize| {
-        digests
-            .iter()
-            .position(|d| Some(d) == digests.get(i))
-            .unwrap_or(i)
-    };
-    let kinds = [kind(0), kind(1)];
+    let muscles = model.joint().muscles();
+    let digest = |m: &JointMuscle| m.muscle.digest();
+    let alike = muscles.first().map(digest) == muscles.last().map(digest);
+    let kinds = [0, usize::from(!alike)];
     let contractions = |row: &JointRow| [Some(row.contraction_1), row.contraction_2];
     let mut wanted: BTreeMap<(usize, i64), f64> = BTreeMap::new();
     for row in &*rows {

@@ -17,10 +17,15 @@ use std::f64::consts::TAU;
 /// the law is isothermal: an eigenvalue 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
-    a: DMatrix<f64>,
-    b: DVector<f64>,
-    per_coordinate: f64,
-    coordinate: f64,
+    /// A: of the coordinate, its velocity, and of each muscle the absolute pressure in MPa, the
+    /// fluid's mass in g, and what else it has.
+    pub a: DMatrix<f64>,
+    /// B.
+    pub b: DVector<f64>,
+    /// Position (contraction or rad) per coordinate.
+    pub per_coordinate: f64,
+    /// The coordinate of the equilibrium in mm or rad.
+    pub coordinate: f64,
 }
 
 impl Linear {
@@ -137,11 +142,6 @@ impl Linear {
         })
     }
 
-    /// The coordinate of the equilibrium in mm or rad.
-    pub fn coordinate(&self) -> f64 {
-        self.coordinate
-    }
-
     /// Eigenvalues in 1/s, (real, imaginary).
     pub fn eigenvalues(&self) -> Vec<(f64, f64)> {
         // In one scale: pressures and positions differ by orders of magnitude.
@@ -169,7 +169,7 @@ impl Linear {
         let s = Complex::new(0.0, TAU * frequency_hz);
         let system = DMatrix::from_fn(n, n, |i, j| {
             let one = if i == j { s } else { Complex::new(0.0, 0.0) };
-            one - self.a.get((i, j)).copied().unwrap_or(0.0)
+            one - self.a[(i, j)]
         });
         let b = self.b.map(|x| Complex::new(x, 0.0));
         let q = system.lu().solve(&b)?.get(0).copied()? * self.per_coordinate;

@@ -61,6 +61,12 @@ pub struct Motion {
     /// Work of the muscles while they shorten over the exergy of the air, or the work of the pump
     /// on the liquid; not of a load that is released, nor where what was stored does the work.
     pub efficiency: Option<f64>,
+    /// Of commanded pressures: the poles about the state that the first step reaches (the mean of a
+    /// periodic command), real and imaginary part, 1/s. One is 0 where the air's temperature does
+    /// not change: that of its mass.
+    pub poles_per_s: Vec<(f64, f64)>,
+    /// Frequency |Im λ|/2π of the fastest pair of them, Hz.
+    pub eigenfrequency_hz: Option<f64>,
     /// Of commanded pressures: frequency up to which small changes about the state that the first
     /// step reaches (the mean of a periodic command) are followed (−3 dB), Hz; of two muscles of a
     /// joint, changes against each other. A valve lets air in and out half of the time each.

@@ -12,8 +12,7 @@ const DIVISIONS: usize = 20;
 ///
 /// `progress(done, total)` is called now and then.
 #[pyfunction]
-#[pyo3(signature = (command: "str", request: "object", progress: "collections.abc.Callable[[int, \
-    int], object] | None" = None) -> "dict[str, typing.Any]")]
+#[pyo3(signature = (command: "str", request: "object", progress=None) -> "dict[str, typing.Any]")]
 pub fn ask<'py>(
     py: Python<'py>,
     command: &str,

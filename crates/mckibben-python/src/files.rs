@@ -1,26 +1,24 @@
 //! Files that users name, through the workspace's doors in and out, and TOML as maps and lists.
 
 use crate::{error::Wrong, value};
-use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, TextFile, measured_folder};
+use mckibben_app::{JointFields, MotionRequest, Problem, ProblemKind, TextFile};
 use pyo3::prelude::*;
 use serde_json::json;
 use std::path::PathBuf;
 
-/// A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`, a
-/// `formula`; or of several, with those that it names: a `joint`, a `drive`, a `case`.
+/// A file that users name, as requests hold it: of a person (`text`), a `muscle`, a `table`; or of
+/// several, with those that it names: a `joint`, a `drive`.
 #[pyfunction]
 #[pyo3(signature = (path, kind) -> "dict[str, typing.Any]")]
 pub fn read<'py>(py: Python<'py>, path: PathBuf, kind: &str) -> PyResult<Bound<'py, PyAny>> {
     let file = |file: Result<TextFile, Problem>| file.map(|file| json!(file));
     let read = match kind {
         "table" => file(TextFile::table(&path)),
-        "formula" => file(TextFile::formula(&path)),
         "muscle" => file(TextFile::muscle(&path)),
         "joint" => JointFields::read(&path).map(|fields| json!(fields)),
         "drive" => MotionRequest::default().with_drive(&path).map(|r| {
             json!({ "drive": r.drive, "muscle": r.muscle, "joint": r.joint.joint, "muscles": r.joint.muscles, "tables": r.tables })
         }),
-        "case" => measured_folder(&path).map(|case| json!(case)),
         _ => file(TextFile::read(&path)),
     };
     value::answer(py, &read.map_err(Wrong::from)?)
@@ -39,18 +37,6 @@ pub fn write_file(path: PathBuf, content: &[u8]) -> PyResult<()> {
         )
     };
     Ok(mckibben_io::files::put(&path, content, true).map_err(|e| Wrong::from(wrong(e)))?)
-}
-
-/// Refuses the text of a joint file that is none.
-#[pyfunction]
-pub fn check_joint(text: String) -> PyResult<()> {
-    let file = TextFile {
-        name: "the joint".into(),
-        text,
-    };
-    Ok(JointFields::files_of(&file)
-        .map(drop)
-        .map_err(Wrong::from)?)
 }
 
 /// A text in TOML as maps and lists.

@@ -4,7 +4,7 @@ use crate::{error::Wrong, run};
 use mckibben_app::{Problem, ProblemKind};
 use mckibben_core::formula::{Document, Formula as Fitted};
 use numpy::{PyReadonlyArray2, PyReadwriteArray1};
-use pyo3::{exceptions::PyValueError, prelude::*};
+use pyo3::prelude::*;
 use std::{f64::consts::PI, path::Path};
 
 /// How far a point may be outside of the range by rounding.
@@ -27,8 +27,7 @@ impl Formula {
         match read? {
             Document::Section(formula) => Ok(Self { formula }),
             Document::Universal(_) => {
-                let message = "a universal formula depends on the whole muscle, not only on its \
-                    diameter and wall";
+                let message = "a universal formula needs the whole muscle";
                 let problem =
                     Problem::new(ProblemKind::Usage, message, "ask its model of a muscle");
                 Err(Wrong::from(problem).into())
@@ -36,7 +35,7 @@ impl Formula {
         }
     }
 
-    /// Pulls in N at points: rows of pressures, contractions, walls and diameters. The first one
+    /// Pulls in N at points: in each row pressure, contraction, wall and diameter. The first one
     /// outside of the range raises, unless this is not looked at; or it is NaN.
     #[pyo3(signature = (points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate, two_sided, nan))]
     fn fill(
@@ -50,21 +49,10 @@ impl Formula {
     ) -> PyResult<()> {
         let numbers = points.as_slice()?;
         let places = out.as_slice_mut()?;
-        let count = places.len();
-        let mut rows = numbers.chunks_exact(count.max(1));
-        let [Some(p), Some(e), Some(s), Some(d)] =
-            [rows.next(), rows.next(), rows.next(), rows.next()]
-        else {
-            return if count == 0 {
-                Ok(())
-            } else {
-                Err(PyValueError::new_err("four rows of points"))
-            };
-        };
         run::quick(py, |_| {
             let range = &self.formula.range;
-            let points = p.iter().zip(e).zip(s).zip(d).zip(places);
-            for (index, ((((&p, &e), &s), &d), place)) in points.enumerate() {
+            let (points, _) = numbers.as_chunks::<4>();
+            for (index, (&[p, e, s, d], place)) in points.iter().zip(places).enumerate() {
                 let bounds = [
                     ("pressure_mpa", p, range.pressure_mpa),
                     ("contraction", e, range.contraction),

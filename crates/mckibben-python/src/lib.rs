@@ -10,6 +10,7 @@ mod ask;
 mod error;
 mod files;
 mod formula;
+mod joint;
 mod model;
 mod muscle;
 mod request;
@@ -26,18 +27,23 @@ mod _native {
     #[pymodule_export]
     use crate::{
         ask::{ask, quantities, quantity, unit_of},
-        files::{check_joint, read, toml, toml_text, write_file},
+        files::{read, toml, toml_text, write_file},
         formula::Formula,
+        joint::Joint,
         model::Model,
         muscle::Muscle,
         request::{stated_request, unlikely},
         simulation::{Simulation, rollout},
-        view::{body_html, report_html},
+        view::page_html,
     };
 
     /// The version of the crates, and of the package.
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+    /// The sources that code and data name, BibTeX.
+    #[pymodule_export]
+    const LITERATURE: &str = include_str!("../../../literature.bib");
 
     #[pymodule_init]
     fn init() {

@@ -1,10 +1,11 @@
 //! A model bound to its muscle, evaluated for arrays.
 
 use crate::{error::Wrong, run, value};
-use mckibben_app::{BoundModel, Many, PointQuantity};
+use mckibben_app::{BoundModel, Many, PointQuantity, Problem};
 use mckibben_core::progress::Progress;
+use mckibben_fit::identify::Target;
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
-use pyo3::{exceptions::PyValueError, prelude::*};
+use pyo3::prelude::*;
 use serde_json::json;
 
 /// A model bound to its muscle.
@@ -18,7 +19,7 @@ impl Model {
     /// The model's name.
     #[getter]
     fn name(&self) -> &str {
-        self.bound.name()
+        &self.bound.info().name
     }
 
     /// Whether a point takes finite elements.
@@ -27,15 +28,17 @@ impl Model {
         self.bound.is_elements()
     }
 
-    /// The pressure in MPa that the muscle is allowed; infinite where it is not known.
-    fn allowed_mpa(&self, py: Python<'_>) -> PyResult<f64> {
+    /// Lowest and highest pressure in MPa of the model, at most the allowed one, and contraction.
+    fn bounds(&self, py: Python<'_>) -> PyResult<[(f64, f64); 2]> {
         let limits = run::quick(py, |_| Ok(self.bound.limits()?))?;
-        Ok(limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY))
+        let allowed = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
+        let range = &self.bound.info().range;
+        let (low, high) = range.pressure_mpa;
+        Ok([(low, high.min(allowed)), range.contraction])
     }
 
     /// All that is known of each point, or why it has no answer.
-    #[pyo3(signature = (pressures, contractions, nan, progress: "collections.abc.Callable[[int, \
-        int], object] | None" = None) -> "list[dict[str, typing.Any]]")]
+    #[pyo3(signature = (pressures, contractions, nan, progress=None) -> "list[dict[str, typing.Any]]")]
     fn solve<'py>(
         &self,
         py: Python<'py>,
@@ -46,30 +49,24 @@ impl Model {
     ) -> PyResult<Bound<'py, PyAny>> {
         let points: Vec<(f64, f64)> = pressures.into_iter().zip(contractions).collect();
         let work = |progress: &dyn Progress| {
-            let mut rows = vec![];
-            for (index, answer) in self
-                .bound
-                .answers(&points, progress)?
-                .into_iter()
-                .enumerate()
-            {
-                rows.push(match answer {
-                    Ok(answer) => json!(answer),
-                    Err(problem) if nan => {
-                        json!({ "status": problem.kind, "cause": problem.message })
-                    }
-                    Err(problem) => return Err(Wrong::Problem(problem, Some(index))),
-                });
-            }
-            Ok(json!(rows))
+            let answers = self.bound.answers(&points, progress)?.into_iter();
+            let row = |(index, answer)| match answer {
+                Ok(answer) => Ok(json!(answer)),
+                Err(Problem { kind, message, .. }) if nan => {
+                    Ok(json!({ "status": kind, "cause": message }))
+                }
+                Err(problem) => Err(Wrong::Problem(problem, Some(index))),
+            };
+            let rows = answers.enumerate().map(row);
+            Ok(json!(rows.collect::<Result<Vec<_>, _>>()?))
         };
-        value::answer(py, &run::long(py, progress, work)?)
+        value::answer(py, &self.work(py, points.len(), progress, work)?)
     }
 
     /// Answers every pair of two lists into `out`, with slopes all numbers of a point one after the
     /// other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the
     /// first one raises).
-    #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
+    #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "called by the package alone")]
     fn fill(
         &self,
@@ -84,12 +81,8 @@ impl Model {
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<usize> {
         let parameters = parameters.iter().map(|name| self.bound.parameter(name));
-        let many = Many {
-            wanted: self::wanted(wanted)?,
-            slopes,
-            parameters: parameters.collect::<Result<_, _>>().map_err(Wrong::from)?,
-            nan,
-        };
+        let parameters = parameters.collect::<Result<_, _>>().map_err(Wrong::from)?;
+        let many = many(wanted, slopes, parameters, nan);
         let pairs = [first.as_slice()?, second.as_slice()?];
         self.answer(py, pairs, &many, out.as_slice_mut()?, progress)
     }
@@ -103,12 +96,7 @@ impl Model {
         second: f64,
         nan: bool,
     ) -> PyResult<f64> {
-        let many = Many {
-            wanted: self::wanted(wanted)?,
-            slopes: false,
-            parameters: vec![],
-            nan,
-        };
+        let many = many(wanted, false, vec![], nan);
         let mut place = [f64::NAN];
         self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
         Ok(place[0])
@@ -125,9 +113,20 @@ impl Model {
         places: &mut [f64],
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<usize> {
-        let moment = self.bound.is_moment(places.len());
+        let numbers = places.len();
         let work = |progress: &dyn Progress| Ok(self.bound.fill(pairs, many, places, progress)?);
-        if moment {
+        self.work(py, numbers, progress, work)
+    }
+
+    /// Work on so many numbers, on a thread of its own where it may take long.
+    fn work<T: Send>(
+        &self,
+        py: Python<'_>,
+        numbers: usize,
+        progress: Option<&Bound<'_, PyAny>>,
+        work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
+    ) -> PyResult<T> {
+        if self.bound.is_moment(numbers) {
             run::quick(py, work)
         } else {
             run::long(py, progress, work)
@@ -135,11 +134,16 @@ impl Model {
     }
 }
 
-fn wanted(name: &str) -> PyResult<PointQuantity> {
-    match name {
-        "force" => Ok(PointQuantity::Force),
-        "pressure" => Ok(PointQuantity::Pressure),
-        "contraction" => Ok(PointQuantity::Contraction),
-        _ => Err(PyValueError::new_err("force, pressure or contraction")),
+fn many(wanted: &str, slopes: bool, parameters: Vec<Target>, nan: bool) -> Many {
+    let wanted = match wanted {
+        "force" => PointQuantity::Force,
+        "pressure" => PointQuantity::Pressure,
+        _ => PointQuantity::Contraction,
+    };
+    Many {
+        wanted,
+        slopes,
+        parameters,
+        nan,
     }
 }

@@ -7,13 +7,13 @@ use mckibben_app::{
 use mckibben_core::{
     muscle::{
         Muscle as Held,
-        file::{FileError, parse_muscle, to_toml},
+        file::to_toml,
         measures::{STIFFNESS, fields},
     },
     rubber::RubberLaw,
 };
 use mckibben_fit::identify::Target;
-use pyo3::{exceptions::PyValueError, prelude::*, types::PyDict};
+use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::{Value, json};
 
 /// A muscle.
@@ -79,21 +79,6 @@ impl Muscle {
         })
     }
 
-    /// The paper's muscle with the rubber of a text: its table `tube.material`.
-    #[staticmethod]
-    fn of_rubber(text: &str) -> PyResult<Self> {
-        let wrong = |error: FileError| {
-            let error = FileError {
-                place: None,
-                ..error
-            };
-            Problem::new(ProblemKind::Rubber, error.to_string(), "").in_field("rubber")
-        };
-        Ok(parse_muscle(text)
-            .map(Self::from)
-            .map_err(|error| Wrong::from(wrong(error)))?)
-    }
-
     /// The fields by which a muscle is given, of this one; those that it does not have are left
     /// out.
     #[pyo3(signature = () -> "dict[str, typing.Any]")]
@@ -117,12 +102,7 @@ impl Muscle {
     }
 
     /// The same with other values of constants and measures, all others held.
-    #[pyo3(signature = (values: "dict[str, float]"))]
-    fn changed(&self, values: &Bound<'_, PyDict>) -> PyResult<Self> {
-        let values = values
-            .iter()
-            .map(|(name, value)| Ok((name.extract()?, value.extract()?)));
-        let values: Vec<(String, f64)> = values.collect::<PyResult<_>>()?;
+    fn changed(&self, values: Vec<(String, f64)>) -> PyResult<Self> {
         Ok(with_parameters(&self.held, &values)
             .map(Self::from)
             .map_err(Wrong::from)?)

@@ -58,9 +58,7 @@ pub fn long<T: Send>(
     work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
 ) -> PyResult<T> {
     let watched = Watched::default();
-    let progress: Option<Py<PyAny>> = progress
-        .filter(|p| !p.is_none())
-        .map(|p| p.clone().unbind());
+    let progress: Option<Py<PyAny>> = progress.map(|p| p.clone().unbind());
     let done: Result<T, Wrong> = py.detach(|| {
         thread::scope(|scope| {
             let (sender, receiver) = sync_channel(1);

@@ -3,7 +3,7 @@
 use crate::{error::Wrong, request, run, value};
 use mckibben_app::{MotionRequest, Problem, SimulatedDrive, understood};
 use mckibben_core::threads::Threads;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyReadwriteArray1};
 use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::json;
 use std::sync::{
@@ -101,20 +101,26 @@ impl Simulation {
         py.detach(|| self.drive().motion().series.names())
     }
 
-    /// All that was recorded: a row for the start and for each step.
+    /// All that was recorded: a row for the start and for each step, one after the other.
     #[pyo3(signature = () -> "numpy.typing.NDArray[numpy.float64]")]
-    fn rows<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (rows, width) = py.detach(|| {
+    fn rows<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let rows = py.detach(|| {
             let drive = self.drive();
             let series = &drive.motion().series;
-            let rows: Vec<f64> = (0..series.points())
-                .filter_map(|i| series.row(i))
-                .flatten()
-                .collect();
-            (rows, series.names().len())
+            let rows = (0..series.points()).filter_map(|i| series.row(i));
+            rows.flatten().collect::<Vec<f64>>()
         });
-        let shape = [rows.len() / width.max(1), width];
-        rows.into_pyarray(py).reshape(shape)
+        rows.into_pyarray(py)
+    }
+
+    /// The linear system about its rest at the first commands: A by its columns, B, and position per
+    /// coordinate.
+    fn linear(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
+        run::quick(py, |_| {
+            let linear = self.drive().linear()?;
+            let numbers = linear.a.iter().chain(&linear.b);
+            Ok(numbers.chain([&linear.per_coordinate]).copied().collect())
+        })
     }
 
     /// What happened: stops, slack, switching and reversals.
@@ -140,7 +146,7 @@ impl Simulation {
 /// copy in turn, and into `out` what is recorded at the start and the end of each step. Copies run
 /// side by side. Returns the first step that failed; from there on its copy is NaN.
 #[pyfunction]
-#[pyo3(signature = (simulation, steps, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
+#[pyo3(signature = (simulation, steps, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan, progress=None))]
 pub fn rollout(
     py: Python<'_>,
     simulation: &Simulation,
@@ -156,9 +162,7 @@ pub fn rollout(
     let width = py.detach(|| last(&simulation.drive()).len());
     let whole = (steps + 1) * width;
     if steps * count == 0 || rows.len() / (steps * count) * whole != places.len() {
-        return Err(PyValueError::new_err(
-            "places for as many steps as there are commands",
-        ));
+        return Err(PyValueError::new_err("not as many places"));
     }
     let start = Mutex::new(py.detach(|| simulation.drive().duplicate()));
     run::long(py, progress, |progress| {

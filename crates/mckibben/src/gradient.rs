@@ -82,11 +82,11 @@ pub fn with_parameters(
     values: &[(impl AsRef<str>, f64)],
 ) -> Result<Muscle, GradientError> {
     let held = stated(muscle)?;
-    let values = values.iter();
     let list: Result<Vec<_>, GradientError> = values
+        .iter()
         .map(|(name, value)| Ok((parameter(muscle, name.as_ref())?, *value)))
         .collect();
-    Ok(Candidate::new(&held, &list?)?.muscle)
+    Ok(Candidate::new(&held, &list?)?.muscle.with_bench_of(muscle))
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures: by the diameter,
@@ -129,7 +129,10 @@ pub fn by_parameters(
     }
     let muscle = model.muscle();
     let names: Vec<String> = parameters.iter().map(|t| t.name(muscle)).collect();
-    if let Some(known) = model.force_by(workspace, p, e, &names)? {
+    // On a branch friction that is estimated changes with them too.
+    if options.direction.is_mean()
+        && let Some(known) = model.force_by(workspace, p, e, &names)?
+    {
         return Ok(known);
     }
     let held = stated(muscle)?;
@@ -182,14 +185,17 @@ impl MuscleModel {
         contraction: f64,
         parameters: &[&str],
     ) -> Result<Gradient, GradientError> {
-        let names = parameters.iter();
-        let list: Result<Vec<_>, _> = names.map(|name| parameter(self.muscle(), name)).collect();
-        let list = list?;
+        let list = parameters.iter().map(|name| parameter(self.muscle(), name));
+        let list = list.collect::<Result<Vec<_>, _>>()?;
         let force_n = self.force_n(pressure_mpa, contraction)?;
         let (choice, model, options) = (self.choice.clone(), self.shared(), self.options());
-        let point = (pressure_mpa, contraction);
-        let of = (choice.as_ref(), &*model);
-        let by_parameters = by_parameters(of, options, &mut self.workspace, point, &list)?;
+        let by_parameters = by_parameters(
+            (choice.as_ref(), &*model),
+            options,
+            &mut self.workspace,
+            (pressure_mpa, contraction),
+            &list,
+        )?;
         let (by_pressure_mm2, by_contraction_n) =
             by_point(&mut self.evaluation(), pressure_mpa, contraction)?;
         let gradient = Gradient {

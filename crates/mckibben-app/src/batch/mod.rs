@@ -18,7 +18,7 @@ use mckibben::gradient;
 use mckibben_core::{
     analysis::Evaluation,
     answer::{Answer, Options},
-    model::{ForceModel, Reference, Workspace},
+    model::{ForceModel, ModelInfo, Reference, Workspace},
     muscle::Muscle,
     progress::Progress,
     threads::{self, Threads},
@@ -26,7 +26,7 @@ use mckibben_core::{
 };
 use mckibben_fit::identify::Target;
 use std::sync::{
-    Mutex,
+    Mutex, PoisonError,
     atomic::{AtomicUsize, Ordering},
 };
 
@@ -90,15 +90,6 @@ pub struct BoundModel {
     pub(crate) choice: Model,
 }
 
-impl std::fmt::Debug for BoundModel {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("BoundModel")
-            .field("choice", &self.choice)
-            .field("options", &self.options)
-            .finish()
-    }
-}
-
 impl BoundModel {
     /// The model of this muscle, and how it is asked.
     pub fn new(muscle: &Muscle, choice: Model, asking: AskFields) -> Result<Self> {
@@ -119,9 +110,9 @@ impl BoundModel {
         self.model.muscle()
     }
 
-    /// The model's name.
-    pub fn name(&self) -> &str {
-        &self.model.info().name
+    /// What the model is.
+    pub fn info(&self) -> &ModelInfo {
+        self.model.info()
     }
 
     /// The pressures that the muscle bears.
@@ -178,20 +169,10 @@ impl BoundModel {
         progress: &dyn Progress,
     ) -> Result<usize, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
-        if count != other {
-            return Err(ProblemKind::Usage
-                .problem(format!(
-                    "the two lists must have the same length; they have {count} and {other} numbers"
-                ))
-                .into());
-        }
-        if count.checked_mul(width) != Some(out.len()) {
-            return Err(ProblemKind::Usage
-                .problem(format!(
-                    "{} places for {count} points of {width} numbers",
-                    out.len()
-                ))
-                .into());
+        if count != other || count.checked_mul(width) != Some(out.len()) {
+            let places = out.len();
+            let message = format!("{count} and {other} numbers for {places} places of {width}");
+            return Err(ProblemKind::Usage.problem(message).into());
         }
         let share = if self.is_elements() {
             BLOCK_OF_ELEMENTS
@@ -200,34 +181,31 @@ impl BoundModel {
         };
         let done = AtomicUsize::new(0);
         let failed = AtomicUsize::new(0);
-        let first = AtomicUsize::new(usize::MAX);
-        let reason: Mutex<Option<ArrayError>> = Mutex::new(None);
-        let refuse = |index: usize, problem: Problem| {
-            if first.fetch_min(index, Ordering::Relaxed) > index
-                && let Ok(mut reason) = reason.lock()
-                && reason
-                    .as_ref()
-                    .and_then(|r| r.index)
-                    .is_none_or(|i| i > index)
-            {
-                *reason = Some(ArrayError {
-                    index: Some(index),
-                    problem,
-                });
-            }
-        };
+        let reason: Mutex<Option<(usize, Problem)>> = Mutex::new(None);
+        // Whoever panicked with it left it whole.
+        let reason = || reason.lock().unwrap_or_else(PoisonError::into_inner);
         let work = |place: usize, part: &mut [f64]| {
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let from = place / width + i * BLOCK;
                 let length = places.len() / width;
                 // Points behind one without an answer are left out.
-                if from > first.load(Ordering::Relaxed) || progress.cancelled() {
+                if reason().as_ref().is_some_and(|(first, _)| *first < from) || progress.cancelled()
+                {
                     return;
                 }
                 let pairs = pairs.map(|list| list.get(from..from + length).unwrap_or_default());
                 match self.block(pairs, many, places) {
                     Ok(count) => drop(failed.fetch_add(count, Ordering::Relaxed)),
-                    Err((index, problem)) => return refuse(from + index, problem),
+                    Err((index, problem)) => {
+                        let mut first = reason();
+                        if first
+                            .as_ref()
+                            .is_none_or(|(known, _)| *known > from + index)
+                        {
+                            *first = Some((from + index, problem));
+                        }
+                        return;
+                    }
                 }
                 progress.report(done.fetch_add(length, Ordering::Relaxed) + length, count);
             }
@@ -239,9 +217,12 @@ impl BoundModel {
             Threads::shared().fill(out, share * width, work)
         }
         progress.check().map_err(Problem::from)?;
-        match reason.into_inner() {
-            Ok(Some(reason)) => Err(reason),
-            _ => Ok(failed.into_inner()),
+        match reason().take() {
+            Some((index, problem)) => Err(ArrayError {
+                index: Some(index),
+                problem,
+            }),
+            None => Ok(failed.into_inner()),
         }
     }
 }

@@ -194,17 +194,6 @@ impl BoundModel {
         Ok(force)
     }
 
-    /// A derivative that is no number.
-    pub(super) fn no_slope(&self, by: &str, p: f64, e: f64) -> Problem {
-        GradientError::None {
-            model: self.name().into(),
-            by: by.into(),
-            pressure_mpa: p,
-            contraction: e,
-        }
-        .into()
-    }
-
     /// The derivatives that `many` wants at a point of the model, into `places`.
     pub(super) fn slopes(
         &self,
@@ -226,12 +215,16 @@ impl BoundModel {
         };
         by_pair.copy_from_slice(pair.get(..by_pair.len()).unwrap_or_default());
         by_parameters.iter_mut().for_each(|v| *v *= scale);
-        by_pair
-            .iter()
-            .chain(by_parameters.iter())
-            .all(|v| v.is_finite())
-            .then_some(())
-            .ok_or_else(|| self.no_slope("a requested quantity", p, e))
+        if places.iter().all(|v| v.is_finite()) {
+            return Ok(());
+        }
+        Err(GradientError::None {
+            model: self.info().name.to_string(),
+            by: "a requested quantity".into(),
+            pressure_mpa: p,
+            contraction: e,
+        }
+        .into())
     }
 }
 

@@ -15,6 +15,7 @@ pub use simulated::SimulatedDrive;
 
 use crate::{
     MuscleFields, PressureLimits, Problem, ProblemKind, Result, TextFile, burst_of, figure, finite,
+    joint::models_of,
 };
 use mckibben_core::{
     extremes::peak, muscle::file::FileError, progress::Progress, warning::Warning,
@@ -41,35 +42,24 @@ impl MotionRequest {
             (None, Some(_)) => Subject::Muscle(String::new()),
             (None, None) => return Err(Problem::missing("drive", "a drive file (TOML)")),
         };
-        match subject {
+        let (joint, models) = match subject {
             Subject::Muscle(_) => {
                 let missing = || Problem::missing("muscle", "the muscle file that the drive names");
                 let file = self.muscle.clone().ok_or_else(missing)?;
-                let models = vec![
-                    choice
-                        .bound(&MuscleFields::from_file(file).resolve()?)?
-                        .into(),
-                ];
-                Ok(Moved {
-                    choice,
-                    joint: None,
-                    models,
-                })
+                let muscle = MuscleFields::from_file(file).resolve()?;
+                (None, vec![choice.bound(&muscle)?.into()])
             }
             Subject::Joint(_) => {
                 let joint = self.joint.resolve()?;
-                let models = joint
-                    .muscles()
-                    .iter()
-                    .map(|m| Ok(choice.bound(&m.muscle)?.into()))
-                    .collect::<Result<_>>()?;
-                Ok(Moved {
-                    choice,
-                    joint: Some(joint),
-                    models,
-                })
+                let models = models_of(&joint, &choice)?;
+                (Some(joint), models)
             }
-        }
+        };
+        Ok(Moved {
+            choice,
+            joint,
+            models,
+        })
     }
 
     /// The text of the drive file.
@@ -158,7 +148,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         let highest_mpa = peak(reached.map(|(run, (_, drive))| highest_mpa(run, drive, i)));
         burst.warnings(highest_mpa, 0.0)
     });
-    Warning::put_first(&mut warnings, burst.collect::<Vec<_>>());
+    Warning::put_first(&mut warnings, burst);
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else {
         return Err(Problem::missing("drive", "a drive file"));
@@ -204,13 +194,13 @@ fn go(
     rise_time_s: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<(Motion, Option<f64>)> {
-    let bandwidth_hz = |side: f64| {
+    let linear = |side: f64| {
         let of_pressure = matches!(&drive.target, Commanded::Pressure(list) if !list.is_empty());
         of_pressure
             .then(|| Linear::at_state_reached(drive, side))?
-            .ok()?
-            .bandwidth_hz()
+            .ok()
     };
+    let bandwidth_hz = |side: f64| linear(side)?.bandwidth_hz();
     let (mut motion, conductance) = match rise_time_s {
         None => (run_as_far(drive, progress)?, None),
         Some(wanted) => {
@@ -218,7 +208,11 @@ fn go(
             (sized.motion, Some(sized.conductance_l_per_s_bar))
         }
     };
-    motion.bandwidth_hz = bandwidth_hz(0.0);
+    if let Some(linear) = linear(0.0) {
+        motion.eigenfrequency_hz = linear.oscillation().map(|of| of.0);
+        motion.poles_per_s = linear.eigenvalues();
+        motion.bandwidth_hz = linear.bandwidth_hz();
+    }
     motion.bandwidth_filling_hz = bandwidth_hz(1.0);
     motion.bandwidth_venting_hz = bandwidth_hz(-1.0);
     motion

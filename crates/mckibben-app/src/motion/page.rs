@@ -9,6 +9,7 @@ use crate::{
 };
 
 const SECONDS: Scale = Scale::fixed("s");
+const HERTZ: Scale = Scale::fixed("Hz");
 /// Most events of a run that are shown.
 const SHOWN: usize = 12;
 
@@ -56,27 +57,26 @@ impl MotionRun {
         let angle_deg = degrees.as_ref().and_then(|[angle, _]| last(angle));
         let muscle = run.series.muscles.first().filter(|_| degrees.is_none());
         let contraction = muscle.and_then(|muscle| last(&muscle.contraction));
-        let rows = if run.at_rest() == Some(true) {
-            Rows::default()
-                .quantity(
-                    "ends at",
-                    &DEGREES,
-                    (angle_deg, end.end_angle_uncertainty_deg),
-                )
-                .quantity("ends at", &PERCENT, contraction)
-        } else {
-            let is_at_rest = run.at_rest().map(|_| "no");
-            Rows::default()
-                .quantity("ends at", &DEGREES, angle_deg)
-                .quantity("ends at", &PERCENT, contraction)
-                .text("at rest", is_at_rest)
-                .quantity(
-                    "its equilibrium",
-                    &DEGREES,
-                    (run.equilibrium_angle_deg, end.end_angle_uncertainty_deg),
-                )
-                .quantity("its equilibrium", &PERCENT, run.equilibrium_contraction)
-        };
+        let half_deg = end.end_angle_uncertainty_deg;
+        let moves = run.at_rest() != Some(true);
+        let rows = Rows::default()
+            .quantity(
+                "ends at",
+                &DEGREES,
+                (angle_deg, half_deg.filter(|_| !moves)),
+            )
+            .quantity("ends at", &PERCENT, contraction)
+            .text("at rest", run.at_rest().filter(|_| moves).map(|_| "no"))
+            .quantity(
+                "its equilibrium",
+                &DEGREES,
+                (run.equilibrium_angle_deg.filter(|_| moves), half_deg),
+            )
+            .quantity(
+                "its equilibrium",
+                &PERCENT,
+                run.equilibrium_contraction.filter(|_| moves),
+            );
         let built = || {
             let ends = [
                 end.end_contraction_predicted?,
@@ -89,6 +89,16 @@ impl MotionRun {
         rows.text("as built", built())
             .quantity("with a pressure of", &u.pressure, pressure_mpa)
             .text("uncertainty", self.uncertainty_in(u))
+    }
+
+    /// The poles, of a conjugate pair one; that of the air's mass, 0, is left out.
+    fn poles(&self) -> String {
+        let poles = self.motion.poles_per_s.iter();
+        let poles = poles.filter(|(re, _)| re.abs() > 1e-9);
+        let one = |(re, im): &(f64, f64)| format!("{re:.3} ± {:.3}i", im.abs());
+        let mut poles = Vec::from_iter(poles.map(one));
+        poles.dedup();
+        poles.join(", ")
     }
 
     fn rows(&self, u: &Units) -> Rows {
@@ -125,17 +135,11 @@ impl MotionRun {
                 run.energies.exergy_j,
             )
             .quantity("work over exergy", &PERCENT, run.efficiency)
-            .quantity("bandwidth (−3 dB)", &Scale::fixed("Hz"), run.bandwidth_hz)
-            .quantity(
-                "while filling",
-                &Scale::fixed("Hz"),
-                run.bandwidth_filling_hz,
-            )
-            .quantity(
-                "while venting",
-                &Scale::fixed("Hz"),
-                run.bandwidth_venting_hz,
-            )
+            .quantity("bandwidth (−3 dB)", &HERTZ, run.bandwidth_hz)
+            .quantity("while filling", &HERTZ, run.bandwidth_filling_hz)
+            .quantity("while venting", &HERTZ, run.bandwidth_venting_hz)
+            .quantity("eigenfrequency", &HERTZ, run.eigenfrequency_hz)
+            .text("poles [1/s]", self.poles())
     }
 
     fn events(&self, page: &mut Page) {

@@ -3,7 +3,7 @@
 use super::MotionRequest;
 use crate::{Problem, ProblemKind, Result, finite};
 use mckibben_core::progress::Progress;
-use mckibben_motion::{Commanded, Coordinate, Drive, Motion, Simulation};
+use mckibben_motion::{Commanded, Coordinate, Drive, Linear, Motion, Simulation};
 
 /// A drive that is stepped: each step holds its commands constant.
 pub struct SimulatedDrive {
@@ -64,6 +64,11 @@ impl SimulatedDrive {
         self.simulation.step_against(&inside, force, progress)?;
         self.commands = Some(commands.to_vec());
         Ok(())
+    }
+
+    /// The linear system about its rest at the first commands.
+    pub fn linear(&self) -> Result<Linear> {
+        Ok(Linear::new(&self.drive)?)
     }
 
     /// Forgets what was recorded, but for its last point.

@@ -178,7 +178,7 @@ fn closed_form(model: &dyn ForceModel, drive: &Drive, index: f64) -> Option<f64>
 fn crossings(drive: &Drive, linear: &Linear, periods: f64) -> Option<f64> {
     let (f, _) = linear.oscillation()?;
     let mut drive = drive.clone();
-    drive.initial_coordinate = Some(linear.coordinate() + 0.01);
+    drive.initial_coordinate = Some(linear.coordinate + 0.01);
     drive.tolerance = 1e-9;
     (drive.until_s, drive.output_step_s) = ((periods + 0.5) / f, 0.002 / f);
     let motion = ran(&drive)?;
@@ -186,7 +186,7 @@ fn crossings(drive: &Drive, linear: &Linear, periods: f64) -> Option<f64> {
         .series
         .coordinate
         .iter()
-        .map(|x| x - linear.coordinate())
+        .map(|x| x - linear.coordinate)
         .collect();
     let falls: Vec<f64> = (1..x.len())
         .filter(|&i| x[i - 1] > 0.0 && x[i] <= 0.0)

@@ -97,7 +97,7 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
         let motion = ran(&drive(sine, 12.0 / hz));
         // Fourier coefficient over the last four periods.
         let (mut c, mut s, mut n) = (0.0, 0.0, 0.0);
-        let mean = linear.coordinate();
+        let mean = linear.coordinate;
         for (t, x) in motion.series.time_s.iter().zip(&motion.series.coordinate) {
             if *t > 8.0 / hz && *t <= 12.0 / hz {
                 let y = (x - mean) / model.muscle().length_mm();
