@@ -210,7 +210,7 @@ PARTS = {
         [
             "cargo build --release --locked",
             "cargo xtask release",
-            "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",
+            "cargo run --release --locked -- design --force 98N --contraction 10% --max-pressure 4bar --length 200 --tube latex-1/4x3/8in --braid flexo-overexpanded-0.38in",
         ],
     ),
     "packages": (

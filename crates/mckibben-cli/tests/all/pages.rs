@@ -17,7 +17,8 @@ use std::{
 const SHELL: [&str; 4] = ["sh", "console", "bash", "shell"];
 /// So wide is a line of a block in the book.
 const WIDTH: usize = 80;
-/// An output has at most so many lines, if its block has no `lines=`; the middle is left out.
+/// An output has at most so many lines, if its block has no `lines=`; the middle is left out. Beside
+/// it `exit=2` says with which code its commands end, if it is not 0.
 const LINES: usize = 24;
 
 /// The commands of a shell block; a backslash at the end joins lines.
@@ -77,8 +78,9 @@ fn shortened(lines: Vec<String>, limit: usize) -> Vec<String> {
     [head, &[mark], tail].concat()
 }
 
-/// What a command prints; its warnings, which are never shortened, follow.
-fn printed(page: &str, folder: &Path, line: &str, limit: usize) -> Vec<String> {
+/// What a command that ends with this exit code prints; its warnings, which are never shortened,
+/// follow.
+fn printed(page: &str, folder: &Path, line: &str, (limit, exit): (usize, i32)) -> Vec<String> {
     /// Cases of verification and validation take minutes: once for all pages.
     static SLOW: Mutex<Option<HashMap<String, String>>> = Mutex::new(None);
     let words = words(line);
@@ -90,7 +92,7 @@ fn printed(page: &str, folder: &Path, line: &str, limit: usize) -> Vec<String> {
     let run = || {
         let output = command(folder).args(&words).env("COLUMNS", "80").output();
         let result = ran(output.unwrap());
-        assert_eq!(result.code, 0, "{page}: {line}\n{}", result.err);
+        assert_eq!(result.code, exit, "{page}: {line}\n{}", result.err);
         (result.text().to_owned(), result.err)
     };
     if words == ["validate"] {
@@ -141,13 +143,17 @@ fn with_outputs(page: &str, text: &str) -> String {
             fence = old.to_owned();
             lines = behind;
         }
-        let limit = fence
-            .split("lines=")
-            .nth(1)
-            .map_or(LINES, |n| n.trim().parse().unwrap());
+        let option = |key: &str| {
+            let word = fence.split(' ').find_map(|word| word.strip_prefix(key));
+            word.map(|number| number.parse::<u16>().unwrap())
+        };
+        let asked = (
+            option("lines=").map_or(LINES, usize::from),
+            option("exit=").map_or(0, i32::from),
+        );
         let mut outputs = vec![];
         for line in &commands {
-            let output = printed(page, folder.path(), line, limit);
+            let output = printed(page, folder.path(), line, asked);
             if output.is_empty() {
                 continue;
             }
@@ -246,4 +252,208 @@ fn outputs_are_broken_and_shortened_at_known_places() {
         shortened(lines(6), 3),
         ["1", "2", "[… 3 more lines …]", "6"]
     );
+}
+
+/// A page as prose and as what its numbers may come from: blocks, code in sentences, comments that
+/// begin with `<!-- numbers:`, equations, and the files of examples/ that it links.
+fn prose_and_evidence(page: &Path, text: &str) -> (String, String) {
+    let (mut prose, mut evidence) = (String::new(), String::new());
+    for (i, part) in text.split("```").enumerate() {
+        if i % 2 == 1 {
+            evidence += part;
+            continue;
+        }
+        for (i, part) in part.split('`').enumerate() {
+            if i % 2 == 1 {
+                evidence += part;
+                evidence.push('\n');
+                prose.push('_');
+                continue;
+            }
+            let mut rest = part;
+            while let Some((before, after)) = rest.split_once("<!--") {
+                prose += before;
+                let (comment, after) = after.split_once("-->").unwrap();
+                evidence += comment;
+                rest = after;
+            }
+            prose += rest;
+        }
+    }
+    let mut kept = String::new();
+    for (i, part) in prose.split("](").enumerate() {
+        let (target, rest) = if i == 0 {
+            ("", part)
+        } else {
+            part.split_once(')').unwrap_or((part, ""))
+        };
+        if target.contains("examples/") {
+            evidence +=
+                &fs::read_to_string(page.parent().unwrap().join(target)).unwrap_or_default();
+        }
+        kept += rest;
+    }
+    let (mut prose, mut equations) = (String::new(), String::new());
+    for (i, part) in kept.split("$$").enumerate() {
+        if i % 2 == 0 {
+            &mut prose
+        } else {
+            &mut equations
+        }
+        .push_str(part);
+    }
+    (prose, evidence + &equations)
+}
+
+/// Numbers of a text, each with its place behind it.
+fn numbers(text: &str) -> Vec<(&str, usize)> {
+    let bytes = text.as_bytes();
+    let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);
+    let mut out = vec![];
+    let mut i = 0;
+    while i < bytes.len() {
+        if !digit(i) {
+            i += 1;
+            continue;
+        }
+        let begin = i;
+        while digit(i) || (bytes.get(i) == Some(&b'.') && digit(i + 1)) {
+            i += 1;
+        }
+        let named = text[..begin]
+            .chars()
+            .next_back()
+            .is_some_and(char::is_alphabetic);
+        if !named {
+            out.push((&text[begin..i], i));
+        }
+    }
+    out
+}
+
+/// Numbers of a text that have one of the program's units.
+fn claims(prose: &str) -> Vec<(&str, &str)> {
+    const UNITS: [&str; 16] = [
+        "N/mm", "N/bar", "N", "bar", "MPa", "kPa", "mm", "%", "kg", "g", "s", "ms", "J", "°", "Hz",
+        "mL",
+    ];
+    let mut out = vec![];
+    for (number, end) in numbers(prose) {
+        let rest = prose[end..].trim_start_matches([' ', '\u{a0}']);
+        let ends = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '/');
+        let unit = UNITS
+            .iter()
+            .find(|unit| rest.strip_prefix(**unit).is_some_and(ends));
+        out.extend(unit.map(|unit| (number, *unit)));
+    }
+    out
+}
+
+/// A number as a sentence gives it is one of these, rounded to its digits; MPa may stand for bar,
+/// a ratio for percent.
+fn comes_from(claim: &str, unit: &str, evidence: &[f64]) -> bool {
+    let value: f64 = claim.parse().unwrap();
+    let decimals = claim.split_once('.').map_or(0, |(_, digits)| digits.len());
+    let zeros = claim.len() - claim.trim_end_matches('0').len();
+    let step = 10f64.powi(i32::try_from(decimals).unwrap()).recip();
+    let round = if decimals == 0 {
+        (0.5 * 10f64.powi(i32::try_from(zeros).unwrap())).min((0.03 * value).max(0.5))
+    } else {
+        0.5 * step
+    };
+    let factors: &[f64] = match unit {
+        "bar" | "MPa" | "kPa" => &[1.0, 10.0, 0.1, 100.0, 0.01],
+        "%" => &[1.0, 100.0],
+        _ => &[1.0],
+    };
+    let near = |e: f64| (e - value).abs() <= round * (1.0 + 1e-9);
+    evidence.iter().any(|e| factors.iter().any(|f| near(e * f)))
+}
+
+/// Pages whose numbers come from studies and from the literature, beside which they name the
+/// source; all other pages have them from their commands.
+const FROM_STUDIES: [&str; 0] = [];
+
+#[test]
+fn a_number_with_a_unit_comes_from_a_command_of_its_page() {
+    let mut wrong = vec![];
+    for page in docs().into_iter().chain([root().join("README.md")]) {
+        let name = page.strip_prefix(root()).unwrap().display().to_string();
+        if FROM_STUDIES.contains(&name.trim_start_matches("docs/")) {
+            continue;
+        }
+        let text = fs::read_to_string(&page).unwrap();
+        let (prose, evidence) = prose_and_evidence(&page, &text);
+        let known: Vec<f64> = numbers(&evidence)
+            .iter()
+            .filter_map(|(n, _)| n.parse().ok())
+            .collect();
+        let unknown = claims(&prose)
+            .into_iter()
+            .filter(|(n, unit)| !comes_from(n, unit, &known));
+        wrong.extend(unknown.map(|(number, unit)| format!("{name}: {number} {unit}")));
+    }
+    assert!(
+        wrong.is_empty(),
+        "no command of the page prints it, and no comment `<!-- numbers: … -->` says where it is \
+         from: {wrong:#?}"
+    );
+}
+
+#[test]
+fn numbers_of_sentences_are_found_and_compared() {
+    let found = claims("D0 14 mm pulls 1.5 N, not D3 of 20.5 %; 7 muscles");
+    assert_eq!(found, [("14", "mm"), ("1.5", "N"), ("20.5", "%")]);
+    assert!(comes_from("5.4", "bar", &[5.379]) && !comes_from("5.3", "bar", &[5.379]));
+    assert!(comes_from("2.5", "bar", &[0.25]) && comes_from("15", "%", &[0.15]));
+    assert!(comes_from("1700", "N", &[1711.0]) && !comes_from("1600", "N", &[1711.0]));
+    let (prose, evidence) = prose_and_evidence(
+        Path::new("x.md"),
+        "a 1 N `2 N` <!-- numbers: 3 -->\n```text\n4\n```\n",
+    );
+    assert_eq!(claims(&prose), [("1", "N")]);
+    assert_eq!(
+        numbers(&evidence).iter().map(|n| n.0).collect::<Vec<_>>(),
+        ["2", "3", "4"]
+    );
+}
+
+/// Pages that are longer, with the most words that they may have.
+const LONGER: [(&str, usize); 1] = [("python.md", 2600)];
+
+/// Four kinds of pages, each of which is one kind and has at most 1,500 words of prose.
+#[test]
+fn a_page_is_of_one_kind_and_short() {
+    let summary = fs::read_to_string(root().join("docs/SUMMARY.md")).unwrap();
+    let parts: Vec<&str> = summary
+        .lines()
+        .filter_map(|line| line.strip_prefix("# "))
+        .collect();
+    assert_eq!(parts, ["mckibben", "Learn", "Do", "Look up", "Understand"]);
+    let mut wrong = vec![];
+    for page in docs() {
+        let name = page
+            .strip_prefix(root().join("docs"))
+            .unwrap()
+            .display()
+            .to_string();
+        if name == "SUMMARY.md" {
+            continue;
+        }
+        let named = summary.matches(&format!("]({name})")).count();
+        if named != 1 {
+            wrong.push(format!("{name} is {named} times in SUMMARY.md"));
+        }
+        let text = fs::read_to_string(&page).unwrap();
+        let prose: String = text.split("\n```").step_by(2).collect();
+        let most = LONGER
+            .iter()
+            .find(|(long, _)| *long == name)
+            .map_or(1500, |(_, most)| *most);
+        let words = prose.split_whitespace().count();
+        if words > most {
+            wrong.push(format!("{name} has {words} words, at most {most}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
