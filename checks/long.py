@@ -60,7 +60,7 @@ PARTS = {
             r"xtask/.*",
         ],
         None,
-        ["cargo xtask figures --check"],
+        ["cargo xtask figures --check", "node web/frames.mjs --check"],
     ),
     "programs": (
         "other programs read what is written",

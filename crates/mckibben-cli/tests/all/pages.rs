@@ -80,28 +80,43 @@ fn shortened(lines: Vec<String>, limit: usize) -> Vec<String> {
 
 /// What a command that ends with this exit code prints; its warnings, which are never shortened,
 /// follow.
-fn printed(page: &str, folder: &Path, line: &str, (limit, exit): (usize, i32)) -> Vec<String> {
+fn printed(
+    page: &str,
+    folder: &Path,
+    line: &str,
+    (limit, exit): (usize, i32),
+) -> Result<Vec<String>, String> {
     /// Cases of verification and validation take minutes: once for all pages.
     static SLOW: Mutex<Option<HashMap<String, String>>> = Mutex::new(None);
     let words = words(line);
     let words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
-    if let ["serve", more @ ..] = &words[..] {
+    if let ["serve", more @ ..] = &words[..]
+        && more != ["--help"]
+    {
         crate::serve::works(folder, more);
-        return vec![];
+        return Ok(vec![]);
     }
     let run = || {
         let output = command(folder).args(&words).env("COLUMNS", "80").output();
         let result = ran(output.unwrap());
-        assert_eq!(result.code, exit, "{page}: {line}\n{}", result.err);
-        (result.text().to_owned(), result.err)
+        if result.code == exit {
+            Ok((result.text().to_owned(), result.err))
+        } else {
+            Err(format!(
+                "{page}: {line}: exit {}: {}",
+                result.code, result.err
+            ))
+        }
     };
     if words == ["validate"] {
         let mut slow = SLOW.lock().unwrap();
         let slow = slow.get_or_insert_default();
-        let out = slow.entry(line.to_owned()).or_insert_with(|| run().0);
-        return shortened(broken(out), limit);
+        if !slow.contains_key(line) {
+            slow.insert(line.to_owned(), run()?.0);
+        }
+        return Ok(shortened(broken(&slow[line]), limit));
     }
-    let (out, err) = run();
+    let (out, err) = run()?;
     let mut lines = shortened(broken(&out), limit);
     lines.extend(broken(&err));
     let blank = lines
@@ -110,11 +125,11 @@ fn printed(page: &str, folder: &Path, line: &str, (limit, exit): (usize, i32)) -
         .take_while(|line| line.is_empty())
         .count();
     lines.truncate(lines.len() - blank);
-    lines
+    Ok(lines)
 }
 
 /// A page with the outputs of its commands, which build on each other.
-fn with_outputs(page: &str, text: &str) -> String {
+fn with_outputs(page: &str, text: &str) -> Result<String, String> {
     let folder = copy();
     let mut made = String::new();
     let mut lines = text.lines();
@@ -153,7 +168,7 @@ fn with_outputs(page: &str, text: &str) -> String {
         );
         let mut outputs = vec![];
         for line in &commands {
-            let output = printed(page, folder.path(), line, asked);
+            let output = printed(page, folder.path(), line, asked)?;
             if output.is_empty() {
                 continue;
             }
@@ -164,7 +179,7 @@ fn with_outputs(page: &str, text: &str) -> String {
             writeln!(made, "\n{fence}\n{}\n```", outputs.join("\n\n")).unwrap();
         }
     }
-    made
+    Ok(made)
 }
 
 /// README.md, and where `MCKIBBEN_PAGES` is set all pages of docs/ (or those that it names).
@@ -207,10 +222,11 @@ fn pages_show_what_their_commands_print() {
     crate::common::side_by_side(pages(), |page| {
         let name = page.strip_prefix(root()).unwrap().display().to_string();
         let text = fs::read_to_string(&page).unwrap();
-        let made = with_outputs(&name, &text);
-        if made == text {
-            return;
-        }
+        let made = match with_outputs(&name, &text) {
+            Err(error) => return wrong.lock().unwrap().push(error),
+            Ok(made) if made == text => return,
+            Ok(made) => made,
+        };
         if write {
             return fs::write(&page, made).unwrap();
         }
