@@ -18,7 +18,7 @@ const SHELL: [&str; 4] = ["sh", "console", "bash", "shell"];
 /// So wide is a line of a block in the book.
 const WIDTH: usize = 80;
 /// An output has at most so many lines, if its block has no `lines=`; the middle is left out.
-const LINES: usize = 24;
+const LINES: usize = 40;
 
 /// The commands of a shell block; a backslash at the end joins lines.
 fn commands(block: &[&str]) -> Vec<String> {
@@ -295,21 +295,22 @@ fn prose_and_evidence(page: &Path, text: &str) -> (String, String) {
             evidence += part;
             continue;
         }
-        for (i, part) in part.split('`').enumerate() {
-            if i % 2 == 1 {
-                evidence += part;
-                evidence.push('\n');
+        let mut rest = part;
+        let mut spoken = String::new();
+        while let Some((before, after)) = rest.split_once("<!--") {
+            spoken += before;
+            let (comment, after) = after.split_once("-->").unwrap();
+            evidence += comment;
+            rest = after;
+        }
+        spoken += rest;
+        for (i, part) in spoken.split('`').enumerate() {
+            if i % 2 == 0 {
+                prose += part;
+            } else {
                 prose.push('_');
-                continue;
+                writeln!(evidence, "{part}").unwrap();
             }
-            let mut rest = part;
-            while let Some((before, after)) = rest.split_once("<!--") {
-                prose += before;
-                let (comment, after) = after.split_once("-->").unwrap();
-                evidence += comment;
-                rest = after;
-            }
-            prose += rest;
         }
     }
     let mut kept = String::new();
