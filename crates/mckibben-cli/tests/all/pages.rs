@@ -382,8 +382,8 @@ fn claims(prose: &str) -> Vec<(&str, &str)> {
     out
 }
 
-/// A number as a sentence gives it is one of these, rounded to its digits; MPa may stand for bar,
-/// a ratio for percent.
+/// A number as a sentence gives it is one of these, rounded to its digits; MPa may stand for bar
+/// and kPa, a ratio for percent.
 fn comes_from(claim: &str, unit: &str, evidence: &[f64]) -> bool {
     let value: f64 = claim.parse().unwrap();
     let decimals = claim.split_once('.').map_or(0, |(_, digits)| digits.len());
@@ -395,7 +395,7 @@ fn comes_from(claim: &str, unit: &str, evidence: &[f64]) -> bool {
         0.5 * step
     };
     let factors: &[f64] = match unit {
-        "bar" | "MPa" | "kPa" => &[1.0, 10.0, 0.1, 100.0, 0.01],
+        "bar" | "MPa" | "kPa" => &[1.0, 10.0, 0.1, 100.0, 0.01, 1000.0],
         "%" => &[1.0, 100.0],
         _ => &[1.0],
     };
@@ -479,7 +479,7 @@ fn numbers_of_sentences_are_found_and_compared() {
     assert_eq!(claims(&prose), [("1", "N")]);
     assert_eq!(
         numbers(&evidence).iter().map(|n| n.0).collect::<Vec<_>>(),
-        ["2", "3", "4"]
+        ["3", "2", "4"]
     );
 }
 
