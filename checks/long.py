@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "checks/long.json"
 MANIFESTS = [r"(.*/)?Cargo\.toml", r"Cargo\.lock"]
 
-# Parts of a minute or two (the page: five; exports: four with their hosts installed), which need the build of the tests alone.
+# Parts of a minute or two (the page: five; pages: six; exports: four with their hosts installed), which need the build of the tests alone.
 SHORT = (
     "golds",
     "figures",
