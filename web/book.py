@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes a copy of docs ready for mdBook: equations between $$ become MathML, and a file outside of docs that a page links to
-comes into the book. A link that leads nowhere is an error.
+"""Makes a copy of docs ready for mdBook: equations between $$ become MathML, a number stays on one line with its unit, and a file outside
+of docs that a page links to comes into the book. A link that leads nowhere is an error.
 
     python3 web/book.py FOLDER      (needs latex2mathml)
 """
@@ -13,6 +13,18 @@ from pathlib import Path
 from latex2mathml.converter import convert
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
+
+
+UNITS = "%|N|mm|bar|MPa|kPa|kg|g|s|ms|min|J|Hz|°"
+
+
+def unbroken(text: str) -> str:
+    """Sentences whose numbers are joined to their units by a no-break space; code stays as it is."""
+    parts = re.split(r"(^```.*?^```$|`[^`\n]*`)", text, flags=re.M | re.S)
+    parts[::2] = [
+        re.sub(rf"(?<=\d) (?=(?:{UNITS})(?!\w))", "\u00a0", part) for part in parts[::2]
+    ]
+    return "".join(parts)
 
 
 def main(book: Path) -> None:
@@ -47,6 +59,7 @@ def main(book: Path) -> None:
 
         text = page.read_text("utf-8")
         text = re.sub(r"\]\((?!https?:|#|mailto:)([^)#\s]+)(#[^)\s]*)?\)", linked, text)
+        text = unbroken(text)
         equation = lambda m: (
             f'<div class="equation">\n{convert(m[1], display="block")}\n</div>'
         )

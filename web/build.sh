@@ -50,6 +50,20 @@ if [ -n "$site" ]; then
     PYTHONPATH=$made "$CARGO_TARGET_DIR/venv/bin/python" python/write.py reference "$book/python-reference.md"
     rm -r "$made/mckibben"
     sed -i 's#^- \[The Python package\].*#&\n- [Python reference](python-reference.md)#' "$book/SUMMARY.md"
+    # The notebooks of the package, executed, with text and pictures of what they show.
+    package=$(realpath "$CARGO_TARGET_DIR")/site-package
+    rm -rf "$package"
+    mkdir -p "$package"
+    cp -r python/mckibben "$package"
+    cp "$CARGO_TARGET_DIR/debug/lib_native.so" "$package/mckibben/_native.abi3.so"
+    "$CARGO_TARGET_DIR/venv/bin/python" -m pip install --quiet nbconvert ipykernel numpy pandas pyarrow matplotlib
+    PYTHONPATH=$package "$CARGO_TARGET_DIR/venv/bin/python" -m nbconvert --execute --to markdown --log-level ERROR \
+        --NbConvertBase.display_data_priority="['image/svg+xml', 'image/png', 'text/plain']" \
+        --output-dir "$book/notebooks" python/examples/*.ipynb
+    for notebook in $(ls -r "$book"/notebooks/*.md); do
+        title=$(sed -n 's/^# //p;T;q' "$notebook")
+        sed -i "s#^- \[Python reference\].*#&\n    - [$title](notebooks/$(basename "$notebook"))#" "$book/SUMMARY.md"
+    done
     for kind in muscle joint drive plan; do
         "$CARGO_TARGET_DIR/debug/mckibben" schema --file $kind -o "$book/schema/$kind.schema.json"
     done

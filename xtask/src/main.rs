@@ -15,11 +15,16 @@ type Done = Result<(), String>;
 /// Name, what it does, and how; the flag of the function is `--check`.
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
-const TASKS: [Task; 8] = [
+const TASKS: [Task; 9] = [
     (
         "figures",
         "figures of README and docs, drawn by the program; --check compares",
         figures,
+    ),
+    (
+        "book",
+        "what the commands of README and docs print, behind each of them; --check compares",
+        book,
     ),
     (
         "study-figures",
@@ -203,21 +208,36 @@ fn golds(check: bool) -> Done {
     keep(&path, Path::new("data/campaign/paper.csv"), check)
 }
 
+/// `MCKIBBEN_PAGES=tour.md,joints.md` takes some pages.
+fn book(check: bool) -> Done {
+    let pages = env::var("MCKIBBEN_PAGES").unwrap_or_else(|_| "1".into());
+    run(test("all", "pages_show_what_their_commands_print", check).env("MCKIBBEN_PAGES", pages))
+}
+
 fn schemas(check: bool) -> Done {
+    run(&mut test(
+        "layer",
+        "the_words_of_requests_and_answers",
+        check,
+    ))
+}
+
+/// A test that compares what is kept with what the program makes, or writes it.
+fn test(suite: &str, name: &str, check: bool) -> Command {
     let mut test = cargo();
     test.args([
         "test",
         "--workspace",
+        "--locked",
         "--test",
-        "layer",
+        suite,
         "--",
-        "the_words_of_requests_and_answers",
+        name,
     ]);
-    run(if check {
-        &mut test
-    } else {
-        test.env("MCKIBBEN_WRITE", "yes")
-    })
+    if !check {
+        test.env("MCKIBBEN_WRITE", "yes");
+    }
+    test
 }
 
 fn checks(_: bool) -> Done {

@@ -7,8 +7,8 @@
 //! smallest valve that is quick enough).
 //!
 //! Units: mm, MPa, N, s, kg, K; air in g; energies in J at the surface and mJ (= N mm) inside. A
-//! pressure is gauge unless its name says `absolute`. `docs/motion.md` has the equations on one
-//! page.
+//! pressure is gauge unless its name says `absolute`. `docs/motion-equations.md` has the equations
+//! on one page.
 //!
 //! ```
 //! use mckibben_core::model::{Ideal, ForceModel};

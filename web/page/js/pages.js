@@ -98,7 +98,7 @@ export const PAGES = [
     "about",
     "",
     "About",
-    "validation",
+    "verified",
     "How accurate the results are, how they were verified, and where the data come from.",
   ],
 ].map(([name, place, text, help, about]) => ({

@@ -4,7 +4,7 @@ use serde_json::Value;
 use std::{
     path::{Path, PathBuf},
     process::{Child, Command, Output, Stdio},
-    sync::mpsc,
+    sync::{Mutex, mpsc},
     time::Duration,
 };
 
@@ -201,4 +201,17 @@ pub fn assert_finite(text: &str) {
             );
         }
     }
+}
+
+/// Each of a list, on as many threads as there are processors; a failure of one is a failure of
+/// all.
+pub fn side_by_side<T: Send>(list: Vec<T>, each: impl Fn(T) + Sync) {
+    let left = Mutex::new(list);
+    let next = || left.lock().unwrap().pop();
+    let count = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..count {
+            scope.spawn(|| std::iter::from_fn(&next).for_each(&each));
+        }
+    });
 }

@@ -1,22 +1,19 @@
 //! Every command that is shown to users works as shown.
 
 use crate::common::{command, copy, json, mckibben, number, ran, root, words};
-use std::{
-    path::{Path, PathBuf},
-    sync::Mutex,
-};
+use std::path::Path;
 
 /// Runs a command as shown, `mckibben` and what follows.
-fn works(folder: &Path, place: &str, line: &str) {
+fn works(folder: &Path, line: &str) {
     let words = words(line);
     let mut words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
     if let ["serve", more @ ..] = &words[..] {
         return crate::serve::works(folder, more);
     }
-    // Examples of help texts are run in one folder.
-    words.extend((place == "help").then_some("--overwrite"));
+    // They are run in one folder.
+    words.push("--overwrite");
     let result = ran(command(folder).args(words).output().unwrap());
-    assert_eq!(result.code, 0, "{place}: {line}\n{}", result.err);
+    assert_eq!(result.code, 0, "{line}\n{}", result.err);
 }
 
 /// The help of a command and of all commands below it.
@@ -65,113 +62,17 @@ fn shown_by_help() -> Vec<String> {
     out
 }
 
-/// The commands of the fenced shell blocks of a page; a backslash at the end joins lines.
-fn shown(text: &str) -> Vec<String> {
-    let mut out = vec![];
-    let mut shell = false;
-    let mut open = false;
-    let mut joined = String::new();
-    for line in text.lines() {
-        if let Some(language) = line.trim_start().strip_prefix("```") {
-            shell = !open && ["sh", "console", "bash", "shell"].contains(&language.trim());
-            open = !open;
-            continue;
-        }
-        if !shell {
-            continue;
-        }
-        joined.push_str(line.trim().trim_start_matches("$ "));
-        if joined.ends_with('\\') {
-            joined.pop();
-            continue;
-        }
-        let line = std::mem::take(&mut joined);
-        if line.starts_with("mckibben ") {
-            out.push(line);
-        } else if let Some(rest) = line.strip_prefix("cargo run --release -- ") {
-            out.push(format!("mckibben {rest}"));
-        }
-    }
-    out
-}
-
-/// README.md, and where `MCKIBBEN_PAGES` is set all pages of docs/.
-fn pages() -> Vec<(String, Vec<String>)> {
-    let mut folders =
-        Vec::from_iter(std::env::var_os("MCKIBBEN_PAGES").map(|_| root().join("docs")));
-    let mut pages = vec![root().join("README.md")];
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            match path.extension() {
-                Some(ending) if ending == "md" => pages.push(path),
-                _ if path.is_dir() => folders.push(path),
-                _ => {}
-            }
-        }
-    }
-    let of = |page: PathBuf| {
-        (
-            page.display().to_string(),
-            shown(&std::fs::read_to_string(&page).unwrap()),
-        )
-    };
-    pages.into_iter().map(of).collect()
-}
-
-/// The commands of a page may build on each other, those of two pages may not.
 #[test]
-fn the_commands_in_help_texts_and_pages_run() {
+fn the_commands_in_help_texts_run() {
     let help = shown_by_help();
     assert!(help.len() >= 14, "{} examples", help.len());
-    let all = [pages(), vec![("help".to_owned(), help)]].concat();
-    side_by_side(all, |(name, lines)| {
-        let dir = copy();
-        for line in lines
-            .iter()
-            .filter(|line| **line != format!("mckibben {}", crate::output::VALIDATE))
-        {
-            works(dir.path(), &name, line);
-        }
-        for written in ["f.svg", "muscle.svg", "winner.toml"] {
-            assert!(
-                name != "help" || dir.path().join(written).is_file(),
-                "{written} is written"
-            );
-        }
-    });
-}
-
-/// Each of a list, on as many threads as there are processors; a failure of one is a failure of
-/// all.
-fn side_by_side<T: Send>(list: Vec<T>, each: impl Fn(T) + Sync) {
-    let left = Mutex::new(list);
-    let next = || left.lock().unwrap().pop();
-    let count = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..count {
-            scope.spawn(|| std::iter::from_fn(&next).for_each(&each));
-        }
-    });
-}
-
-#[test]
-fn shell_blocks_are_understood() {
-    let page = "```sh\n$ mckibben force \\\n  -p 0.2 # why\ncargo run --release -- models | \
-        head\n```\n\
-                mckibben no\n```toml\nmckibben neither\n```\n";
-    assert_eq!(
-        shown(page),
-        ["mckibben force -p 0.2 # why", "mckibben models | head"]
-    );
-    assert_eq!(
-        words("mckibben force -p 0.2 # why"),
-        ["mckibben", "force", "-p", "0.2"]
-    );
-    assert_eq!(
-        words("mckibben x \"a b\" '' | head"),
-        ["mckibben", "x", "a b", ""]
-    );
+    let dir = copy();
+    for line in help {
+        works(dir.path(), &line);
+    }
+    for written in ["f.svg", "muscle.svg", "winner.toml"] {
+        assert!(dir.path().join(written).is_file(), "{written} is written");
+    }
 }
 
 #[test]
@@ -246,40 +147,6 @@ fn the_thick_wall_meets_the_20_degree_muscle() {
             .contains("follow a pattern"),
         "{identified}"
     );
-}
-
-/// A regression: the tables of pages are the answers to the commands above them.
-#[test]
-fn the_tables_of_pages_are_what_their_commands_print() {
-    for (page, command) in [
-        (
-            "README.md",
-            "design --force 700N --contraction 15% --max-pressure 2.5bar",
-        ),
-        (
-            "docs/models.md",
-            "design -F 50N -e 15% --max-pressure 3bar --length 200 --liquid water --max-liquid \
-             20mL",
-        ),
-    ] {
-        let text = std::fs::read_to_string(root().join(page)).unwrap();
-        let below = text.split(&format!("mckibben {command}\n")).nth(1).unwrap();
-        let printed = below
-            .split("```text\n")
-            .nth(1)
-            .and_then(|rest| rest.split("```").next())
-            .unwrap();
-        let answer = mckibben(command).ok();
-        let lines: Vec<&str> = printed.lines().filter(|l| !l.is_empty()).collect();
-        assert!(lines.len() >= 8);
-        for line in lines {
-            assert!(
-                answer.text().lines().any(|l| l == line),
-                "{line}\n{}",
-                answer.text()
-            );
-        }
-    }
 }
 
 /// The friction of the example is the fit of the measured half-widths that its comment states.

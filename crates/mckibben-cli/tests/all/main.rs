@@ -11,5 +11,6 @@ mod files;
 mod fuzz_cli;
 mod help;
 mod output;
+mod pages;
 mod rows;
 mod serve;

@@ -288,7 +288,7 @@ fn text_fits_a_terminal_of_80_columns_and_tables_in_files_100() {
 }
 
 /// A page shows this command too; it takes long, and is not run again there.
-pub const VALIDATE: &str = "validate";
+const VALIDATE: &str = "validate";
 
 /// No case disappears.
 const HELD: [&str; 4] = [

@@ -1,7 +1,7 @@
 //! Motions with exact values: are the equations solved right?
 //!
 //! Each case is a row of the table that `mckibben validate` prints. The closed forms are those of
-//! `docs/motion.md`.
+//! `docs/motion-integration.md`.
 
 mod liquid;
 mod mechanics;

@@ -20,7 +20,7 @@ use crate::rubber::{Constant, LawConstants, Principal, RubberLaw};
 /// Convex in the logarithms of the stretches, so stable up to the limit, for all Gc, Ge ≥ 0 and
 /// Jm > 2: ∂W/∂D and ∂²W/∂D² of the first part are positive there, and the second is a term of Ogden's
 /// law with exponent −β. The authors' β is a constant; with the value that they give for Treloar's
-/// rubber three constants follow six rubbers in two axes nearly as well as four (`docs/rubber.md`),
+/// rubber three constants follow six rubbers in two axes nearly as well as four (`docs/rubber-modes.md`),
 /// and uniaxial tests, which say nothing of β, predict the other modes better. Source:
 /// `kaliske1999`.
 #[derive(Debug, Clone, Copy, PartialEq)]
