@@ -169,6 +169,7 @@ __all__ = [
     "UniversalFile",
     "UniversalRange",
     "UniversalSummary",
+    "Warned",
     "Solution",
     "State",
 ]
@@ -737,6 +738,10 @@ class CampaignStatus(Record):
         Shards that a process computes.
     shards_missing
         Shards that nothing computes.
+    points_per_s : s
+        Points a second by the times of the newest parts, of all shards together; nothing where these are fewer than two.
+    left_s : s
+        What is left at this rate in s, where a process computes.
     shards
         Every shard.
     damaged
@@ -755,6 +760,8 @@ class CampaignStatus(Record):
     shards_done: int
     shards_running: int
     shards_missing: int
+    points_per_s: float | None
+    left_s: float | None
     shards: list[ShardStatus]
     damaged: list[str]
     plan_sha256: str
@@ -778,6 +785,8 @@ class CampaignSummary(Record):
         Rows with an answer.
     failed
         Rows without an answer by their status.
+    warnings
+        Warnings by their column.
     ranges
         Smallest and largest value of inputs and answers, in the order of the columns.
     bytes
@@ -792,6 +801,8 @@ class CampaignSummary(Record):
         SHA-256 of the plan's text.
     plan
         The plan's text.
+    muscle
+        The muscle that is varied with all that the plan leaves to defaults, as a muscle file.
     model
         Name of the model.
     sampling
@@ -810,6 +821,7 @@ class CampaignSummary(Record):
     complete: bool
     answered: int
     failed: dict[str, Failed]
+    warnings: list[Warned]
     ranges: list[Extent]
     bytes: int
     missing_parts: int
@@ -817,6 +829,7 @@ class CampaignSummary(Record):
     version: str
     plan_sha256: str
     plan: str
+    muscle: str
     model: str
     sampling: str
     seed: int | None
@@ -6139,6 +6152,27 @@ class UniversalSummary(Record):
     max_of_blocked: float
 
 
+class Warned(Record):
+    """How often a warning stands in rows.
+
+    Attributes
+    ----------
+    name
+        Its column.
+    muscles
+        Muscles that have it at some of their points.
+    points
+        Points that have it.
+    points_unknown
+        Points with an answer of which it is not known.
+    """
+
+    name: str
+    muscles: int
+    points: int
+    points_unknown: int
+
+
 class Options(TypedDict, total=False):
     """Which model of a muscle answers, and how.
 
@@ -7642,6 +7676,7 @@ class CampaignCommands:
     def run(
         self,
         *,
+        samples: FileLike | None = None,
         shard: str | None = None,
         threads: int | None = None,
         overwrite: bool = False,
@@ -7651,6 +7686,9 @@ class CampaignCommands:
 
         Parameters
         ----------
+        samples
+            Table of muscles, a line each, in place of [sampling] and [vary]. Headings are keys of a plan with a unit (tube.outer_diameter [mm], tube.rubber),
+            or columns of a campaign's table (wall_mm). The plan states the rest of the muscle and the points.
         shard
             Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them.
         threads

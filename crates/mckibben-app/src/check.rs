@@ -19,7 +19,7 @@ use mckibben_core::{
     units::{Dimension, tidy, typed::Pressure},
     warning::{Warning, is_of_burst},
 };
-use mckibben_fit::validation::measured_range::{MeasuredRange, NotMeasured};
+use mckibben_fit::validation::measured_range::{self, NotMeasured};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -419,21 +419,18 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
     if !cfg!(feature = "whole") {
         return Ok(vec![]);
     }
-    let measured = MeasuredRange::built_in().map_err(Problem::from)?;
     let said = |q: NotMeasured| {
-        let unit = q.unit;
+        let (quantity, unit) = q.quantity;
         let [value, low, high] = [q.value, q.measured.0, q.measured.1].map(|v| number(v, 3));
         let from = if q.measured.0 > 0.0 {
             format!("{low} to")
         } else {
             "up to".into()
         };
-        format!(
-            "{} is {value}{unit} (measured: {from} {high}{unit})",
-            q.quantity
-        )
+        format!("{quantity} is {value}{unit} (measured: {from} {high}{unit})")
     };
-    Ok(measured.outside(muscle, pressure_mpa).map(said).collect())
+    let outside = measured_range::not_measured(muscle, pressure_mpa).map_err(Problem::from)?;
+    Ok(outside.map(said).collect())
 }
 
 /// A measurement, and the ± that it leaves.

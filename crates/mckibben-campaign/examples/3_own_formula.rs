@@ -5,7 +5,7 @@
 
 use mckibben_campaign::{
     campaign::{Plan, RunOptions, read, run},
-    fit::{Method, Request, data, made_for, make},
+    fit::{MakeOfRows, Method, Request, data, make},
 };
 use mckibben_core::{formula::Provenance, model::FormulaModel, prelude::*};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -59,9 +59,11 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
     let rows = read(&table)?;
     println!("{} points of {} muscles", rows.len(), plan.muscles());
 
+    let mut made = MakeOfRows::new(&rows[0]);
+    rows.iter().try_for_each(|row| made.add(row))?;
     let fitted = make(Request {
         points: data::points(&rows),
-        made_for: made_for(&rows)?,
+        made_for: made.made_for(),
         method: Method::Global,
         hold_out: &[],
         name: "own".into(),

@@ -5,7 +5,7 @@
 use mckibben::{
     campaign::{
         campaign::{Plan, compute},
-        fit::{Method, Request, data, made_for, make},
+        fit::{MakeOfRows, Method, Request, data, make},
     },
     formula::Provenance,
     prelude::*,
@@ -36,9 +36,11 @@ pressures = "0.05..0.25:0.05 MPa"
 pub fn main() -> Result<(), Box<dyn Error>> {
     let plan = Plan::parse(PLAN)?;
     let rows = compute(&plan, &Silent)?;
+    let mut made = MakeOfRows::new(&rows[0]);
+    rows.iter().try_for_each(|row| made.add(row))?;
     let fitted = make(Request {
         points: data::points(&rows),
-        made_for: made_for(&rows)?,
+        made_for: made.made_for(),
         method: Method::Global,
         hold_out: &[],
         name: "own".into(),

@@ -6,42 +6,39 @@ use crate::{
     units::NUMBER,
     words::{in_a_row, number, path_on_one_line},
 };
+use humantime::format_duration;
 use mckibben_campaign::campaign::{
     CampaignStatus, Forecast, Merged, ShardState, ShardStatus, Summary, Warned,
 };
+use std::time::Duration;
 
-/// Warnings that stand somewhere.
-fn warned(all: &[Warned]) -> impl Iterator<Item = String> {
-    let some = all.iter().filter(|w| w.points > 0);
-    some.map(|w| format!("{} muscles {}, points {}", w.name, w.muscles, w.points))
+/// How often each warning stands.
+fn table_of(warnings: &[Warned]) -> Table<'_, Warned> {
+    Table::of(warnings)
+        .text("", |w| &w.name)
+        .text("muscles", |w| w.muscles)
+        .text("points", |w| w.points)
+        .text("not known", |w| w.points_unknown)
 }
 
-/// A time in the unit that people would take.
+/// A time as people read it, to a second.
 fn duration(seconds: f64) -> String {
-    let units = [(86_400.0, "d"), (3600.0, "h"), (60.0, "min")];
-    let unit = units
-        .into_iter()
-        .find(|(unit_s, _)| seconds >= 2.0 * unit_s);
-    let (unit_s, name) = unit.unwrap_or((1.0, "s"));
-    format!("{}\u{a0}{name}", number(seconds / unit_s, 2))
+    format_duration(Duration::from_secs(seconds as u64 + 1)).to_string()
 }
 
 impl Show for Forecast {
     fn page(&self, _: &Units) -> Page {
-        let (tried, checked) = (self.muscles_tried, self.muscles_checked);
-        let megabytes = self.bytes as f64 / 1e6;
+        let megabytes = number(self.bytes as f64 / 1e6, 2);
+        let time = duration(self.time_s);
         let mut rows = Rows::default()
             .text("shard", self.shard.as_ref())
             .text("muscles", self.muscles)
             .text("points per muscle", self.points_per_muscle)
             .text("points", self.points)
-            .text("parts", self.parts)
-            .text("model", &self.model)
-            .text(
-                "time",
-                format!("{} with {} threads", duration(self.time_s), self.threads),
-            )
-            .text("size", format!("{} MB", number(megabytes, 2)));
+            .text("time", format!("{time} with {} threads", self.threads))
+            .text("size", format!("{megabytes} MB"))
+            .text("from so many muscles", self.muscles_tried)
+            .text("of their points failed", self.points_failed);
         for rubber in &self.rubbers {
             let constant = |(name, value): (&String, &f64)| format!("{name} {}", number(*value, 4));
             let constants = in_a_row(rubber.constants.iter().map(constant));
@@ -49,33 +46,12 @@ impl Show for Forecast {
             rows = rows.text("rubber", format!("{name}: {} ({constants})", rubber.law));
         }
         let mut page = Page::from(rows);
-        page.gap();
-        page.line(format!(
-            "Time and size are those of {tried} muscles, spread over the plan and solved here."
+        let (checked, impossible) = (self.muscles_checked, self.muscles_impossible);
+        page.paragraph(format!(
+            "Warnings at the highest pressure, by the thick-wall model of {checked} muscles, of \
+             which {impossible} have impossible sizes:"
         ));
-        if self.points_failed > 0 {
-            let of = tried * self.points_per_muscle;
-            page.line(format!(
-                "{} of their {of} points have no answer.",
-                self.points_failed
-            ));
-        }
-        if self.muscles_impossible > 0 {
-            let impossible = self.muscles_impossible;
-            page.line(format!(
-                "{impossible} of {checked} muscles have impossible sizes."
-            ));
-        }
-        page.line(format!(
-            "Warnings at the highest pressure, by the thick-wall model of {checked} muscles:"
-        ));
-        page.table(
-            Table::of(&self.warnings)
-                .text("", |w| &w.name)
-                .text("muscles", |w| w.muscles)
-                .text("points", |w| w.points)
-                .text("not known", |w| w.points_unknown),
-        );
+        page.table(table_of(&self.warnings));
         page
     }
 }
@@ -83,12 +59,8 @@ impl Show for Forecast {
 impl Show for Summary {
     fn page(&self, _: &Units) -> Page {
         let of = &self.provenance;
-        let failed = self.failed.iter().map(|(status, f)| {
-            let points = f.points;
-            let muscle = f.first_muscle;
-            let cause = &f.first_cause;
-            format!("{status} points {points}, first_muscle {muscle}, first_cause {cause}")
-        });
+        let failed = self.failed.iter();
+        let failed = failed.map(|(status, f)| format!("{status} {}", f.points));
         let mut page = Page::from(
             Rows::default()
                 .text("muscles", self.muscles)
@@ -97,7 +69,6 @@ impl Show for Summary {
                 .text("points per muscle", of.points_per_muscle)
                 .text("answered", self.answered)
                 .text("failed", in_a_row(failed))
-                .text("warnings", in_a_row(warned(&self.warnings)))
                 .text("model", &of.model)
                 .text("sampling", &of.sampling)
                 .text("seed", of.seed)
@@ -112,6 +83,8 @@ impl Show for Summary {
                 .unaligned("smallest", &value, |r| r.smallest)
                 .unaligned("largest", &value, |r| r.largest),
         );
+        page.gap();
+        page.table(table_of(&self.warnings));
         for (status, f) in &self.failed {
             let muscle = f.first_muscle;
             let cause = &f.first_cause;
@@ -172,11 +145,7 @@ impl Show for CampaignStatus {
         page.table(
             Table::of(&open)
                 .text("shard", |s| &s.shard)
-                .text("state", |s| match s.state {
-                    ShardState::Done => "done",
-                    ShardState::Running => "running",
-                    ShardState::Missing => "missing",
-                })
+                .text("state", |s| s.state.to_string())
                 .text("parts", |s| s.parts)
                 .text("of", |s| s.parts_wanted),
         );

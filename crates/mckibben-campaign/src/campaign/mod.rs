@@ -18,7 +18,7 @@ mod warnings;
 mod tests;
 
 pub use error::CampaignError;
-pub use plan::{Inputs, Plan, PlanKeys, Sampling, Testing};
+pub use plan::{Inputs, Plan, PlanKeys, Sampling, SamplingMethod, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{

@@ -94,19 +94,6 @@ impl ForceScales {
     }
 }
 
-/// Points beside their errors.
-///
-/// # Errors
-/// Those of [`ForceScales::new`].
-pub fn compared(
-    points: &[FitPoint],
-    difference_n: impl Fn(&FitPoint) -> f64,
-) -> Result<impl Iterator<Item = Compared>> {
-    let scales = ForceScales::new(points)?;
-    let compare = move |p: &FitPoint| scales.compared(*p, difference_n(p));
-    Ok(points.iter().map(compare))
-}
-
 /// Numbers that agree to nine digits behind the point have the same key.
 const BITS: f64 = 1e9;
 

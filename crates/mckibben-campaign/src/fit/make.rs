@@ -336,14 +336,3 @@ impl MakeOfRows {
         }
     }
 }
-
-/// The make of rows in memory.
-///
-/// # Errors
-/// Those of [`MakeOfRows::add`], and [`FitError::Refused`] without rows.
-pub fn made_for(rows: &[PointRow]) -> Result<Made> {
-    let first = rows.first().ok_or_else(|| FitError::empty(""))?;
-    let mut made = MakeOfRows::new(first);
-    rows.iter().try_for_each(|row| made.add(row))?;
-    Ok(made.made_for())
-}

@@ -8,7 +8,7 @@ use super::{
     constants::{fit_constants, table_1},
     data::{FitPoint, Grid, pressure_steps, same},
     error::{FitError, Result},
-    errors::{Errors, compared, errors},
+    errors::{Errors, ForceScales, errors},
     make::{Method, fitted},
     paper_method::{Rules, SlackRule, ThinRule},
     universal::{HeldOutRow, held_out, held_out_samples},
@@ -147,8 +147,9 @@ impl Findings {
         difference_n: impl Fn(&FitPoint) -> f64,
     ) -> Result<()> {
         let points: Vec<FitPoint> = points.into_iter().copied().collect();
-        let errors = errors(compared(&points, difference_n)?)
-            .ok_or_else(|| FitError::empty(" to compare"))?;
+        let forces = ForceScales::new(&points)?;
+        let compared = points.iter().map(|p| forces.compared(*p, difference_n(p)));
+        let errors = errors(compared).ok_or_else(|| FitError::empty(" to compare"))?;
         self.0.push(Finding {
             comparison: comparison.into(),
             at_most,

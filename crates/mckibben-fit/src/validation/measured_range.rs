@@ -1,27 +1,18 @@
 //! Sizes and pressures of the measured muscles, on which the ± is founded.
 
 use super::{built_in::muscles, case::CaseError};
-use mckibben_core::{
-    extremes::{ends, peak},
-    muscle::Muscle,
-};
-use std::sync::OnceLock;
+use mckibben_core::{extremes::ends, muscle::Muscle};
+use std::sync::LazyLock;
 
 /// A quantity of a muscle that lies outside of the measured muscles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NotMeasured {
-    /// What it is, such as "the braid angle".
-    pub quantity: &'static str,
-    /// Its unit, with the space before it; empty of a ratio.
-    pub unit: &'static str,
+    /// What it is, such as "the braid angle", and its unit with the space before it.
+    pub quantity: (&'static str, &'static str),
     pub value: f64,
     /// Smallest and largest measured value.
     pub measured: (f64, f64),
 }
-
-/// Smallest and largest value of each quantity among the measured muscles.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MeasuredRange([(f64, f64); 5]);
 
 /// Each quantity with its unit.
 const QUANTITIES: [(&str, &str); 5] = [
@@ -32,69 +23,55 @@ const QUANTITIES: [(&str, &str); 5] = [
     ("the pressure", "\u{a0}MPa"),
 ];
 
-/// D0 in mm, s/D0, L0/D0 and the braid angle in degrees.
-fn sizes(muscle: &Muscle) -> [f64; 4] {
+/// D0 in mm, s/D0, L0/D0, θ0 in degrees and P in MPa.
+fn values(muscle: &Muscle, pressure_mpa: f64) -> [f64; 5] {
     let outer_mm = muscle.tube().outer_diameter_mm;
     [
         outer_mm,
         muscle.wall_mm() / outer_mm,
         muscle.length_mm() / outer_mm,
         muscle.braid().angle_deg,
+        pressure_mpa,
     ]
 }
 
-impl MeasuredRange {
-    /// That of the measured muscles that come with the program.
-    ///
-    /// # Errors
-    /// [`CaseError`], which no released program should see.
-    pub fn built_in() -> Result<&'static Self, &'static CaseError> {
-        static RANGE: OnceLock<Result<MeasuredRange, &'static CaseError>> = OnceLock::new();
-        RANGE
-            .get_or_init(Self::of_cases)
-            .as_ref()
-            .map_err(|error| *error)
-    }
+/// Smallest and largest value of each quantity.
+type Ranges = [(f64, f64); 5];
 
-    fn of_cases() -> Result<Self, &'static CaseError> {
-        let cases = muscles()?;
-        // Of its first fit, with what each point states of the muscle.
-        let measured: Vec<[f64; 4]> = cases
-            .iter()
-            .flat_map(|case| {
-                let fit = case.fits.first();
-                case.points
-                    .iter()
-                    .filter_map(move |point| point.section.apply(&fit?.muscle).ok())
-            })
-            .map(|muscle| sizes(&muscle))
-            .collect();
-        let [diameter, wall, length, angle] =
-            [0, 1, 2, 3].map(|i| ends(measured.iter().map(|sizes| sizes[i])));
-        let points = cases.iter().flat_map(|case| &case.points);
-        let highest_mpa = peak(points.map(|p| p.at.pressure_mpa));
-        Ok(Self([diameter, wall, length, angle, (0.0, highest_mpa)]))
-    }
+/// Those of the muscles of the program, of which each point may state a part.
+static MEASURED: LazyLock<Result<Ranges, &'static CaseError>> = LazyLock::new(|| {
+    let cases = muscles()?;
+    let points = cases.iter().flat_map(|case| {
+        let fit = case.fits.first();
+        case.points.iter().filter_map(move |point| {
+            let muscle = point.section.apply(&fit?.muscle).ok()?;
+            Some(values(&muscle, point.at.pressure_mpa))
+        })
+    });
+    let all: Vec<[f64; 5]> = points.collect();
+    let [diameter, wall, length, angle, pressure] =
+        [0, 1, 2, 3, 4].map(|i| ends(all.iter().map(|values| values[i])));
+    Ok([diameter, wall, length, angle, (0.0, pressure.1)])
+});
 
-    /// What of a muscle at a pressure lies outside.
-    pub fn outside(
-        &self,
-        muscle: &Muscle,
-        pressure_mpa: f64,
-    ) -> impl Iterator<Item = NotMeasured> + use<> {
-        let [diameter, wall, length, angle] = sizes(muscle);
-        let values = [diameter, wall, length, angle, pressure_mpa];
-        let of = |((value, measured), (quantity, unit))| NotMeasured {
-            quantity,
-            unit,
-            value,
-            measured,
-        };
-        // A last digit is no difference.
-        let beyond = |q: &NotMeasured| {
-            q.value < q.measured.0 * (1.0 - 1e-9) || q.value > q.measured.1 * (1.0 + 1e-9)
-        };
-        let all = values.into_iter().zip(self.0).zip(QUANTITIES);
-        all.map(of).filter(beyond)
-    }
+/// What of a muscle at a pressure lies outside of the measured muscles of the program.
+///
+/// # Errors
+/// [`CaseError`], which no released program should see.
+pub fn not_measured(
+    muscle: &Muscle,
+    pressure_mpa: f64,
+) -> Result<impl Iterator<Item = NotMeasured>, &'static CaseError> {
+    let measured = (*MEASURED)?.into_iter().zip(QUANTITIES);
+    let of = |(value, (measured, quantity))| NotMeasured {
+        quantity,
+        value,
+        measured,
+    };
+    // A last digit is no difference.
+    let beyond = |q: &NotMeasured| {
+        q.value < q.measured.0 * (1.0 - 1e-9) || q.value > q.measured.1 * (1.0 + 1e-9)
+    };
+    let all = values(muscle, pressure_mpa).into_iter().zip(measured);
+    Ok(all.map(of).filter(beyond))
 }

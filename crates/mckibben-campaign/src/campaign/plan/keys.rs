@@ -1,6 +1,9 @@
 //! The keys of a plan file beside those of its muscle.
 
-use super::axis::{Axis, RUBBER, Variable, variables};
+use super::{
+    axis::{Axis, RUBBER, Variable, variables},
+    sampling::SamplingMethod,
+};
 use mckibben_core::{
     muscle::{
         Bench, Job,
@@ -75,21 +78,11 @@ impl PlanKeys {
     }
 }
 
-/// How muscles are taken from the ranges.
-#[derive(PartialEq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Method {
-    #[default]
-    Factorial,
-    LatinHypercube,
-    Sobol,
-}
-
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct OfSampling {
     /// How muscles are taken from the ranges
-    pub method: Method,
+    pub method: SamplingMethod,
     /// Number of muscles; not of a factorial plan
     pub samples: Option<u64>,
     /// Seed of the random numbers; not of a factorial plan

@@ -23,7 +23,7 @@ mod tests;
 pub use axis::rounded;
 pub use axis::{Axis, Inputs, PlanRubber};
 pub use keys::PlanKeys;
-pub use sampling::Sampling;
+pub use sampling::{Sampling, SamplingMethod};
 
 use axis::CONSTANT;
 use mckibben_core::{muscle::Muscle, rubber::Law, size::TooLarge};

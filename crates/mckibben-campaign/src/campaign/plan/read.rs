@@ -3,8 +3,8 @@
 use super::{
     Plan, Testing,
     axis::{Axis, PlanRubber, RUBBER},
-    keys::{Method, OfSampling, OfTest, PlanKeys, Vary},
-    sampling::{Design, MOST_MUSCLES, MOST_STRATA, Sampling},
+    keys::{OfSampling, OfTest, PlanKeys, Vary},
+    sampling::{Design, MOST_MUSCLES, MOST_STRATA, Sampling, SamplingMethod},
     table::{self, OwnSamples},
     vary,
 };
@@ -45,33 +45,25 @@ impl Plan {
         let (muscle, of_sampling, Vary(mut axes), test) = source.read::<PlanKeys>()?.parts();
         let base = muscle.muscle(&source)?;
         let mut sampling = sampling(&of_sampling, &source)?;
-        let own = table.map(|table| own_samples(table, &source)).transpose()?;
-        if let Some(own) = &own {
-            (axes, sampling) = (
-                own.axes.clone(),
-                Sampling::Table {
-                    samples: own.muscles,
-                },
-            );
+        let mut values = vec![];
+        if let Some(table) = table {
+            let own = own_samples(table, &source)?;
+            (axes, values) = (own.axes, own.values);
+            (sampling.method, sampling.samples) = (SamplingMethod::Table, own.muscles);
         }
-        vary::check_all(&axes, &source, &base, &sampling)?;
+        vary::check_all(&axes, &source, &base, sampling.method)?;
         let testing = testing(test, &source)?;
         if base.tube().rubber.is_conditioned() {
             let why = "is not possible in a campaign, whose muscles are on their first inflation: \
                 leave it out";
             return Err(source.error("tube.material.conditioned", why));
         }
-        if sampling != Sampling::Factorial && axes.is_empty() {
-            let why = format!(
-                "a {} plan needs something to vary: add [vary]",
-                sampling.name()
-            );
+        let method = sampling.method;
+        if method != SamplingMethod::Factorial && axes.is_empty() {
+            let why = format!("a {method} plan needs something to vary: add [vary]");
             return Err(source.error("sampling.method", why));
         }
-        let design = match own {
-            Some(own) => Design::of_table(own.muscles, own.values),
-            None => Design::new(sampling, &axes),
-        };
+        let design = Design::new(sampling, &axes, values);
         if design.muscles > MOST_MUSCLES {
             let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.muscles);
             return Err(source.error("vary", why));
@@ -191,17 +183,11 @@ fn own_samples(table: &str, source: &Source<'_>) -> Result<OwnSamples, FileError
             return Err(source.error(key, why));
         }
     }
-    let refused = |problem: String| FileError {
+    table::read(table).map_err(|error| FileError {
         key: Some("samples".into()),
-        problem,
+        problem: error.to_string(),
         ..FileError::default()
-    };
-    let own = table::read(table).map_err(|error| refused(error.to_string()))?;
-    if own.muscles > MOST_STRATA {
-        let why = format!("has {} muscles, more than {MOST_STRATA}", own.muscles);
-        return Err(refused(why));
-    }
-    Ok(own)
+    })
 }
 
 /// The text of a plan with a mark of the table that its muscles are in, so that another table is
@@ -243,8 +229,8 @@ fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileErro
     const SAMPLES: &str = "sampling.samples";
     const SEED: &str = "sampling.seed";
     let most = match keys.method {
-        Method::Sobol => MOST_MUSCLES,
-        Method::Factorial | Method::LatinHypercube => MOST_STRATA,
+        SamplingMethod::Sobol => MOST_MUSCLES,
+        _ => MOST_STRATA,
     };
     for (key, value, most) in [
         (SAMPLES, keys.samples, most),
@@ -253,14 +239,14 @@ fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileErro
         if value.is_some_and(|value| value > most) {
             return Err(source.error(key, format!("must be a whole number up to {most}")));
         }
-        if value.is_some() && keys.method == Method::Factorial {
+        if value.is_some() && keys.method == SamplingMethod::Factorial {
             let why = "a factorial plan takes every level with every other: it has neither \
                 samples nor a seed";
             return Err(source.error(key, why));
         }
     }
-    if keys.method == Method::Factorial {
-        return Ok(Sampling::Factorial);
+    if keys.method == SamplingMethod::Factorial {
+        return Ok(Sampling::default());
     }
     let needs = "it is the number of random muscles";
     let samples = keys
@@ -269,14 +255,10 @@ fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileErro
     if samples == 0 {
         return Err(source.error(SAMPLES, "must be above zero"));
     }
-    let seed = keys.seed.unwrap_or(1);
-    Ok(if keys.method == Method::Sobol {
-        Sampling::Sobol {
-            samples,
-            seed: seed as u32,
-        }
-    } else {
-        Sampling::LatinHypercube { samples, seed }
+    Ok(Sampling {
+        method: keys.method,
+        samples,
+        seed: Some(keys.seed.unwrap_or(1) as u32),
     })
 }
 

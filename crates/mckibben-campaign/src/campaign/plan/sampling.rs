@@ -5,6 +5,8 @@ use rand_chacha::{
     ChaCha8Rng,
     rand_core::{Rng, SeedableRng},
 };
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// The most muscles of a plan.
 pub const MOST_MUSCLES: u64 = 20_000_000;
@@ -13,43 +15,34 @@ pub const MOST_STRATA: u64 = 1_000_000;
 /// Points of one of Sobol's nets: the library has 16 direction numbers of each dimension.
 const NET: u64 = 1 << 16;
 
-/// A way of sampling.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sampling {
+/// How muscles are taken from the ranges.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SamplingMethod {
     /// Every level with every other.
+    #[default]
     Factorial,
     /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979
     /// \[mckay1979\]).
-    LatinHypercube { samples: u64, seed: u64 },
+    LatinHypercube,
     /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020 \[burley2020\]). Beyond 65,536
     /// points further nets of so many follow, each scrambled independently of the others.
-    Sobol {
-        samples: u64,
-        /// Seed, up to 32 bits.
-        seed: u32,
-    },
+    Sobol,
     /// A table of one's own.
-    Table { samples: u64 },
+    #[serde(skip_deserializing)]
+    Table,
 }
 
-impl Sampling {
-    /// Its word in plans.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Factorial => "factorial",
-            Self::LatinHypercube { .. } => "latin-hypercube",
-            Self::Sobol { .. } => "sobol",
-            Self::Table { .. } => "table",
-        }
-    }
+mckibben_core::units::display_as_serde_word!(SamplingMethod);
 
-    pub fn seed(&self) -> Option<u64> {
-        match *self {
-            Self::Factorial | Self::Table { .. } => None,
-            Self::LatinHypercube { seed, .. } => Some(seed),
-            Self::Sobol { seed, .. } => Some(u64::from(seed)),
-        }
-    }
+/// A way of sampling.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Sampling {
+    pub method: SamplingMethod,
+    /// Muscles; not of a factorial plan.
+    pub samples: u64,
+    /// Seed of the random numbers, up to 32 bits, where there are some.
+    pub seed: Option<u32>,
 }
 
 /// Where the muscles of a plan lie in the unit cube of its axes.
@@ -62,50 +55,39 @@ pub struct Design {
 }
 
 impl Design {
-    pub fn new(sampling: Sampling, axes: &[Axis]) -> Self {
-        let (muscles, listed) = match sampling {
-            Sampling::Factorial => (
-                axes.iter()
-                    .fold(1_u64, |all, a| all.saturating_mul(a.levels())),
-                vec![],
-            ),
-            Sampling::LatinHypercube { samples, seed } => (
-                samples,
-                (0..axes.len())
-                    .map(|axis| strata(samples, seed, axis as u64))
-                    .collect(),
-            ),
-            Sampling::Sobol { samples, .. } | Sampling::Table { samples } => (samples, vec![]),
-        };
+    /// Of a table with the values of all muscles, axis by axis.
+    pub fn new(sampling: Sampling, axes: &[Axis], values: Vec<Vec<f64>>) -> Self {
+        let Sampling { samples, seed, .. } = sampling;
+        let strata = |axis: usize| strata(samples, seed.unwrap_or(1), axis as u64);
         Self {
             sampling,
-            muscles,
-            listed,
-        }
-    }
-
-    /// Of a table: the values axis by axis.
-    pub fn of_table(samples: u64, values: Vec<Vec<f64>>) -> Self {
-        Self {
-            sampling: Sampling::Table { samples },
-            muscles: samples,
-            listed: values,
+            muscles: match sampling.method {
+                SamplingMethod::Factorial => axes
+                    .iter()
+                    .fold(1_u64, |all, a| all.saturating_mul(a.levels())),
+                _ => samples,
+            },
+            listed: match sampling.method {
+                SamplingMethod::LatinHypercube => (0..axes.len()).map(strata).collect(),
+                _ => values,
+            },
         }
     }
 
     /// The value of an axis for a muscle.
     pub fn value(&self, axes: &[Axis], axis: usize, number: u64) -> f64 {
-        match self.sampling {
-            Sampling::Factorial => {
+        match self.sampling.method {
+            SamplingMethod::Factorial => {
                 // The first axis changes slowest.
                 let faster: u64 = axes[axis + 1..].iter().map(Axis::levels).product();
                 axes[axis].level(number / faster % axes[axis].levels())
             }
-            Sampling::LatinHypercube { .. } => {
+            SamplingMethod::LatinHypercube => {
                 axes[axis].at_share(self.listed[axis][number as usize])
             }
-            Sampling::Table { .. } => self.listed[axis][number as usize],
-            Sampling::Sobol { seed, .. } => {
+            SamplingMethod::Table => self.listed[axis][number as usize],
+            SamplingMethod::Sobol => {
+                let seed = self.sampling.seed.unwrap_or(1);
                 let (net, point) = (number / NET, number % NET);
                 // Odd and large, so that nets of neighbouring seeds differ.
                 let scramble = seed.wrapping_add((net as u32).wrapping_mul(0x9e37_79b9));
@@ -118,8 +100,8 @@ impl Design {
 
 /// One axis of a Latin hypercube: a share in each of `n` strata, in random order. Each axis has one
 /// stream.
-fn strata(n: u64, seed: u64, axis: u64) -> Vec<f64> {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
+fn strata(n: u64, seed: u32, axis: u64) -> Vec<f64> {
+    let mut random = ChaCha8Rng::seed_from_u64(u64::from(seed));
     random.set_stream(axis);
     let mut order: Vec<u64> = (0..n).collect();
     for i in (1..order.len()).rev() {

@@ -75,7 +75,7 @@ pub fn read(text: &str) -> Result<OwnSamples, TableError> {
 
 /// The key that a name means, and what it measures.
 fn known(name: &str) -> Option<(String, Dimension)> {
-    if [RUBBER, "rubber"].contains(&name) {
+    if name == RUBBER {
         return Some((RUBBER.into(), Dimension::Ratio));
     }
     let constants = Law::KINDS.iter().flat_map(|kind| kind.constants);
@@ -97,7 +97,6 @@ fn known(name: &str) -> Option<(String, Dimension)> {
 fn unknown(heading: &str) -> TableError {
     TableError::Refused(format!(
         "column {heading:.60}: no measure of a muscle; expected a key of [vary] with its unit, such \
-         as \"tube.outer_diameter [mm]\" or \"tube.rubber\", or a column of a campaign's table, such \
-         as outer_diameter_mm"
+         as \"tube.outer_diameter [mm]\", or a column of a campaign's table"
     ))
 }

@@ -162,7 +162,10 @@ fn muscles_of_a_table_are_those_of_its_lines() {
                  1,2,latex,24 deg\n1.5,3,dragon-skin-30,0.5 rad\n";
     let text = format!("[tube]\nlength = \"200 mm\"\n{TEST}");
     let plan = Plan::parse_with_samples(&text, table).unwrap();
-    assert_eq!((plan.muscles(), plan.sampling().name()), (2, "table"));
+    assert_eq!(
+        (plan.muscles(), plan.sampling().method),
+        (2, SamplingMethod::Table)
+    );
     let of = |number: u64| {
         let parts = plan.inputs(number).parts;
         let (tube, angle) = (parts.tube, parts.braid.angle_deg);

@@ -2,7 +2,7 @@
 
 use super::{
     axis::{Axis, CONSTANT, RUBBER, SCALE},
-    sampling::Sampling,
+    sampling::SamplingMethod,
 };
 use mckibben_core::{
     joined,
@@ -25,14 +25,14 @@ pub fn check_all(
     axes: &[Axis],
     source: &Source<'_>,
     base: &Muscle,
-    sampling: &Sampling,
+    method: SamplingMethod,
 ) -> Result<(), FileError> {
     for (i, axis) in axes.iter().enumerate() {
-        let wrong = |why: String| match sampling {
-            Sampling::Table { .. } => source.error("samples", format!("{} {why}", axis.key)),
+        let wrong = |why: String| match method {
+            SamplingMethod::Table => source.error("samples", format!("{} {why}", axis.key)),
             _ => source.error(&format!("vary.{}", axis.key), why),
         };
-        check(axis, base, sampling).map_err(wrong)?;
+        check(axis, base, method).map_err(wrong)?;
         let by_rubber = |a: &Axis| a.key == RUBBER;
         if axis.key.starts_with(CONSTANT) && axis.key != SCALE && axes.iter().any(by_rubber) {
             let why = "is a constant of one law, and tube.rubber varies: vary tube.material.scale";
@@ -69,28 +69,18 @@ pub fn distinct(list: &[f64]) -> Result<(), String> {
     }
 }
 
-/// Refuses a rubber that a list has twice, and an empty list.
-fn check_rubbers(axis: &Axis) -> Result<(), String> {
-    let names = &axis.names;
-    let twice = (1..names.len()).find(|&i| names[..i].contains(&names[i]));
-    match twice {
-        Some(i) => Err(format!("contains {} twice", names[i])),
-        None if names.is_empty() => Err("is an empty list".into()),
-        None => Ok(()),
-    }
-}
-
 /// Checks an axis; the error is a sentence behind its key.
-fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> {
+fn check(axis: &Axis, base: &Muscle, method: SamplingMethod) -> Result<(), String> {
     let interval = matches!(axis.values, Values::Interval(..));
     let (low, high) = axis.values.bounds();
     if axis.key == RUBBER {
-        return check_rubbers(axis);
+        let some = !axis.names.is_empty();
+        return some.then_some(()).ok_or_else(|| "is an empty list".into());
     }
     if let Values::List(list) = &axis.values {
         distinct(list)?;
     }
-    if interval && *sampling == Sampling::Factorial {
+    if interval && method == SamplingMethod::Factorial {
         return Err(
             "is a range without a step, and a factorial plan needs levels: give a list \
             (30,40,50) or a step (10..60:10), or another [sampling] method"

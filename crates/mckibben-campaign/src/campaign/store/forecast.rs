@@ -40,10 +40,6 @@ pub struct Forecast {
     pub points_per_muscle: u64,
     /// Rows of the table.
     pub points: u64,
-    /// Files of the folder of parts.
-    pub parts: u64,
-    /// Name of the model.
-    pub model: String,
     /// The rubbers of its muscles, each with the one law that they all get.
     pub rubbers: Vec<MadeRubber>,
     /// Muscles that were solved for this forecast, spread over the plan.
@@ -98,8 +94,6 @@ pub fn forecast(plan: &Plan, options: &RunOptions, progress: &dyn Progress) -> R
         muscles,
         points_per_muscle: provenance.points_per_muscle,
         points: muscles * provenance.points_per_muscle,
-        parts: parts.len() as u64,
-        model: provenance.model.clone(),
         rubbers: plan.rubbers.iter().map(|r| (&r.rubber).into()).collect(),
         muscles_tried: tried.muscles,
         points_failed: tried.failed,

@@ -25,6 +25,8 @@ pub enum ShardState {
     Missing,
 }
 
+mckibben_core::units::display_as_serde_word!(ShardState);
+
 /// One shard.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ShardStatus {

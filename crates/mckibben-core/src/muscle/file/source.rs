@@ -89,18 +89,14 @@ impl<'t> Source<'t> {
         self.find(dotted).is_some()
     }
 
-    /// The text with a key and its value blanked, so that all else keeps its place; `None` where it
-    /// is not written, or is a table.
+    /// The text with the line of a key as a comment, so that all other lines keep their place;
+    /// `None` where it is not written on a line of its own, or is a table.
     pub fn without(&self, dotted: &str) -> Option<String> {
         let (key, item) = self.find(dotted)?;
-        let value = item.as_value().filter(|value| !value.is_inline_table())?;
-        let line = self.text[..key.span()?.start]
-            .rfind('\n')
-            .map_or(0, |i| i + 1);
-        let blank = |c: char| if c == '\n' { c } else { ' ' };
-        let end = value.span()?.end;
-        let blanked: String = self.text.get(line..end)?.chars().map(blank).collect();
-        Some([&self.text[..line], &blanked, self.text.get(end..)?].concat())
+        let (start, end) = (key.span()?.start, item.as_value()?.span()?.end);
+        let line = self.text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let is_one = !self.text.get(start..end)?.contains('\n');
+        is_one.then(|| [&self.text[..line], "#", &self.text[line..]].concat())
     }
 
     /// Where a key of a table is.
