@@ -40,9 +40,13 @@ fn commands(block: &[&str]) -> Vec<String> {
     out
 }
 
-/// A text without the time that a campaign took.
+/// A text without the time that a campaign took, or would take.
 fn without_times(text: &str) -> String {
     let timeless = |line: &str| {
+        if line.starts_with("  time ") && line.ends_with(" threads") {
+            let (name, _) = line.split_at(line.rfind("  ")? + 2);
+            return Some(format!("{name}… with … threads"));
+        }
         let (points, rest) = line.split_once(" points in ")?;
         let (_, more) = rest.split_once(" a second)")?;
         Some(format!("{points} points in … s (… a second){more}"))
@@ -290,6 +294,10 @@ fn outputs_are_broken_and_shortened_at_known_places() {
     assert_eq!(
         without_times("9 points in 0.8 s (2 a second), 1 left\nin 3 s"),
         "9 points in … s (… a second), 1 left\nin 3 s"
+    );
+    assert_eq!(
+        without_times("  time    2m 3s with 8 threads\n  size    1 MB"),
+        "  time    … with … threads\n  size    1 MB"
     );
     let lines = |n: usize| (1..=n).map(|i| i.to_string()).collect::<Vec<_>>();
     let shortened = |fence: &str, n| Asked::of(fence).shortened(lines(n));
