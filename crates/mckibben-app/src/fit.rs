@@ -490,7 +490,7 @@ fn rows(_: &Path, _: f64) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)
 fn of_campaign(path: &Path) -> Result<Points> {
     let (rows, origin) = rows(path, OF_OTHERS)?;
     let mut made_for: Option<MakeOfRows> = None;
-    let (mut points, mut all) = (vec![], 0);
+    let (mut points, mut all) = (Vec::with_capacity(rows.size_hint().1.unwrap_or(0)), 0);
     for row in rows {
         let row = row?;
         made_for

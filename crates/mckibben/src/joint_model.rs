@@ -131,7 +131,8 @@ impl JointModel {
     /// The pressures up to that of the supply that give a torque and a stiffness at an angle.
     ///
     /// # Errors
-    /// [`JointError`] where none do, with what comes closest.
+    /// [`JointError`] where none do, with what comes closest, and where the supply is outside of a
+    /// model's range.
     pub fn pressures(
         &mut self,
         angle_deg: f64,
@@ -144,8 +145,13 @@ impl JointModel {
             torque_nm,
             stiffness_nm_per_rad: Some(stiffness_nm_per_rad),
         };
-        self.joint
-            .pressures(&mut self.workspaces, wanted, supply_mpa)
+        let workspaces = &mut self.workspaces;
+        let found = self.joint.pressures(workspaces, wanted, supply_mpa);
+        // A model without an answer at the supply is the reason before all others.
+        if found.is_err() {
+            self.joint.outside(supply_mpa)?;
+        }
+        found
     }
 
     /// The angles and stiffnesses that it reaches up to a pressure, `count` pressures a muscle.

@@ -104,6 +104,12 @@ fn a_joint_answers_finite_numbers_or_why_not() {
         sound("map", supply, joint.map(supply, 3).map(|_| 0.0));
     }
     assert!(joint.map(0.3, 0).is_err());
+    // A supply at which the model has no answer is said, not that no pressures do.
+    let there = joint.at(&[0.2, 0.15], 0.0).unwrap();
+    let (torque_nm, stiffness) = (there.torque_nm, there.stiffness_nm_per_rad);
+    assert!(joint.pressures(0.0, torque_nm, stiffness, 0.4).is_ok());
+    let said = joint.pressures(0.0, torque_nm, stiffness, 5.0).unwrap_err();
+    assert!(said.to_string().contains("outside"), "{said}");
     // Models of other muscles, and too few.
     let other = Muscle::prototype().with_length(200.0).unwrap();
     let other = Model::UNIVERSAL.of(&other).unwrap();

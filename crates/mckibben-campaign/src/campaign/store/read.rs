@@ -24,6 +24,10 @@ impl Iterator for Rows {
     fn next(&mut self) -> Option<Self::Item> {
         self.rows.next()
     }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (0, usize::try_from(self.provenance.points()).ok())
+    }
 }
 
 /// Opens a campaign, file or folder of parts, for reading row by row.
