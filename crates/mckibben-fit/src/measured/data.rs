@@ -146,6 +146,8 @@ pub fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut list: Vec<f64> = values.collect();
     list.sort_by(f64::total_cmp);
     list.dedup_by(|a, b| same(*a, *b));
+    // Of millions of points a handful are left.
+    list.shrink_to_fit();
     list
 }
 
