@@ -1518,6 +1518,8 @@ inBrowser(({ name, url, open, blank }) => {
       ),
     );
     await page.screenshot({ path: `${shots}/welcome-400-${name}.png` });
+    // What is drawn anew once the muscle is there takes no focus away.
+    await alive(page);
     await page.getByRole("textbox", { name: NAME }).focus();
     for (const button of ["Open", "Save", "Share", "Print"]) {
       await page.keyboard.press("Tab");
