@@ -43,15 +43,20 @@ fn commands(block: &[&str]) -> Vec<String> {
 /// A text without the time that a campaign took, or would take.
 fn without_times(text: &str) -> String {
     let timeless = |line: &str| {
+        let (name, _) = line.split_at(line.rfind("  ").map_or(0, |at| at + 2));
         if line.starts_with("  time ") && line.ends_with(" threads") {
-            let (name, _) = line.split_at(line.rfind("  ")? + 2);
             return Some(format!("{name}… with … threads"));
+        }
+        if line.starts_with("  points a second ") {
+            return Some(format!("{name}…"));
         }
         let (points, rest) = line.split_once(" points in ")?;
         let (_, more) = rest.split_once(" a second)")?;
         Some(format!("{points} points in … s (… a second){more}"))
     };
-    let lines = text.lines();
+    // A log has a line a minute of how far the work is.
+    let is_log = |line: &str| line.contains(" a second, ") && line.ends_with(" s left");
+    let lines = text.lines().filter(|line| !is_log(line));
     let lines: Vec<String> = lines
         .map(|line| timeless(line).unwrap_or_else(|| line.to_owned()))
         .collect();
@@ -296,8 +301,10 @@ fn outputs_are_broken_and_shortened_at_known_places() {
         "9 points in … s (… a second), 1 left\nin 3 s"
     );
     assert_eq!(
-        without_times("  time    2m 3s with 8 threads\n  size    1 MB"),
-        "  time    … with … threads\n  size    1 MB"
+        without_times(
+            "  time    2m 3s with 8 threads\n1 of 9 muscles, 2 a second, 4 s left\n  points a second   9"
+        ),
+        "  time    … with … threads\n  points a second   …"
     );
     let lines = |n: usize| (1..=n).map(|i| i.to_string()).collect::<Vec<_>>();
     let shortened = |fence: &str, n| Asked::of(fence).shortened(lines(n));
