@@ -141,7 +141,7 @@ fn printed(page: &str, folder: &Path, line: &str, asked: Asked) -> Result<Vec<St
         let output = command(folder).args(&words).env("COLUMNS", "80").output();
         let result = ran(output.unwrap());
         if result.code == asked.exit {
-            Ok((without_times(result.text()), result.err))
+            Ok((without_times(result.text()), without_times(&result.err)))
         } else {
             Err(format!(
                 "{page}: {line}: exit {}: {}",
