@@ -90,24 +90,27 @@ pub struct Warned {
     last_muscle: Option<u64>,
 }
 
+/// The columns of warnings.
+fn columns() -> impl Iterator<Item = &'static Column> {
+    COLUMNS.iter().filter(|c| c.role == Role::Warning)
+}
+
 impl Warned {
     /// One for each column of warnings.
     pub fn none() -> Vec<Self> {
-        let columns = COLUMNS.iter().filter(|c| c.role == Role::Warning);
         let named = |column: &Column| Self {
             name: column.name.into(),
             ..Self::default()
         };
-        columns.map(named).collect()
+        columns().map(named).collect()
     }
 
     /// Counts a row, with those of its muscle one after another.
     pub fn count(all: &mut [Self], row: &mut PointRow) {
         let answered = row.status.is_ok();
         let muscle = Some(row.muscle);
-        for warned in all {
-            let column = COLUMNS.iter().find(|c| c.name == warned.name);
-            let Some(Slot::Flag(flag)) = column.map(|c| (c.slot)(row)) else {
+        for (warned, column) in all.iter_mut().zip(columns()) {
+            let Slot::Flag(flag) = (column.slot)(row) else {
                 continue;
             };
             match *flag {

@@ -1,6 +1,6 @@
 //! What a campaign will be: size, time and warnings, before it is run.
 
-use super::{file::part, provenance::Provenance, run::RunOptions, shard::Shard, table::Table};
+use super::{file::part, provenance::Provenance, run::RunOptions, table::Table};
 use crate::{
     campaign::{
         error::Result,
@@ -66,25 +66,13 @@ pub struct Forecast {
 /// Foresees a run of a plan.
 ///
 /// # Errors
-/// [`CampaignError`](crate::campaign::CampaignError) where the threads are not to be had, or where
-/// the caller ends it.
+/// [`CampaignError`](crate::campaign::CampaignError) where the caller ends it.
 pub fn forecast(plan: &Plan, options: &RunOptions, progress: &dyn Progress) -> Result<Forecast> {
     let provenance = Provenance::for_plan(plan);
-    let shard = options.shard.or_else(|| Shard::new(1, 1));
-    let parts: Vec<u64> = shard
-        .into_iter()
-        .flat_map(|shard| shard.blocks(provenance.parts()))
-        .collect();
+    let parts: Vec<u64> = options.share(&provenance).collect();
     let numbers = || parts.iter().flat_map(|&part| provenance.muscles_of(part));
-    let muscles: u64 = parts
-        .iter()
-        .map(|&part| provenance.muscles_of(part).count() as u64)
-        .sum();
-    let limited = options.threads.map(Threads::new).transpose()?;
-    let threads = limited
-        .as_ref()
-        .unwrap_or_else(|| Threads::shared())
-        .count();
+    let muscles = provenance.muscles_in(parts.iter().copied());
+    let threads = options.threads.unwrap_or_else(|| Threads::shared().count());
     let spread = |most: u64| numbers().step_by(muscles.div_ceil(most).max(1) as usize);
     let tried = Tried::new(plan, &provenance, spread(TRIED), progress)?;
     let checked = Checked::new(plan, spread(CHECKED))?;

@@ -112,6 +112,12 @@ impl Provenance {
         from..from.saturating_add(self.block).min(self.muscles)
     }
 
+    /// How many muscles are in some parts.
+    pub(crate) fn muscles_in(&self, parts: impl Iterator<Item = u64>) -> u64 {
+        let muscles = |part| self.muscles_of(part).count() as u64;
+        parts.map(muscles).sum()
+    }
+
     /// Rows of the file of a part, or of the whole table.
     pub(crate) fn rows_of(&self, part: Option<u64>) -> u64 {
         let muscles = part.map_or(0..self.muscles, |part| self.muscles_of(part));

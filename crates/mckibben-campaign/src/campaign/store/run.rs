@@ -76,6 +76,18 @@ pub struct RunOptions {
     pub overwrite: bool,
 }
 
+impl RunOptions {
+    /// Whether a part is of its share.
+    fn holds(&self, part: u64) -> bool {
+        self.shard.is_none_or(|shard| shard.holds(part))
+    }
+
+    /// The parts of its share.
+    pub(super) fn share(&self, provenance: &Provenance) -> impl Iterator<Item = u64> {
+        (0..provenance.parts()).filter(|&part| self.holds(part))
+    }
+}
+
 /// A part from a thread.
 struct Done {
     part: u64,
@@ -129,16 +141,6 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Whether a part is of its share.
-    fn holds(&self, part: u64) -> bool {
-        self.options.shard.is_none_or(|shard| shard.holds(part))
-    }
-
-    fn muscles_of(&self, parts: impl Iterator<Item = u64>) -> u64 {
-        let muscles = |part| self.provenance.muscles_of(part).count() as u64;
-        parts.map(muscles).sum()
-    }
-
     fn outcome(&self, store: &Path, counts: Counts, recomputed: Vec<Recomputed>) -> Outcome {
         Outcome {
             output: self.out.into(),
@@ -249,14 +251,14 @@ impl Run<'_> {
         } = *self.options;
         let limited = threads.map(Threads::new).transpose()?;
         let threads = limited.as_ref().unwrap_or_else(|| Threads::shared());
-        let holds = |part| self.holds(part);
+        let holds = |part| self.options.holds(part);
         let (there, recomputed) = existing(folder, &self.provenance, holds, overwrite, threads)?;
-        let share = || (0..self.provenance.parts()).filter(|&part| self.holds(part));
+        let share = || self.options.share(&self.provenance);
         let missing: Vec<u64> = share().filter(|part| !there.contains(part)).collect();
-        let resumed = self.muscles_of(there.into_iter());
+        let resumed = self.provenance.muscles_in(there.into_iter());
         let mut counts = Counts {
             muscles: resumed,
-            of: self.muscles_of(share()),
+            of: self.provenance.muscles_in(share()),
             resumed,
             ..Counts::default()
         };
@@ -282,7 +284,7 @@ impl Run<'_> {
         threads.for_each(missing, work, |done| {
             let take_over = || -> Result<()> {
                 if let Some(done) = done.flatten().transpose()? {
-                    counts.muscles += self.muscles_of([done.part].into_iter());
+                    counts.muscles += self.provenance.muscles_in([done.part].into_iter());
                     counts.points += done.points;
                     counts.failed += done.failed;
                     folder.write(done.part, done.bytes)?;
