@@ -12,6 +12,7 @@ use parquet::{
 };
 use std::{
     fs::File,
+    io::{Read, Seek, SeekFrom},
     panic::{AssertUnwindSafe, catch_unwind},
 };
 
@@ -22,9 +23,15 @@ pub struct Reader {
 
 impl Reader {
     /// Reads the metadata of a file.
+    ///
+    /// # Errors
+    /// A file that is no Parquet, is damaged, or has a schema of more than 255 elements.
     pub fn new(file: File) -> std::result::Result<Self, TableError> {
         Ok(Self {
-            file: guarded(|| SerializedFileReader::new(file))?,
+            file: guarded(|| {
+                check_schema_size(&file)?;
+                SerializedFileReader::new(file)
+            })?,
         })
     }
 
@@ -86,6 +93,35 @@ impl Reader {
             }
             Ok((out, rows))
         })?)
+    }
+}
+
+/// Refuses a schema of 256 elements and more: the library follows nested groups by recursion, and a
+/// stack that overflows ends the program.
+///
+/// A file ends with its metadata, their length in four bytes, and `PAR1`. The metadata begin, in
+/// the compact protocol of Thrift, with the version (field 1: `15`, one byte) and the number of
+/// elements of the schema (field 2: `19`; below 15 in one byte with `c`, else `fc` and a varint).
+fn check_schema_size(mut file: &File) -> Result<()> {
+    let mut tail = [0; 8];
+    if file.seek(SeekFrom::End(-8)).is_err() {
+        return Ok(()); // The library says that it is too short.
+    }
+    file.read_exact(&mut tail)?;
+    let [a, b, c, d, b'P', b'A', b'R', b'1'] = tail else {
+        return Ok(()); // The library says that it is no Parquet.
+    };
+    let length = i64::from(u32::from_le_bytes([a, b, c, d]));
+    if file.seek(SeekFrom::End(-8 - length)).is_err() {
+        return Ok(()); // The library says that it is too short.
+    }
+    let mut head = [0; 6];
+    file.read_exact(&mut head)?;
+    match head {
+        [0x15, 0..0x80, 0x19, 0x0c..0xf0, ..]
+        | [0x15, 0..0x80, 0x19, 0xfc, 0..0x80, _]
+        | [0x15, 0..0x80, 0x19, 0xfc, 0x80..=0xff, 0..0x02] => Ok(()),
+        _ => wrong("its schema is damaged, or has more than 255 elements"),
     }
 }
 
@@ -185,7 +221,7 @@ fn optional<T: DataType>(reader: ColumnReaderImpl<T>, rows: usize) -> Result<Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io;
+    use std::io::{self, Write};
 
     #[test]
     fn a_panic_of_the_decoder_is_an_error_of_the_file() {
@@ -193,6 +229,39 @@ mod tests {
         let panics = guarded(|| panic!("index out of bounds"));
         assert_eq!(message(panics), "the decoder of Parquet gives up on it");
         assert_eq!(guarded(|| Ok(7)).unwrap(), 7);
+    }
+
+    /// A file of groups within groups, each of which has one child, by the bytes of its format.
+    fn nested(groups: u32) -> File {
+        let mut elements = groups + 1;
+        let mut metadata = vec![0x15, 2, 0x19, 0xfc];
+        while elements >= 0x80 {
+            metadata.push(elements as u8 | 0x80);
+            elements >>= 7;
+        }
+        metadata.push(elements as u8);
+        for _ in 0..groups {
+            metadata.extend(*b"\x35\0\x18\x01g\x15\x02\0"); // required, "g", one child
+        }
+        metadata.extend(*b"\x15\x0a\x25\0\x18\x01a\0"); // double, required, "a"
+        metadata.extend(*b"\x16\0\x19\x0c\0"); // no rows, no row groups
+        let mut file = tempfile::tempfile().unwrap();
+        file.write_all(b"PAR1").unwrap();
+        file.write_all(&metadata).unwrap();
+        file.write_all(&(metadata.len() as u32).to_le_bytes())
+            .unwrap();
+        file.write_all(b"PAR1").unwrap();
+        file
+    }
+
+    /// 100,000 of them ended the program by an overflow of its stack.
+    #[test]
+    fn groups_nested_deeper_than_the_stack_are_refused() {
+        assert_eq!(Reader::new(nested(254)).unwrap().rows(), 0);
+        for groups in [255, 100_000, 10_000_000] {
+            let error = Reader::new(nested(groups)).err().unwrap().to_string();
+            assert!(error.contains("more than 255 elements"), "{error}");
+        }
     }
 
     /// What the system does not read is not called damaged: errno 5 is EIO.
