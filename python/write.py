@@ -92,7 +92,6 @@ NAMES = {
     "JointAnswer": "JointSolution",
     "MotionAnswer": "Motion",
     "Summary": "CampaignSummary",
-    "Outcome": "CampaignOutcome",
 }
 BASES = {
     "Curve": "Curves",

@@ -9,7 +9,7 @@ use crate::{
     plan::plan_of,
 };
 use mckibben_campaign::campaign::{
-    self, CampaignStatus, Forecast, Merged, Outcome, RunOptions, Shard, Summary,
+    self, CampaignOutcome, CampaignStatus, Forecast, Merged, RunOptions, Shard, Summary,
 };
 use mckibben_core::progress::Progress;
 use schemars::JsonSchema;
@@ -52,7 +52,7 @@ pub struct CampaignRequest {
 
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not
 /// complete.
-pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome> {
+pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<CampaignOutcome> {
     let plan = plan_of(&request.plan, &request.samples)?.0;
     let out = request
         .output

@@ -385,15 +385,11 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
                 (other, _) if other.starts_with("struct ") => "an object of fields".to_owned(),
                 (other, _) => plain(other),
             };
-            let (given, mut start) = (
-                plain(given),
-                plain(given).chars().take(60).collect::<String>(),
-            );
-            start += if start.len() < given.len() {
-                "…\""
-            } else {
-                ""
-            };
+            let given = plain(given);
+            let mut start: String = given.chars().take(60).collect();
+            if start != given {
+                start += "…\"";
+            }
             let what = field.map_or_else(|| "a request".to_owned(), |field| format!("`{field}`"));
             if wanted == "a list" && start.parse::<f64>().is_ok() {
                 format!("{what} is a list, such as [{start}], not {start}")
@@ -404,11 +400,9 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
         None if field.is_some() => said,
         None => format!("the request cannot be understood: {said}"),
     };
-    let problem = ProblemKind::Usage.problem(message);
-    if let Some(field) = field {
-        problem.in_field(field)
-    } else {
-        problem
+    Problem {
+        field: field.map(str::to_owned),
+        ..ProblemKind::Usage.problem(message)
     }
 }
 

@@ -22,7 +22,10 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches},
-    identify::{DataPoint, IdentifyError, Parameter, Request, Target, doubts, identify, matters},
+    identify::{
+        DataPoint, IdentificationRequest, IdentifyError, Parameter, Target, doubts, identify,
+        matters,
+    },
     measured::Quantity,
 };
 use mckibben_report::Figure;
@@ -491,9 +494,9 @@ fn fitted(
         ..Parameter::free(c.target())
     };
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
-    let request = Request {
+    let request = IdentificationRequest {
         two_sided: true,
-        ..Request::new(muscle, &free, &points, &build)
+        ..IdentificationRequest::new(muscle, &free, &points, &build)
     };
     let identified = identify(&request).map_err(|error| match error {
         IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),

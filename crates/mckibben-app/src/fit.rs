@@ -14,12 +14,12 @@ use crate::{
 use mckibben_campaign::{
     PointRow,
     fit::{
-        FitError, FittedFormula, MakeOfRows, Method, Request, Rules, SlackRule, ThinRule,
+        FitError, FittedFormula, FormulaRequest, MakeOfRows, Method, Rules, SlackRule, ThinRule,
         data::{FitPoint, distinct, point, same},
         make, refitted,
         results::{Results, results},
         tables::{Table, tables},
-        universal::{self, UniversalRequest},
+        universal::{self, Samples, UniversalRequest},
     },
 };
 use mckibben_core::{
@@ -27,7 +27,7 @@ use mckibben_core::{
     model::ModelKind,
     progress::Progress,
     size,
-    units::typed::{Length, List},
+    units::typed::{Length, List, Ratio},
 };
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use mckibben_report::Figure;
@@ -55,6 +55,9 @@ pub struct FitRequest {
     /// Diameters D0 to leave out of the fit, to test it
     #[arg(long, value_name = "RANGE")]
     pub hold_out_mm: Option<List<Length>>,
+    /// Share of the muscles to leave out of the fit, evenly in the order of D0 and wall
+    #[arg(long, value_name = "SHARE")]
+    pub hold_out_share: Option<Ratio>,
     /// Name of the formula in answers [that of the method]
     #[arg(long)]
     pub name: Option<String>,
@@ -179,11 +182,12 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         return Err(ProblemKind::Usage.problem(message).in_field("hold_out_mm"));
     }
     let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
-    let fitted = make(Request {
+    let fitted = make(FormulaRequest {
         points,
         made_for,
         method,
         hold_out: request.hold_out(),
+        hold_out_share: request.hold_out_share.map_or(0.0, f64::from),
         name: request.name.clone().unwrap_or_else(|| method.name().into()),
         from: origin.from,
     })
@@ -220,13 +224,16 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
             "`mckibben campaign` makes one",
         ));
     };
-    let (rows, origin) = rows(path, OF_UNIVERSAL)?;
-    let rows: Vec<PointRow> = rows.collect::<Result<_>>()?;
+    let (rows, origin) = rows(path)?;
+    let mut samples = Samples::default();
+    for row in rows {
+        samples.add(row?)?;
+    }
     let usual = match form {
         Form::Membrane => ModelKind::Universal,
         Form::Bulge => ModelKind::UniversalSmall,
     };
-    let samples = universal::samples(&rows).map_err(|e| no_fit(&origin.name, e))?;
+    let samples = samples.all().map_err(|e| no_fit(&origin.name, e))?;
     let wanted = UniversalRequest {
         samples: &samples,
         form,
@@ -292,6 +299,7 @@ impl FitRequest {
     fn check_foreign(&self) -> Result<()> {
         let foreign = [
             ("hold_out_mm", self.hold_out_mm.is_some()),
+            ("hold_out_share", self.hold_out_share.is_some()),
             ("tables", self.tables),
             ("figures", self.figures),
             ("rubber", self.rubber.is_some()),
@@ -460,16 +468,15 @@ fn file_name(name: &Path) -> Option<String> {
     name.file_name().map(|n| n.to_string_lossy().into_owned())
 }
 
-/// Bytes of memory that a row takes for the universal formulas, and a point for the others.
-const OF_UNIVERSAL: f64 = 1200.0;
-const OF_OTHERS: f64 = 80.0;
+/// Bytes of memory that a point takes.
+const OF_POINT: f64 = 80.0;
 
 /// The rows of a campaign's file, or of its folder of parts, if what is kept of them fits into
 /// memory.
 #[cfg(feature = "files")]
-fn rows(path: &Path, bytes: f64) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)> {
+fn rows(path: &Path) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)> {
     let table = mckibben_campaign::campaign::rows(path)?;
-    size::bytes("campaign", bytes * table.provenance.points() as f64)?;
+    size::bytes("campaign", OF_POINT * table.provenance.points() as f64)?;
     let from = Provenance {
         table: file_name(path),
         plan_hash: Some(table.provenance.plan_sha256.clone()),
@@ -482,13 +489,13 @@ fn rows(path: &Path, bytes: f64) -> Result<(impl Iterator<Item = Result<PointRow
 
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
-fn rows(_: &Path, _: f64) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
+fn rows(_: &Path) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
     let message = "this build of the program cannot read campaigns from disk";
     Err(ProblemKind::Usage.problem(message).in_field("campaign"))
 }
 
 fn of_campaign(path: &Path) -> Result<Points> {
-    let (rows, origin) = rows(path, OF_OTHERS)?;
+    let (rows, origin) = rows(path)?;
     let mut made_for: Option<MakeOfRows> = None;
     let (mut points, mut all) = (Vec::with_capacity(rows.size_hint().1.unwrap_or(0)), 0);
     for row in rows {

@@ -24,8 +24,8 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     identify::{
-        Candidate, Identification, Identified, LawTrial, Parameter, PointFit, Request, Target,
-        default_parameters, identify_default, try_laws,
+        Identification, IdentificationRequest, Identified, LawTrial, Parameter, PointFit, Target,
+        TrialMuscle, default_parameters, identify_default, try_laws,
     },
     least_squares::Loss,
     measured::{
@@ -309,7 +309,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         bounds,
     } = request.parameters(&muscle)?;
     let build = |m: &Muscle| model.build(m);
-    let input = Request {
+    let input = IdentificationRequest {
         muscle: &muscle,
         free: &free,
         fixed: &fixed,
@@ -333,7 +333,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         } else {
             free.clone()
         };
-        let trials = try_laws(&Request {
+        let trials = try_laws(&IdentificationRequest {
             free: &sought,
             ..input
         })?;
@@ -438,7 +438,7 @@ impl IdentifyRequest {
             .map(|file| Path::new(&file.name).file_name());
         let origin = joined(files.flatten().map(|name| name.to_string_lossy()), ", ");
         let Parameters { free, fixed, .. } = self.parameters(&muscle)?;
-        let start = Candidate::new(&muscle, &fixed)?.muscle;
+        let start = TrialMuscle::new(&muscle, &fixed)?.muscle;
         let has_branch = |p: &DataPoint| !p.at.direction().is_mean();
         Ok(measured_files(&SavedMuscle {
             muscle: &start,

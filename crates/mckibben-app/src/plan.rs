@@ -3,7 +3,7 @@
 
 use crate::{COLUMNS, Problem, ProblemKind, Result, TextFile};
 use mckibben_campaign::campaign::{self, Plan};
-use mckibben_core::{joined, muscle::file::FileError, progress::Progress};
+use mckibben_core::{muscle::file::FileError, progress::Progress};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::{fmt::Write as _, path::Path};
@@ -43,7 +43,10 @@ pub(crate) fn plan_of<'a>(
     let samples = samples.as_ref().map(|table| &*table.text);
     let plan = Plan::check(&file.text, samples).map_err(|mistakes| {
         let of_file = |m: FileError| m.in_file(Path::new(&file.name)).to_string();
-        ProblemKind::File.problem(joined(mistakes.into_iter().map(of_file), "\n"))
+        let mut each = mistakes.into_iter().map(of_file);
+        let mut problem = ProblemKind::File.problem(each.next().unwrap_or_default());
+        problem.further = each.collect();
+        problem
     })?;
     Ok((plan, file))
 }

@@ -161,6 +161,9 @@ pub struct Problem {
     pub field: Option<String>,
     /// The nearest answer there is, where it is known.
     pub nearest: Option<Nearest>,
+    /// What else is wrong in the same file.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub further: Vec<String>,
 }
 
 impl Problem {
@@ -172,7 +175,15 @@ impl Problem {
             hint: short_numbers(&hint.into()).into_owned(),
             field: None,
             nearest: None,
+            further: vec![],
         }
+    }
+
+    /// All that is wrong, a sentence each.
+    pub fn messages(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(&self.message)
+            .chain(&self.further)
+            .map(String::as_str)
     }
 
     /// The same with the field that is to blame.

@@ -5,7 +5,7 @@
 
 use mckibben_campaign::{
     campaign::{Plan, RunOptions, read, run},
-    fit::{MakeOfRows, Method, Request, data, make},
+    fit::{FormulaRequest, MakeOfRows, Method, data, make},
 };
 use mckibben_core::{formula::Provenance, model::FormulaModel, prelude::*};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -61,11 +61,12 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
 
     let mut made = MakeOfRows::new(&rows[0]);
     rows.iter().try_for_each(|row| made.add(row))?;
-    let fitted = make(Request {
+    let fitted = make(FormulaRequest {
         points: data::points(&rows),
         made_for: made.made_for(),
         method: Method::Global,
         hold_out: &[],
+        hold_out_share: 0.0,
         name: "own".into(),
         from: Provenance {
             plan_hash: Some(plan.hash()),

@@ -4,7 +4,7 @@
 
 use mckibben_core::{muscle::file::parse_muscle, prelude::*};
 use mckibben_fem::elements::Elements;
-use mckibben_fit::identify::{Request, Target, identify_default, read_data};
+use mckibben_fit::identify::{IdentificationRequest, Target, identify_default, read_data};
 use std::error::Error;
 
 /// What a ruler tells, and guesses for the rest.
@@ -25,7 +25,7 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
     let build = |m: &Muscle| -> Result<Box<dyn ForceModel>, _> {
         Ok(Elements::Axisymmetric(Default::default()).build(m)?)
     };
-    let request = Request::new(&muscle, &[], &points, &build);
+    let request = IdentificationRequest::new(&muscle, &[], &points, &build);
     let result = identify_default(&request)?;
     for p in &result.parameters {
         println!(

@@ -149,17 +149,17 @@ pub fn in_words(mut problem: Problem) -> Problem {
     problem
 }
 
-/// `error: …`, and the hint below it, in the units that the user reads.
+/// `error: …` once a mistake, and the hint below it, in the units that the user reads.
 pub fn as_text(problem: &Problem) -> String {
-    let [message, hint] =
-        [&problem.message, &problem.hint].map(|text| display_units::sentence(text));
-    let message = clean::line(&message);
-    let hint = clean::line(&hint);
-    if hint.is_empty() {
-        format!("error: {message}")
-    } else {
-        format!("error: {message}\n  hint: {hint}")
+    let line = |start, text: &str| {
+        let text = display_units::sentence(text);
+        format!("{start}: {}", clean::line(&text))
+    };
+    let mut lines: Vec<_> = problem.messages().map(|m| line("error", m)).collect();
+    if !problem.hint.is_empty() {
+        lines.push(line("  hint", &problem.hint));
     }
+    lines.join("\n")
 }
 
 /// `{"error": {"kind", "message", "hint"}}` on one line.

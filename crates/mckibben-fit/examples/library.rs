@@ -8,7 +8,7 @@ use mckibben_core::{
 };
 use mckibben_fem::elements::Elements;
 use mckibben_fit::{
-    identify::{Request, identify},
+    identify::{IdentificationRequest, identify},
     validation::built_in,
 };
 use std::error::Error;
@@ -23,7 +23,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let case = case.ok_or_else(|| format!("no measured muscle is named \"{name}\""))?;
     let fit = case.fit_of_library().ok_or("it has no fit")?;
     let points = case.points_of(fit);
-    let muscle = identify(&Request::new(&fit.muscle, &fit.free, &points, &build))?.with_bench();
+    let muscle = identify(&IdentificationRequest::new(
+        &fit.muscle,
+        &fit.free,
+        &points,
+        &build,
+    ))?
+    .with_bench();
     let bench = muscle.bench().ok_or("it has no bench")?.clone();
     let muscle = muscle.with_bench(Bench {
         laboratory: Some(case.facts.source.clone()),

@@ -2,6 +2,7 @@
 
 use crate::value;
 use mckibben_app::{ArrayError, Problem};
+use mckibben_core::joined;
 use pyo3::{exceptions::PyRuntimeError, prelude::*};
 use serde_json::json;
 
@@ -52,7 +53,7 @@ fn raised(py: Python<'_>, problem: &Problem, index: Option<usize>) -> PyResult<P
         |at| json!({ "force_n": at.force_n, "pressure_mpa": at.pressure_mpa, "contraction": at.contraction }),
     );
     let values = json!({
-        "kind": problem.kind, "message": problem.message, "hint": problem.hint, "field": problem.field,
+        "kind": problem.kind, "message": joined(problem.messages(), "\n"), "hint": problem.hint, "field": problem.field,
         "index": index, "nearest": nearest,
     });
     let made = py

@@ -4,8 +4,8 @@
 
 use mckibben::{
     campaign::{
-        campaign::{Plan, compute},
-        fit::{MakeOfRows, Method, Request, data, make},
+        campaign::{PlanBuilder, compute},
+        fit::{FormulaRequest, MakeOfRows, Method, data, make},
     },
     formula::Provenance,
     prelude::*,
@@ -13,36 +13,33 @@ use mckibben::{
 };
 use std::{error::Error, sync::Arc};
 
-const PLAN: &str = r#"
+const MUSCLE: &str = r#"
 [tube]
+outer_diameter = "24 mm"
+wall_thickness = "2 mm"
 length = "200 mm"
 
 [braid]
 angle = "25 deg"
 stiffness = "600 N/mm"
-
-[sampling]
-method = "factorial"
-
-[vary]
-tube.outer_diameter = "20,24,28,32 mm"
-tube.wall_thickness = "1..3:1 mm"
-
-[test]
-contractions = "0..0.20:0.05"
-pressures = "0.05..0.25:0.05 MPa"
 "#;
 
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let plan = Plan::parse(PLAN)?;
+    let muscle: Muscle = MUSCLE.parse()?;
+    let pressures_mpa = [0.05, 0.10, 0.15, 0.20, 0.25];
+    let plan = PlanBuilder::new(&muscle, &[0.0, 0.05, 0.10, 0.15, 0.20], &pressures_mpa)
+        .vary("tube.outer_diameter", "20,24,28,32 mm")
+        .vary("tube.wall_thickness", "1..3:1 mm")
+        .build()?;
     let rows = compute(&plan, &Silent)?;
     let mut made = MakeOfRows::new(&rows[0]);
     rows.iter().try_for_each(|row| made.add(row))?;
-    let fitted = make(Request {
+    let fitted = make(FormulaRequest {
         points: data::points(&rows),
         made_for: made.made_for(),
         method: Method::Global,
         hold_out: &[],
+        hold_out_share: 0.0,
         name: "own".into(),
         from: Provenance::default(),
     })?;

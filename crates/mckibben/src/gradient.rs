@@ -8,7 +8,7 @@ use mckibben_core::{
     muscle::{Braid, BraidStiffness, Muscle, MuscleError},
     rubber::RubberLaw,
 };
-use mckibben_fit::identify::{Candidate, ParameterError, Target};
+use mckibben_fit::identify::{ParameterError, Target, TrialMuscle};
 use thiserror::Error;
 
 /// The derivatives of a pull.
@@ -86,7 +86,9 @@ pub fn with_parameters(
         .iter()
         .map(|(name, value)| Ok((parameter(muscle, name.as_ref())?, *value)))
         .collect();
-    Ok(Candidate::new(&held, &list?)?.muscle.with_bench_of(muscle))
+    Ok(TrialMuscle::new(&held, &list?)?
+        .muscle
+        .with_bench_of(muscle))
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures: by the diameter,
@@ -150,7 +152,7 @@ pub fn by_parameters(
         };
         let step = STEP * if value == 0.0 { scale } else { value.abs() };
         slope(step, |change| {
-            let other = Candidate::new(&held, &[(*target, value + change)])?.muscle;
+            let other = TrialMuscle::new(&held, &[(*target, value + change)])?.muscle;
             let other = choice.build(&other)?;
             Ok(Evaluation::new(&*other, &mut Workspace::new(), options).force_n(p, e)?)
         })

@@ -191,7 +191,10 @@ fn section_errors(errors: &FormulaErrors, page: &mut Page) {
     let mut rows = vec![("all fitted".to_owned(), &errors.fit)];
     if let Some(held_out) = &errors.held_out {
         let diameters = held_out.outer_diameters_mm.iter().map(|d| number(*d, 4));
-        let name = format!("held out: D0 {}", in_a_row(diameters));
+        let name = match in_a_row(diameters) {
+            none if none.is_empty() => "held out".to_owned(),
+            listed => format!("held out: D0 {listed}"),
+        };
         rows.push((name, &held_out.errors));
     }
     rows.extend(errors.regions.iter().map(|region| {

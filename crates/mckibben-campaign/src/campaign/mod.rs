@@ -18,12 +18,12 @@ mod warnings;
 mod tests;
 
 pub use error::CampaignError;
-pub use plan::{Inputs, Plan, PlanKeys, Sampling, SamplingMethod, Testing};
+pub use plan::{Inputs, Plan, PlanBuilder, PlanKeys, Sampling, SamplingMethod, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{
-    CampaignStatus, Counts, Extent, Failed, Forecast, Merged, Outcome, Provenance, Recomputed,
-    Rows, RunOptions, Shard, ShardState, ShardStatus, Summary, forecast, merge, read, rows, run,
-    status, summary,
+    CampaignOutcome, CampaignStatus, Counts, Extent, Failed, Forecast, Merged, Provenance,
+    Recomputed, Rows, RunOptions, Shard, ShardState, ShardStatus, Summary, forecast, merge, read,
+    rows, run, status, summary,
 };
 pub use warnings::Warned;

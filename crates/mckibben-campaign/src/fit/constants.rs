@@ -23,7 +23,7 @@ use mckibben_core::{
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::{
     compare::MeasuredPoint,
-    identify::{DataPoint, Parameter, Request, Section, Target, identify},
+    identify::{DataPoint, IdentificationRequest, Parameter, Section, Target, identify},
     least_squares::Loss,
 };
 
@@ -138,10 +138,10 @@ fn values<const N: usize>(
         start: Some(start),
         ..Parameter::free(target)
     });
-    let request = Request {
+    let request = IdentificationRequest {
         fixed,
         loss,
-        ..Request::new(&muscle, &free, points, &elements)
+        ..IdentificationRequest::new(&muscle, &free, points, &elements)
     };
     let found = identify(&request).map_err(|e| failed(&e))?.parameters;
     let values: Vec<f64> = found.iter().map(|p| p.value).collect();

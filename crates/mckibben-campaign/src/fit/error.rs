@@ -23,8 +23,8 @@ impl FitError {
 
     pub(crate) fn mixed_make(part: &str) -> Self {
         Self::Refused(format!(
-            "the table mixes muscles of different {part}; a formula covers only one: fit them \
-             separately"
+            "the table mixes muscles of different {part}; this method covers only one: fit them \
+             separately, or all by the method universal"
         ))
     }
 

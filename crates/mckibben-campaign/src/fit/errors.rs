@@ -41,9 +41,9 @@ pub struct ForceScales {
 }
 
 /// D0 and s as keys.
-type Section = (i64, i64);
+pub type Section = (i64, i64);
 
-fn section(p: &FitPoint) -> Section {
+pub fn section(p: &FitPoint) -> Section {
     (bits(p.outer_diameter_mm), bits(p.wall_mm))
 }
 

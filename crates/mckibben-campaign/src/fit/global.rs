@@ -17,13 +17,14 @@ use super::{
     data::{FULL_PRESSURE, FitPoint, distinct, same},
     error::{FitError, Result},
     errors::ForceScales,
+    least_squares::Triangle,
 };
 use mckibben_core::{
     cancel,
     formula::{GlobalTerms, Scales, Term},
     threads,
 };
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 /// As many coefficients as the paper's formula.
 pub const MOST_TERMS: usize = 48;
@@ -58,54 +59,6 @@ pub struct GlobalFit {
     pub candidates: usize,
     /// How many points were fitted.
     pub points: usize,
-}
-
-/// The rows D0² xᵃ pᵇ eᶜ dᵈ/F_blocked | F/F_blocked of points, as the triangle R of their QR
-/// decomposition: its columns have the same lengths and angles, so that nothing else is needed,
-/// however many rows there are (J. Demmel, L. Grigori, M. Hoemmen, J. Langou, SIAM J. Sci. Comput.
-/// 34, A206, 2012).
-#[derive(Clone)]
-struct Problem {
-    /// Of the terms, and in the last column of the forces.
-    triangle: DMatrix<f64>,
-    /// How many rows it stands for.
-    rows: usize,
-}
-
-impl Problem {
-    fn none(terms: usize) -> Self {
-        Self {
-            triangle: DMatrix::zeros(0, terms + 1),
-            rows: 0,
-        }
-    }
-
-    /// The problem of the rows of both.
-    fn and(&self, other: &Self) -> Self {
-        let (above, below) = (self.triangle.nrows(), other.triangle.nrows());
-        let columns = self.triangle.ncols();
-        let mut both = self.triangle.clone().resize_vertically(above + below, 0.0);
-        both.view_mut((above, 0), (below, columns))
-            .copy_from(&other.triangle);
-        let triangle = if above + below > columns {
-            both.qr().r()
-        } else {
-            both
-        };
-        Self {
-            triangle,
-            rows: self.rows + other.rows,
-        }
-    }
-
-    fn columns(&self) -> impl Iterator<Item = DVector<f64>> {
-        let terms = self.triangle.ncols() - 1;
-        (0..terms).map(|j| self.triangle.column(j).into_owned())
-    }
-
-    fn values(&self) -> DVector<f64> {
-        self.triangle.column(self.triangle.ncols() - 1).into_owned()
-    }
 }
 
 /// Fits at most [`MOST_TERMS`] terms.
@@ -144,18 +97,12 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     }
     .groups(&diameters);
     cancel::check()?;
-    let all = |left_out: Option<usize>| {
-        let kept = (0..groups.len()).filter(|group| Some(*group) != left_out);
-        kept.fold(Problem::none(candidates.len()), |sum, group| {
-            sum.and(&groups[group])
-        })
-    };
-    let full = all(None);
+    let full = Triangle::without(&groups, None);
     let chosen = select(&full);
     // The choice of work that was ended is not complete.
     cancel::check()?;
     let (coefficients, rms) = nested(&full, &chosen);
-    let left_out = leave_out(&groups, all).unwrap_or_default();
+    let left_out = leave_out(&groups).unwrap_or_default();
     cancel::check()?;
     let steps: Vec<Step> = (1..=chosen.len())
         .map(|terms| Step {
@@ -193,7 +140,7 @@ struct Table<'a> {
 impl Table<'_> {
     /// The problems of groups of diameters, of which one can be left out: of each diameter, or of
     /// neighbouring ones where they are many.
-    fn groups(&self, diameters: &[f64]) -> Vec<Problem> {
+    fn groups(&self, diameters: &[f64]) -> Vec<Triangle> {
         /// Most groups.
         const GROUPS: usize = 12;
         let size = diameters.len().div_ceil(GROUPS).max(1);
@@ -202,30 +149,17 @@ impl Table<'_> {
     }
 
     /// The problem of some neighbouring diameters.
-    fn problem(&self, diameters: &[f64]) -> Problem {
-        /// Rows of a matrix.
-        const ROWS: usize = 2048;
-        let mut sum = Problem::none(self.candidates.len());
+    fn problem(&self, diameters: &[f64]) -> Triangle {
+        let terms = self.candidates.len();
         let (Some(first), Some(last)) = (diameters.first(), diameters.last()) else {
-            return sum;
+            return Triangle::none(terms);
         };
         let belongs = |d: f64| (d > *first && d < *last) || same(d, *first) || same(d, *last);
         let used = |p: &&FitPoint| p.force_n > 0.0 && belongs(p.outer_diameter_mm);
-        let mut points = self.points.iter().filter(used).peekable();
-        while points.peek().is_some() && cancel::check().is_ok() {
-            let rows: Vec<_> = points.by_ref().take(ROWS).map(|p| self.row(p)).collect();
-            let part = Problem {
-                rows: rows.len(),
-                triangle: DMatrix::from_fn(rows.len(), self.candidates.len() + 1, |i, j| {
-                    rows[i][j]
-                }),
-            };
-            sum = sum.and(&part);
-        }
-        sum
+        Triangle::of_rows(terms, self.points.iter().filter(used).map(|p| self.row(p)))
     }
 
-    /// The row of a point: the terms, and the force.
+    /// The row D0² xᵃ pᵇ eᶜ dᵈ/F_blocked | F/F_blocked of a point: the terms, and the force.
     fn row(&self, p: &FitPoint) -> Vec<f64> {
         let blocked_n = self.forces.blocked_n(p);
         let weight = p.outer_diameter_mm.powi(2) / blocked_n;
@@ -260,7 +194,7 @@ fn candidates(counts: [usize; 4]) -> Vec<[u8; 4]> {
 }
 
 /// Forward selection by modified Gram–Schmidt: the order in which terms are chosen.
-fn select(problem: &Problem) -> Vec<usize> {
+fn select(problem: &Triangle) -> Vec<usize> {
     let mut columns: Vec<DVector<f64>> = problem.columns().collect();
     let lengths: Vec<f64> = columns.iter().map(DVector::norm_squared).collect();
     let mut rest = problem.values();
@@ -300,11 +234,11 @@ fn select(problem: &Problem) -> Vec<usize> {
 /// Coefficients of the first n chosen terms, for any n, from one QR (Householder); and the rms left
 /// with each n.
 fn nested(
-    problem: &Problem,
+    problem: &Triangle,
     chosen: &[usize],
 ) -> (impl Fn(usize) -> Option<DVector<f64>> + use<>, Vec<f64>) {
     let values = problem.values();
-    let qr = problem.triangle.select_columns(chosen).qr();
+    let qr = problem.matrix.select_columns(chosen).qr();
     let r = qr.r();
     let turned = qr.q().transpose() * &values;
     let mut left = values.norm_squared();
@@ -325,7 +259,7 @@ fn nested(
 
 /// rms over inner groups of diameters left out one at a time, by number of terms; the terms are
 /// chosen anew each time.
-fn leave_out(groups: &[Problem], kept: impl Fn(Option<usize>) -> Problem) -> Option<Vec<f64>> {
+fn leave_out(groups: &[Triangle]) -> Option<Vec<f64>> {
     let last = groups.len().checked_sub(1)?;
     if groups.len() < 4 {
         return None;
@@ -335,11 +269,11 @@ fn leave_out(groups: &[Problem], kept: impl Fn(Option<usize>) -> Problem) -> Opt
     let mut length = MOST_TERMS;
     for (group, out) in groups.iter().enumerate().take(last).skip(1) {
         cancel::check().ok()?;
-        let kept = kept(Some(group));
+        let kept = Triangle::without(groups, Some(group));
         let chosen = select(&kept);
         cancel::check().ok()?;
         let (coefficients, _) = nested(&kept, &chosen);
-        let columns = out.triangle.select_columns(&chosen);
+        let columns = out.matrix.select_columns(&chosen);
         length = length.min(chosen.len());
         for n in 1..=length {
             let error = columns.columns(0, n) * coefficients(n)? - out.values();

@@ -3,7 +3,7 @@
 use super::{
     data::{FitPoint, Grid, HELD_OUT, PRESSURES, distinct, same},
     error::{FitError, Result},
-    errors::{Compared, ForceScales, errors, regions},
+    errors::{Compared, ForceScales, Section, errors, regions, section},
     global::{GlobalFit, MOST_TERMS, global},
     paper_method::{CurveFit, PaperMethod, Rules, SlackRule, paper_method},
 };
@@ -58,13 +58,15 @@ impl Method {
 }
 
 #[derive(Debug, Clone)]
-pub struct Request<'a> {
+pub struct FormulaRequest<'a> {
     pub points: Vec<FitPoint>,
     /// The make of their muscles; length and angle are those of the points.
     pub made_for: Made,
     pub method: Method,
     /// Diameters in mm that are kept out of the fit, to test it.
     pub hold_out: &'a [f64],
+    /// Share of the muscles that is kept out, evenly in the order of their diameters and walls.
+    pub hold_out_share: f64,
     /// Name of the formula.
     pub name: String,
     /// Name of the table, plan hash and seed, where they are known.
@@ -88,13 +90,14 @@ pub struct FittedFormula {
 impl FittedFormula {
     /// The published formula, with its errors on the same points.
     pub fn published(&self) -> Formula {
+        let Provenance { points: fitted, .. } = self.formula.provenance;
         let held_out = self.formula.errors.held_out.as_ref();
-        let hold_out = held_out.map_or(&[][..], |h| &h.outer_diameters_mm);
+        let diameters = held_out.map_or_else(Vec::new, |h| h.outer_diameters_mm.clone());
         let of = |p: &FitPoint| self.forces.compared(*p, p.published_n() - p.force_n);
         Formula {
             name: "paper".into(),
             body: Body::Paper(Box::new(*Coefficients::published())),
-            errors: formula_errors(self.points.iter().map(of), hold_out),
+            errors: formula_errors(self.points.split_at(fitted), diameters, of),
             provenance: Provenance {
                 method: "published (Table 2)".into(),
                 ..self.formula.provenance.clone()
@@ -104,29 +107,40 @@ impl FittedFormula {
     }
 }
 
-fn is_held_out(point: &FitPoint, hold_out: &[f64]) -> bool {
-    hold_out.iter().any(|&d| same(d, point.outer_diameter_mm))
-}
-
-/// The errors of points and of their regions, and those of diameters in mm that are held out.
-fn formula_errors(list: impl Iterator<Item = Compared> + Clone, hold_out: &[f64]) -> FormulaErrors {
-    let held = |c: &Compared| is_held_out(&c.point, hold_out);
-    let seen = list.clone().filter(|c| !held(c));
-    let held = list.filter(held);
+/// The errors of points that were fitted and of their regions, and those of points that were not,
+/// of these diameters in mm.
+fn formula_errors(
+    (fitted, held_out): (&[FitPoint], &[FitPoint]),
+    outer_diameters_mm: Vec<f64>,
+    compared: impl Fn(&FitPoint) -> Compared,
+) -> FormulaErrors {
+    let fitted = fitted.iter().map(&compared);
     FormulaErrors {
         against: "the forces of its table, where they pull, as shares of the muscle's blocked \
             force at the table's highest pressure"
             .into(),
-        fit: errors(seen.clone()).map_or_else(ErrorSummary::default, |e| e.summary),
-        regions: regions(seen),
-        held_out: errors(held.clone()).map(|e| HeldOut {
-            outer_diameters_mm: distinct(held.map(|c| c.point.outer_diameter_mm)),
+        fit: errors(fitted.clone()).map_or_else(ErrorSummary::default, |e| e.summary),
+        regions: regions(fitted),
+        held_out: errors(held_out.iter().map(&compared)).map(|e| HeldOut {
+            outer_diameters_mm,
             errors: e.summary,
         }),
     }
 }
 
-pub fn make(request: Request<'_>) -> Result<FittedFormula> {
+/// A share of the muscles, evenly in the order of their diameters and walls.
+fn shared(points: &[FitPoint], share: f64) -> BTreeSet<Section> {
+    let mut sections: BTreeSet<Section> = points.iter().map(section).collect();
+    let mut sum: f64 = 0.0;
+    sections.retain(|_| {
+        let before = sum.round();
+        sum += share;
+        sum.round() > before
+    });
+    sections
+}
+
+pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
     let mut points = request.points;
     if points.is_empty() {
         return Err(FitError::empty(""));
@@ -136,9 +150,15 @@ pub fn make(request: Request<'_>) -> Result<FittedFormula> {
     let there = points.len();
     keep_pressures(&mut points, request.method);
     let unused = there - points.len();
-    let held = |p: &FitPoint| is_held_out(p, request.hold_out);
+    let shared = shared(&points, request.hold_out_share);
+    let listed = |p: &FitPoint| {
+        let of = |d: &f64| same(*d, p.outer_diameter_mm);
+        request.hold_out.iter().any(of)
+    };
+    let held = |p: &FitPoint| listed(p) || shared.contains(&section(p));
     points.sort_by_key(held);
-    let fitted = &points[..points.partition_point(|p| !held(p))];
+    let parts = points.split_at(points.partition_point(|p| !held(p)));
+    let fitted = parts.0;
     let (body, paper, global) = match request.method {
         Method::Paper(rules) => {
             let steps = paper_method(fitted, rules)?;
@@ -158,7 +178,7 @@ pub fn make(request: Request<'_>) -> Result<FittedFormula> {
             ..request.made_for.clone()
         },
         range: range(fitted),
-        errors: formula_errors(std::iter::empty(), &[]),
+        errors: FormulaErrors::default(),
         provenance: Provenance {
             method: request
                 .method
@@ -170,7 +190,7 @@ pub fn make(request: Request<'_>) -> Result<FittedFormula> {
     };
     let forces = ForceScales::new(&points)?;
     let of = |p: &FitPoint| forces.compared(*p, p.difference_n(&formula));
-    formula.errors = formula_errors(points.iter().map(of), request.hold_out);
+    formula.errors = formula_errors(parts, distinct(request.hold_out.iter().copied()), of);
     FitError::refuse_absurd(formula.errors.fit.rms)?;
     Ok(FittedFormula {
         formula,
@@ -240,11 +260,12 @@ fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
 /// A formula of the paper's muscles from points.
 pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<FittedFormula> {
     let made_for = Made::from_muscle(&Muscle::prototype());
-    let request = Request {
+    let request = FormulaRequest {
         points: points.to_vec(),
         made_for,
         method,
         hold_out,
+        hold_out_share: 0.0,
         name: method.name().into(),
         from: Provenance::default(),
     };

@@ -17,5 +17,5 @@ pub mod universal;
 
 pub use error::FitError;
 pub use global::{GlobalFit, global};
-pub use make::{FittedFormula, MakeOfRows, Method, Request, fitted, make, refitted};
+pub use make::{FittedFormula, FormulaRequest, MakeOfRows, Method, fitted, make, refitted};
 pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};

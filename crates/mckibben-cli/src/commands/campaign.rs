@@ -14,7 +14,7 @@ use mckibben_app::{
     CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest, ProblemKind,
     campaign_forecast, campaign_merge, campaign_show, campaign_status, words::number,
 };
-use mckibben_campaign::campaign::Outcome;
+use mckibben_campaign::campaign::CampaignOutcome;
 use mckibben_core::progress::{Progress, Silent};
 use std::time::{Duration, Instant};
 
@@ -158,7 +158,7 @@ fn run_campaign(mut request: CampaignRequest, quiet: bool, format: Format) -> Re
     })
 }
 
-fn as_text(outcome: &Outcome, time: Duration) -> String {
+fn as_text(outcome: &CampaignOutcome, time: Duration) -> String {
     let counts = outcome.counts;
     let seconds = time.as_secs_f64();
     let muscles = counts.muscles;

@@ -30,7 +30,7 @@ pub struct Fit {
     #[arg(
         long,
         conflicts_with_all = [
-            "method", "hold_out_mm", "thin_rule", "slack_rule", "name", "rubber", "stiffness",
+            "method", "hold_out_mm", "hold_out_share", "thin_rule", "slack_rule", "name", "rubber", "stiffness",
             "muscle", "tables", "plots"
         ]
     )]

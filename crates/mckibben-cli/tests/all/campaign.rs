@@ -399,3 +399,19 @@ fn a_worker_with_another_plan_or_version_is_refused_before_it_computes() {
         2
     );
 }
+
+#[test]
+fn each_mistake_of_a_plan_stands_on_a_line_of_its_own() {
+    let dir = folder();
+    let plan = PLAN.replace("120", "0").replace("22..32", "32..22");
+    std::fs::write(dir.path().join("plan.toml"), plan).unwrap();
+    for words in ["plan.toml --dry-run", "plan.toml -o out.parquet"] {
+        let errors = campaign(dir.path(), words).err;
+        let starts = ["error: plan.toml:3:", "error: plan.toml:7:"];
+        let lines: Vec<&str> = errors.lines().collect();
+        assert_eq!(lines.len(), starts.len(), "{errors}");
+        for (line, start) in lines.iter().zip(starts) {
+            assert!(line.starts_with(start), "{errors}");
+        }
+    }
+}

@@ -45,7 +45,7 @@ pub struct RegionErrors {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct HeldOut {
-    /// Their diameters in mm.
+    /// Their diameters in mm, where they were chosen by these.
     pub outer_diameters_mm: Vec<f64>,
     /// The errors there.
     #[serde(flatten)]
@@ -53,7 +53,7 @@ pub struct HeldOut {
 }
 
 /// Everything a formula's file says of its errors.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
 pub struct FormulaErrors {
     /// Against what, in words.

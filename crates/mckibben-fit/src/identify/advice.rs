@@ -2,7 +2,7 @@
 //! model does not follow.
 
 use super::{
-    Build, Identification, IdentifyError, PointFit, Request, Result, Target,
+    Build, Identification, IdentificationRequest, IdentifyError, PointFit, Result, Target,
     parameter::{NO_LOCK, sets_limit},
 };
 use crate::{
@@ -66,7 +66,7 @@ fn no_branch(points: &[DataPoint]) -> Option<String> {
 }
 
 /// Sentences about the points before anything is computed.
-pub fn before(request: &Request<'_>, points: &[DataPoint]) -> Result<Vec<String>> {
+pub fn before(request: &IdentificationRequest<'_>, points: &[DataPoint]) -> Result<Vec<String>> {
     let mut notes = vec![];
     let muscle = request.muscle;
     let history = request.history;
@@ -275,7 +275,7 @@ pub fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
 }
 
 /// Sentences about the result.
-pub fn after(result: &Identification, request: &Request<'_>) -> Vec<String> {
+pub fn after(result: &Identification, request: &IdentificationRequest<'_>) -> Vec<String> {
     let mut notes = unidentifiable(result);
     notes.extend(no_rubber(result));
     notes.extend(correlated(result));

@@ -1,7 +1,9 @@
 //! What the points tell of an identified muscle, as its file keeps it: the covariance of its
 //! constants, and up to 20 of the points with what the constants miss there.
 
-use super::{Identification, Posterior, Request, Result, posterior::PosteriorRequest};
+use super::{
+    Identification, IdentificationRequest, Posterior, Result, posterior::PosteriorRequest,
+};
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben_core::{
     built::{Experience, Prior},
@@ -27,7 +29,7 @@ fn of_muscle(muscle: &Muscle, points: impl Iterator<Item = DataPoint>) -> Vec<Da
 }
 
 /// What the points tell of a muscle whose constants somebody found: these stay.
-pub fn bench(request: &Request<'_>, result: &Identification) -> Option<Bench> {
+pub fn bench(request: &IdentificationRequest<'_>, result: &Identification) -> Option<Bench> {
     let candidate = &result.candidate;
     let muscle = &candidate.muscle;
     let points = result.points.iter().map(|f| {
@@ -44,7 +46,7 @@ pub fn bench(request: &Request<'_>, result: &Identification) -> Option<Bench> {
 /// What points leave of a muscle whose constants somebody found, beside a factor on the pull and the
 /// friction: those of the constants `kept`, or none and that of the prior. Nothing is sought.
 pub fn left_over(
-    request: &Request<'_>,
+    request: &IdentificationRequest<'_>,
     muscle: &Muscle,
     points: impl Iterator<Item = DataPoint>,
     kept: Option<&Constants>,

@@ -1,8 +1,8 @@
 //! The default of the free parameters.
 
 use super::{
-    Build, Candidate, Identification, IdentifyError, Parameter, Request, Result, Target, identify,
-    learn,
+    Build, Identification, IdentificationRequest, IdentifyError, Parameter, Result, Target,
+    TrialMuscle, identify, learn,
 };
 use crate::{
     least_squares::Loss,
@@ -58,7 +58,7 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
 }
 
 /// The [`default_targets`] that are not fixed, with their bounds.
-pub fn default_parameters(request: &Request<'_>) -> Result<Vec<Parameter>> {
+pub fn default_parameters(request: &IdentificationRequest<'_>) -> Result<Vec<Parameter>> {
     let mut targets = default_targets(request.muscle, request.points, request.history);
     targets.retain(|t| request.fixed.iter().all(|f| f.0 != *t));
     if let Some((target, _)) = request.bounds.iter().find(|b| !targets.contains(&b.0)) {
@@ -82,7 +82,7 @@ pub fn not_free(target: Target, muscle: &Muscle) -> IdentifyError {
 /// All constants with what is known of them before ([`learn`]); of rows in time order, and of
 /// volumes, [`identify`] with the [`default_targets`] that are not fixed: a stiffness that the data
 /// do not determine keeps the value of the muscle.
-pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
+pub fn identify_default(request: &IdentificationRequest<'_>) -> Result<Identification> {
     super::run::check(request.points)?;
     let has_volumes = request
         .points
@@ -93,7 +93,7 @@ pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
         return learn(request);
     }
     let free = default_parameters(request)?;
-    let run = |free: &[Parameter]| identify(&Request { free, ..*request });
+    let run = |free: &[Parameter]| identify(&IdentificationRequest { free, ..*request });
     let without: Vec<Parameter> = free
         .iter()
         .copied()
@@ -121,7 +121,7 @@ pub fn identify_default(request: &Request<'_>) -> Result<Identification> {
 /// factor.
 pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Build<'_>) -> bool {
     let value = target.value(muscle).unwrap_or(STIFF);
-    let model = |value: f64| build(&Candidate::new(muscle, &[(target, value)]).ok()?.muscle).ok();
+    let model = |value: f64| build(&TrialMuscle::new(muscle, &[(target, value)]).ok()?.muscle).ok();
     let other = if value == 0.0 { 0.01 } else { 1.1 * value };
     let (Some(a), Some(b)) = (model(value), model(other)) else {
         return false;

@@ -8,7 +8,8 @@
 //! be ones that no rubber has.
 
 use super::{
-    Identification, IdentifyError, Parameter, Request, Result, Target, advice::neighbours, identify,
+    Identification, IdentificationRequest, IdentifyError, Parameter, Result, Target,
+    advice::neighbours, identify,
 };
 use crate::least_squares::aicc;
 use mckibben_core::{
@@ -36,7 +37,7 @@ pub struct LawTrial {
 }
 
 /// Every law with a fixed number of constants, lowest AICc first.
-pub fn try_laws(request: &Request<'_>) -> Result<Vec<LawTrial>> {
+pub fn try_laws(request: &IdentificationRequest<'_>) -> Result<Vec<LawTrial>> {
     let mut trials = vec![];
     for kind in Law::KINDS.iter().filter(|kind| !kind.is_sum) {
         if let Some(trial) = trial(request, kind) {
@@ -51,7 +52,7 @@ pub fn try_laws(request: &Request<'_>) -> Result<Vec<LawTrial>> {
 }
 
 /// One law from its example, scaled to the muscle's modulus at rest.
-fn trial(request: &Request<'_>, kind: &'static LawKind) -> Option<LawTrial> {
+fn trial(request: &IdentificationRequest<'_>, kind: &'static LawKind) -> Option<LawTrial> {
     let tube = request.muscle.tube();
     let known = &tube.rubber.law;
     let law = if known.kind().name == kind.name {
@@ -89,7 +90,7 @@ fn trial(request: &Request<'_>, kind: &'static LawKind) -> Option<LawTrial> {
         .filter(|f| !f.0.is_of_law())
         .copied()
         .collect();
-    let result = identify(&Request {
+    let result = identify(&IdentificationRequest {
         muscle: &muscle,
         free: &free,
         fixed: &fixed,

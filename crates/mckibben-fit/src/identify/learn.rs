@@ -5,8 +5,8 @@
 //! the friction C·P^β follows by least squares of the pulls with the constants that were found.
 
 use super::{
-    Identification, Identified, Parameter, PointFit, Posterior, PosteriorRequest, Request, Result,
-    Target, advice, bench,
+    Identification, IdentificationRequest, Identified, Parameter, PointFit, Posterior,
+    PosteriorRequest, Result, Target, advice, bench,
     default_parameters::{default_parameters, default_targets, not_free},
     identify,
     result::{spread, spreads},
@@ -29,7 +29,7 @@ const LEARNT: f64 = 0.7;
 ///
 /// # Errors
 /// As [`identify`].
-pub fn learn(request: &Request<'_>) -> Result<Identification> {
+pub fn learn(request: &IdentificationRequest<'_>) -> Result<Identification> {
     let base = request.candidate(&[])?.muscle;
     let flipped = signs::check(&base, request.points, request.two_sided)?;
     let (counted, slack) = pulls_and_slack(request);
@@ -107,7 +107,7 @@ pub fn learn(request: &Request<'_>) -> Result<Identification> {
 
 /// C·P^β by least squares, where both branches were measured.
 fn friction_law(
-    request: &Request<'_>,
+    request: &IdentificationRequest<'_>,
     muscle: &Muscle,
     points: &[DataPoint],
 ) -> Result<Option<Identification>> {
@@ -117,7 +117,7 @@ fn friction_law(
         return Ok(None);
     }
     let free: Vec<Parameter> = targets.into_iter().map(Parameter::free).collect();
-    let law = identify(&Request {
+    let law = identify(&IdentificationRequest {
         muscle,
         free: &free,
         fixed: &[],
@@ -249,7 +249,10 @@ impl Shown {
 }
 
 /// The bounds of constants by those of parameters.
-fn bounds(request: &Request<'_>, base: &Muscle) -> Result<Vec<(Constant, (f64, f64))>> {
+fn bounds(
+    request: &IdentificationRequest<'_>,
+    base: &Muscle,
+) -> Result<Vec<(Constant, (f64, f64))>> {
     let one = |&(target, (low, high)): &(Target, (f64, f64))| {
         let shown = Shown::all(base).find(|shown| shown.target == Some(target));
         let shown = shown.ok_or_else(|| not_free(target, base))?;
@@ -262,7 +265,7 @@ fn bounds(request: &Request<'_>, base: &Muscle) -> Result<Vec<(Constant, (f64, f
 }
 
 /// What is known before: a constant that is fixed is known.
-fn prior(request: &Request<'_>, base: &Muscle, experience: &Experience) -> Prior {
+fn prior(request: &IdentificationRequest<'_>, base: &Muscle, experience: &Experience) -> Prior {
     let mut prior = Prior::of(base, experience);
     for shown in Shown::all(base) {
         let is_it = |(target, _): &(Target, f64)| {
@@ -295,15 +298,15 @@ fn correlation(parameters: &[Identified], found: &Posterior) -> Vec<Vec<f64>> {
 }
 
 /// A zero of the load cell, which shows in least squares: a prior has room for it.
-fn zero_of_load_cell(request: &Request<'_>, points: &[DataPoint]) -> Option<String> {
+fn zero_of_load_cell(request: &IdentificationRequest<'_>, points: &[DataPoint]) -> Option<String> {
     // Bounds of constants that least squares do not seek are no matter here.
-    let request = Request {
+    let request = IdentificationRequest {
         points,
         bounds: &[],
         ..*request
     };
     let free = default_parameters(&request).ok()?;
-    let found = identify(&Request {
+    let found = identify(&IdentificationRequest {
         free: &free,
         ..request
     });

@@ -9,7 +9,6 @@
 
 mod advice;
 mod bench;
-mod candidate;
 mod default_parameters;
 mod error;
 mod history;
@@ -21,11 +20,11 @@ mod problem;
 mod result;
 mod run;
 mod signs;
+mod trial_muscle;
 
 pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
 pub(crate) use bench::farthest_first;
 pub use bench::written as written_bench;
-pub use candidate::Candidate;
 pub use default_parameters::{default_parameters, identify_default, matters};
 pub(crate) use error::Result;
 pub use error::{DataError, IdentifyError};
@@ -35,8 +34,9 @@ pub use parameter::{Parameter, ParameterError, Target};
 pub use posterior::{Posterior, PosteriorRequest};
 pub use problem::Build;
 pub use result::{Identification, Identified, PointFit, Spread};
-pub use run::{Request, identify};
+pub use run::{IdentificationRequest, identify};
 pub use signs::doubts;
+pub use trial_muscle::TrialMuscle;
 
 #[cfg(test)]
 mod tests;

@@ -12,7 +12,7 @@
 //! (`dead_volume`). ∂F/∂θ is that of the model ([`Slopes`](mckibben_core::model::Slopes)) where it has
 //! one and no volumes were measured.
 
-use super::{Candidate, Parameter, Request, Target, history};
+use super::{IdentificationRequest, Parameter, Target, TrialMuscle, history};
 use crate::{
     least_squares::Residuals,
     measured::{DataPoint, Quantity, Section},
@@ -45,7 +45,7 @@ type Rows<'a> = (&'a [DataPoint], Option<&'a [DataPoint]>);
 
 /// The residuals as a function of the free parameters.
 pub struct Problem<'a> {
-    pub(super) request: &'a Request<'a>,
+    pub(super) request: &'a IdentificationRequest<'a>,
     points: &'a [DataPoint],
     /// All rows in time order, where the friction has their history.
     history: Option<&'a [DataPoint]>,
@@ -121,7 +121,11 @@ fn at_measured_pull(
 impl<'a> Problem<'a> {
     /// A problem of points, and of all rows in time order where the friction has their history;
     /// `start`: values of the free targets.
-    pub fn new(request: &'a Request<'a>, (points, history): Rows<'a>, start: &[f64]) -> Self {
+    pub fn new(
+        request: &'a IdentificationRequest<'a>,
+        (points, history): Rows<'a>,
+        start: &[f64],
+    ) -> Self {
         let mut out = Self {
             request,
             points,
@@ -151,7 +155,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The muscle at values of the free targets.
-    pub fn candidate(&self, x: &[f64]) -> Option<Candidate> {
+    pub fn candidate(&self, x: &[f64]) -> Option<TrialMuscle> {
         self.request.candidate(x).ok()
     }
 
@@ -199,7 +203,7 @@ impl<'a> Problem<'a> {
     /// A value of every row, by the model of its muscle.
     fn over_rows<T: Send>(
         &self,
-        candidate: &Candidate,
+        candidate: &TrialMuscle,
         one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T> + Sync,
     ) -> Option<Vec<Result<T>>> {
         let compute = |chunk: &Chunk| -> Option<Vec<Result<T>>> {
@@ -295,7 +299,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Names whose ∂F is needed.
-    fn names(&self, candidate: &Candidate) -> Vec<String> {
+    fn names(&self, candidate: &TrialMuscle) -> Vec<String> {
         let mut names: Vec<String> = vec![];
         for free in self.request.free {
             for (name, _) in chain_rule(free.target, 1.0, &candidate.muscle, candidate) {
@@ -312,7 +316,7 @@ impl<'a> Problem<'a> {
         &self,
         (m, w): (&dyn ForceModel, &mut Workspace),
         point: &DataPoint,
-        candidate: &Candidate,
+        candidate: &TrialMuscle,
         x: &[f64],
         names: &[String],
         here: &Local,
@@ -365,7 +369,7 @@ fn without_zero(point: &DataPoint, force_offset_n: f64) -> DataPoint {
 }
 
 /// c_f of the friction that is estimated: that of points of one branch alone, which do not tell it.
-fn friction_share(request: &Request<'_>) -> f64 {
+fn friction_share(request: &IdentificationRequest<'_>) -> f64 {
     let one = request.points.first().and_then(|p| p.at.branch);
     let of_one = one
         .filter(|one| !one.is_mean())
@@ -388,7 +392,7 @@ fn chain_rule(
     target: Target,
     v: f64,
     muscle: &Muscle,
-    candidate: &Candidate,
+    candidate: &TrialMuscle,
 ) -> Vec<(String, f64)> {
     let d = muscle.outer_diameter_mm();
     let family = candidate.family;

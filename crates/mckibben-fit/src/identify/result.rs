@@ -1,6 +1,6 @@
 //! The result of an identification.
 
-use super::{Candidate, Target};
+use super::{Target, TrialMuscle};
 use crate::{
     least_squares::Errors,
     measured::{DataPoint, Quantity},
@@ -111,7 +111,7 @@ pub struct Identification {
     pub muscle: Muscle,
     /// The same, for rows of several muscles.
     #[serde(skip)]
-    pub candidate: Candidate,
+    pub candidate: TrialMuscle,
     /// Sentences a user should read.
     #[serde(skip)]
     pub notes: Vec<String>,

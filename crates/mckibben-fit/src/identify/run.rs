@@ -1,8 +1,8 @@
 //! From points and parameters to an [`Identification`].
 
 use super::{
-    Build, Candidate, DataError, Identification, Identified, IdentifyError, Parameter, PointFit,
-    Result, Target, advice,
+    Build, DataError, Identification, Identified, IdentifyError, Parameter, PointFit, Result,
+    Target, TrialMuscle, advice,
     bench::bench,
     history,
     problem::Problem,
@@ -27,7 +27,7 @@ use mckibben_core::{
 
 /// An identification that is requested.
 #[derive(Clone, Copy)]
-pub struct Request<'a> {
+pub struct IdentificationRequest<'a> {
     /// The muscle, with a value for everything that is not free.
     pub muscle: &'a Muscle,
     pub free: &'a [Parameter],
@@ -46,7 +46,7 @@ pub struct Request<'a> {
     pub history: bool,
 }
 
-impl<'a> Request<'a> {
+impl<'a> IdentificationRequest<'a> {
     /// The usual request: nothing fixed, least squares, forces above zero, points in no order.
     pub fn new(
         muscle: &'a Muscle,
@@ -69,10 +69,10 @@ impl<'a> Request<'a> {
     }
 
     /// The muscle at values of the free parameters.
-    pub(super) fn candidate(&self, x: &[f64]) -> Result<Candidate, MuscleError> {
+    pub(super) fn candidate(&self, x: &[f64]) -> Result<TrialMuscle, MuscleError> {
         let free = self.free.iter().map(|p| p.target).zip(x.iter().copied());
         let values: Vec<_> = self.fixed.iter().copied().chain(free).collect();
-        Candidate::new(self.muscle, &values)
+        TrialMuscle::new(self.muscle, &values)
     }
 }
 
@@ -90,7 +90,7 @@ fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
 }
 
 /// Starts and bounds of the free parameters.
-fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>> {
+fn unknowns(request: &IdentificationRequest<'_>) -> Result<Vec<Unknown>> {
     let muscle = request.muscle;
     let free = request.free.iter().map(|p| p.target);
     let named: Vec<Target> = free.chain(request.fixed.iter().map(|f| f.0)).collect();
@@ -171,7 +171,7 @@ pub(super) fn check(points: &[DataPoint]) -> Result<(), DataError> {
 }
 
 /// Identifies the free parameters of a muscle so that its model comes closest to the points.
-pub fn identify(request: &Request<'_>) -> Result<Identification> {
+pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
     check(request.points)?;
     let directed;
     let points = if request.history {
@@ -180,7 +180,7 @@ pub fn identify(request: &Request<'_>) -> Result<Identification> {
     } else {
         request.points
     };
-    let request = &Request { points, ..*request };
+    let request = &IdentificationRequest { points, ..*request };
     let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
     match search(request, &flipped) {
         // The search cannot tell a model without an answer from a caller who has gone.
@@ -201,7 +201,7 @@ struct Minimum<'a> {
     x: &'a [f64],
 }
 
-fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
+fn search(request: &IdentificationRequest<'_>, flipped: &[String]) -> Result<Identification> {
     if request.free.is_empty() {
         let message = "nothing is free: name at least one parameter to identify";
         return Err(IdentifyError::Refused(message.into()));
@@ -277,7 +277,7 @@ fn search(request: &Request<'_>, flipped: &[String]) -> Result<Identification> {
 }
 
 /// The points that count, and of them those at which the muscle was slack.
-pub fn pulls_and_slack(request: &Request<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
+pub fn pulls_and_slack(request: &IdentificationRequest<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
     let noise_n = noise_n(request.points);
     let pulls = |p: &DataPoint| {
         request.two_sided || p.measured != Quantity::Force || p.at.force_n > noise_n
@@ -339,7 +339,7 @@ const SOFTEST_MPA: f64 = 1e-3;
 const LONGEST_END: f64 = 0.3;
 
 /// Refuses a modulus that fell towards zero.
-fn check_modulus(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<()> {
+fn check_modulus(request: &IdentificationRequest<'_>, start: &Muscle, end: &Muscle) -> Result<()> {
     let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
     match request.free.iter().find(|p| p.target.is_of_law()) {
         Some(p) if modulus(end) < SOFTEST_MPA.min(0.01 * modulus(start)) => {
@@ -355,7 +355,7 @@ fn check_modulus(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<
 
 /// The largest displacement of an end at the points, in mm; `None` of what is no end.
 fn end_displacement_mm(
-    request: &Request<'_>,
+    request: &IdentificationRequest<'_>,
     target: Target,
     value: f64,
     muscle: &Muscle,

@@ -103,7 +103,7 @@ pub fn agreement(case: &MuscleCase, muscle: &Muscle, build: &Build<'_>) -> Libra
 mod tests {
     use super::{super::elements, *};
     use crate::identify::{
-        Identification, Identified, Request, Target, identify, identify_default,
+        Identification, IdentificationRequest, Identified, Target, identify, identify_default,
     };
     use mckibben_core::{muscle::file::parse_muscle, rubber::RubberLaw};
 
@@ -111,7 +111,7 @@ mod tests {
     fn refit(case: &MuscleCase) -> (Muscle, Identification) {
         let fit = case.fit_of_library().unwrap();
         let points = case.points_of(fit);
-        let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
+        let request = IdentificationRequest::new(&fit.muscle, &fit.free, &points, &elements);
         let identify = if fit.free.is_empty() {
             identify_default
         } else {

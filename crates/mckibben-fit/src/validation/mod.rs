@@ -28,7 +28,7 @@ pub mod write;
 
 use crate::{
     compare::compare,
-    identify::{Build, Parameter, Request, Target, identify},
+    identify::{Build, IdentificationRequest, Parameter, Target, identify},
     measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured},
 };
 use coverage::{COVERAGE, validated};
@@ -124,9 +124,9 @@ fn fitted(build: &Build<'_>, parameters: &[Target], points: &[MeasuredPoint]) ->
     let m = parse_muscle(&built_in::text_of(FOLDER, "muscle.toml")?).ok()?;
     let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
     let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::new).collect();
-    let request = Request {
+    let request = IdentificationRequest {
         two_sided: true,
-        ..Request::new(&m, &free, &data, build)
+        ..IdentificationRequest::new(&m, &free, &data, build)
     };
     if free.is_empty() {
         Some(m)

@@ -2,7 +2,7 @@
 
 use super::case::CaseFit;
 use crate::{
-    identify::{Build, Identification, Identified, Request, Result, identify, learn},
+    identify::{Build, Identification, IdentificationRequest, Identified, Result, identify, learn},
     least_squares::Errors,
     measured::{DataPoint, MeasuredPoint, Quantity, Section},
 };
@@ -149,8 +149,8 @@ pub struct Fitter<'a> {
 impl Fitter<'_> {
     /// What points tell of the muscle of a fit, beside what is known of all muscles.
     pub(super) fn learnt(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
-        let request = Request::new(&fit.muscle, &[], points, self.build);
-        learn(&Request {
+        let request = IdentificationRequest::new(&fit.muscle, &[], points, self.build);
+        learn(&IdentificationRequest {
             progress: self.progress,
             ..request
         })
@@ -166,8 +166,8 @@ impl Fitter<'_> {
         if fit.free.is_empty() {
             return Ok((fit.muscle.clone(), vec![]));
         }
-        let request = Request::new(&fit.muscle, &fit.free, points, self.build);
-        let identification = identify(&Request {
+        let request = IdentificationRequest::new(&fit.muscle, &fit.free, points, self.build);
+        let identification = identify(&IdentificationRequest {
             progress: self.progress,
             ..request
         })?;

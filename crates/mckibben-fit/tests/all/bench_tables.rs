@@ -13,8 +13,8 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::{
     compare::compare,
     identify::{
-        Build, DataPoint, Identification, IdentifyError, Parameter, Request, Target, identify,
-        identify_default,
+        Build, DataPoint, Identification, IdentificationRequest, IdentifyError, Parameter, Target,
+        identify, identify_default,
     },
     measured::{PointOptions, mean_of_data, read_points},
 };
@@ -48,7 +48,7 @@ fn points(table: &str) -> Vec<DataPoint> {
 }
 
 fn found(points: &[DataPoint]) -> Result<Identification, IdentifyError> {
-    identify_default(&Request::new(&start(), &[], points, BUILD))
+    identify_default(&IdentificationRequest::new(&start(), &[], points, BUILD))
 }
 
 fn value(of: &Identification, name: &str) -> (f64, f64) {
@@ -143,7 +143,7 @@ fn a_zero_of_the_load_cell_is_named_and_can_be_free() {
     ];
     let muscle = start();
     let free = names.map(|name| Parameter::free(Target::parse(name, &muscle).unwrap()));
-    let of = identify(&Request::new(&muscle, &free, &points, BUILD)).unwrap();
+    let of = identify(&IdentificationRequest::new(&muscle, &free, &points, BUILD)).unwrap();
     let (zero, half) = value(&of, "force_offset");
     assert!((zero - 15.0).abs() < half.max(3.0), "{zero} ± {half}");
     let (mu, _) = value(&of, "tube.material.mu");
@@ -182,7 +182,7 @@ fn contractions_without_a_load_are_judged_as_contractions() {
     assert_eq!(mean_of_data(&points).len(), 8);
     let free = ["tube.material.mu", "braid.angle"];
     let free = free.map(|name| Parameter::free(Target::parse(name, &muscle).unwrap()));
-    let of = identify(&Request::new(&muscle, &free, &points, BUILD)).unwrap();
+    let of = identify(&IdentificationRequest::new(&muscle, &free, &points, BUILD)).unwrap();
     assert!(
         of.points.len() == 8 && !of.notes.iter().any(|n| n.contains("kN")),
         "{:?}",

@@ -8,7 +8,10 @@ use mckibben_core::{
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::{
     compare::MeasuredPoint,
-    identify::{Build, DataPoint, Identification, Parameter, Quantity, Request, Section, identify},
+    identify::{
+        Build, DataPoint, Identification, IdentificationRequest, Parameter, Quantity, Section,
+        identify,
+    },
 };
 
 /// The elements without their derivatives, so that differences are taken.
@@ -110,7 +113,7 @@ fn run(names: &[&str], points: &[DataPoint], analytic: bool) -> Identification {
         .map(|n| Parameter::parse(n, &m).unwrap())
         .collect();
     let build: &Build<'_> = if analytic { &fe } else { &bare };
-    identify(&Request::new(&m, &free, points, build)).unwrap()
+    identify(&IdentificationRequest::new(&m, &free, points, build)).unwrap()
 }
 
 #[test]

@@ -8,7 +8,7 @@ use mckibben_core::{
 use mckibben_fem::{FemError, axisymmetric::Axisymmetric};
 use mckibben_fit::{
     compare::MeasuredPoint,
-    identify::{DataPoint, Parameter, Request, identify},
+    identify::{DataPoint, IdentificationRequest, Parameter, identify},
 };
 
 fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
@@ -290,7 +290,7 @@ fn thickness_and_crimp_come_back_from_rounded_points() {
     }
     let m = muscle(|_| {});
     let free = ["braid.thickness", "braid.crimp"].map(|t| Parameter::parse(t, &m).unwrap());
-    let result = identify(&Request::new(&m, &free, &points, &|m| {
+    let result = identify(&IdentificationRequest::new(&m, &free, &points, &|m| {
         Ok(Box::new(Axisymmetric::between_ends(m)?))
     }))
     .unwrap();

@@ -9,7 +9,7 @@ use mckibben_core::{
 };
 use mckibben_fem::{axisymmetric::MeshSpec, elements::Elements};
 use mckibben_fit::{
-    identify::{Request, identify},
+    identify::{IdentificationRequest, identify},
     validation::{
         built_in::{built_in, muscles},
         case::{CaseFit, MuscleCase},
@@ -89,7 +89,7 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
             .step_by(3)
             .copied()
             .collect();
-        let request = Request::new(&fit.muscle, &fit.free, &points, &elements);
+        let request = IdentificationRequest::new(&fit.muscle, &fit.free, &points, &elements);
         let result = identify(&request).unwrap();
         assert!(result.muscle.friction().is_some());
         let (mut held, mut judged) = (0, 0);

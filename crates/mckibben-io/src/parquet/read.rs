@@ -8,11 +8,15 @@ use parquet::{
     },
     data_type::DataType,
     errors::{ParquetError, Result},
-    file::{metadata::FileMetaData, reader::FileReader, serialized_reader::SerializedFileReader},
+    file::{
+        FOOTER_SIZE,
+        metadata::{FileMetaData, FooterTail},
+        reader::{ChunkReader, FileReader, Length},
+        serialized_reader::SerializedFileReader,
+    },
 };
 use std::{
     fs::File,
-    io::{Read, Seek, SeekFrom},
     panic::{AssertUnwindSafe, catch_unwind},
 };
 
@@ -99,28 +103,17 @@ impl Reader {
 /// Refuses a schema of 256 elements and more: the library follows nested groups by recursion, and a
 /// stack that overflows ends the program.
 ///
-/// A file ends with its metadata, their length in four bytes, and `PAR1`. The metadata begin, in
-/// the compact protocol of Thrift, with the version (field 1: `15`, one byte) and the number of
-/// elements of the schema (field 2: `19`; below 15 in one byte with `c`, else `fc` and a varint).
-fn check_schema_size(mut file: &File) -> Result<()> {
-    let mut tail = [0; 8];
-    if file.seek(SeekFrom::End(-8)).is_err() {
-        return Ok(()); // The library says that it is too short.
-    }
-    file.read_exact(&mut tail)?;
-    let [a, b, c, d, b'P', b'A', b'R', b'1'] = tail else {
-        return Ok(()); // The library says that it is no Parquet.
-    };
-    let length = i64::from(u32::from_le_bytes([a, b, c, d]));
-    if file.seek(SeekFrom::End(-8 - length)).is_err() {
-        return Ok(()); // The library says that it is too short.
-    }
-    let mut head = [0; 6];
-    file.read_exact(&mut head)?;
-    match head {
-        [0x15, 0..0x80, 0x19, 0x0c..0xf0, ..]
-        | [0x15, 0..0x80, 0x19, 0xfc, 0..0x80, _]
-        | [0x15, 0..0x80, 0x19, 0xfc, 0x80..=0xff, 0..0x02] => Ok(()),
+/// The metadata at the end of the file begin, in the compact protocol of Thrift, with the version
+/// (field 1: `15` and a byte) and the number of elements (field 2: `19`; below 15 in one byte with
+/// `c`, else `fc` and a varint).
+fn check_schema_size(file: &File) -> Result<()> {
+    let end = file.len().saturating_sub(FOOTER_SIZE as u64);
+    let tail = FooterTail::try_from(&file.get_bytes(end, FOOTER_SIZE)?[..])?;
+    let start = end.saturating_sub(tail.metadata_length() as u64);
+    match file.get_bytes(start, FOOTER_SIZE)?[..] {
+        [0x15, _, 0x19, 0x0c..0xf0, ..]
+        | [0x15, _, 0x19, 0xfc, 0..0x80, ..]
+        | [0x15, _, 0x19, 0xfc, _, 0 | 1, ..] => Ok(()),
         _ => wrong("its schema is damaged, or has more than 255 elements"),
     }
 }

@@ -11,6 +11,7 @@
 //! ```
 
 mod axis;
+mod builder;
 mod keys;
 mod read;
 mod sampling;
@@ -20,8 +21,8 @@ mod vary;
 #[cfg(test)]
 mod tests;
 
-pub use axis::rounded;
-pub use axis::{Axis, Inputs, PlanRubber};
+pub use axis::{Axis, Inputs, PlanRubber, rounded};
+pub use builder::PlanBuilder;
 pub use keys::PlanKeys;
 pub use sampling::{Sampling, SamplingMethod};
 

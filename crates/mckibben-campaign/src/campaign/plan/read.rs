@@ -33,12 +33,6 @@ impl Plan {
         Self::parse_with(text, None)
     }
 
-    /// Reads the text of a plan whose muscles are the lines of a table, in place of `[sampling]`
-    /// and `[vary]`.
-    pub fn parse_with_samples(text: &str, table: &str) -> Result<Self, FileError> {
-        Self::parse_with(text, Some(table))
-    }
-
     fn parse_with(text: &str, table: Option<&str>) -> Result<Self, FileError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Source::parse(text)?;
@@ -82,7 +76,8 @@ impl Plan {
         Ok(plan)
     }
 
-    /// All mistakes of a text, or the plan. Where a value is wrong, the rest is judged without it.
+    /// All mistakes of a text, or the plan; with a table of muscles, these stand in place of
+    /// `[sampling]` and `[vary]`. Where a value is wrong, the rest is judged without it.
     ///
     /// # Errors
     /// Every [`FileError`] that does not follow from another one.

@@ -3,7 +3,6 @@
 use super::axis::{Axis, CONSTANT, RUBBER, variables};
 use mckibben_core::{
     muscle::Measure,
-    rubber::Law,
     units::{Dimension, Values, parse_quantity},
 };
 use mckibben_io::table::{Sheet, TableError};
@@ -78,16 +77,11 @@ fn known(name: &str) -> Option<(String, Dimension)> {
     if name == RUBBER {
         return Some((RUBBER.into(), Dimension::Ratio));
     }
-    let constants = Law::KINDS.iter().flat_map(|kind| kind.constants);
-    let constant = constants
-        .map(|c| c.name)
-        .find(|c| name.trim_end_matches("_mpa") == *c);
-    let constant = constant.map(|c| format!("{CONSTANT}{c}"));
     let is_named = |key: &str| {
         let field = Measure::of_key(key).and_then(|measure| measure.field);
         key == name
             || field == Some(name)
-            || constant.as_deref() == Some(key)
+            || key.strip_prefix(CONSTANT) == Some(name.trim_end_matches("_mpa"))
             || (key, name) == ("braid.stiffness", "braid_stiffness_n_per_mm")
     };
     let variable = variables().into_iter().find(|v| is_named(&v.key))?;

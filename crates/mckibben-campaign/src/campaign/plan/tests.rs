@@ -161,7 +161,7 @@ fn muscles_of_a_table_are_those_of_its_lines() {
     let table = "tube.outer_diameter [in],wall_mm,tube.rubber,braid.angle\n\
                  1,2,latex,24 deg\n1.5,3,dragon-skin-30,0.5 rad\n";
     let text = format!("[tube]\nlength = \"200 mm\"\n{TEST}");
-    let plan = Plan::parse_with_samples(&text, table).unwrap();
+    let plan = Plan::check(&text, Some(table)).unwrap();
     assert_eq!(
         (plan.muscles(), plan.sampling().method),
         (2, SamplingMethod::Table)
@@ -182,7 +182,7 @@ fn muscles_of_a_table_are_those_of_its_lines() {
     assert_eq!(second.3.as_deref(), Some("dragon-skin-30"));
     assert!((second.4 - 90.0 / std::f64::consts::PI).abs() < 1e-12);
     // Another table is another plan.
-    let other = Plan::parse_with_samples(&text, &table.replace(",2,", ",2.5,")).unwrap();
+    let other = Plan::check(&text, Some(&table.replace(",2,", ",2.5,"))).unwrap();
     assert_ne!(plan.hash(), other.hash());
     for (table, said) in [
         (
@@ -197,9 +197,7 @@ fn muscles_of_a_table_are_those_of_its_lines() {
         ("wall_mm\n-2\n", "tube.wall_thickness begins at -2"),
         ("length_mm\n200\n", "tube.length is stated: leave that out"),
     ] {
-        let error = Plan::parse_with_samples(&text, table)
-            .unwrap_err()
-            .to_string();
+        let error = Plan::check(&text, Some(table)).unwrap_err()[0].to_string();
         assert!(
             error.starts_with("samples: ") && error.contains(said),
             "{error}"

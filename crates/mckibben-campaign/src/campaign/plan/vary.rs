@@ -21,6 +21,12 @@ const EITHER: [(&str, &str); 3] = [
     ("braid.stiffness", "braid.stiffness_per_diameter"),
 ];
 
+/// The key of what a varied quantity stands in place of: its own, or that of which it is a ratio.
+pub fn stated_key(key: &str) -> &str {
+    let either = EITHER.iter().find(|pair| pair.1 == key);
+    either.map_or(key, |pair| pair.0)
+}
+
 pub fn check_all(
     axes: &[Axis],
     source: &Source<'_>,
@@ -43,16 +49,15 @@ pub fn check_all(
                 "varies, and tube.material is stated: leave that out".into(),
             ));
         }
-        let other = EITHER.iter().find(|p| p.1 == axis.key).map(|p| p.0);
-        let stated = other.unwrap_or(&axis.key);
+        let stated = stated_key(&axis.key);
         if !stated.starts_with(CONSTANT) && source.has(stated) {
             return Err(wrong(format!(
                 "varies, and {stated} is stated: leave that out"
             )));
         }
-        if let Some(other) = other.filter(|o| axes[..i].iter().any(|a| a.key == *o)) {
+        if stated != axis.key && axes[..i].iter().any(|a| a.key == stated) {
             return Err(wrong(format!(
-                "vary either this or {other}; both are given"
+                "vary either this or {stated}; both are given"
             )));
         }
     }

@@ -22,7 +22,7 @@ pub use merge::{Merged, merge};
 pub use provenance::Provenance;
 pub use read::{Rows, read, rows};
 pub use resume::Recomputed;
-pub use run::{Counts, Outcome, RunOptions, run};
+pub use run::{CampaignOutcome, Counts, RunOptions, run};
 pub use shard::Shard;
 pub use status::{CampaignStatus, ShardState, ShardStatus, status};
 pub use summary::{Extent, Failed, Summary, summary};

@@ -44,7 +44,7 @@ pub struct Counts {
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
-pub struct Outcome {
+pub struct CampaignOutcome {
     /// The file or folder.
     pub output: PathBuf,
     /// The share of the plan, i/n; nothing where it was all of it.
@@ -104,7 +104,7 @@ pub fn run(
     out: &Path,
     options: &RunOptions,
     progress: &dyn Progress,
-) -> Result<Outcome> {
+) -> Result<CampaignOutcome> {
     check_name(out)?;
     let one_file = is_file_name(out);
     let run = Run {
@@ -141,8 +141,13 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    fn outcome(&self, store: &Path, counts: Counts, recomputed: Vec<Recomputed>) -> Outcome {
-        Outcome {
+    fn outcome(
+        &self,
+        store: &Path,
+        counts: Counts,
+        recomputed: Vec<Recomputed>,
+    ) -> CampaignOutcome {
+        CampaignOutcome {
             output: self.out.into(),
             shard: self.options.shard.map(|shard| shard.to_string()),
             complete: counts.muscles == counts.of,
@@ -155,7 +160,7 @@ impl Run<'_> {
     }
 
     /// The outcome where the file exists, if that is of this plan.
-    fn finished(&self) -> Result<Outcome> {
+    fn finished(&self) -> Result<CampaignOutcome> {
         finished(&self.provenance, self.out, &self.store)?;
         let of = self.provenance.muscles;
         let counts = Counts {
@@ -168,7 +173,7 @@ impl Run<'_> {
     }
 
     /// Runs into a folder of parts.
-    fn into_folder(self) -> Result<Outcome> {
+    fn into_folder(self) -> Result<CampaignOutcome> {
         if self.out.is_file() {
             let why =
                 "it is a file, and parts go into a folder; a campaign in one file ends in .parquet";
@@ -200,7 +205,7 @@ impl Run<'_> {
     }
 
     /// Runs into one file, by way of a folder of parts.
-    fn into_file(self) -> Result<Outcome> {
+    fn into_file(self) -> Result<CampaignOutcome> {
         let out = self.out;
         let overwrite = self.options.overwrite;
         if self.options.shard.is_some() {
@@ -245,7 +250,7 @@ impl Run<'_> {
     }
 
     /// Computes the missing parts of a folder.
-    fn complete(&self, folder: &Folder) -> Result<Outcome> {
+    fn complete(&self, folder: &Folder) -> Result<CampaignOutcome> {
         let RunOptions {
             threads, overwrite, ..
         } = *self.options;

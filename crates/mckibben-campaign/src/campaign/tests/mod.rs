@@ -25,7 +25,7 @@ fn folder() -> TempDir {
     tempfile::tempdir().unwrap()
 }
 
-fn run_to(out: &Path) -> Outcome {
+fn run_to(out: &Path) -> CampaignOutcome {
     run(&plan(), out, &RunOptions::default(), &Silent).unwrap()
 }
 

@@ -16,7 +16,7 @@ mod points;
 
 use super::{
     error::{FitError, Result},
-    least_squares::least_squares,
+    least_squares::Triangle,
 };
 use crate::hash;
 pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
@@ -26,13 +26,12 @@ use mckibben_core::{
         Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange,
         UniversalSummary, UniversalTerm,
     },
-    model::{EndPoint, ForceModel, Universal},
+    model::{ForceModel, Universal},
     progress::Progress,
     rubber::RubberLaw,
     threads,
 };
-use nalgebra::{DMatrix, DVector};
-pub use points::{PullPoint, Sample, samples, shares, summary};
+pub use points::{PullPoint, Sample, Samples, shares, summary};
 use std::sync::Arc;
 
 /// The box of the campaign; it is cut to the muscles of the table.
@@ -53,7 +52,11 @@ const LOW_PRESSURE: (f64, f64) = (0.1, 0.3);
 /// Muscles up to this share outside of the box are used for the fit, so that its edges are inside
 /// of the data.
 const MARGIN: f64 = 0.12;
-const FOLDS: u64 = 5;
+const FOLDS: usize = 5;
+
+fn fold_of(muscle: u64) -> usize {
+    (muscle % FOLDS as u64) as usize
+}
 
 #[derive(Debug, Clone)]
 pub struct UniversalRequest<'a> {
@@ -63,13 +66,6 @@ pub struct UniversalRequest<'a> {
     pub name: String,
     /// Name of the table, hash of the campaign's plan and its seed.
     pub from: Provenance,
-}
-
-/// One row of the linear problem.
-struct Equation {
-    muscle: u64,
-    left: Vec<f64>,
-    right: f64,
 }
 
 /// Fits a formula.
@@ -82,7 +78,7 @@ pub fn universal(
     progress: &dyn Progress,
 ) -> Result<UniversalFormula> {
     let samples = request.samples;
-    let steps = FOLDS as usize + 2;
+    let steps = FOLDS + 2;
     let step = |done: usize| {
         progress.report(done, steps);
         progress.check()
@@ -113,8 +109,9 @@ pub fn universal(
         },
     };
     step(0)?;
-    let equations = equations(samples, &empty, &products);
+    let folds = folds(samples, &empty, &products);
     step(1)?;
+    let all = Triangle::without(&folds, None);
     let formula_of = |terms: Vec<UniversalTerm>| {
         let deficit = Deficit {
             form: request.form,
@@ -125,7 +122,7 @@ pub fn universal(
             ..empty.clone()
         })
     };
-    let formula = formula_of(solve(&products, &equations.iter().collect::<Vec<_>>())?);
+    let formula = formula_of(solve(&products, &all)?);
     let errors = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
         let build = |s: &Sample| -> Option<Box<dyn ForceModel>> {
             chosen(s.number).then(|| {
@@ -138,18 +135,14 @@ pub fn universal(
     FitError::refuse_absurd(fit.rms)?;
     let mut left_out = vec![];
     for fold in 0..FOLDS {
-        step(2 + fold as usize)?;
-        let kept: Vec<&Equation> = equations
-            .iter()
-            .filter(|e| e.muscle % FOLDS != fold)
-            .collect();
-        let of_others = formula_of(solve(&products, &kept)?);
-        left_out.extend(errors(&of_others, &|number| number % FOLDS == fold));
+        step(2 + fold)?;
+        let of_others = formula_of(solve(&products, &Triangle::without(&folds, Some(fold)))?);
+        left_out.extend(errors(&of_others, &|number| fold_of(number) == fold));
     }
     let mut done = Arc::unwrap_or_clone(formula);
     done.errors.fit = fit;
     done.errors.left_out = summary(&left_out);
-    done.provenance.points = equations.len();
+    done.provenance.points = all.rows;
     progress.report(steps, steps);
     Ok(done)
 }
@@ -192,62 +185,50 @@ fn range(samples: &[Sample]) -> UniversalRange {
     }
 }
 
-fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]]) -> Vec<Equation> {
+/// The problem of the muscles of each fold.
+fn folds(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]]) -> Vec<Triangle> {
     let formula = Arc::new(empty.clone());
-    let equations = |s: &Sample| {
+    let rows = |s: &Sample| -> Vec<Vec<f64>> {
         let model = Universal::between_ends(formula.clone(), &s.muscle);
         let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
-        let equation = |p: &PullPoint| {
+        let row = |p: &PullPoint| {
             let pressure = p.pressure_mpa;
-            let e = p.contraction;
-            let force = p.force_n;
-            let EndPoint {
-                deficit_mm,
-                start_mm,
-                columns_mm,
-                force_by_deficit_n_per_mm,
-            } = model.end_point(pressure, e, force, products)?;
+            let end = model.end_point(pressure, p.contraction, p.force_n, products)?;
             // A root on another branch of the infinitely long muscle is none.
-            if deficit_mm.abs() > 0.5 * s.muscle.outer_diameter_mm() {
+            if end.deficit_mm.abs() > 0.5 * s.muscle.outer_diameter_mm() {
                 return None;
             }
             let low = pressure < LOW_PRESSURE.0 * mu;
-            let weight =
-                force_by_deficit_n_per_mm / p.blocked_n * if low { LOW_PRESSURE.1 } else { 1.0 };
-            let left: Vec<f64> = columns_mm.into_iter().map(|c| weight * c).collect();
-            let right = weight * (deficit_mm - start_mm);
-            let finite = right.is_finite() && left.iter().all(|v| v.is_finite());
-            finite.then_some(Equation {
-                muscle: s.number,
-                left,
-                right,
-            })
+            let weight = end.force_by_deficit_n_per_mm / p.blocked_n
+                * if low { LOW_PRESSURE.1 } else { 1.0 };
+            let right = end.deficit_mm - end.start_mm;
+            let row = end.columns_mm.into_iter().chain([right]);
+            let row: Vec<f64> = row.map(|c| weight * c).collect();
+            row.iter().all(|v| v.is_finite()).then_some(row)
         };
         let chosen = s
             .points
             .iter()
             .filter(|p| inside(s, p, &empty.range, MARGIN));
-        chosen.filter_map(equation).collect::<Vec<_>>()
+        chosen.filter_map(row).collect()
     };
-    threads::map(samples, equations)
-        .into_iter()
-        .flatten()
-        .collect()
+    let all: Vec<usize> = (0..FOLDS).collect();
+    threads::map(&all, |fold| {
+        let of_fold = samples.iter().filter(|s| fold_of(s.number) == *fold);
+        Triangle::of_rows(products.len(), of_fold.flat_map(rows))
+    })
 }
 
 /// Least squares by Householder's QR; coefficients are rounded to nine digits.
-fn solve(products: &[[u8; 5]], equations: &[&Equation]) -> Result<Vec<UniversalTerm>> {
-    let rows = equations.len();
-    let columns = products.len();
-    if rows < 2 * columns {
+fn solve(products: &[[u8; 5]], problem: &Triangle) -> Result<Vec<UniversalTerm>> {
+    if problem.rows < 2 * products.len() {
         return Err(FitError::empty(
             " inside of the box of the method universal, or too few of them",
         ));
     }
-    let matrix = DMatrix::from_fn(rows, columns, |i, j| equations[i].left[j]);
-    let right = DVector::from_fn(rows, |i, _| equations[i].right);
-    let x =
-        least_squares(matrix, right).ok_or_else(|| FitError::singular("the universal formula"))?;
+    let x = problem
+        .solve()
+        .ok_or_else(|| FitError::singular("the universal formula"))?;
     let rounded = |v: f64| format!("{v:.8e}").parse().unwrap_or(v);
     let term = |(&powers, &v): (&[u8; 5], &f64)| UniversalTerm {
         powers,

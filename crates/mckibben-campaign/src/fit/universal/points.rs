@@ -51,49 +51,75 @@ fn muscle(row: &PointRow) -> Option<Muscle> {
     Muscle::new(tube, braid, Terminals::default(), None).ok()
 }
 
-/// Muscles with the points where they pull; pressures without a blocked force are left out.
-pub fn samples(rows: &[PointRow]) -> Result<Vec<Sample>> {
-    let known = |r: &&PointRow| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
-    if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
-        return Err(FitError::varies(column));
-    }
-    let mut out = vec![];
-    for group in rows.chunk_by(|a, b| a.muscle == b.muscle) {
-        let Some((first, muscle)) = group.first().and_then(|r| Some((r, muscle(r)?))) else {
-            continue;
-        };
-        let blocked: Vec<(f64, f64)> = group
-            .iter()
-            .filter(known)
-            .filter(|r| r.contraction == 0.0)
-            .filter_map(|r| Some((r.pressure_mpa, r.force_n.filter(|f| *f > 0.0)?)))
-            .collect();
-        let point = |r: &PointRow| {
-            let &(_, blocked_n) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
-            let (pressure_mpa, contraction, volume_mm3) =
-                (r.pressure_mpa, r.contraction, r.volume_mm3);
-            Some(PullPoint {
-                pressure_mpa,
-                contraction,
-                force_n: r.force_n.filter(|f| *f > 0.0)?,
-                blocked_n,
-                volume_mm3,
-            })
-        };
-        let points: Vec<PullPoint> = group.iter().filter(known).filter_map(point).collect();
-        if !points.is_empty() {
-            out.push(Sample {
-                number: first.muscle,
-                muscle,
-                points,
-            });
+/// Muscles with the points where they pull, row after row; pressures without a blocked force are
+/// left out.
+#[derive(Debug, Default)]
+pub struct Samples {
+    /// The rows of the last muscle.
+    rows: Vec<PointRow>,
+    done: Vec<Sample>,
+}
+
+impl Samples {
+    /// A further row.
+    ///
+    /// # Errors
+    /// [`FitError::Refused`] where a measure varies that the formula has not.
+    pub fn add(&mut self, row: PointRow) -> Result<()> {
+        if let Some((column, _)) = row.measures.first() {
+            return Err(FitError::varies(column));
         }
+        if self.rows.first().is_some_and(|r| r.muscle != row.muscle) {
+            self.end_muscle();
+        }
+        self.rows.push(row);
+        Ok(())
     }
-    if out.is_empty() {
-        Err(FitError::empty(" where the muscle pulls"))
-    } else {
-        Ok(out)
+
+    /// All of them.
+    ///
+    /// # Errors
+    /// [`FitError`] where no muscle pulls.
+    pub fn all(mut self) -> Result<Vec<Sample>> {
+        self.end_muscle();
+        if self.done.is_empty() {
+            return Err(FitError::empty(" where the muscle pulls"));
+        }
+        Ok(self.done)
     }
+
+    fn end_muscle(&mut self) {
+        self.done.extend(sample(&self.rows));
+        self.rows.clear();
+    }
+}
+
+/// A muscle, if it pulls.
+fn sample(rows: &[PointRow]) -> Option<Sample> {
+    let first = rows.first()?;
+    let pull = |r: &PointRow| {
+        let pulls = |f: &f64| r.status.is_ok() && f.is_finite() && *f > 0.0;
+        r.force_n.filter(pulls)
+    };
+    let blocked_n = |at: &PointRow| {
+        let blocked = |r: &&PointRow| r.contraction == 0.0 && r.pressure_mpa == at.pressure_mpa;
+        rows.iter().filter(blocked).find_map(pull)
+    };
+    let point = |r: &PointRow| {
+        Some(PullPoint {
+            pressure_mpa: r.pressure_mpa,
+            contraction: r.contraction,
+            force_n: pull(r)?,
+            blocked_n: blocked_n(r)?,
+            volume_mm3: r.volume_mm3,
+        })
+    };
+    Some(Sample {
+        number: first.muscle,
+        muscle: muscle(first)?,
+        points: rows.iter().filter_map(point).collect(),
+    })
+    .filter(|sample| !sample.points.is_empty())
 }
 
 /// The errors of a model at the compared points, as shares of the blocked force; infinite where it

@@ -90,7 +90,7 @@ fn what_the_points_do_not_tell_stays_with_the_prior() {
         m.tube().rubber.law.clone(),
         BraidStiffness::NewtonPerMm(1e5),
     );
-    let request = Request::new(&stiff, &[], &points, &thick);
+    let request = IdentificationRequest::new(&stiff, &[], &points, &thick);
     let fit = identify_default(&request).unwrap();
     let of = |name: &str| fit.parameters.iter().find(|p| p.name == name).unwrap();
     let (mu, k) = (of("tube.material.mu"), of("braid.stiffness"));
@@ -109,15 +109,15 @@ fn identity_a_constant_on_its_bound_is_one_that_is_fixed_there() {
     let points = noisy(&bench(&soft(), 0.0), 4.0, 5);
     let m = soft();
     let angle = Target::Measure(&ANGLE);
-    let free = Request::new(&m, &[], &points, &thick);
+    let free = IdentificationRequest::new(&m, &[], &points, &thick);
     let sought = identify_default(&free).unwrap();
     let held_deg = sought.parameter(angle).unwrap().value + 1.0;
-    let bounded = identify_default(&Request {
+    let bounded = identify_default(&IdentificationRequest {
         bounds: &[(angle, (held_deg, held_deg + 3.0))],
         ..free
     })
     .unwrap();
-    let fixed = identify_default(&Request {
+    let fixed = identify_default(&IdentificationRequest {
         fixed: &[(angle, held_deg)],
         ..free
     })
@@ -139,14 +139,14 @@ fn identity_a_constant_on_its_bound_is_one_that_is_fixed_there() {
         );
     }
     // Bounds beyond what any muscle has hold too.
-    let far = identify_default(&Request {
+    let far = identify_default(&IdentificationRequest {
         bounds: &[(angle, (34.0, 36.0))],
         ..free
     });
     let far_deg = far.unwrap().parameter(angle).unwrap().value;
     assert!((34.0..=36.0).contains(&far_deg), "{far_deg}");
     let none = Target::Measure(&OUTER_DIAMETER);
-    let refused = identify_default(&Request {
+    let refused = identify_default(&IdentificationRequest {
         bounds: &[(none, (10.0, 20.0))],
         ..free
     });
@@ -164,9 +164,9 @@ fn outliers_are_named_and_a_robust_loss_is_not_moved_by_them() {
     points[4].at.force_n += 120.0;
     let squares = identified(&m, &["mu"], &points).unwrap();
     let free = free(&m, &["mu"]);
-    let huber = identify(&Request {
+    let huber = identify(&IdentificationRequest {
         loss: Loss::Huber,
-        ..Request::new(&m, &free, &points, &thick)
+        ..IdentificationRequest::new(&m, &free, &points, &thick)
     })
     .unwrap();
     assert!(
@@ -289,7 +289,7 @@ fn starts_bounds_and_doubles_are_checked() {
         bounds: Some((0.5, 1.0)),
         ..free(&m, &["mu"])[0]
     }];
-    let request = Request::new(&m, &outside, &points, &thick);
+    let request = IdentificationRequest::new(&m, &outside, &points, &thick);
     assert!(matches!(
         identify(&request).unwrap_err(),
         IdentifyError::Refused(_)
@@ -423,9 +423,9 @@ fn ends_that_give_way_by_too_much_are_not_determined() {
     let m = soft();
     let points = of_lengths(&m, seating);
     let free = free(&m, &["mu=0.5", "terminals.seating"]);
-    let request = Request {
+    let request = IdentificationRequest {
         two_sided: true,
-        ..Request::new(&m, &free, &points, &with_ends)
+        ..IdentificationRequest::new(&m, &free, &points, &with_ends)
     };
     let fit = identify(&request).unwrap();
     let [mu, ends] = &fit.parameters[..] else {
@@ -444,7 +444,7 @@ fn a_constant_on_its_bound_is_the_bound() {
     let m = soft();
     let free = free(&m, &["mu", "grip"]);
     let points = bench(&m, 0.0);
-    let request = Request::new(&m, &free, &points, &with_ends);
+    let request = IdentificationRequest::new(&m, &free, &points, &with_ends);
     let fit = identify(&request).unwrap();
     assert!(
         fit.parameters[1].at_bound && fit.parameters[1].value == 0.0,

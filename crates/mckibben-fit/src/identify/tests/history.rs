@@ -61,9 +61,9 @@ fn identified(points: &[DataPoint], history: bool) -> Result<Identification, Ide
         parse("friction.lever"),
         parse("friction.presliding"),
     ];
-    identify(&Request {
+    identify(&IdentificationRequest {
         history,
-        ..Request::new(&m, &free, points, &thick)
+        ..IdentificationRequest::new(&m, &free, points, &thick)
     })
 }
 

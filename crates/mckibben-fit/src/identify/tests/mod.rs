@@ -144,7 +144,12 @@ fn identified(
     names: &[&str],
     points: &[DataPoint],
 ) -> Result<Identification, IdentifyError> {
-    identify(&Request::new(m, &free(m, names), points, &thick))
+    identify(&IdentificationRequest::new(
+        m,
+        &free(m, names),
+        points,
+        &thick,
+    ))
 }
 
 #[test]
@@ -158,9 +163,9 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
     let m = soft();
     let free = free(&m, &["mu"]);
     let points = bench(&m, 0.0);
-    let request = Request {
+    let request = IdentificationRequest {
         progress: &Gone,
-        ..Request::new(&m, &free, &points, &thick)
+        ..IdentificationRequest::new(&m, &free, &points, &thick)
     };
     assert_eq!(
         identify(&request).unwrap_err(),
@@ -429,14 +434,14 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     let seating = 1.6;
     let points = of_lengths(&m, seating);
     let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
-    let request = Request::new(&m, &free, &points, &with_ends);
+    let request = IdentificationRequest::new(&m, &free, &points, &with_ends);
     let fit = identify(&request).unwrap();
     for (p, truth) in fit.parameters.iter().zip([0.3, seating, 0.0]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
     }
     let determined = |points: &[DataPoint]| {
         says(
-            &identify(&Request { points, ..request }).unwrap(),
+            &identify(&IdentificationRequest { points, ..request }).unwrap(),
             "all points are from muscles of one length",
         )
     };
@@ -472,9 +477,9 @@ fn muscles_of_several_lengths_tell_slip_and_grip() {
         }
     }
     let free = free(&m, &["mu=0.5", "terminals.slip", "grip"]);
-    let request = Request {
+    let request = IdentificationRequest {
         two_sided: true,
-        ..Request::new(&m, &free, &points, &with_ends)
+        ..IdentificationRequest::new(&m, &free, &points, &with_ends)
     };
     let fit = identify(&request).unwrap();
     for (p, (truth, scale)) in fit
@@ -507,7 +512,7 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
         .iter_mut()
         .for_each(|p| p.at.force_n = 0.1 * (10.0 * p.at.force_n).round());
     let free = [Parameter::free(Target::Modulus)];
-    let trials = try_laws(&Request::new(&m, &free, &points, &thick)).unwrap();
+    let trials = try_laws(&IdentificationRequest::new(&m, &free, &points, &thick)).unwrap();
     assert_eq!(
         trials.len(),
         Law::KINDS.iter().filter(|k| !k.is_sum).count()

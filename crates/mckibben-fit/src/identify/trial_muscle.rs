@@ -23,7 +23,7 @@ pub struct Family {
 
 /// A muscle that is tried.
 #[derive(Debug, Clone)]
-pub struct Candidate {
+pub struct TrialMuscle {
     pub muscle: Muscle,
     pub(super) family: Option<Family>,
     /// Offset that is added to the contractions of the data.
@@ -59,7 +59,7 @@ impl Target {
     }
 }
 
-impl Candidate {
+impl TrialMuscle {
     /// A muscle with values for some of its parameters.
     pub fn new(base: &Muscle, values: &[(Target, f64)]) -> Result<Self, MuscleError> {
         let mut parts = base.parts().clone();
