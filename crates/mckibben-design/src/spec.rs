@@ -1,15 +1,20 @@
 //! What is wanted, and what may be varied.
 
-use crate::{Demand, Limits, OperatingPoint, TubePart};
+use crate::{
+    Demand, LARGEST_BUNDLE, Limits, OperatingPoint, TubePart,
+    tubes::{self, CAST_RUBBER},
+};
 use mckibben_core::{
     analysis::{LEAST_SAFETY, Options, PROVED, bisect},
     cancel::Cancelled,
     liquid::LiquidSupply,
     muscle::{Braid, BraidStiffness, Direction, Muscle, MuscleError, Rubber},
     rubber::over_time::erf,
+    sleeve,
     units::Values,
 };
 use serde::{Deserialize, Serialize};
+use std::fmt;
 use thiserror::Error;
 
 /// What is ranked first.
@@ -163,6 +168,27 @@ impl Spec {
     pub fn outer_diameter_mm(mut self, low_mm: f64, high_mm: f64) -> Self {
         self.outer_diameter_mm = Values::Interval(low_mm, high_mm);
         self
+    }
+
+    /// The same of what one buys or casts: the tubes of the catalogue and those cast of
+    /// [`CAST_RUBBER`], every sleeve of the library, and up to [`LARGEST_BUNDLE`] muscles side by
+    /// side in place of one.
+    ///
+    /// # Errors
+    /// [`SpecError::Refused`] where a built-in table cannot be read.
+    pub fn of_parts(mut self) -> Result<Self, SpecError> {
+        let damaged = |error: &dyn fmt::Display| SpecError::Refused(error.to_string());
+        let all = tubes::catalogue().map_err(|e| damaged(&e))?.iter();
+        let cast = tubes::cast_of(CAST_RUBBER).map_err(|e| damaged(&e))?;
+        let sold = all.filter(|tube| !tube.is_cast).cloned();
+        self.tubes = sold.chain(cast).collect();
+        let sleeves = sleeve::library::entries().map_err(|e| damaged(&e))?.iter();
+        // Each on the least tube that it fits; the search lays it on others.
+        let braids = sleeves.map(|entry| entry.sleeve.on(entry.sleeve.diameters().0));
+        let braids: Result<_, _> = braids.collect();
+        self.braid = BraidChoice::Sleeves(braids.map_err(|e: MuscleError| damaged(&e))?);
+        self.most_side_by_side = LARGEST_BUNDLE;
+        Ok(self)
     }
 
     /// Whether one muscle must do, and no bundle is tried in its place.

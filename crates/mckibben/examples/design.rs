@@ -6,11 +6,12 @@ use mckibben::{design::Spec, prelude::*};
 use std::error::Error;
 
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let spec = Spec::pull(300.0, 0.12, 0.4).length_mm(200.0);
+    let spec = Spec::pull(300.0, 0.12, 0.4).length_mm(200.0).of_parts()?;
     let found = mckibben::decide(&spec)?;
     let best = found.outcome.candidates.first().ok_or("nothing fits")?;
     println!(
-        "tube {:.1} × {:.2} mm at {:.3} MPa",
+        "{} of tube {:.1} × {:.2} mm at {:.3} MPa",
+        found.spec.count,
         best.muscle.outer_diameter_mm(),
         best.muscle.wall_mm(),
         best.pressure_mpa

@@ -70,13 +70,14 @@ impl Deciding {
 }
 
 /// The muscles that meet a specification, by finite elements; where none does, what would have to
-/// give.
+/// give. Of parts ([`Spec::of_parts`]) the answer is that of the command `design`.
 ///
 /// ```no_run
 /// use mckibben::design::Spec;
 ///
-/// // 700 N at 15 % with at most 0.25 MPa, 200 mm between the terminals.
-/// let found = mckibben::decide(&Spec::pull(700.0, 0.15, 0.25).length_mm(200.0))?;
+/// // 700 N at 15 % with at most 0.25 MPa, 200 mm between the terminals, of parts that one buys.
+/// let spec = Spec::pull(700.0, 0.15, 0.25).length_mm(200.0).of_parts()?;
+/// let found = mckibben::decide(&spec)?;
 /// for one in &found.outcome.candidates {
 ///     println!("{:.1} mm at {:.3} MPa", one.muscle.outer_diameter_mm(), one.pressure_mpa);
 /// }
@@ -86,10 +87,15 @@ impl Deciding {
 /// # Errors
 /// [`SpecError`] where the specification cannot be searched; that nothing fits is an outcome.
 pub fn decide(spec: &Spec) -> Result<Design, SpecError> {
+    let open = spec.most_side_by_side > 1;
     let task = Task {
         spec: spec.clone(),
         radius_mm: None,
-        open: Open::default(),
+        open: Open {
+            count: open,
+            sleeves: open,
+            rubbers: open,
+        },
     };
     Deciding::usual(spec.wanted.extends()).with_models(|models| task.solve(models, &Silent))
 }

@@ -64,3 +64,36 @@ fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
         }
     }
 }
+
+/// Of parts a specification in Rust has the answer of the command: one muscle, one of several, and
+/// none that fits.
+#[test]
+fn identity_a_specification_of_parts_in_rust_is_that_of_the_command() {
+    use mckibben::{decide, design::Spec};
+    for (force_n, contraction, mpa, length_mm) in [
+        (30.0, 0.12, 0.4, 200.0),
+        (3000.0, 0.1, 0.6, 285.0),
+        (30.0, 0.3, 0.05, 200.0),
+    ] {
+        let answer = reply(
+            "design",
+            json!({"force_n": force_n, "contraction": contraction, "max_pressure_mpa": mpa,
+                   "length_mm": length_mm}),
+        );
+        let spec = Spec::pull(force_n, contraction, mpa).length_mm(length_mm);
+        let found = decide(&spec.of_parts().unwrap()).unwrap();
+        let numbers = found.outcome.candidates.iter().map(|one| {
+            let sizes = [one.muscle.outer_diameter_mm(), one.muscle.wall_mm()];
+            json!([found.spec.count, sizes[0], sizes[1], one.pressure_mpa])
+        });
+        let numbers: Vec<Value> = numbers.collect();
+        let keys = ["count", "outer_diameter_mm", "wall_mm", "pressure_mpa"];
+        let of_command = answer["candidates"].as_array().unwrap().iter();
+        let of_command: Vec<Value> = of_command
+            .map(|one| keys.iter().map(|key| one[key].clone()).collect())
+            .collect();
+        assert_eq!(numbers, of_command);
+        let changes = answer["changes"].as_array().map_or(0, Vec::len);
+        assert_eq!(found.relaxations.len(), changes);
+    }
+}
