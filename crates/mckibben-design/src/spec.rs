@@ -10,11 +10,10 @@ use mckibben_core::{
     liquid::LiquidSupply,
     muscle::{Braid, BraidStiffness, Direction, Muscle, MuscleError, Rubber},
     rubber::over_time::erf,
-    sleeve,
+    sleeve::{self, SleeveEntry},
     units::Values,
 };
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use thiserror::Error;
 
 /// What is ranked first.
@@ -177,16 +176,15 @@ impl Spec {
     /// # Errors
     /// [`SpecError::Refused`] where a built-in table cannot be read.
     pub fn of_parts(mut self) -> Result<Self, SpecError> {
-        let damaged = |error: &dyn fmt::Display| SpecError::Refused(error.to_string());
-        let all = tubes::catalogue().map_err(|e| damaged(&e))?.iter();
-        let cast = tubes::cast_of(CAST_RUBBER).map_err(|e| damaged(&e))?;
-        let sold = all.filter(|tube| !tube.is_cast).cloned();
-        self.tubes = sold.chain(cast).collect();
-        let sleeves = sleeve::library::entries().map_err(|e| damaged(&e))?.iter();
+        let usual =
+            |tube: &&TubePart| !tube.is_cast || tube.rubber.name.as_deref() == Some(CAST_RUBBER);
+        let tubes = tubes::catalogue().map_err(|e| SpecError::Refused(e.to_string()))?;
+        self.tubes = tubes.iter().filter(usual).cloned().collect();
+        let sleeves = sleeve::library::entries().map_err(|e| SpecError::Refused(e.message))?;
         // Each on the least tube that it fits; the search lays it on others.
-        let braids = sleeves.map(|entry| entry.sleeve.on(entry.sleeve.diameters().0));
-        let braids: Result<_, _> = braids.collect();
-        self.braid = BraidChoice::Sleeves(braids.map_err(|e: MuscleError| damaged(&e))?);
+        let on_least = |entry: &SleeveEntry| entry.sleeve.on(entry.sleeve.diameters().0);
+        let braids: Result<_, _> = sleeves.iter().map(on_least).collect();
+        self.braid = BraidChoice::Sleeves(braids.map_err(SpecError::NoMuscle)?);
         self.most_side_by_side = LARGEST_BUNDLE;
         Ok(self)
     }

@@ -29,7 +29,7 @@ use mckibben_core::{
 pub struct PlanBuilder {
     muscle: String,
     sampling: String,
-    vary: Vec<(String, String)>,
+    vary: String,
     test: String,
 }
 
@@ -40,7 +40,7 @@ impl PlanBuilder {
         Self {
             muscle: muscle.to_string(),
             sampling: String::new(),
-            vary: vec![],
+            vary: String::new(),
             test: format!(
                 "contractions = \"{}\"\npressures = \"{} MPa\"\n",
                 list(contractions),
@@ -52,7 +52,11 @@ impl PlanBuilder {
     /// Varies a quantity by its key in `[vary]`: over levels (`20,30 mm`, `1..5:1 mm`) or, where
     /// muscles are sampled, an interval (`20..50 mm`).
     pub fn vary(mut self, key: &str, values: &str) -> Self {
-        self.vary.push((key.into(), values.into()));
+        let source = Source::parse(&self.muscle).ok();
+        if let Some(without) = source.and_then(|source| source.without(stated_key(key))) {
+            self.muscle = without;
+        }
+        self.vary += &format!("{key} = \"{values}\"\n");
         self
     }
 
@@ -73,20 +77,14 @@ impl PlanBuilder {
     /// # Errors
     /// [`FileError`] with the key that is wrong, as of a plan's file.
     pub fn build(self) -> Result<Plan, FileError> {
-        let mut text = self.muscle;
-        let mut vary = String::new();
-        for (key, values) in self.vary {
-            let without = Source::parse(&text)?.without(stated_key(&key));
-            text = without.unwrap_or(text);
-            vary += &format!("{key} = \"{values}\"\n");
-        }
-        for (table, lines) in [
-            ("sampling", self.sampling),
-            ("vary", vary),
-            ("test", self.test),
-        ] {
-            text += &format!("\n[{table}]\n{lines}");
-        }
-        Plan::parse(&text)
+        let Self {
+            muscle,
+            sampling,
+            vary,
+            test,
+        } = self;
+        Plan::parse(&format!(
+            "{muscle}\n[sampling]\n{sampling}\n[vary]\n{vary}\n[test]\n{test}"
+        ))
     }
 }

@@ -454,3 +454,27 @@ fn ten_million_muscles_are_a_plan() {
         plan("[vary]\ntube.outer_diameter = \"20..50:0.01 mm\"\nbraid.angle = \"20..30:0.0025\"");
     assert!(plan.muscles() > 10_000_000 && plan.muscles().div_ceil(plan.block()) <= 6000);
 }
+
+/// Of a muscle in Rust the plan is that of the same muscle in a file, ratios among what varies.
+#[test]
+fn identity_a_plan_that_is_built_is_that_of_its_text() {
+    let built = PlanBuilder::new(&Muscle::prototype(), &[0.0, 0.1], &[0.0, 0.1, 0.2])
+        .vary("tube.outer_diameter", "20..50 mm")
+        .vary("tube.wall_ratio", "4..12 %")
+        .sampled(SamplingMethod::LatinHypercube, 30, 7)
+        .test("sensitivities = true")
+        .build()
+        .unwrap();
+    let text = Plan::parse(&format!(
+        "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 30\nseed = 7\n[vary]\n\
+         tube.outer_diameter = \"20..50 mm\"\ntube.wall_ratio = \"4..12 %\"\n\
+         {TEST}sensitivities = true\n"
+    ))
+    .unwrap();
+    assert_eq!(built.testing, text.testing);
+    let muscles = |plan: &Plan| -> Vec<Muscle> {
+        let all = (0..plan.muscles()).map(|number| plan.inputs(number).muscle().unwrap());
+        all.collect()
+    };
+    assert_eq!(muscles(&built), muscles(&text));
+}
