@@ -19,9 +19,11 @@
 
 pub mod compare;
 pub mod identify;
+#[doc(hidden)]
 pub mod least_squares;
 pub mod measured;
 pub mod recorded;
 pub mod rubber;
 pub mod rubber_over_time;
+#[doc(hidden)]
 pub mod validation;

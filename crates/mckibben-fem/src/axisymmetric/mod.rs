@@ -1,13 +1,13 @@
 //! The axisymmetric muscle.
 
-pub mod assembly;
-pub mod body;
+mod assembly;
+mod body;
 mod conditioning;
 mod contact;
-pub mod discretisation;
+mod discretisation;
 mod guess;
-pub mod layout;
-pub mod mesh;
+mod layout;
+mod mesh;
 mod model;
 mod muscle;
 mod neighbour;

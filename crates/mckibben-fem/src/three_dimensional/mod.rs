@@ -11,19 +11,19 @@
 //! The deformed place of node n is `mesh.nodes[n] + state.u[3n..3n + 3]`.
 
 mod assembly;
-pub mod body;
-pub mod discretisation;
+mod body;
+mod discretisation;
 mod divisions;
 pub(crate) mod estimate;
 mod field;
 mod guess;
 mod kinematics;
-pub mod mesh;
+mod mesh;
 mod model;
-pub mod muscle;
-pub mod plug;
+mod muscle;
+mod plug;
 mod plug_in_mesh;
-pub mod problem;
+mod problem;
 mod results;
 mod saddle;
 
