@@ -8,7 +8,7 @@ export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
-cargo package --quiet --workspace --exclude xtask --no-verify --locked --allow-dirty 2>/dev/null
+cargo package --quiet --workspace --exclude xtask --exclude mckibben-python --exclude mckibben-wasm --no-verify --locked --allow-dirty 2>/dev/null
 version=$(cargo pkgid --package mckibben-cli | sed 's/.*[#@]//')
 for package in "$CARGO_TARGET_DIR"/package/mckibben*-"$version".crate; do
     tar -xzf "$package" -C "$out"
