@@ -93,7 +93,8 @@ export function muscleBar(walk, renamed) {
       if (document.activeElement !== field) field.value = muscle.name;
       names().forEach((name, i) => {
         const one = [undo, redo][i];
-        one.disabled = !name;
+        // A button that is disabled would lose the focus.
+        one.ariaDisabled = String(!name);
         one.title = name
           ? `${["Undo", "Redo"][i]}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})`
           : "";

@@ -117,7 +117,7 @@ export function picture(c, wide, tall) {
     { angle } = now;
   const bulged = c.bulged_diameter_mm ?? now.bulged;
   return (
-    `<svg viewBox="${-0.14 * wide} ${-tall / 2} ${1.24 * wide} ${1.3 * tall}" aria-hidden="true">` +
+    `<svg viewBox="${-1.7 * tall} ${-0.6 * tall} ${wide + 2.4 * tall} ${1.5 * tall}" aria-hidden="true">` +
     `${ground(length, bulged / 2)}${body({ length, diameter, bulged, angle })}</svg>`
   );
 }

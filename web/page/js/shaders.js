@@ -1,5 +1,17 @@
 // Shaders of the muscle in space: a surface turned about its axis, and on it two families of strands that are woven.
 
+/** Red, green and blue of viridis at equal distances. */
+export const VIRIDIS = [
+  [68, 1, 84],
+  [71, 44, 122],
+  [59, 81, 139],
+  [44, 113, 142],
+  [33, 144, 141],
+  [39, 173, 129],
+  [92, 200, 99],
+  [170, 220, 50],
+  [253, 231, 37],
+];
 const SHARED = `#version 300 es
 precision highp float;
 uniform highp sampler2D shape;   // row 0..across-1: r, z, value; row across: turn, strand angle, tension
@@ -35,14 +47,15 @@ in vec3 strand;                  // angle about the axis, turn of a strand from 
 uniform vec2 reach;              // values at the ends of the colour map
 uniform vec3 eye; uniform vec3 plain; uniform float mapped; uniform float cut; uniform float shine;
 uniform float strands;           // of a family; 0 draws none
+uniform float filaments;         // side by side in a strand
+uniform vec3 map[9];             // colours of the map
 out vec4 colour;
-const float PI = 3.14159265, HALF = 0.16;   // half the width of a strand, of the distance between two
-// Viridis by polynomials of degree six (Matt Zucker's fit, public domain).
+const float PI = 3.14159265;
+// Half the width of a strand, of the distance between two.
+#define HALF (filaments > 1.0 ? 0.4 : 0.16)
 vec3 viridis(float t) {
-  const vec3 c0 = vec3(0.2777, 0.0054, 0.3341), c1 = vec3(0.1051, 1.4046, 1.3846), c2 = vec3(-0.3309, 0.2148, 0.0951);
-  const vec3 c3 = vec3(-4.6342, -5.7991, -19.3324), c4 = vec3(6.2283, 14.1799, 56.6906);
-  const vec3 c5 = vec3(4.7764, -13.7451, -65.3530), c6 = vec3(-5.4355, 4.6459, 26.3124);
-  return c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
+  int i = min(int(8.0 * t), 7);
+  return mix(map[i], map[i + 1], 8.0 * t - float(i)) / 255.0;
 }
 vec3 shown(float v) { return viridis(clamp((v - reach.x) / max(reach.y - reach.x, 1e-9), 0.0, 1.0)); }
 float lit(vec3 n) {
@@ -68,7 +81,9 @@ vec3 woven(vec3 rubber, vec3 fibre) {
   vec2 near = smoothstep(vec2(2.6 * HALF), vec2(HALF), abs(d));
   float other = first ? near.y : near.x;
   float shade = 1.0 - 0.5 * max(near.x, near.y);
-  float rounding = 0.55 + 0.45 * sqrt(max(0.0, 1.0 - across * across));
+  // Round across the strand, or across each of its filaments.
+  float within = filaments > 1.0 ? 2.0 * off(0.5 * filaments * (across + 1.0) + 0.5) : across;
+  float rounding = 0.55 + 0.45 * sqrt(max(0.0, 1.0 - within * within));
   float wave = mix(1.0, 0.72 + 0.28 * height, other);
   vec3 thread = fibre * rounding * wave;
   vec3 seen = mix(rubber * shade, thread, cover);
@@ -79,7 +94,7 @@ void main() {
   vec3 n = normalize(normal);
   if (dot(n, eye) < 0.0) n = -n;
   vec3 base = mapped > 0.5 && mapped < 1.5 ? shown(value) : plain;
-  if (strands > 0.5) base = woven(base, mapped > 1.5 ? shown(strand.z) : mix(vec3(0.96, 0.95, 0.92), base, 0.3));
+  if (strands > 0.5) base = woven(base, mapped > 1.5 ? shown(strand.z) : mix(vec3(0.96, 0.95, 0.92), base, filaments > 1.0 ? 0.7 : 0.3));
   float gloss = shine * pow(max(dot(n, normalize(eye + normalize(vec3(-0.3, 0.8, 0.85)))), 0.0), 24.0);
   colour = vec4(base * lit(n) + gloss, 1.0);
 }`;

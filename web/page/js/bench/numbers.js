@@ -104,16 +104,9 @@ function rows({ facts }, point) {
     ["Free contraction", showRatio(c?.free_contraction, 3)],
     [
       "Burst pressure",
-      c?.burst_pressure_mpa
-        ? showPressure(c.burst_pressure_mpa, 3)
-        : "not known",
+      c?.burst_pressure_mpa ? showPressure(c.burst_pressure_mpa, 3) : "unknown",
     ],
-    [
-      "Allowed pressure",
-      c?.allowed_pressure_mpa
-        ? showPressure(c.allowed_pressure_mpa, 3)
-        : "not known",
-    ],
+    ["Allowed pressure", showPressure(c?.allowed_pressure_mpa, 3)],
     ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
     [
       "Air over the full stroke",

@@ -71,7 +71,10 @@ export function stageView(store, busy) {
     () => store.look({ cut: store.wanted.cut ? "" : "1" }),
     { "aria-pressed": false },
   );
-  const pump = pumping(store);
+  const pump = pumping(store),
+    present = button("Present", () => stage.requestFullscreen(), {
+      title: "The muscle and its numbers in the whole window; Escape ends it",
+    });
   const measure = button(
     "Dimensions",
     () => {
@@ -132,7 +135,7 @@ export function stageView(store, busy) {
   store.on("changed", pump.stop);
   return {
     stage,
-    tools: block("row", colour.element, cut, measure, pump.button),
+    tools: block("row", colour.element, cut, measure, pump.button, present),
     /** In other units. */
     units() {
       scaled = 0;
