@@ -108,6 +108,8 @@ declare global {
     at?: "start" | "end";
     colour?: string;
     dash?: "solid" | "dash" | "dot";
+    /** The sign of its points: the branch that they were measured on. */
+    glyph?: "mean" | "contraction" | "elongation";
     mode?: "lines" | "markers";
     width?: number;
     legend?: string;

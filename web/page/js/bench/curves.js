@@ -21,7 +21,7 @@ import {
   permitted,
   reachOf,
 } from "./family.js";
-import { Points } from "./points.js";
+import { Points, pointSeries } from "./points.js";
 
 const TESTS = /** @type {[string, string][]} */ ([
   ["isobaric", "Isobaric"],
@@ -207,7 +207,10 @@ export class Curves {
     ];
     if (test === "isobaric") {
       series.unshift(...permitted(family.answer, store));
-      series.push(...this.overlays.map(overlay), ...points.series(top));
+      series.push(
+        ...this.overlays.map(overlay),
+        ...pointSeries(points.list, top),
+      );
     }
     const [pressure, force] = [
       `pressure p [${unitName("pressure")}]`,

@@ -6,6 +6,7 @@ import { job } from "../form.js";
 import { measured, onMeasured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { outside, showForce, showPressure } from "../units.js";
+import { MOVES } from "./family.js";
 
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;
@@ -50,7 +51,6 @@ export class Points {
     return {
       muscle: muscle.fields(),
       data: [table],
-      columns: measured.columns,
       free: ["modulus"],
     };
   }
@@ -86,7 +86,6 @@ export class Points {
     const request = {
       muscle: muscle.fields(),
       data: [data],
-      columns: measured.columns,
       models: ["fe"],
       extrapolate: true,
     };
@@ -119,17 +118,29 @@ export class Points {
       (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))],
     );
   }
+}
 
-  /** @param {number} top the pressure that has the last colour @returns {Series[]} */
-  series(top) {
-    return [...new Set(this.list.map((q) => q.pressure_mpa))].map((p) => {
-      const at = this.list.filter((q) => q.pressure_mpa === p),
-        name = `measured at ${showPressure(p, 3)}`;
-      const [x, y] = [
-        at.map((q) => 100 * q.contraction),
-        at.map((q) => outside("force", q.force_n)),
-      ];
-      return { name, mode: "markers", colour: pressureColour(p, top), x, y };
-    });
-  }
+/**
+ * Measured points as series: a colour for each pressure, a sign for each branch.
+ * @param {import("../measured.js").Point[]} list @param {number} top the pressure that has the last colour @returns {Series[]}
+ */
+export function pointSeries(list, top) {
+  const kinds = [...new Set(list.map((q) => q.branch ?? "mean"))];
+  return [...new Set(list.map((q) => q.pressure_mpa))].flatMap((p, first) =>
+    kinds.map((glyph) => {
+      const at = list.filter(
+        (q) => q.pressure_mpa === p && (q.branch ?? "mean") === glyph,
+      );
+      const way = MOVES[glyph] ?? "";
+      return {
+        name: `measured at ${showPressure(p, 3)}${way}`,
+        legend: first ? "" : `measured${way}`,
+        mode: "markers",
+        glyph,
+        colour: pressureColour(p, top),
+        x: at.map((q) => 100 * q.contraction),
+        y: at.map((q) => outside("force", q.force_n)),
+      };
+    }),
+  );
 }

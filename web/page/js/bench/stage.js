@@ -19,6 +19,7 @@ import {
 } from "../units.js";
 import { View, reach } from "../view3d.js";
 import { dimensions } from "./dimensions.js";
+import { MOVES } from "./family.js";
 import { niceUp } from "./round.js";
 
 /** What colours the muscle: field, name, kind of its unit. */
@@ -147,11 +148,6 @@ export function stageView(store, busy) {
   };
 }
 
-const MOVES = {
-  contraction: " while it shortens",
-  elongation: " while it lengthens",
-  mean: "",
-};
 /** The pull in words. @param {NonNullable<Store["shape"]>} shape @param {NonNullable<Store["point"]>} point */
 function sentence(shape, point) {
   if (point.slack)
@@ -164,7 +160,7 @@ function sentence(shape, point) {
   return [
     el("b", {}, asBuilt(point)),
     el("br"),
-    `as built${MOVES[point.predicted_direction ?? "mean"]}; ${modelPull(point)}`,
+    `as built${MOVES[point.predicted_direction ?? ""] ?? ""}; ${modelPull(point)}`,
     el("br"),
     at,
   ];
