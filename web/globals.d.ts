@@ -135,6 +135,8 @@ declare global {
     rows?: (string | number | null)[][];
     xaxis?: Axis;
     yaxis?: Axis;
+    /** What lies at a place of a map, in words. */
+    says?: (x: number, y: number) => string;
     exact?: (s: Series, x: number, take: (found: number[]) => void) => void;
   }
   /** What is below a pointer: of which curve, and where. */

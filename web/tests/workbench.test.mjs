@@ -559,7 +559,7 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
-  test("a pasted table is a table, and a workbook is named with what to do", async () => {
+  test("a pasted table is a table, a workbook has the text of the command line, and a broken one is named with what to do", async () => {
     const { page, errors, context } = await open("#about");
     await page.waitForSelector("h2");
     const paste = (/** @type {string} */ text, at = "body") =>
@@ -605,10 +605,35 @@ inBrowser(({ name, url, open, blank }) => {
       await reads(
         page,
         "#notice",
-        `${name} is a workbook: save its sheet as CSV`,
+        `${name} cannot be read: save it as .xlsx, .ods or CSV`,
       );
     }
     await there(page, "muscle");
+    // The first sheet with numbers, as the tests of mckibben-io have it of both files.
+    await page.evaluate(() => {
+      location.hash = "#rubber";
+    });
+    await there(page, "rubber");
+    for (const end of ["xlsx", "ods"]) {
+      await page
+        .locator(".drop input")
+        .setInputFiles(
+          `${root}crates/mckibben-io/src/table/workbook/tests/pull.${end}`,
+        );
+      await type(
+        page,
+        "Constants of the table",
+        "area=8mm2, gauge_length=25mm",
+      );
+      await page.getByRole("button", { name: "Fit", exact: true }).click();
+      await reads(
+        page,
+        ".middle",
+        `pull.${end}: 5 points up to a stretch of 2.6.`,
+        30_000,
+      );
+      await reads(page, ".middle", "Standardweg");
+    }
     assert.deepEqual(errors, []);
     await context.close();
   });

@@ -9,17 +9,12 @@ import { pageOf } from "./pages.js";
 /** What a page does not say of its use itself. @type {Record<string, string[]>} */
 const HOW = {
   muscle: [
-    "Drag a slider, the right end of the muscle, the gauge or a curve; Ctrl and wheel zoom.",
+    "The gauge and the rings are dragged too; Ctrl and wheel zoom.",
     "Type a value with any unit into a field: 1.2in, 36psi, 2.5 bar. A click on a unit changes it everywhere.",
   ],
   design: [
     "Click a muscle of the table to see it move. The map shows what else would fit, and which limit the others miss.",
   ],
-  joint: [
-    "Drag the arm or a point of the torque curve.",
-    "Both muscles are the one above; open another file for muscle 2, or a joint file for pulley and link.",
-  ],
-  sweep: ["The ring marks the muscle as it is."],
 };
 
 /** The page of the book, from this one. @param {string} place such as `commands#commands` */

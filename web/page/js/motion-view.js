@@ -108,7 +108,7 @@ export function stateLine(run, i) {
   );
   if (isJoint(run))
     return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
-  return `${showPressure(s.pressure_mpa?.[i], 3)}, ${number(100 * (s.contraction?.[i] ?? NaN), 3)} %`;
+  return `${showPressure(s.pressure_mpa?.[i], 3)}, ${showRatio(s.contraction?.[i], 3)}`;
 }
 
 /** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */

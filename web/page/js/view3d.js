@@ -181,16 +181,8 @@ export class View {
   /** @param {WebGL2RenderingContext} gl */
   prepare(gl) {
     this.surface = program(gl, SURFACE);
-    const { surface } = this,
-      count = gl.getProgramParameter(surface, gl.ACTIVE_UNIFORMS);
-    const names = Array.from(
-      { length: count },
-      (_, i) => gl.getActiveUniform(surface, i)?.name ?? "",
-    );
-    /** @type {Record<string, WebGLUniformLocation | null>} */
-    this.places = Object.fromEntries(
-      names.map((name) => [name, gl.getUniformLocation(surface, name)]),
-    );
+    /** Where its uniforms are, once they are asked for. @type {Record<string, WebGLUniformLocation | null>} */
+    this.places = {};
     this.texture = table(gl);
     this.plugTexture = table(gl);
     gl.enable(gl.DEPTH_TEST);
@@ -325,8 +317,11 @@ export class View {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const { camera, eye } = this.camera(w / h);
     const strand = this.show.field.startsWith("strand_");
-    gl.useProgram(/** @type {WebGLProgram} */ (this.surface));
-    const at = (/** @type {string} */ name) => this.places?.[name] ?? null;
+    const program = /** @type {WebGLProgram} */ (this.surface),
+      { places = {} } = this;
+    gl.useProgram(program);
+    const at = (/** @type {string} */ name) =>
+      (places[name] ??= gl.getUniformLocation(program, name));
     gl.uniformMatrix4fv(at("camera"), false, camera);
     gl.uniform3fv(at("eye"), eye);
     gl.uniform1f(at("outer"), shape.across - 1);

@@ -19,7 +19,6 @@ const LABELS = {
   force_n: "pull",
   until_s: "end",
   extrapolate: "to answer outside of the model's range",
-  columns: "the headings of the table:",
   set: "constants of the table",
   "tube.material.mu": "shear modulus",
   "tube.material.modulus": "factor of the modulus",
@@ -64,6 +63,12 @@ function quantity(_, value, unit) {
 /** A sentence of the engine. @param {string} text */
 export const inWords = (text) =>
   text
+    // What the command line is told otherwise.
+    .replace(
+      /assign it with `columns` \S+/,
+      "write it into its heading in Table",
+    )
+    .replace(/`parts list (\w+)`/, "Parts & library ($1)")
     .split("`")
     .map((part, i) =>
       i % 2

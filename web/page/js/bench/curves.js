@@ -216,10 +216,9 @@ export class Curves {
       `pressure p [${unitName("pressure")}]`,
       forceAxis(),
     ];
-    const ratio = ratioAxis;
     chart.show({
-      x: test === "isobaric" ? ratio : pressure,
-      y: test === "isotonic" ? ratio : force,
+      x: test === "isobaric" ? ratioAxis : pressure,
+      y: test === "isotonic" ? ratioAxis : force,
       series,
       marks: test === "isobaric" ? required() : [],
       exact: (s, x, take) => this.exact(s, x, take),

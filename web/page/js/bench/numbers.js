@@ -139,14 +139,7 @@ function margins({ facts }, point) {
  * @param {(x: number) => string} text
  */
 function meter(name, value, limit, text, from = 0) {
-  if (
-    value === undefined ||
-    value === null ||
-    limit === undefined ||
-    limit === null ||
-    limit <= from
-  )
-    return null;
+  if (value == null || limit == null || limit <= from) return null;
   const share = (value - from) / (limit - from),
     width = clamp(100 * share, 0, 100).toFixed(1);
   const words = el(

@@ -5,7 +5,7 @@ import { block, button, el, problemBox } from "../dom.js";
 import { job } from "../form.js";
 import { measured, onMeasured } from "../measured.js";
 import { muscle } from "../muscle.js";
-import { outside, showForce, showPressure } from "../units.js";
+import { evenly, outside, showForce, showPressure } from "../units.js";
 import { MOVES } from "./family.js";
 
 /** Isobars of more pressures than these would cover each other. */
@@ -96,7 +96,7 @@ export class Points {
       "compare",
       request,
       ({ models: [m], points: count }) => {
-        if (!m || m.rms_n === null || m.rms_n === undefined) return;
+        if (!m || m.rms_n == null) return;
         const residuals = `${showForce(m.rms_n, 3)} rms, ${showForce(m.max_n, 3)} the largest`;
         this.words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
       },
@@ -113,10 +113,7 @@ export class Points {
       .sort((a, b) => a - b)
       .filter((p) => p > 0);
     if (all.length <= MOST) return all;
-    return Array.from(
-      { length: MOST },
-      (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))],
-    );
+    return evenly(0, all.length - 1, MOST).map((i) => all[Math.round(i)]);
   }
 }
 

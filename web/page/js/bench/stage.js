@@ -38,7 +38,7 @@ export function stageView(store, busy) {
   const said = el("p", { class: "say" }),
     scale = block("bar"),
     legend = block("legend");
-  const stage = el("div", { class: "stage" }, said, scale, legend, busy);
+  const stage = block("stage", said, scale, legend, busy);
   const dial = gauge(stage, (pressure, settled) =>
     store.changed("p", pressure, settled),
   );

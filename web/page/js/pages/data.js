@@ -91,8 +91,7 @@ export const FIELDS = fieldsOf([
 const HINT =
   "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
 const BEGIN =
-  "Drop a table of measured points. The figure compares it with the models of the muscle above. " +
-  "Then you can identify its constants.";
+  "Drop a table of measured points, paste its cells, or type them into Table.";
 
 class DataPage {
   /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
