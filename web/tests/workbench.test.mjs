@@ -638,6 +638,62 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("points have the colour of their pressure and the sign of their branch, constants have names that are typed too", async () => {
+    const { page, errors, context } = await open("#data");
+    await page.waitForSelector("form");
+    await page.evaluate(() => {
+      const clipboardData = new DataTransfer();
+      const rows = [
+        "pressure [bar]\tcontraction [%]\tpull [N]\tbranch",
+        "1\t0\t240\tcontraction",
+        "1\t8\t80\tcontraction",
+        "1\t0\t270\telongation",
+        "2\t0\t480\tcontraction",
+        "2\t8\t240\tcontraction",
+        "2\t0\t510\telongation",
+        "2\t8\t270\telongation",
+      ];
+      clipboardData.setData("text/plain", rows.join("\n") + "\n");
+      document.body.dispatchEvent(
+        new ClipboardEvent("paste", { clipboardData, bubbles: true }),
+      );
+    });
+    await reads(page, ".middle", "pasted.csv: 7 points", 30_000);
+    /** Signs by colour, of a muscle that shortens and that lengthens. */
+    const signs = () =>
+      page
+        .locator(".charts svg.curves")
+        .first()
+        .locator("svg path")
+        .evaluateAll((paths) =>
+          ["m-4-3h8", "m-4 3h8"].map((sign) =>
+            paths
+              .map((path) => path.getAttribute("d")?.split(sign).length ?? 1)
+              .filter((count) => count > 1)
+              .map((count) => count - 1),
+          ),
+        );
+    await soon(
+      async () =>
+        assert.deepEqual(await signs(), [
+          [2, 2],
+          [1, 2],
+        ]),
+      30_000,
+    );
+    await reads(page, ".charts", "measured while it lengthens");
+    await type(page, "Free constants", "Braid angle");
+    await page.getByRole("button", { name: "Identify" }).click();
+    await reads(
+      page,
+      ".middle table[aria-label], .middle",
+      "Braid angle",
+      60_000,
+    );
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
   test("a place that was not loaded while the server was away opens once it is back", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
