@@ -658,7 +658,8 @@ inBrowser(({ name, url, open, blank }) => {
         new ClipboardEvent("paste", { clipboardData, bubbles: true }),
       );
     });
-    await reads(page, ".middle", "pasted.csv: 7 points", 30_000);
+    await reads(page, ".middle", "pasted.csv: 3 points", 30_000);
+    // Three pairs of both branches are compared; all seven points are drawn.
     /** Signs by colour, of a muscle that shortens and that lengthens. */
     const signs = () =>
       page
@@ -684,12 +685,7 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, ".charts", "measured while it lengthens");
     await type(page, "Free constants", "Braid angle");
     await page.getByRole("button", { name: "Identify" }).click();
-    await reads(
-      page,
-      ".middle table[aria-label], .middle",
-      "Braid angle",
-      60_000,
-    );
+    await reads(page, ".middle", "Braid angle", 60_000);
     assert.deepEqual(errors, []);
     await context.close();
   });
