@@ -690,6 +690,64 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a projector has the muscle and its numbers in the whole window, which still answer", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    const stage = page.locator(".stage");
+    const small = await stage.boundingBox();
+    await page.getByRole("button", { name: "Present" }).click();
+    await page.waitForFunction(() =>
+      document.fullscreenElement?.classList.contains("stage"),
+    );
+    await soon(async () => {
+      const large = await stage.boundingBox();
+      assert.deepEqual(
+        [large?.width, large?.height],
+        await page.evaluate(() => [innerWidth, innerHeight]),
+      );
+      assert.ok(Number(large?.width) > Number(small?.width));
+    });
+    // The gauge is turned there too: a quarter of the way up its dial.
+    const gauge = await page.locator(".stage .gauge").boundingBox();
+    assert.ok(gauge);
+    await page.mouse.click(
+      gauge.x + 0.5 * gauge.width - 0.3 * gauge.width,
+      gauge.y + 0.5 * gauge.height,
+    );
+    await page.waitForFunction(
+      () =>
+        !/at 2.5 bar/.test(document.querySelector(".say")?.textContent ?? ""),
+    );
+    await page.screenshot({ path: `${shots}/projector-${name}.png` });
+    await page.evaluate(() => document.exitFullscreen());
+    await soon(async () =>
+      assert.equal((await stage.boundingBox())?.width, small?.width),
+    );
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("the example of a rubber test has the command line's laws, and its table is there to be changed", async () => {
+    const { page, errors, context } = await open("#rubber");
+    await page.getByRole("button", { name: "Open the example" }).click();
+    const said = ask("rubber", "examples/treloar.csv");
+    await reads(
+      page,
+      ".middle",
+      `treloar.csv: ${said.points} points up to a stretch of ${Number(said.fitted_to_stretch.toPrecision(3))}.`,
+      60_000,
+    );
+    for (const { name: law, shear_modulus_mpa: modulus } of said.laws)
+      await reads(page, ".middle table", `${law}`).then(() =>
+        reads(page, ".middle table", `${Number(modulus.toPrecision(3))} MPa`),
+      );
+    await page.locator("summary", { hasText: "Table" }).click();
+    const cell = page.getByRole("textbox", { name: "line 2, column 2" });
+    assert.equal(await cell.inputValue(), "1.0000");
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
   test("a place that was not loaded while the server was away opens once it is back", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
