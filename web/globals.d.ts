@@ -108,6 +108,8 @@ declare global {
     at?: "start" | "end";
     colour?: string;
     dash?: "solid" | "dash" | "dot";
+    /** The sign of its points: the branch that they were measured on. */
+    glyph?: "mean" | "contraction" | "elongation";
     mode?: "lines" | "markers";
     width?: number;
     legend?: string;
@@ -133,6 +135,8 @@ declare global {
     rows?: (string | number | null)[][];
     xaxis?: Axis;
     yaxis?: Axis;
+    /** What lies at a place of a map, in words. */
+    says?: (x: number, y: number) => string;
     exact?: (s: Series, x: number, take: (found: number[]) => void) => void;
   }
   /** What is below a pointer: of which curve, and where. */

@@ -252,7 +252,7 @@ inBrowser(({ name, open, blank, url }) => {
       uncertainty_words: words,
     } = ask("force", "-p", "2.5bar", "-e", "15%");
     await soon(async () => {
-      const text = await parts.innerText();
+      const text = (await parts.innerText()).replaceAll("\u00a0", " ");
       for (const sentence of [words.built, words.bench])
         assert.ok(text.includes(sentence.replaceAll("\u00a0", " ")), text);
     });
@@ -390,7 +390,7 @@ inBrowser(({ name, open, blank, url }) => {
     // They come by themselves, before or after their residuals.
     const rings = () =>
       page.evaluate(() =>
-        [...document.querySelectorAll(".plot svg.curves path")].reduce(
+        [...document.querySelectorAll(".plot svg.curves svg path")].reduce(
           (sum, path) =>
             sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1,
           0,

@@ -634,15 +634,39 @@ inBrowser(({ name, url, open, blank }) => {
       buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n"),
     });
     await page.waitForSelector(".problem");
-    await page.getByRole("combobox", { name: "Pressure" }).selectOption("P1");
-    await page
-      .getByRole("combobox", { name: "Unit", exact: true })
-      .first()
-      .selectOption("bar");
-    await page.getByText("unnamed.csv: 2 points.").waitFor({ timeout: 30_000 });
     await soon(async () =>
-      assert.match(decodeURIComponent(page.url()), /columns=pressure=P1:bar/),
+      assert.match(
+        await page.locator(".problem").innerText(),
+        /write it into its heading in Table/,
+      ),
     );
+    // Its table is open, with what the headings lack to be typed.
+    const cell = (/** @type {number} */ line, /** @type {number} */ column) =>
+      page.getByRole("textbox", { name: `line ${line}, column ${column}` });
+    await cell(1, 1).fill("P1 [bar]");
+    await cell(1, 1).press("Tab");
+    await page.waitForTimeout(100);
+    assert.equal(await cell(1, 2).inputValue(), "eps");
+    await page.getByText("unnamed.csv: 2 points.").waitFor({ timeout: 30_000 });
+    // A line more, and cells of a spreadsheet that fill the table from one cell on.
+    await cell(4, 1).fill("3");
+    await cell(4, 2).fill("0.1");
+    await cell(4, 3).fill("600");
+    await cell(4, 3).press("Enter");
+    await page.getByText("unnamed.csv: 3 points.").waitFor({ timeout: 30_000 });
+    await cell(5, 1).evaluate((one) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData("text/plain", "4\t0.1\t800\n5\t0.1\t1000\n");
+      one.dispatchEvent(
+        new ClipboardEvent("paste", {
+          clipboardData,
+          bubbles: true,
+          cancelable: true,
+        }),
+      );
+    });
+    await page.getByText("unnamed.csv: 5 points.").waitFor({ timeout: 30_000 });
+    assert.equal(await cell(6, 3).inputValue(), "1000");
     assert.deepEqual(errors, []);
     await context.close();
   });

@@ -5,7 +5,6 @@ import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 import { notice, noticeProblem } from "./notice.js";
 import { openDialog } from "./open.js";
-import { showLength } from "./units.js";
 import { thumbnail } from "./thumbnail.js";
 import { names } from "./steps.js";
 
@@ -76,14 +75,10 @@ export function muscleBar(walk, renamed) {
     el("span", { class: "name" }, field, line),
     undo,
     redo,
-    button("Open", openDialog, {
-      title: "A file, a muscle of the gallery or the library, or a project",
-    }),
+    button("Open", openDialog),
     button("Save", save, { title: "Save the muscle as a file (TOML)" }),
     shareButton(),
-    button("Print", () => print(), {
-      title: "Print one sheet with muscle, inputs and numbers",
-    }),
+    button("Print", () => print()),
   );
   /** @type {string | undefined} */ let drawn = "";
   return {
@@ -93,15 +88,14 @@ export function muscleBar(walk, renamed) {
       if (document.activeElement !== field) field.value = muscle.name;
       names().forEach((name, i) => {
         const one = [undo, redo][i];
-        one.disabled = !name;
+        // A button that is disabled would lose the focus.
+        one.ariaDisabled = String(!name);
         one.title = name
           ? `${["Undo", "Redo"][i]}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})`
           : "";
       });
       const s = muscle.shown;
-      line.textContent = s
-        ? `D0 ${showLength(s.outer_diameter_mm)}, s ${showLength(s.wall_mm)}, L0 ${showLength(s.length_mm)}`
-        : "";
+      line.textContent = muscle.size();
       const of =
         s && [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].join();
       if (of === drawn) return;

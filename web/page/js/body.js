@@ -92,16 +92,6 @@ export function body({
   );
 }
 
-/** A quiet shadow on the ground, and the hose of the left end. @param {number} length @param {number} radius */
-export function ground(length, radius) {
-  const of = (/** @type {number} */ share) => short(share * radius);
-  return (
-    `<ellipse cx="${short(length / 2)}" cy="${of(1.5)}" rx="${short(0.52 * length)}" ry="${of(0.16)}" fill="#000" ` +
-    `opacity=".13"/><path d="M${of(-1.1)} 0q${of(-1.5)} 0 ${of(-2)} ${of(1.4)}" fill="none" stroke="var(--line)" ` +
-    `stroke-width="${of(0.3)}" stroke-linecap="round"/>`
-  );
-}
-
 /**
  * A muscle in use as SVG, in a frame of so many millimetres.
  * @param {Candidate} c @param {number} wide @param {number} tall
@@ -117,7 +107,7 @@ export function picture(c, wide, tall) {
     { angle } = now;
   const bulged = c.bulged_diameter_mm ?? now.bulged;
   return (
-    `<svg viewBox="${-0.14 * wide} ${-tall / 2} ${1.24 * wide} ${1.3 * tall}" aria-hidden="true">` +
-    `${ground(length, bulged / 2)}${body({ length, diameter, bulged, angle })}</svg>`
+    `<svg viewBox="${-0.7 * tall} ${-0.6 * tall} ${wide + 1.4 * tall} ${1.2 * tall}" aria-hidden="true">` +
+    `${body({ length, diameter, bulged, angle })}</svg>`
   );
 }

@@ -4,22 +4,12 @@ import { block, button, csv, download, el, menu } from "./dom.js";
 import { table } from "./form.js";
 import { Lines } from "./lines.js";
 import { KINDS } from "./plot.js";
+import { VIRIDIS } from "./shaders.js";
 import { isDark, onTheme } from "./theme.js";
 import { builtPull, clamp, number, outside } from "./units.js";
 
 export { KINDS };
 
-const VIRIDIS = [
-  [68, 1, 84],
-  [71, 44, 122],
-  [59, 81, 139],
-  [44, 113, 142],
-  [33, 144, 141],
-  [39, 173, 129],
-  [92, 200, 99],
-  [170, 220, 50],
-  [253, 231, 37],
-];
 /** Viridis between 0 and 1 as red, green and blue. @param {number} share @param {number} most of the map */
 export function viridisAt(share, most) {
   const t = clamp(share, 0, 1) * most * (VIRIDIS.length - 1);

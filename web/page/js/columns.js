@@ -1,34 +1,35 @@
-// Columns of a table whose headings do not say what they are: asked for by lists of its headings and of units.
-import { choice } from "./controls.js";
-import { el, folded } from "./dom.js";
-import { unitsOf } from "./units.js";
+// Tables of measured points: their cells, what columns were read as, and a grid to type in.
+import { block, el, folded } from "./dom.js";
 
-/**
- * Quantities of a table of measured points: the word of requests, what people call it, and kinds whose units it may
- * have.
- * @type {[string, string, string[]][]}
- */
-const QUANTITIES = [
-  ["pressure", "Pressure", ["pressure"]],
-  ["contraction", "Contraction or shortening", ["ratio", "length"]],
-  ["length", "Length", ["length"]],
-  ["force", "Pull", ["force"]],
-];
+/** Lines that a grid shows at most: those behind them stay as they are; and empty ones to type in. */
+const SHOWN = 200,
+  FREE = 4;
+
+/** The cells of a text, by the separator of its first line. @param {string} text */
+function cellsOf(text) {
+  const lines = text.split(/\r?\n/).filter((line) => line.trim()),
+    separator =
+      ["\t", ";", ",", "|"].find((s) => lines[0]?.includes(s)) ?? /\s+/;
+  return lines.map((line) =>
+    line.split(separator).map((f) => f.trim().replace(/^"|"$/g, "")),
+  );
+}
+
+/** The remarks that a table begins with, and its cells; a last remark may be its heading. @param {string} text */
+function tableOf(text) {
+  const [, remarks, rest] = /^((?:#.*\n)*)([^]*)$/.exec(text) ?? [],
+    hasHead = /^.*\p{L}/u.test(rest),
+    head = /#.*\n$/.exec(remarks)?.[0] ?? "";
+  return hasHead || !head
+    ? { remarks, rows: cellsOf(rest) }
+    : { remarks: "", rows: cellsOf(head.slice(1) + rest) };
+}
 
 /** The headings of a table: its first line with letters in several fields. @param {string} text */
-export function headings(text) {
-  for (const line of text.split(/\r?\n/, 200)) {
-    const separator = ["\t", ";", ",", "|"].find((s) => line.includes(s));
-    const fields = (
-      separator
-        ? line.replace(/^#/, "").split(separator)
-        : line.trim().split(/\s+/)
-    ).map((f) => f.trim().replace(/^"|"$/g, ""));
-    if (fields.length > 1 && fields.some((f) => /\p{L}/u.test(f)))
-      return fields;
-  }
-  return [];
-}
+export const headings = (text) =>
+  tableOf(text.slice(0, 20_000)).rows.find(
+    (fields) => fields.length > 1 && fields.some((f) => /\p{L}/u.test(f)),
+  ) ?? [];
 
 /** What columns were read as. @param {{ column: string, quantity: string, unit?: string | null }[]} list */
 export const columnLine = (list) =>
@@ -36,84 +37,70 @@ export const columnLine = (list) =>
     .map((c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`)
     .join(", ");
 
-/** @param {() => void} changed */
-export function columnChoice(changed) {
-  /** Quantity to heading and unit. @type {Map<string, [string, string]>} */
-  const chosen = new Map();
-  const rows = QUANTITIES.map(([quantity, label, kinds]) => {
-    const now = () => chosen.get(quantity) ?? ["", ""];
-    const put = (/** @type {string} */ heading, /** @type {string} */ unit) => {
-      if (heading) chosen.set(quantity, [heading, unit]);
-      else chosen.delete(quantity);
-      changed();
-    };
-    const column = choice(label, [["", "Automatic"]], "", (heading) =>
-      put(heading, now()[1]),
+/**
+ * A table to type in; cells that are pasted fill it from the one that has the focus.
+ * @param {string[]} usual headings of an empty one @param {(text: string) => void} changed
+ */
+export function grid(usual, changed) {
+  let table = { remarks: "", rows: [usual] },
+    written = "";
+  const body = el("tbody"),
+    element = folded(
+      "Table",
+      block("scroll", el("table", { class: "grid" }, body)),
     );
-    const unit = choice(
-      "Unit",
-      [
-        ["", "From the heading"],
-        ...kinds
-          .flatMap(unitsOf)
-          .map((u) => /** @type {[string, string]} */ ([u, u])),
-      ],
-      "",
-      (u) => put(now()[0], u),
-    );
-    return {
-      quantity,
-      column,
-      unit,
-      element: el(
-        "div",
-        { style: "border-top:1px solid var(--faint);padding-top:6px" },
-        column.element,
-        unit.element,
-      ),
-    };
-  });
-  const paint = () =>
-    rows.forEach(({ quantity, column, unit }) => {
-      const [heading, of] = chosen.get(quantity) ?? ["", ""];
-      column.set(heading);
-      unit.set(of);
+  /** @param {number} i @param {number} j @param {string} text */
+  const put = (i, j, text) => {
+    (table.rows[i] ??= [])[j] = text.trim();
+  };
+  function tell() {
+    const { remarks, rows } = table,
+      wide = Math.max(...rows.map((row) => row.length));
+    const lines = rows
+      .filter((row) => row.some(Boolean))
+      .map((row) => Array.from({ length: wide }, (_, j) => row[j]).join("\t"));
+    written = `${remarks}${lines.join("\n")}\n`;
+    changed(written);
+  }
+  /** @param {number} i @param {number} j */
+  function cell(i, j) {
+    const field = el("input", {
+      type: "text",
+      value: table.rows[i]?.[j] ?? "",
+      "aria-label": `line ${i + 1}, column ${j + 1}`,
+      onchange() {
+        put(i, j, field.value);
+        tell();
+      },
+      onpaste(/** @type {ClipboardEvent} */ event) {
+        const text = event.clipboardData?.getData("text/plain") ?? "";
+        if (!/[\t\n]/.test(text)) return;
+        event.preventDefault();
+        cellsOf(text).forEach((row, k) =>
+          row.forEach((value, l) => put(i + k, j + l, value)),
+        );
+        paint();
+        tell();
+      },
     });
-  const element = folded("Columns", ...rows.map((r) => r.element));
+    return el("td", {}, field);
+  }
+  function paint() {
+    const { rows } = table,
+      wide = Math.max(...rows.map((row) => row.length));
+    body.replaceChildren(
+      ...Array.from({ length: Math.min(SHOWN, rows.length + FREE) }, (_, i) =>
+        el("tr", {}, ...Array.from({ length: wide }, (__, j) => cell(i, j))),
+      ),
+    );
+  }
+  paint();
   return {
     element,
-    /** Another table. @param {string[]} list */
-    offer(list) {
-      rows.forEach(({ column }) => column.options(list));
-    },
-    /** Where the engine has to ask. */
-    open() {
-      element.open = true;
-    },
-    /** As requests have it. */
-    value: () =>
-      Object.fromEntries(
-        [...chosen].map(([quantity, [heading, unit]]) => [
-          quantity,
-          unit ? `${heading}:${unit}` : heading,
-        ]),
-      ),
-    /** As it stands in an address. */
-    text: () =>
-      [...chosen]
-        .map(
-          ([quantity, [heading, unit]]) =>
-            `${quantity}=${heading}${unit ? `:${unit}` : ""}`,
-        )
-        .join(","),
     /** @param {string} text */
-    read(text) {
-      chosen.clear();
-      for (const one of text.split(",")) {
-        const [, quantity, heading, unit] =
-          /^([a-z_]+)=(.+?)(?::([^:]*))?$/.exec(one.trim()) ?? [];
-        if (quantity && heading) chosen.set(quantity, [heading, unit ?? ""]);
-      }
+    show(text) {
+      if (text === written) return;
+      table = tableOf(text);
       paint();
     },
   };

@@ -382,16 +382,21 @@ export function choice(label, options, value, change) {
   };
 }
 
-/** The text of a file. @param {File} file */
+/** The text of a file; of a workbook that of a sheet. @param {File} file */
 export async function textOf(file) {
   const text = await file.text();
-  if (/^(PK\x03|\ufffd)/.test(text))
+  if (!/^(PK\x03|\ufffd)/.test(text)) return text;
+  try {
+    return await (await import("./workbook.js")).sheetText(file);
+  } catch {
     throw new Error(
-      `${file.name} is a workbook: save its sheet as CSV in UTF-8, or copy its cells and paste them here.`,
+      `${file.name} cannot be read: save it as .xlsx, .ods or CSV in UTF-8, or copy its cells and paste them here.`,
     );
-  return text;
+  }
 }
 
+/** Names of tables end so. */
+export const TABLES = ".csv,.txt,.tsv,.xlsx,.ods";
 /** Boxes that take a file which is dropped on them. @type {WeakMap<Element, (file: File | undefined) => void>} */
 export const boxes = new WeakMap();
 

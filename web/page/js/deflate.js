@@ -19,8 +19,11 @@ const toBytes = (text) =>
   );
 
 /** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
-/** @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through @returns {Promise<Uint8Array>} */
-async function piped(bytes, through) {
+/**
+ * @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through @param {number} [most]
+ * @returns {Promise<Uint8Array>}
+ */
+export async function piped(bytes, through, most = MOST) {
   const reader = new Blob([bytes])
     .stream()
     .pipeThrough(/** @type {Pair} */ (through))
@@ -30,7 +33,7 @@ async function piped(bytes, through) {
     const { done, value } = await reader.read();
     if (done) break;
     size += value.length;
-    if (size > MOST) {
+    if (size > most) {
       reader.cancel().catch(() => {});
       throw new Error("too long");
     }

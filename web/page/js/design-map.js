@@ -1,7 +1,6 @@
 // The map of a design: what fits over diameter and wall, by `universal`: the pressure that each muscle needs, and the
 // limit that others miss.
 import { Slot } from "./ask.js";
-import { picture as drawnMuscle } from "./body.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
 import { Chart, KINDS, viridisAt } from "./chart.js";
 import { el, heading } from "./dom.js";
@@ -52,7 +51,6 @@ export function designMap(linked) {
   });
   feasible.element.hidden = true;
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
-  hovering(feasible, () => found);
   const best = () => answer?.candidates[0] ?? answer?.closest ?? undefined;
 
   /** @param {ReturnType<typeof asked>} request @param {number} fine @param {() => void} [fail] */
@@ -130,43 +128,9 @@ function measures(x, y) {
   ];
 }
 
-/** The muscle below the pointer, as it is and as it bulges. @param {Chart} chart @param {() => Found | undefined} of */
-function hovering(chart, of) {
-  const card = el("div", { class: "card small", hidden: true }),
-    { host: plot } = chart;
-  const nearest = (/** @type {number[]} */ list, /** @type {number} */ v) =>
-    list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
-  chart.element.append(card);
-  plot.addEventListener("pointerleave", () => {
-    card.hidden = true;
-  });
-  plot.addEventListener("pointermove", (event) => {
-    const box = plot.getBoundingClientRect(),
-      [px, py] = [event.clientX - box.left, event.clientY - box.top];
-    const at = chart.values(px, py),
-      found = of();
-    card.hidden = true;
-    if (!found || !at) return;
-    const [d, s] = measures(at[0], at[1]);
-    const one = found.fits.get(`${nearest(found.D, d)},${nearest(found.S, s)}`);
-    if (!one) return;
-    const size = `D0 ${showLength(one.outer_diameter_mm, 3)}, s ${showLength(one.wall_mm, 2)}`;
-    const [needs, bulge] = [
-      showPressure(one.pressure_mpa, 3),
-      showLength(one.bulged_diameter_mm, 3),
-    ];
-    card.innerHTML = drawnMuscle(
-      one,
-      one.length_mm,
-      Math.max(one.outer_diameter_mm, Number(one.bulged_diameter_mm)),
-    );
-    card.append(el("span", {}, `${size}: set ${needs}, ${bulge} wide in use`));
-    const wide = plot.clientWidth,
-      aside = px > wide / 2 ? `right:${wide - px + 14}px` : `left:${px + 14}px`;
-    card.style.cssText = `top:${plot.offsetTop + py + 14}px;${aside}`;
-    card.hidden = false;
-  });
-}
+/** The nearest of a list. @param {number[]} list @param {number} v */
+const nearest = (list, v) =>
+  list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
 
 /**
  * The muscles of the map.
@@ -260,7 +224,7 @@ const rgb = (/** @type {string} */ hex) =>
  * @param {Found} found @param {{ outer_diameter_mm: number, wall_mm: number }} best
  * @param {number} finer how much finer the picture is than the muscles @returns {Spec}
  */
-function spec({ D, S, nodes, limits }, best, finer) {
+function spec({ D, S, fits, nodes, limits }, best, finer) {
   const [x, y] = [
     D.map((d) => outside("length", d)),
     S.map((s) => outside("length", s)),
@@ -321,6 +285,14 @@ function spec({ D, S, nodes, limits }, best, finer) {
       },
     ],
     notes: [...notes, ...limits.flatMap((limit) => place(limit, nodes, x, y))],
+    says(px, py) {
+      const [d, s] = measures(px, py),
+        one = fits.get(`${nearest(D, d)},${nearest(S, s)}`);
+      return one
+        ? `D0 ${showLength(one.outer_diameter_mm, 3)}, s ${showLength(one.wall_mm, 2)}: ` +
+            `set ${showPressure(one.pressure_mpa, 3)}, ${showLength(one.bulged_diameter_mm, 3)} wide in use`
+        : "";
+    },
   };
 }
 

@@ -63,9 +63,7 @@ function columns(prices, liquid) {
     (c) => show(kind, of(c), digits),
     (c) => {
       const v = of(c);
-      return v === null || v === undefined
-        ? ""
-        : Number(outside(kind, v).toPrecision(8));
+      return v == null ? "" : Number(outside(kind, v).toPrecision(8));
     },
   ];
   /** @param {string} head @param {(c: Candidate) => string | null | undefined} of @returns {Column} */
@@ -290,13 +288,11 @@ export function foundView(answer, prices) {
     points(candidates[0]),
     boughtView(answer),
     assumptions.length > 0 &&
-      el(
-        "details",
-        { class: "small" },
-        el("summary", {}, "What was assumed"),
+      folded(
+        "What was assumed",
         el(
           "ul",
-          {},
+          { class: "small" },
           ...assumptions.map((line) => el("li", {}, capital(inWords(line)))),
         ),
       ),

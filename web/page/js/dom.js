@@ -10,7 +10,7 @@ import { inWords } from "./words.js";
 export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (value === undefined || value === null || value === false) continue;
+    if (value == null || value === false) continue;
     if (typeof value === "function")
       element.addEventListener(
         name.slice(2),
@@ -22,9 +22,7 @@ export function el(tag, attributes = {}, ...children) {
     else element.setAttribute(name, value === true ? "" : String(value));
   }
   element.append(
-    ...children.filter(
-      (child) => child !== null && child !== undefined && child !== false,
-    ),
+    ...children.filter((child) => child != null && child !== false),
   );
   return element;
 }

@@ -31,7 +31,7 @@ function isRubberTest(text) {
 export function kindOfFile(name, text) {
   if (/\.json$/i.test(name))
     return /"mckibben-project"/.test(text.slice(0, 2000)) ? "project" : "other";
-  if (/\.(csv|tsv|txt|dat)$/i.test(name))
+  if (/\.(csv|tsv|txt|dat|xlsx|ods)$/i.test(name))
     return isRubberTest(text) ? "rubber" : "data";
   const tables = new Set(
     [...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]),
@@ -111,7 +111,7 @@ export async function takeFiles(files) {
     if (other)
       throw new Error(
         `${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points ` +
-          `in .csv (save a sheet of a workbook as CSV in UTF-8), projects in .json.`,
+          `in .csv, .xlsx or .ods, projects in .json.`,
       );
     if (read.length) await take(read);
   } catch (problem) {

@@ -17,10 +17,10 @@ import { atEnd } from "./life.js";
 import { levels, picture, sampled, valueBetween } from "./map.js";
 import {
   evenly,
-  number,
   outside,
   ratioAxis,
   showLength,
+  showRatio,
   unitName,
 } from "./units.js";
 
@@ -43,7 +43,7 @@ export const PUBLISHED = {
 /** @param {File} file a formula */
 export function errorsView(file) {
   const e = file.errors,
-    share = (/** @type {number} */ x) => `${number(100 * x, 3)} %`;
+    share = (/** @type {number} */ x) => showRatio(x, 3);
   const row = (
     /** @type {string} */ name,
     /** @type {File["errors"]["fit"]} */ x,

@@ -6,42 +6,14 @@ import { DOCUMENTATION } from "./kind.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
 
-/** How a page is used, in a few sentences. @type {Record<string, string[]>} */
+/** What a page does not say of its use itself. @type {Record<string, string[]>} */
 const HOW = {
-  start: ["The answer says what to take, what to set, and how sure that is."],
   muscle: [
-    "Drag a slider, the right end of the muscle, the gauge or a curve; Ctrl and wheel zoom.",
+    "The gauge and the rings are dragged too; Ctrl and wheel zoom.",
     "Type a value with any unit into a field: 1.2in, 36psi, 2.5 bar. A click on a unit changes it everywhere.",
   ],
   design: [
     "Click a muscle of the table to see it move. The map shows what else would fit, and which limit the others miss.",
-  ],
-  joint: [
-    "Drag the arm or a point of the torque curve.",
-    "Both muscles are the one above; open another file for muscle 2, or a joint file for pulley and link.",
-  ],
-  motion: [
-    "Select the step, the valve and the load, and press Run. Then drag the time.",
-  ],
-  sweep: [
-    "Select a measure, its range and a result, and press Compute. The ring marks the muscle as it is.",
-  ],
-  rubber: [
-    "Drop a table of stretches and stresses. Fit lists the laws with their constants.",
-  ],
-  files: [
-    "Each card makes files of the muscle above. The report is one HTML file.",
-    "The others come one by one, or all in one archive (ZIP).",
-  ],
-  data: [
-    "Drop a table of pressures, contractions and pulls. The headings say what the columns are.",
-    "Compare shows the models over the points. Identify finds the constants that you list.",
-  ],
-  formula: [
-    "Change the plan, compute it, and fit a formula. Then download the formula as a file.",
-  ],
-  parts: [
-    "Filter the lists. A button puts a part into the muscle. Values missing from data sheets are marked.",
   ],
 };
 

@@ -112,27 +112,3 @@ function load(point, angle, arm, size) {
     `<text x="${at(1.1 * r, tip).replace(" ", '" y="')}" font-size="${size}">${text}</text>`
   );
 }
-
-/**
- * What the torque can be at each angle: between the pairs of pressures that pull hardest to either side.
- * @param {number[]} angles @param {(number | null)[][]} torques by pair @returns {Series[]}
- */
-export function reachable(angles, torques) {
-  const known = angles.map((_, i) =>
-    torques.map((list) => list[i]).filter((v) => typeof v === "number"),
-  );
-  const there = angles.map((_, i) => i).filter((i) => known[i].length > 1);
-  if (there.length < 2) return [];
-  const ends = (/** @type {(...list: number[]) => number} */ of) =>
-    there.map((i) => of(...known[i]));
-  const x = there.map((i) => angles[i]);
-  return [
-    {
-      name: "reachable torque",
-      band: true,
-      colour: KINDS[0],
-      x: [...x, ...[...x].reverse()],
-      y: [...ends(Math.max), ...ends(Math.min).reverse()],
-    },
-  ];
-}

@@ -2,7 +2,6 @@
 import { niceUp } from "./bench/round.js";
 import { KINDS, pressureColour } from "./chart.js";
 import { capital, el, remark } from "./dom.js";
-import { reachable } from "./joint-drawing.js";
 import {
   interval,
   number,
@@ -137,10 +136,14 @@ export function torqueChart({ answer, angles, pairs }, point) {
     y: `torque [${unitName("torque")}]`,
     yaxis: {},
     series: [
-      ...reachable(
-        angles,
-        series.map((s) => s.y),
-      ),
+      // Between the pairs of pressures that pull hardest to either side.
+      {
+        name: "reachable torque",
+        band: true,
+        colour: KINDS[0],
+        x: [...angles, ...angles.toReversed()],
+        y: [...series[0].y, ...series[series.length - 1].y.toReversed()],
+      },
       ...series,
     ],
     marks,

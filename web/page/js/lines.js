@@ -159,15 +159,15 @@ export class Lines {
     const colour = colourOf(spec.series[found.which], found.which);
     this.dot.style.cssText = `transform:translate(${px}px,${py}px);border-color:${colour}`;
     this.hair.style.cssText = `left:${px}px;top:${at.top}px;height:${at.h}px`;
-    this.tip.textContent = this.words(found);
-    const side =
-      px > at.left + at.w / 2
-        ? `right:${at.width - px + 12}px`
-        : `left:${px + 12}px`;
-    this.tip.style.cssText = `${side};top:${Math.max(0, py - 34)}px`;
-    [this.dot, this.hair, this.tip].forEach((part) => {
-      part.hidden = false;
-    });
+    this.say(this.words(found), px, py);
+    this.dot.hidden = this.hair.hidden = false;
+  }
+  /** Words beside a place. @param {string} text @param {number} px @param {number} py */
+  say(text, px, py) {
+    const { clientWidth: width } = this.host;
+    this.tip.textContent = text;
+    this.tip.style.cssText = `${px > width / 2 ? `right:${width - px + 12}px` : `left:${px + 12}px`};top:${Math.max(0, py - 34)}px`;
+    this.tip.hidden = false;
   }
 
   clear() {
@@ -255,7 +255,6 @@ export class Lines {
       if (event.target === host && this.key(event.key)) event.preventDefault();
     });
     host.style.touchAction = "pan-y";
-    if (this.drag) host.style.cursor = "crosshair";
   }
 
   /** @param {number} px @param {number} py */
@@ -268,10 +267,10 @@ export class Lines {
         : px < at.left
           ? "ns-resize"
           : "crosshair";
-    const found =
-      px >= at.left && py <= at.top + at.h
-        ? nearest(spec, at, px, py)
-        : undefined;
+    const within = px >= at.left && py <= at.top + at.h,
+      said = within && spec.says?.(at.x(px), at.y(py)),
+      found = within ? nearest(spec, at, px, py) : undefined;
+    if (said) return this.say(said, px, py);
     if (!found || found.far >= NEAR) return this.clear();
     this.point(found);
     clearTimeout(this.resting);

@@ -1,7 +1,7 @@
 // A field over two axes as a picture below curves: painted on a canvas, with lines of equal values and what they are.
 import { el } from "./dom.js";
 import { ticks } from "./plot.js";
-import { number } from "./units.js";
+import { evenly, number } from "./units.js";
 
 /**
  * A field on a grid; `null` where it has no value.
@@ -44,17 +44,8 @@ export function valueBetween({ x, y, values }, px, py) {
  * @returns {Field}
  */
 export function sampled(x, y, by, at) {
-  const finer = (/** @type {number[]} */ list) => {
-    const [low, high, n] = [
-      list[0],
-      list[list.length - 1],
-      (list.length - 1) * by,
-    ];
-    return Array.from(
-      { length: n + 1 },
-      (_, k) => low + ((high - low) * k) / n,
-    );
-  };
+  const finer = (/** @type {number[]} */ list) =>
+    evenly(list[0], list[list.length - 1], (list.length - 1) * by + 1);
   const [fx, fy] = [finer(x), finer(y)];
   return { x: fx, y: fy, values: fy.map((py) => fx.map((px) => at(px, py))) };
 }

@@ -4,7 +4,7 @@ import { fileOf, keepFile } from "./kept.js";
 import { signal } from "./life.js";
 import { thinned, thinnedWords } from "./thin.js";
 
-/** @typedef {{ pressure_mpa: number, contraction: number, force_n: number }} Point */
+/** @typedef {{ pressure_mpa: number, contraction: number, force_n: number, branch?: "contraction" | "mean" | "elongation" | null }} Point */
 
 const changed = signal();
 export const onMeasured = changed.on;
@@ -18,17 +18,14 @@ export const measured = {
   get said() {
     return fileOf("data-said") ?? "";
   },
-  /** What its headings do not say, as requests have it. @type {Record<string, string>} */ columns:
-    {},
 
-  /** @param {TextFile | undefined} file @param {Record<string, string>} [columns] */
-  set(file, columns = {}) {
+  /** @param {TextFile | undefined} file */
+  set(file) {
     if (file !== this.file) {
       const of = thinned(file?.text ?? "");
       keepFile("data-said", thinnedWords(of) || undefined);
       keepFile("data", file && { name: file.name, text: of.text });
     }
-    this.columns = columns;
     changed.tell();
   },
 };

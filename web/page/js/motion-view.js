@@ -12,45 +12,35 @@ import {
 
 /** Whether it is a joint's. @param {Run} run */
 export const isJoint = (run) => Boolean(run.series.angle_deg);
-/** Series of pressures. */
-/** @typedef {"pressure_1_mpa" | "pressure_2_mpa" | "command_1" | "command_2" | "pressure_mpa" | "command"} Key */
-const pressures = (/** @type {number[]} */ list) =>
-  list.map((p) => outside("pressure", p));
+/** Series of pressures of a muscle or of a joint: what each is called, and its colour; commands are dotted. */
+const PRESSURES = /** @type {const} */ ([
+  ["pressure_mpa", "muscle", 0],
+  ["command", "command", 6],
+  ["pressure_1_mpa", "muscle 1", 0],
+  ["command_1", "command 1", 6],
+  ["pressure_2_mpa", "muscle 2", 1],
+  ["command_2", "command 2", 6],
+]);
 
 /** @param {Run} run @returns {Spec} */
-export function pressureChart({ series: s, ...run }) {
-  const t = s.time_s,
-    line = (
-      /** @type {Key} */ key,
-      /** @type {string} */ name,
-      /** @type {number} */ colour,
-      /** @type {"dot" | undefined} */ dash,
-    ) =>
-      s[key]
-        ? [
-            {
-              name,
-              x: t,
-              y: pressures(s[key] ?? []),
-              colour: KINDS[colour],
-              end: name,
-              dash,
-            },
-          ]
-        : [];
-  const series = isJoint({ series: s, ...run })
-    ? [
-        ...line("pressure_1_mpa", "muscle 1", 0, undefined),
-        ...line("command_1", "command 1", 6, "dot"),
-        ...line("pressure_2_mpa", "muscle 2", 1, undefined),
-        ...line("command_2", "command 2", 6, "dot"),
-      ]
-    : [
-        ...line("pressure_mpa", "muscle", 0, undefined),
-        ...line("command", "command", 6, "dot"),
-      ];
-  return { x: "time [s]", y: `pressure [${unitName("pressure")}]`, series };
-}
+export const pressureChart = ({ series: s }) => ({
+  x: "time [s]",
+  y: `pressure [${unitName("pressure")}]`,
+  series: PRESSURES.flatMap(([key, name, colour]) =>
+    s[key]
+      ? [
+          {
+            name,
+            x: s.time_s,
+            y: s[key].map((p) => outside("pressure", p)),
+            colour: KINDS[colour],
+            end: name,
+            dash: colour === 6 ? "dot" : undefined,
+          },
+        ]
+      : [],
+  ),
+});
 
 /** @param {Run} run @returns {Spec} */
 export function wayChart(run) {
@@ -118,7 +108,7 @@ export function stateLine(run, i) {
   );
   if (isJoint(run))
     return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
-  return `${showPressure(s.pressure_mpa?.[i], 3)}, ${number(100 * (s.contraction?.[i] ?? NaN), 3)} %`;
+  return `${showPressure(s.pressure_mpa?.[i], 3)}, ${showRatio(s.contraction?.[i], 3)}`;
 }
 
 /** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */

@@ -174,11 +174,15 @@ export class MuscleState {
 
   /** The measures in a line. @param {Shown | undefined} [s] of another one */
   line(s = this.shown) {
-    if (!s) return "none yet";
-    const [D, wall, L] = [s.outer_diameter_mm, s.wall_mm, s.length_mm].map(
-      (v) => showLength(v),
-    );
-    return `D0 ${D}, s ${wall}, L0 ${L}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`;
+    return s
+      ? `${this.size(s)}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`
+      : "none yet";
+  }
+  /** Diameter, wall and length. @param {Shown | undefined} [s] of another one */
+  size(s = this.shown) {
+    return s
+      ? `D0 ${showLength(s.outer_diameter_mm)}, s ${showLength(s.wall_mm)}, L0 ${showLength(s.length_mm)}`
+      : "";
   }
 
   /** Muscle and words of a page as its address. @param {string} page @param {Partial<Words>} own */

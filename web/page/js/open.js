@@ -1,5 +1,6 @@
 // Open: a file of any kind, a muscle of the gallery, of the library, or of the project.
 import { dialog } from "./dialog.js";
+import { TABLES } from "./controls.js";
 import { block, el, mainButton, problemBox, rowOf } from "./dom.js";
 import { takeFiles } from "./drop.js";
 import { gallery } from "./gallery.js";
@@ -14,7 +15,7 @@ export function openDialog() {
     const input = el("input", {
       type: "file",
       multiple: true,
-      accept: ".toml,.csv,.txt,.tsv,.json",
+      accept: `.toml,.json,${TABLES}`,
       class: "unseen",
       "aria-label": "Files",
       tabindex: -1,
@@ -31,7 +32,7 @@ export function openDialog() {
         el(
           "span",
           { class: "small soft" },
-          "A muscle, a joint or a drive (TOML), measured points (CSV), or a project (JSON). You can also drop files " +
+          "A muscle, a joint or a drive (TOML), measured points (CSV, XLSX, ODS), or a project (JSON). You can also drop files " +
             "anywhere on the page.",
         ),
       ),

@@ -17,6 +17,12 @@ const DASHES = {
   dash: ' stroke-dasharray="7 4"',
   dot: ' stroke-dasharray="2 3"',
 };
+/** Signs of points, from their middle: of no branch, of a muscle that shortens, and that lengthens. */
+const GLYPHS = {
+  mean: "m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0",
+  contraction: "m-4-3h8l-4 7z",
+  elongation: "m-4 3h8l-4-7z",
+};
 const FONT = 12.5,
   GLYPH = 6.8;
 
@@ -299,9 +305,7 @@ function curve(s, which, at) {
     return drawn(
       all
         .flat()
-        .map(
-          (i) => `M${place(i)}m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0`,
-        )
+        .map((i) => `M${place(i)}${GLYPHS[s.glyph ?? "mean"]}`)
         .join(""),
       'stroke-width="1.4"',
     );
@@ -365,7 +369,7 @@ const legend = (spec, { named }) =>
         colour = colourOf(s, i);
       const sign =
         s.mode === "markers"
-          ? `<circle cx="${x + 10}" cy="${y - 4}" r="3.2" fill="none" stroke="${colour}" stroke-width="1.4"/>`
+          ? `<path d="M${x + 10} ${y - 4}${GLYPHS[s.glyph ?? "mean"]}" fill="none" stroke="${colour}" stroke-width="1.4"/>`
           : `<path d="M${x} ${y - 4}h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
       return sign + words(x + 25, y, text);
     })

@@ -1,5 +1,5 @@
 // A small picture of a muscle: tube, braid and ends in proportion, from its measures alone.
-import { body, ground } from "./body.js";
+import { body } from "./body.js";
 import { el } from "./dom.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -14,7 +14,7 @@ function drawing({ outer_diameter_mm: D, length_mm: L, angle_deg: angle }) {
   const length = Math.min(74, Math.max(26, 30 + 20 * Math.log2(L / 100))),
     diameter = Math.min(30, Math.max(6, 6 + 4.6 * Math.log2(D / 2)));
   return (
-    `<g transform="translate(${(WIDTH - length) / 2} ${HEIGHT / 2 - 2})">${ground(length, diameter / 2)}` +
+    `<g transform="translate(${(WIDTH - length) / 2} ${HEIGHT / 2})">` +
     `${body({ length, diameter, bulged: 1.08 * diameter, angle })}</g>`
   );
 }

@@ -111,7 +111,7 @@ export const evenly = (low, high, count) =>
  * @param {number | null | undefined} v
  */
 export function number(v, digits = 4) {
-  if (v === null || v === undefined || !Number.isFinite(v)) return "–";
+  if (v == null || !Number.isFinite(v)) return "–";
   if (v === 0) return "0";
   const size = Math.floor(Math.log10(Math.abs(v)));
   if (size < -5 || size > 14) return v.toExponential(digits - 1);
@@ -120,7 +120,7 @@ export function number(v, digits = 4) {
 }
 /** `2.5 bar`. @param {string} kind @param {number | null | undefined} value */
 export const show = (kind, value, digits = 4) =>
-  value === null || value === undefined
+  value == null
     ? "–"
     : `${number(outside(kind, value), digits)}${unitName(kind) === "°" ? "°" : " " + unitName(kind)}`.trimEnd();
 const shown =

@@ -6,54 +6,32 @@
 import { body } from "./body.js";
 import { el } from "./dom.js";
 import { atEnd } from "./life.js";
-import { FRAGMENT, SURFACE } from "./shaders.js";
+import { FRAGMENT, SURFACE, VIRIDIS } from "./shaders.js";
 
 /** Columns of a mesh about the axis; columns and rows while it moves, where there is no graphics processor. */
 const AROUND = 48,
   COARSE = [24, 40];
-/** Strands drawn of a family whose number is not known, and most that are drawn. */
+/** Strands drawn of a family whose number is not known, and most that are drawn: more lie side by side in flat ones. */
 const DRAWN = 18,
-  MOST = 60;
+  MOST = 40;
 /** How the muscle is first seen, and how far it may be zoomed. */
 const TURN = [0.35, -0.5],
   ZOOM = [0.5, 8];
-/**
- * The profile of a crimped fitting: radius and distance from the tube's end, as shares of the tube's radius; doubled
- * points are edges.
- */
+/** The profile of a crimped fitting, all edges: radius and distance from the tube's end, as shares of the tube's radius. */
 const FITTING = [
   [1.02, -0.12],
   [1.14, -0.12],
-  [1.14, -0.12],
-  [1.14, 0.06],
   [1.14, 0.06],
   [1.05, 0.12],
   [1.05, 0.2],
   [1.14, 0.26],
-  [1.14, 0.26],
-  [1.14, 0.36],
-  [1.14, 0.36],
-  [1.05, 0.42],
-  [1.05, 0.5],
-  [1.14, 0.56],
-  [1.14, 0.56],
-  [1.14, 0.72],
   [1.14, 0.72],
   [0.62, 0.72],
-  [0.62, 0.72],
-  [0.62, 0.98],
   [0.62, 0.98],
   [0.36, 0.98],
-  [0.36, 0.98],
-  [0.36, 1.1],
-  [0.42, 1.14],
-  [0.36, 1.22],
-  [0.42, 1.26],
-  [0.36, 1.34],
-  [0.36, 1.42],
   [0.36, 1.42],
   [0.18, 1.42],
-];
+].flatMap((edge) => [edge, edge]);
 
 /** A row of the mesh about the axis: angles and rows. @param {number} row @param {number} around */
 const round = (row, around) =>
@@ -199,16 +177,8 @@ export class View {
   /** @param {WebGL2RenderingContext} gl */
   prepare(gl) {
     this.surface = program(gl, SURFACE);
-    const { surface } = this,
-      count = gl.getProgramParameter(surface, gl.ACTIVE_UNIFORMS);
-    const names = Array.from(
-      { length: count },
-      (_, i) => gl.getActiveUniform(surface, i)?.name ?? "",
-    );
-    /** @type {Record<string, WebGLUniformLocation | null>} */
-    this.places = Object.fromEntries(
-      names.map((name) => [name, gl.getUniformLocation(surface, name)]),
-    );
+    /** Where its uniforms are, once they are asked for. @type {Record<string, WebGLUniformLocation | null>} */
+    this.places = {};
     this.texture = table(gl);
     this.plugTexture = table(gl);
     gl.enable(gl.DEPTH_TEST);
@@ -343,8 +313,11 @@ export class View {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const { camera, eye } = this.camera(w / h);
     const strand = this.show.field.startsWith("strand_");
-    gl.useProgram(/** @type {WebGLProgram} */ (this.surface));
-    const at = (/** @type {string} */ name) => this.places?.[name] ?? null;
+    const program = /** @type {WebGLProgram} */ (this.surface),
+      { places = {} } = this;
+    gl.useProgram(program);
+    const at = (/** @type {string} */ name) =>
+      (places[name] ??= gl.getUniformLocation(program, name));
     gl.uniformMatrix4fv(at("camera"), false, camera);
     gl.uniform3fv(at("eye"), eye);
     gl.uniform1f(at("outer"), shape.across - 1);
@@ -362,7 +335,10 @@ export class View {
     };
     const surface = (/** @type {number} */ row) =>
       draw(this.piece(`${row} of ${around}`, along, round(row, around)));
-    const known = shape.strands ? Math.min(shape.strands / 2, MOST) : DRAWN;
+    const family = shape.strands ? shape.strands / 2 : DRAWN,
+      each = family > MOST ? Math.ceil(family / DRAWN) : 1;
+    gl.uniform1f(at("filaments"), each);
+    gl.uniform3fv(at("map[0]"), VIRIDIS.flat());
     /** What colours a part: the field (1), that of the strands (2), or nothing. */
     const paint = (
       /** @type {number} */ mapped,
@@ -374,7 +350,7 @@ export class View {
       gl.uniform1f(at("strands"), strands);
     };
     gl.uniform1f(at("flat_normal"), 0);
-    paint(strand ? 2 : 1, [0.5, 0.48, 0.46], Math.round(known));
+    paint(strand ? 2 : 1, [0.5, 0.48, 0.46], Math.round(family / each));
     // Of a muscle that is whole only the front is seen.
     if (!this.cut) gl.enable(gl.CULL_FACE);
     surface(across - 1);

@@ -19,6 +19,11 @@ const LABELS = {
   force_n: "pull",
   until_s: "end",
   extrapolate: "to answer outside of the model's range",
+  set: "constants of the table",
+  "tube.material.mu": "shear modulus",
+  "tube.material.modulus": "factor of the modulus",
+  pull_factor: "factor of the pull",
+  force_offset: "zero of the load cell",
 };
 /** A field without its unit. @param {string} field */
 const plain = (field) =>
@@ -38,7 +43,15 @@ export function learn(measures) {
 }
 
 /** The label of a key of muscle files; any other word as it is. @param {string} word */
-const worded = (word) => (/[._]/.test(word) && LABELS[word]) || word;
+export const worded = (word) =>
+  (/[._]/.test(word) && LABELS[word]) || word.replace(/^tube\.material\./, "");
+/** The key of a label; any other word as it is. @param {string} label */
+export const keyed = (label) =>
+  Object.keys(LABELS).find(
+    (key) =>
+      /\.|_(factor|offset)$/.test(key) &&
+      LABELS[key].toLowerCase() === label.toLowerCase(),
+  ) ?? label;
 /** A quantity in the unit that is shown. @param {string} _ @param {string} value @param {string} unit inside */
 function quantity(_, value, unit) {
   const kind = kindInside(unit);
@@ -50,6 +63,12 @@ function quantity(_, value, unit) {
 /** A sentence of the engine. @param {string} text */
 export const inWords = (text) =>
   text
+    // What the command line is told otherwise.
+    .replace(
+      /assign it with `columns` \S+/,
+      "write it into its heading in Table",
+    )
+    .replace(/`parts list (\w+)`/, "Parts & library ($1)")
     .split("`")
     .map((part, i) =>
       i % 2
@@ -57,4 +76,6 @@ export const inWords = (text) =>
         : part.replace(/\w[\w.]*\w/g, worded),
     )
     .join("")
-    .replace(/([-\d.e]+)\u00a0([A-Za-z/]+)/g, quantity);
+    .replace(/([-\d.e]+)\u00a0([A-Za-z/]+)/g, quantity)
+    .replace(/(?<![\w.])-(?=\d)/g, "−")
+    .replaceAll("± ", "±\u00a0");

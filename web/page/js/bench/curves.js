@@ -21,7 +21,7 @@ import {
   permitted,
   reachOf,
 } from "./family.js";
-import { Points } from "./points.js";
+import { Points, pointSeries } from "./points.js";
 
 const TESTS = /** @type {[string, string][]} */ ([
   ["isobaric", "Isobaric"],
@@ -207,16 +207,18 @@ export class Curves {
     ];
     if (test === "isobaric") {
       series.unshift(...permitted(family.answer, store));
-      series.push(...this.overlays.map(overlay), ...points.series(top));
+      series.push(
+        ...this.overlays.map(overlay),
+        ...pointSeries(points.list, top),
+      );
     }
     const [pressure, force] = [
       `pressure p [${unitName("pressure")}]`,
       forceAxis(),
     ];
-    const ratio = ratioAxis;
     chart.show({
-      x: test === "isobaric" ? ratio : pressure,
-      y: test === "isotonic" ? ratio : force,
+      x: test === "isobaric" ? ratioAxis : pressure,
+      y: test === "isotonic" ? ratioAxis : force,
       series,
       marks: test === "isobaric" ? required() : [],
       exact: (s, x, take) => this.exact(s, x, take),

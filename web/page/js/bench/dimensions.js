@@ -6,8 +6,8 @@ import { clamp, evenly, showLength } from "../units.js";
 
 /** @typedef {[number, number]} Place */
 const SVG = "http://www.w3.org/2000/svg";
-/** Pixels between the muscle and a dimension line, and between two handles at least. */
-const GAP = 14;
+/** Pixels between the muscle and a dimension line, and between two handles at least; fingers need more. */
+const GAP = matchMedia("(pointer: coarse)").matches ? 26 : 14;
 /** What the handles change, and to how many parts of a unit it is rounded. @type {Record<string, [string, number]>} */
 const HANDLES = {
   D: ["outer diameter", 10],

@@ -13,6 +13,11 @@ import { evenly, inside, outside, show, showPressure } from "../units.js";
 import { niceUp, twoDigits } from "./round.js";
 
 /** @typedef {CurveAnswer["points"][number]} Point */
+/** Which way a muscle moves, behind a name. @type {Record<string, string>} */
+export const MOVES = {
+  contraction: " while it shortens",
+  elongation: " while it lengthens",
+};
 /** Other models that can be laid over. */
 export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
@@ -192,12 +197,6 @@ export function ownSeries(answer, test, top) {
   const branches = [...new Set(answer.points.map(of))];
   return branches.flatMap((branch, i) => {
     const list = answer.points.filter((q) => of(q) === branch);
-    const words =
-      branch === "contraction"
-        ? " while it shortens"
-        : branch === "elongation"
-          ? " while it lengthens"
-          : "";
     const label = i
       ? {}
       : {
@@ -207,7 +206,7 @@ export function ownSeries(answer, test, top) {
           ),
         };
     const model = /** @type {Series} */ ({
-      name: name + words,
+      name: name + (MOVES[branch ?? ""] ?? ""),
       ...label,
       colour,
       strong: true,

@@ -104,16 +104,9 @@ function rows({ facts }, point) {
     ["Free contraction", showRatio(c?.free_contraction, 3)],
     [
       "Burst pressure",
-      c?.burst_pressure_mpa
-        ? showPressure(c.burst_pressure_mpa, 3)
-        : "not known",
+      c?.burst_pressure_mpa ? showPressure(c.burst_pressure_mpa, 3) : "unknown",
     ],
-    [
-      "Allowed pressure",
-      c?.allowed_pressure_mpa
-        ? showPressure(c.allowed_pressure_mpa, 3)
-        : "not known",
-    ],
+    ["Allowed pressure", showPressure(c?.allowed_pressure_mpa, 3)],
     ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
     [
       "Air over the full stroke",
@@ -146,14 +139,7 @@ function margins({ facts }, point) {
  * @param {(x: number) => string} text
  */
 function meter(name, value, limit, text, from = 0) {
-  if (
-    value === undefined ||
-    value === null ||
-    limit === undefined ||
-    limit === null ||
-    limit <= from
-  )
-    return null;
+  if (value == null || limit == null || limit <= from) return null;
   const share = (value - from) / (limit - from),
     width = clamp(100 * share, 0, 100).toFixed(1);
   const words = el(

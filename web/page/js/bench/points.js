@@ -5,7 +5,8 @@ import { block, button, el, problemBox } from "../dom.js";
 import { job } from "../form.js";
 import { measured, onMeasured } from "../measured.js";
 import { muscle } from "../muscle.js";
-import { outside, showForce, showPressure } from "../units.js";
+import { evenly, outside, showForce, showPressure } from "../units.js";
+import { MOVES } from "./family.js";
 
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;
@@ -50,7 +51,6 @@ export class Points {
     return {
       muscle: muscle.fields(),
       data: [table],
-      columns: measured.columns,
       free: ["modulus"],
     };
   }
@@ -86,7 +86,6 @@ export class Points {
     const request = {
       muscle: muscle.fields(),
       data: [data],
-      columns: measured.columns,
       models: ["fe"],
       extrapolate: true,
     };
@@ -97,7 +96,7 @@ export class Points {
       "compare",
       request,
       ({ models: [m], points: count }) => {
-        if (!m || m.rms_n === null || m.rms_n === undefined) return;
+        if (!m || m.rms_n == null) return;
         const residuals = `${showForce(m.rms_n, 3)} rms, ${showForce(m.max_n, 3)} the largest`;
         this.words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
       },
@@ -114,22 +113,31 @@ export class Points {
       .sort((a, b) => a - b)
       .filter((p) => p > 0);
     if (all.length <= MOST) return all;
-    return Array.from(
-      { length: MOST },
-      (_, i) => all[Math.round((i * (all.length - 1)) / (MOST - 1))],
-    );
+    return evenly(0, all.length - 1, MOST).map((i) => all[Math.round(i)]);
   }
+}
 
-  /** @param {number} top the pressure that has the last colour @returns {Series[]} */
-  series(top) {
-    return [...new Set(this.list.map((q) => q.pressure_mpa))].map((p) => {
-      const at = this.list.filter((q) => q.pressure_mpa === p),
-        name = `measured at ${showPressure(p, 3)}`;
-      const [x, y] = [
-        at.map((q) => 100 * q.contraction),
-        at.map((q) => outside("force", q.force_n)),
-      ];
-      return { name, mode: "markers", colour: pressureColour(p, top), x, y };
-    });
-  }
+/**
+ * Measured points as series: a colour for each pressure, a sign for each branch.
+ * @param {import("../measured.js").Point[]} list @param {number} top the pressure that has the last colour @returns {Series[]}
+ */
+export function pointSeries(list, top) {
+  const kinds = [...new Set(list.map((q) => q.branch ?? "mean"))];
+  return [...new Set(list.map((q) => q.pressure_mpa))].flatMap((p, first) =>
+    kinds.map((glyph) => {
+      const at = list.filter(
+        (q) => q.pressure_mpa === p && (q.branch ?? "mean") === glyph,
+      );
+      const way = MOVES[glyph] ?? "";
+      return {
+        name: `measured at ${showPressure(p, 3)}${way}`,
+        legend: first ? "" : `measured${way}`,
+        mode: "markers",
+        glyph,
+        colour: pressureColour(p, top),
+        x: at.map((q) => 100 * q.contraction),
+        y: at.map((q) => outside("force", q.force_n)),
+      };
+    }),
+  );
 }

@@ -67,25 +67,17 @@ export function solveView(store) {
 /** @param {Measure} measure @param {number} force @param {AbortSignal} signal @returns {Promise<number>} */
 async function solved(measure, force, signal) {
   const { state } = muscle,
-    options = /** @type {const} */ ({ lane: "side", signal });
-  const asked = { muscle: muscle.fields(), force_n: force };
-  // The command has an inverse of its own for both.
-  if (measure.key === "p")
-    return (
-      await engine().ask(
-        "pressure",
-        { ...asked, contraction: state.e },
-        options,
-      )
-    ).pressure_mpa;
-  if (measure.key === "e")
-    return (
-      await engine().ask(
-        "contraction",
-        { ...asked, pressure_mpa: state.p },
-        options,
-      )
-    ).contraction;
+    options = { signal },
+    asked = { muscle: muscle.fields(), force_n: force };
+  // Both have an inverse of their own.
+  if (measure.key === "p") {
+    const request = { ...asked, contraction: state.e };
+    return (await engine().ask("pressure", request, options)).pressure_mpa;
+  }
+  if (measure.key === "e") {
+    const request = { ...asked, pressure_mpa: state.p };
+    return (await engine().ask("contraction", request, options)).contraction;
+  }
   const over = async (/** @type {number} */ value) => {
     const changed = say({ ...state, F: undefined }, measure.key, value);
     return (

@@ -19,6 +19,7 @@ import {
 } from "../units.js";
 import { View, reach } from "../view3d.js";
 import { dimensions } from "./dimensions.js";
+import { MOVES } from "./family.js";
 import { niceUp } from "./round.js";
 
 /** What colours the muscle: field, name, kind of its unit. */
@@ -37,7 +38,7 @@ export function stageView(store, busy) {
   const said = el("p", { class: "say" }),
     scale = block("bar"),
     legend = block("legend");
-  const stage = el("div", { class: "stage" }, said, scale, legend, busy);
+  const stage = block("stage", said, scale, legend, busy);
   const dial = gauge(stage, (pressure, settled) =>
     store.changed("p", pressure, settled),
   );
@@ -71,7 +72,10 @@ export function stageView(store, busy) {
     () => store.look({ cut: store.wanted.cut ? "" : "1" }),
     { "aria-pressed": false },
   );
-  const pump = pumping(store);
+  const pump = pumping(store),
+    present = button("Present", () => stage.requestFullscreen(), {
+      title: "The muscle and its numbers in the whole window; Escape ends it",
+    });
   const measure = button(
     "Dimensions",
     () => {
@@ -132,7 +136,7 @@ export function stageView(store, busy) {
   store.on("changed", pump.stop);
   return {
     stage,
-    tools: block("row", colour.element, cut, measure, pump.button),
+    tools: block("row", colour.element, cut, measure, pump.button, present),
     /** In other units. */
     units() {
       scaled = 0;
@@ -144,11 +148,6 @@ export function stageView(store, busy) {
   };
 }
 
-const MOVES = {
-  contraction: " while it shortens",
-  elongation: " while it lengthens",
-  mean: "",
-};
 /** The pull in words. @param {NonNullable<Store["shape"]>} shape @param {NonNullable<Store["point"]>} point */
 function sentence(shape, point) {
   if (point.slack)
@@ -161,7 +160,7 @@ function sentence(shape, point) {
   return [
     el("b", {}, asBuilt(point)),
     el("br"),
-    `as built${MOVES[point.predicted_direction ?? "mean"]}; ${modelPull(point)}`,
+    `as built${MOVES[point.predicted_direction ?? ""] ?? ""}; ${modelPull(point)}`,
     el("br"),
     at,
   ];

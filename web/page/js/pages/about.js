@@ -6,7 +6,7 @@ import { job, table } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscle } from "../muscle.js";
 import { isKept, keepAll } from "../offline.js";
-import { number, showForce } from "../units.js";
+import { number, showForce, showRatio } from "../units.js";
 
 /** The verification was computed here: it is there again when one comes back. */
 const CHECKED = "checked";
@@ -45,8 +45,7 @@ function withoutNetwork() {
 }
 
 /** @typedef {Commands["validate"]["answer"]["cases"][number]} Case */
-const percent = (/** @type {number | null | undefined} */ x) =>
-  x == null ? "–" : `${number(100 * x, 3)} %`;
+const percent = (/** @type {number | null | undefined} */ x) => showRatio(x, 3);
 const value = (/** @type {Case} */ c) => [
   number(c.reference, 5),
   number(c.ours, 5),

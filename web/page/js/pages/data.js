@@ -1,10 +1,12 @@
 // Measured points: seen over the models, and constants identified from them.
 import { Slot } from "../ask.js";
-import { columnChoice, columnLine, headings } from "../columns.js";
-import { fileField } from "../controls.js";
+import { pointSeries } from "../bench/points.js";
+import { columnLine, grid } from "../columns.js";
+import { TABLES, fileField } from "../controls.js";
 import {
   block,
   button,
+  capital,
   dim,
   faded,
   heading,
@@ -19,7 +21,8 @@ import { fileOf, keepFile } from "../kept.js";
 import { library, muscleButtons } from "../library.js";
 import { measured } from "../measured.js";
 import { muscle } from "../muscle.js";
-import { number, onUnits, showForce, unitName } from "../units.js";
+import { number, onUnits, ratioAxis, showForce, unitName } from "../units.js";
+import { keyed, worded } from "../words.js";
 
 const CONSTANTS = "constants";
 
@@ -28,7 +31,7 @@ function identifiedView(answer) {
   const rows = answer.parameters.map((p) => {
     const half = p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–";
     return [
-      p.name,
+      capital(worded(p.name)),
       `${number(p.value, 5)} ${p.unit ?? ""}`,
       half,
       p.identifiable ? "" : "not told by these points",
@@ -75,7 +78,7 @@ export const FIELDS = fieldsOf([
     "free",
     "Free constants",
     undefined,
-    { words: true, hint: "modulus; or mu, braid.angle" },
+    { words: true, hint: "shear modulus, braid angle" },
   ],
   [
     "models",
@@ -88,19 +91,22 @@ export const FIELDS = fieldsOf([
 const HINT =
   "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
 const BEGIN =
-  "Drop a table of measured points. The figure compares it with the models of the muscle above. " +
-  "Then you can identify its constants.";
+  "Drop a table of measured points, paste its cells, or type them into Table.";
 
 class DataPage {
   /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
   /** @type {Commands["identify"]["answer"] | undefined} */ #known;
   #looking = new Slot();
+  #reading = new Slot();
 
   /** @param {HTMLElement} main */
   constructor(main) {
     this.data = measured.file;
     this.what = form(FIELDS, () => this.#look());
-    this.columns = columnChoice(() => this.#look());
+    this.table = grid(
+      ["pressure [bar]", "contraction [%]", "pull [N]", "branch"],
+      (text) => this.#take(this.data?.name ?? "typed.csv", text),
+    );
     this.understood = block(
       "",
       ...(this.data ? [] : [faded(BEGIN), this.#begins()]),
@@ -136,11 +142,11 @@ class DataPage {
   #controls() {
     return [
       heading("Measured points"),
-      fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) =>
+      fileField("Open a table (CSV, XLSX, ODS)", TABLES, (name, text) =>
         this.#take(name, text),
       ),
       remark(HINT),
-      this.columns.element,
+      this.table.element,
       this.what.element,
       block(
         "row",
@@ -173,8 +179,7 @@ class DataPage {
     return {
       muscle: muscle.fields(),
       data: [this.data],
-      columns: this.columns.value(),
-      free: read.free ?? [],
+      free: (read.free ?? []).map(keyed),
       figure: unitName("pressure"),
     };
   }
@@ -192,10 +197,7 @@ class DataPage {
     this.understood.replaceChildren(problemBox(why));
   }
   #place() {
-    muscle.place("data", {
-      ...this.what.texts(),
-      columns: this.columns.text(),
-    });
+    muscle.place("data", this.what.texts());
   }
 
   /** @param {string} name @param {string} text */
@@ -210,7 +212,7 @@ class DataPage {
     await this.#look();
   }
   #begin() {
-    if (this.data) this.columns.offer(headings(this.data.text));
+    if (this.data) this.table.show(this.data.text);
   }
 
   async #look() {
@@ -218,14 +220,11 @@ class DataPage {
       { data } = this;
     if (!data || !read || !this.understood.isConnected) return;
     this.#place();
-    const columns = this.columns.value();
-    measured.set(data, columns);
     this.#looking.ask(
       "compare",
       {
         muscle: muscle.fields(),
         data: [data],
-        columns,
         models: read.models,
         extrapolate: true,
         figure: unitName("pressure"),
@@ -235,12 +234,36 @@ class DataPage {
         this.#paint();
         dim([this.errors, this.figures.element], false);
         this.figures.show(answer.figure);
+        this.#colour(data);
       },
       (why) => {
         this.#fail(why);
-        if (why.kind === "data") this.columns.open();
+        if (why.kind === "data") this.table.element.open = true;
         dim([this.errors, this.figures.element], true);
       },
+    );
+  }
+
+  /** Pulls over contraction have the colour of their pressure and the sign of their branch. @param {TextFile} data */
+  #colour(data) {
+    const [chart] = this.figures.charts,
+      spec = chart?.spec;
+    if (spec?.x !== ratioAxis) return;
+    this.#reading.ask(
+      "identify",
+      { muscle: muscle.fields(), data: [data], free: ["modulus"] },
+      ({ points }) => {
+        const list = points.filter((q) => q.measured === "force"),
+          top = Math.max(...list.map((q) => q.pressure_mpa));
+        chart.show({
+          ...spec,
+          series: [
+            ...spec.series.filter((s) => s.mode !== "markers"),
+            ...pointSeries(list, top),
+          ],
+        });
+      },
+      () => {},
     );
   }
 
@@ -262,9 +285,8 @@ class DataPage {
 
   /** @param {URLSearchParams} params */
   async load(params) {
-    await muscle.read(params, [...this.what.keys, "columns"]);
+    await muscle.read(params, this.what.keys);
     this.what.set(params);
-    this.columns.read(params.get("columns") ?? "");
     this.data = measured.file;
     this.#begin();
     if (this.data) await this.#look();

@@ -179,7 +179,7 @@ const workshop = () =>
 
 /** Errors of an export, as shares of the blocked force. @param {Commands["export"]["answer"]} answer */
 function errorLine(answer) {
-  const share = (/** @type {number} */ x) => `${number(100 * x, 2)} %`;
+  const share = (/** @type {number} */ x) => showRatio(x, 2);
   return (
     `${share(answer.force_rms)} rms and ${share(answer.force_worst_ratio)} at worst of the blocked force ` +
     `${showForce(answer.blocked_force_n)}, up to ` +

@@ -154,10 +154,7 @@ export const mount = (main) => {
   );
   errors.append(
     heading(PUBLISHED.name),
-    faded(
-      "Below is the published formula. Compute a campaign and fit your own formula to it: a hundred simulations run " +
-        "while you watch.",
-    ),
+    faded("Below is the published formula."),
   );
 
   const place = () => muscle.place("formula", how.texts());

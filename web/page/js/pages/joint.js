@@ -109,7 +109,6 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     ...groups,
     folded(
       "Different second muscle",
-      remark("Both muscles are the one above, unless you open a file."),
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)),
       back,
     ),

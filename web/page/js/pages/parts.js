@@ -2,7 +2,7 @@
 import { engine } from "../ask.js";
 import { address } from "../address.js";
 import { choice } from "../controls.js";
-import { block, button, capital, el, problemBox } from "../dom.js";
+import { block, button, capital, el, folded, problemBox } from "../dom.js";
 import { table } from "../form.js";
 import { library } from "../library.js";
 import { muscle } from "../muscle.js";
@@ -37,12 +37,7 @@ const estimate = (/** @type {string} */ text) =>
   el("span", { class: "estimated" }, text);
 /** A source that may be long. @param {string | null | undefined} source @param {string | null | undefined} [note] */
 const source = (source, note) =>
-  el(
-    "details",
-    { class: "small" },
-    el("summary", {}, "Source"),
-    [source, note].filter(Boolean).join(" "),
-  );
+  folded("Source", [source, note].filter(Boolean).join(" "));
 
 /** @type {{ [K in Kind]: { head: string[], text: number[], rows: (parts: Parts) => Row[] } }} */
 const LISTS = {
@@ -157,9 +152,7 @@ function estimated({ missing, stiffness_factor: factor }) {
   const what = missing
     .split(" ")
     .filter(Boolean)
-    .map((word) =>
-      inWords(`\`${word}\``).replaceAll("`", "").replaceAll("_", " "),
-    )
+    .map((word) => inWords(`\`${word}\``))
     .join(", ");
   return capital(
     [what, factor ? `stiffness within a factor of ${number(factor, 2)}` : ""]

@@ -1,9 +1,10 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
-import { columnLine } from "../columns.js";
-import { fileField } from "../controls.js";
-import { block, faded, heading } from "../dom.js";
+import { columnLine, grid } from "../columns.js";
+import { TABLES, fileField } from "../controls.js";
+import { block, button, faded, heading, rowOf } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
+import { example } from "../gallery.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscleButtons } from "../library.js";
 import { muscle } from "../muscle.js";
@@ -92,6 +93,9 @@ export const mount = (main) => {
   let data = fileOf("rubber");
   const fields = form(FIELDS, () => fit.run()),
     figures = new Figures("rubber");
+  const cells = grid(["stretch", "stress [MPa]"], (text) =>
+    take(data?.name ?? "typed.csv", text),
+  );
   const understood = faded(BEGIN),
     laws = block();
   const fit = job(
@@ -127,9 +131,15 @@ export const mount = (main) => {
       "Rubber test",
       [
         heading("Rubber test"),
-        fileField("Open a table (CSV)", ".csv,.txt,.tsv", (name, text) =>
+        fileField("Open a table (CSV, XLSX, ODS)", TABLES, (name, text) =>
           take(name, text),
         ),
+        rowOf(
+          button("Open the example", async () =>
+            take("treloar.csv", await example("treloar.csv")),
+          ),
+        ),
+        cells.element,
         fields.element,
         fit.element,
       ],
@@ -142,6 +152,7 @@ export const mount = (main) => {
   function take(name, text) {
     data = { name, text };
     keepFile("rubber", data);
+    cells.show(text);
     return fit.run();
   }
   function paint() {
@@ -190,7 +201,9 @@ export const mount = (main) => {
       await muscle.read(params, fields.keys);
       fields.set(params);
       data = fileOf("rubber");
-      if (data) await fit.run();
+      if (!data) return;
+      cells.show(data.text);
+      await fit.run();
     },
   };
 };

@@ -1,0 +1,108 @@
+// A sheet of a workbook (.xlsx, .ods) as the text of a table: rows are lines, tabs are between cells. As on the command
+// line, the first sheet with numbers is read (crates/mckibben-io/src/table/workbook.rs).
+import { piped } from "./deflate.js";
+
+/** Most bytes of a part, and as often a cell is repeated. */
+const MOST = 60_000_000,
+  REPEATED = 2000;
+
+/** @param {Document | Element} of @param {string} name whatever its prefix is */
+const all = (of, name) => [...of.getElementsByTagNameNS("*", name)];
+
+/** The parts of a packed file by their names. @param {Uint8Array<ArrayBuffer>} bytes */
+function partsOf(bytes) {
+  const view = new DataView(bytes.buffer),
+    two = (/** @type {number} */ at) => view.getUint16(at, true),
+    four = (/** @type {number} */ at) => view.getUint32(at, true),
+    text = new TextDecoder();
+  // The list of the parts is at the end.
+  let end = bytes.length - 22;
+  while (four(end) !== 0x06054b50) end--;
+  let at = four(end + 16);
+  return new Map(
+    Array.from({ length: two(end + 10) }, () => {
+      const [method, size, place] = [
+          two(at + 10),
+          four(at + 20),
+          four(at + 42),
+        ],
+        name = bytes.subarray(at + 46, (at += 46 + two(at + 28)));
+      at += two(at - name.length - 16) + two(at - name.length - 14);
+      const read = async () => {
+        const from = place + 30 + two(place + 26) + two(place + 28),
+          part = bytes.subarray(from, from + size);
+        return new DOMParser().parseFromString(
+          text.decode(
+            method
+              ? await piped(part, new DecompressionStream("deflate-raw"), MOST)
+              : part,
+          ),
+          "application/xml",
+        );
+      };
+      return [text.decode(name), read];
+    }),
+  );
+}
+
+/** The column of a place such as `B3`, from 0. @param {string} place */
+const columnOf = (place) =>
+  [...place.replace(/\d/g, "")].reduce(
+    (column, letter) => 26 * column + letter.charCodeAt(0) - 64,
+    0,
+  ) - 1;
+
+/** A cell of either kind: a number has its value, a text is in the list of texts or its own. @param {Element} cell @param {string[]} texts */
+function valueOf(cell, texts) {
+  const kind = cell.getAttribute("t"),
+    own = ["v", "t", "p"].flatMap((name) => all(cell, name))[0]?.textContent;
+  const value = kind === "s" ? texts[Number(own)] : kind === "e" ? "" : own;
+  return (cell.getAttribute("office:value") ?? value ?? "")
+    .replace(/\s/g, " ")
+    .replaceAll('"', "″");
+}
+
+/** @param {Element} row @param {string[]} texts */
+function lineOf(row, texts) {
+  /** @type {string[]} */ const line = [];
+  for (const cell of row.children) {
+    const place = cell.getAttribute("r"),
+      times = Number(cell.getAttribute("table:number-columns-repeated") ?? 1);
+    if (place) line.length = columnOf(place);
+    line.push(...Array(Math.min(REPEATED, times)).fill(valueOf(cell, texts)));
+  }
+  return line;
+}
+
+/** @param {File} file */
+export async function sheetText(file) {
+  const parts = partsOf(new Uint8Array(await file.arrayBuffer())),
+    read = async (/** @type {string} */ name) => parts.get(name)?.();
+  const [list, document] = await Promise.all(
+    ["xl/sharedStrings.xml", "content.xml"].map(read),
+  );
+  const texts = list
+    ? all(list, "si").map((one) =>
+        all(one, "t")
+          .map((t) => t.textContent)
+          .join(""),
+      )
+    : [];
+  const names = [...parts.keys()]
+    .filter((name) => name.startsWith("xl/worksheets/sheet"))
+    .sort((a, b) => a.length - b.length || a.localeCompare(b));
+  const sheets = document
+    ? all(document, "table")
+    : await Promise.all(names.map(read));
+  for (const sheet of sheets) {
+    const rows = ["row", "table-row"].flatMap((name) =>
+        sheet ? all(sheet, name) : [],
+      ),
+      lines = rows.map((row) => lineOf(row, texts));
+    if (
+      lines.flat().some((value) => value.trim() && Number(value) >= -Infinity)
+    )
+      return lines.map((line) => line.join("\t").trimEnd()).join("\n");
+  }
+  throw new Error("no sheet has a number");
+}
