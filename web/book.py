@@ -19,10 +19,11 @@ UNITS = "%|N|mm|bar|MPa|kPa|kg|g|s|ms|min|J|Hz|°"
 
 
 def unbroken(text: str) -> str:
-    """Sentences whose numbers are joined to their units by a no-break space; code stays as it is."""
+    """Sentences whose numbers are joined to their units and their ± by a no-break space; code stays as it is."""
     parts = re.split(r"(^```.*?^```$|`[^`\n]*`)", text, flags=re.M | re.S)
     parts[::2] = [
-        re.sub(rf"(?<=\d) (?=(?:{UNITS})(?!\w))", "\u00a0", part) for part in parts[::2]
+        re.sub(rf"(?<=\d) (?=(?:{UNITS}|±)(?!\w))|(?<=±) (?=\d)", "\u00a0", part)
+        for part in parts[::2]
     ]
     return "".join(parts)
 

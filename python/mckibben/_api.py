@@ -487,7 +487,7 @@ class Build(_record.Files):
     allowed_factor
         The pressure of that failure over the allowed one.
     ends_included
-        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     cut
         What is cut.
     parts
@@ -918,7 +918,7 @@ class CandidateAnswer(Record):
     allowed_factor
         The pressure of that failure over the allowed one.
     ends_included
-        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     uncertainty_n : N
         Largest 95 % half-width of the pull, N.
     ends
@@ -1046,7 +1046,7 @@ class Characteristics(Record):
     allowed_factor
         The pressure of that failure over the allowed one.
     ends_included
-        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     """
 
     model: str
@@ -1471,7 +1471,7 @@ class Curve(_record.Curves):
     allowed_factor
         The pressure of that failure over the allowed one.
     ends_included
-        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     points
         The points, curve after curve; all curves have the same number of points.
     loaded
@@ -2339,7 +2339,7 @@ class FillAnswer(Record):
     allowed_factor
         The pressure of that failure over the allowed one.
     ends_included
-        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     muscle
         The muscle.
     about
@@ -2997,7 +2997,7 @@ class JointSolution(Record):
     allowed_factor
         The pressure of that failure over the allowed one.
     ends_included
-        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     map
         What the joint reaches, if requested.
     uncertainty_text
@@ -3845,7 +3845,7 @@ class Motion(Record):
     allowed_factor
         The pressure of that failure over the allowed one.
     ends_included
-        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     parameters
         Of a recorded motion: the constants, with value and error.
     errors
@@ -5309,7 +5309,7 @@ class SimulateAnswer(Record):
     allowed_factor
         The pressure of that failure over the allowed one.
     ends_included
-        Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     figure
         The figure, if requested.
     deck
@@ -7687,8 +7687,8 @@ class CampaignCommands:
         Parameters
         ----------
         samples
-            Table of muscles, a line each, in place of [sampling] and [vary]. Headings are keys of a plan with a unit (tube.outer_diameter [mm], tube.rubber),
-            or columns of a campaign's table (wall_mm). The plan states the rest of the muscle and the points.
+            Table of muscles, a line each, in place of `[sampling]` and `[vary]`. Headings are keys of a plan with a unit (`tube.outer_diameter [mm]`,
+            `tube.rubber`), or columns of a campaign's table (wall_mm). The plan states the rest of the muscle and the points.
         shard
             Compute only share i of n of the plan, as parts in a folder; `campaign merge` joins them.
         threads
@@ -7899,8 +7899,8 @@ def design(
     cast
         Only tubes that one casts.
     parts
-        Tubes and sleeves of your own. A file with [[tube]] (name, inner, outer, rubber) and [[sleeve]] (name, least_diameter, largest_diameter in mm) in
-        place of those of the catalogue.
+        Tubes and sleeves of your own. A file with `[[tube]]` (name, inner, outer, rubber) and `[[sleeve]]` (name, least_diameter, largest_diameter in mm)
+        in place of those of the catalogue.
     continuous
         Free sizes instead of parts as sold. Diameters and walls are free, with the paper's rubber and braid, or those that are given. So they are with
         diameters, walls, angles, a stiffness or a muscle file.
@@ -8257,7 +8257,7 @@ def parts(
     kind
         Only one kind.
     parts
-        Tubes and sleeves of your own: [[tube]], [[sleeve]], as for `design`.
+        Tubes and sleeves of your own: `[[tube]]`, `[[sleeve]]`, as for `design`.
 
     Returns
     -------

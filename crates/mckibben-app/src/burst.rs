@@ -108,7 +108,7 @@ pub struct PressureLimits {
     pub allowed_by: Option<FailureMode>,
     /// The pressure of that failure over the allowed one.
     pub allowed_factor: Option<f64>,
-    /// Whether burst and allowed pressure count what the ends hold (`pull_off` in [terminals]).
+    /// Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     pub ends_included: bool,
 }
 

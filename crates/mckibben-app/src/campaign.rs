@@ -23,9 +23,9 @@ pub struct CampaignRequest {
     /// Plan file (TOML)
     #[arg(value_name = "PLAN.toml", value_parser = flags::file, required = true)]
     pub plan: Option<TextFile>,
-    /// Table of muscles, a line each, in place of [sampling] and [vary]
+    /// Table of muscles, a line each, in place of `[sampling]` and `[vary]`
     ///
-    /// Headings are keys of a plan with a unit (tube.outer_diameter [mm], tube.rubber), or columns of
+    /// Headings are keys of a plan with a unit (`tube.outer_diameter [mm]`, `tube.rubber`), or columns of
     /// a campaign's table (wall_mm). The plan states the rest of the muscle and the points.
     #[arg(long, value_name = "FILE.csv", value_parser = flags::table)]
     pub samples: Option<TextFile>,

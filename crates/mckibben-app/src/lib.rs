@@ -28,6 +28,8 @@
 //! Units: mm, MPa (= N/mm²), N.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
+// The documentation of a request's field is its help too, which shows defaults in brackets.
+#![allow(rustdoc::broken_intra_doc_links)]
 // What only flags use.
 #![cfg_attr(not(feature = "clap"), allow(unused_imports))]
 

@@ -45,7 +45,7 @@ pub struct PartsListRequest {
     /// Only one kind
     #[arg(value_parser = flags::word::<PartKind>())]
     pub kind: Option<PartKind>,
-    /// Tubes and sleeves of your own: [[tube]], [[sleeve]], as for `design`
+    /// Tubes and sleeves of your own: `[[tube]]`, `[[sleeve]]`, as for `design`
     #[arg(long, value_name = "FILE.toml", value_parser = flags::file)]
     pub parts: Option<TextFile>,
 }

@@ -47,7 +47,7 @@ pub struct TubeRow {
     pub pressure_mpa: Option<Positive<f64>>,
     /// What else one should know
     pub note: Option<String>,
-    /// Where the figures come from: a key of [sources], or a text
+    /// Where the figures come from: a key of `[sources]`, or a text
     pub source: Option<String>,
 }
 
@@ -61,7 +61,7 @@ pub struct CastRow {
     pub walls: Vec<Positive<Length>>,
     /// Names of rubbers
     pub rubbers: Vec<String>,
-    /// Where the figures come from: a key of [sources], or a text
+    /// Where the figures come from: a key of `[sources]`, or a text
     pub source: Option<String>,
 }
 

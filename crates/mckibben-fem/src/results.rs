@@ -222,7 +222,7 @@ pub trait MuscleBody: Body {
     /// none where it does not know them.
     ///
     /// # Errors
-    /// [`FemError`] where a neighbouring muscle cannot be assembled.
+    /// [`FemError`](crate::FemError) where a neighbouring muscle cannot be assembled.
     fn sensitivities(&mut self, _muscle: &Muscle) -> Result<Vec<Sensitivity>> {
         Ok(vec![])
     }

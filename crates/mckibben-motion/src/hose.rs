@@ -25,7 +25,7 @@ impl Hose {
     /// A hose.
     ///
     /// # Errors
-    /// [`MotionError::Refused`] unless the inner diameter is from 0.1 to 500 mm and the length from
+    /// [`MotionError::Refused`](crate::MotionError::Refused) unless the inner diameter is from 0.1 to 500 mm and the length from
     /// 0.1 mm to 1 km.
     pub fn new(inner_diameter_mm: f64, length_mm: f64) -> Result<Self> {
         within(

@@ -143,7 +143,7 @@ impl Restriction {
     /// mm³/s).
     ///
     /// # Errors
-    /// [`MotionError::Refused`] unless 1e-3 ≤ Kv ≤ 1e10 mm³/s.
+    /// [`MotionError::Refused`](crate::MotionError::Refused) unless 1e-3 ≤ Kv ≤ 1e10 mm³/s.
     pub fn new(kv_mm3_per_s: f64) -> Result<Self> {
         within(
             "the flow coefficient in mm³/s at 1 bar",

@@ -33,7 +33,7 @@ impl Orifice {
     /// A restriction of a sonic conductance in L/(s bar) and a critical ratio.
     ///
     /// # Errors
-    /// [`MotionError::Refused`] unless 1e-9 ≤ C ≤ 1e6 L/(s bar) and 0 ≤ b < 0.99.
+    /// [`MotionError::Refused`](crate::MotionError::Refused) unless 1e-9 ≤ C ≤ 1e6 L/(s bar) and 0 ≤ b < 0.99.
     pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self> {
         within(
             "the valve's sonic conductance in L/(s bar)",

@@ -24,7 +24,7 @@ impl Figure {
     /// The figure as SVG: self-contained, with real text, sized in millimetres.
     ///
     /// # Errors
-    /// [`FigureError::Drawing`] without panels, for a range that is empty or not finite, and where
+    /// [`FigureError::Drawing`](crate::FigureError::Drawing) without panels, for a range that is empty or not finite, and where
     /// paper or panel is too small.
     pub fn to_svg(&self) -> Result<String> {
         let metrics = Metrics::new()?;

@@ -130,23 +130,13 @@ fn friction(winner: &Candidate) -> Option<String> {
     let point = winner.points.iter().filter(|q| q.friction_n != 0.0);
     let point = point.max_by(|a, b| a.friction_n.abs().total_cmp(&b.friction_n.abs()))?;
     let estimated = winner.muscle.friction().is_none();
-    let (moves, than) = if point.friction_n < 0.0 {
-        ("shortens", "less")
+    let moves = if point.friction_n < 0.0 {
+        "shortens: friction takes"
     } else {
-        ("lengthens", "more")
+        "lengthens: friction adds"
     };
-    let [friction, of_model] = [
-        point.friction_n.abs(),
-        point.response.force_n - point.friction_n,
-    ]
-    .map(|n| Units::default().show(Dimension::Force, tidy(n, 3)));
-    estimated.then(|| {
-        format!(
-            "the muscle {moves} against an estimated friction: {friction} {than} than the \
-             {of_model} of model {} (`direction`)",
-            winner.model
-        )
-    })
+    let friction = Units::default().show(Dimension::Force, tidy(point.friction_n.abs(), 3));
+    estimated.then(|| format!("the muscle {moves} {friction}, an estimate (`direction`)"))
 }
 
 /// A wall that nobody makes.

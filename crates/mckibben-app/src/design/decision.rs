@@ -176,7 +176,7 @@ impl Decision<'_> {
             }
             // Those of the least size were looked at.
             None if !spec.tubes.is_empty() => {
-                format!("Sure to {share}: none of the slimmest; `guaranteed` looks at all")
+                format!("Sure to {share}: none of this list; `guaranteed` searches all")
             }
             None => format!("Sure to {share}: no muscle of this search"),
         }

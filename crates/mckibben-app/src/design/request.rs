@@ -168,7 +168,7 @@ pub struct DesignRequest {
     pub cast: bool,
     /// Tubes and sleeves of your own
     ///
-    /// A file with [[tube]] (name, inner, outer, rubber) and [[sleeve]] (name, least_diameter,
+    /// A file with `[[tube]]` (name, inner, outer, rubber) and `[[sleeve]]` (name, least_diameter,
     /// largest_diameter in mm) in place of those of the catalogue.
     #[arg(long, value_name = "FILE.toml", value_parser = flags::file, hide_short_help = true, help_heading = "Muscle")]
     pub parts: Option<TextFile>,

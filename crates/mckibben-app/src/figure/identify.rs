@@ -340,14 +340,15 @@ fn panel(
         let at = || points.iter().filter(|p| p.at.pressure_mpa == pressure);
         let end = peak(at().map(|p| p.at.contraction));
         let dots = at().map(|p| (p.at.contraction, u.force.value(p.at.force_n)));
-        panel = panel.series(Series::scatter(u.pressure.show(pressure), dots).colour(n));
+        panel = panel.series(Series::scatter("", dots).colour(n));
         let Some(model) = &model else { continue };
         let line = (0..=LINE).filter_map(|i| {
             let contraction = end * f64::from(i) / f64::from(LINE);
             let force_n = model.force_n(&mut workspace, pressure, contraction).ok()?;
             (force_n >= 0.0).then(|| (contraction, u.force.value(force_n)))
         });
-        panel = panel.series(Series::new("", line).colour(n));
+        let line = Series::new("", line).end_label(u.pressure.show(pressure));
+        panel = panel.series(line.colour(n));
     }
     panel
 }

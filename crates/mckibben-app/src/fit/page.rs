@@ -222,10 +222,10 @@ fn universal_errors(heading: &str, rows: &[(&str, &UniversalSummary)], page: &mu
             .text(heading, |e| e.0)
             .text("number", |e| e.1.points)
             .text("muscles", |e| e.1.muscles)
-            .quantity("rms", &share, |e| e.1.rms)
-            .quantity("95 % of them", &share, |e| e.1.p95)
-            .quantity("99 %", &share, |e| e.1.p99)
-            .quantity("largest", &share, |e| e.1.max),
+            .unaligned("rms", &share, |e| e.1.rms)
+            .unaligned("95 % of them", &share, |e| e.1.p95)
+            .unaligned("99 %", &share, |e| e.1.p99)
+            .unaligned("largest", &share, |e| e.1.max),
     );
 }
 

@@ -437,11 +437,10 @@ fn comes_from(claim: &str, unit: &str, evidence: &[f64]) -> bool {
 }
 
 /// Pages whose numbers come from studies and from the literature, which they name beside them; all
-/// other pages have them from their commands. (Of `build.md`, `python.md` and
+/// other pages have them from their commands. (Of `python.md` and
 /// `campaigns-engines.md` the outputs are still to be written.)
-const FROM_STUDIES: [&str; 29] = [
+const FROM_STUDIES: [&str; 27] = [
     "as-mounted.md",
-    "build.md",
     "campaigns-engines.md",
     "exports-form.md",
     "exports-simulators.md",
@@ -462,7 +461,6 @@ const FROM_STUDIES: [&str; 29] = [
     "paper.md",
     "python.md",
     "research-note.md",
-    "results.md",
     "rubber-modes.md",
     "rubber-names.md",
     "universal-accuracy.md",

@@ -11,7 +11,7 @@
 //!
 //! F0 the blocked force at the pressure of the point (N), Pmax the highest pressure of the points
 //! (MPa), σn the noise of a measured point and σ1 that of a further one (N).
-//! Source: Rasmussen & Williams (2006) [rasmussen2006], ch. 2.7 (a Gaussian process beside a linear
+//! Source: Rasmussen & Williams (2006) (`rasmussen2006`), ch. 2.7 (a Gaussian process beside a linear
 //! model).
 
 use crate::muscle::Constants;

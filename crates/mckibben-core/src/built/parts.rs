@@ -13,8 +13,7 @@ use std::f64::consts::SQRT_2;
 pub const STIFFNESS_WAY: f64 = 0.37;
 
 /// Where the basis of every ± besides the model's own part is written.
-const BASIS: &str = "all else: docs/models.md, \"What a muscle that is built pulls\"; all parts add \
-    as squares";
+const BASIS: &str = "all else: docs/interval.md; all parts add as squares";
 
 /// How the parts of a ± are known, in a sentence.
 pub fn basis_of(accuracy: &Accuracy) -> String {

@@ -72,7 +72,7 @@ impl Experience {
     }
 
     /// What the measured muscles that are built in tell: `data/prior.json`, which `cargo xtask
-    /// prior` computes from their points.
+    /// golds` computes from their points.
     pub fn built_in() -> &'static Self {
         static BUILT_IN: OnceLock<Experience> = OnceLock::new();
         BUILT_IN.get_or_init(|| {

@@ -52,7 +52,8 @@ pub fn muscle_states(largest_hoop_stretch: f64) -> impl Iterator<Item = (f64, f6
         .flat_map(|hoop| even(MUSCLE_AXIAL_STRETCH, AXIALS).map(move |axial| (hoop, axial)))
 }
 
-/// [`biaxial_stability`] over the whole field of a muscle's stretches instead of along two paths.
+/// [`biaxial_unstable_from`] over the whole field of a muscle's stretches instead of along two
+/// paths.
 pub fn muscle_unstable_from<L: RubberLaw + ?Sized>(
     law: &L,
     largest_hoop_stretch: f64,

@@ -44,7 +44,7 @@ impl Axisymmetric {
     /// [`with_ends`](mckibben_core::model::with_ends) makes the model of the whole muscle.
     ///
     /// # Errors
-    /// [`FemError`] where the numbers give no valid mesh.
+    /// [`FemError`](crate::FemError) where the numbers give no valid mesh.
     pub fn between_ends(muscle: &Muscle) -> Result<Self> {
         Self::between_ends_with(muscle, &MeshSpec::default())
     }
@@ -52,7 +52,7 @@ impl Axisymmetric {
     /// The model of a muscle with a given mesh.
     ///
     /// # Errors
-    /// [`FemError`] where the numbers give no valid mesh; [`FemError::Refused`] of a muscle that
+    /// [`FemError`](crate::FemError) where the numbers give no valid mesh; [`Refused`](crate::FemError::Refused) of a muscle that
     /// was cycled at a pressure at which it has no equilibrium.
     pub fn between_ends_with(muscle: &Muscle, spec: &MeshSpec) -> Result<Self> {
         let tube = muscle.tube();

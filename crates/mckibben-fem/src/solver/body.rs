@@ -243,13 +243,13 @@ pub trait Body {
     /// The contraction at which a pull in N is expected at a pressure in MPa.
     ///
     /// # Errors
-    /// [`FemError`] where nothing carries that pull.
+    /// [`FemError`](crate::FemError) where nothing carries that pull.
     fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64>;
 
     /// The pressure in MPa at which a pull in N is expected at a contraction.
     ///
     /// # Errors
-    /// [`FemError`] where no pressure gives that pull.
+    /// [`FemError`](crate::FemError) where no pressure gives that pull.
     fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64>;
 
     /// The pull in N that is expected at a pressure in MPa and a contraction.

@@ -30,7 +30,7 @@ impl ThreeDimensional {
     /// The model of a muscle with a mesh of the program's choice.
     ///
     /// # Errors
-    /// [`FemError`] where the numbers give no valid mesh.
+    /// [`FemError`](crate::FemError) where the numbers give no valid mesh.
     pub fn between_ends(muscle: &Muscle) -> Result<Self> {
         Self::between_ends_with(muscle, &BrickSpec::default())
     }
@@ -38,7 +38,7 @@ impl ThreeDimensional {
     /// The model of a muscle with a given mesh.
     ///
     /// # Errors
-    /// [`FemError`] where the numbers give no valid mesh, or one of another braid.
+    /// [`FemError`](crate::FemError) where the numbers give no valid mesh, or one of another braid.
     pub fn between_ends_with(muscle: &Muscle, spec: &BrickSpec) -> Result<Self> {
         BrickMesh::check_angle(muscle, spec)?;
         let divided = MuscleMesh::new(muscle, spec)?;

@@ -57,7 +57,7 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint], history: bool) -> 
     out
 }
 
-/// The [`default_targets`] that are not fixed, with their bounds.
+/// The `default_targets` that are not fixed, with their bounds.
 pub fn default_parameters(request: &IdentificationRequest<'_>) -> Result<Vec<Parameter>> {
     let mut targets = default_targets(request.muscle, request.points, request.history);
     targets.retain(|t| request.fixed.iter().all(|f| f.0 != *t));
@@ -80,7 +80,7 @@ pub fn not_free(target: Target, muscle: &Muscle) -> IdentifyError {
 }
 
 /// All constants with what is known of them before ([`learn`]); of rows in time order, and of
-/// volumes, [`identify`] with the [`default_targets`] that are not fixed: a stiffness that the data
+/// volumes, [`identify`] with the `default_targets` that are not fixed: a stiffness that the data
 /// do not determine keeps the value of the muscle.
 pub fn identify_default(request: &IdentificationRequest<'_>) -> Result<Identification> {
     super::run::check(request.points)?;

@@ -1,4 +1,4 @@
-//! What was measured → the files of its folder, which [`read`](super::read) reads.
+//! What was measured → the files of its folder, which `validation::read` reads.
 
 use super::built_in::IDENTIFIED;
 use crate::{

@@ -107,7 +107,7 @@ impl DesignAnswer {
             ""
         };
         page.line(format!(
-            "P required: the pressure of each point.{sure}{max}"
+            "P required: the lowest pressure that gives each pull.{sure}{max}"
         ));
         if is_full {
             page.line(

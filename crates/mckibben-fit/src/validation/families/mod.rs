@@ -3,7 +3,7 @@
 //!
 //! A family is what one maker, or one workshop, made; a series of it is one muscle of one length.
 //! The points of a series tell of its constants beside a wide prior ([`known`]); what the families
-//! tell together is a population ([`population`](super::population)).
+//! tell together is a population (`validation::population`).
 
 mod experience;
 mod left_out;
