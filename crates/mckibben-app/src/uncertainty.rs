@@ -154,14 +154,14 @@ pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
         .into_iter()
         .map(|(name, v)| (name, part(scale.value(v), scale.value(whole))));
     // What rounds to nothing is not listed.
-    let each: Vec<String> = each
+    let each = each
         .filter(|(_, text)| text.chars().any(|c| ('1'..='9').contains(&c)))
-        .map(|(name, text)| format!("{name} {text}"))
-        .collect();
+        .map(|(name, text)| format!("{name} {text}"));
+    let each = joined(each, ", ");
     let head = format!("± {} {} (95 %)", scale.half_width(whole), scale.name);
     if each.is_empty() {
         head
     } else {
-        format!("{head}: {}", each.join(", "))
+        format!("{head}: {each}")
     }
 }

@@ -5,6 +5,7 @@
 //! through points of both.
 
 use crate::plug::{Plug, Port};
+use mckibben_core::joined;
 use std::{f64::consts::TAU, fmt::Write as _};
 
 type Point = [f64; 3];
@@ -23,17 +24,15 @@ struct Step {
 }
 
 fn list(ids: &[usize]) -> String {
-    let all: Vec<String> = ids.iter().map(|id| format!("#{id}")).collect();
-    format!("({})", all.join(","))
+    let all = joined(ids.iter().map(|id| format!("#{id}")), ",");
+    format!("({all})")
 }
 
 fn numbers(values: &[f64]) -> String {
     // A real number has a point.
-    let all: Vec<String> = values
-        .iter()
-        .map(|v| format!("{:?}", (v * 1e9).round() / 1e9))
-        .collect();
-    format!("({})", all.join(","))
+    let real = |v: &f64| format!("{:?}", (v * 1e9).round() / 1e9);
+    let all = joined(values.iter().map(real), ",");
+    format!("({all})")
 }
 
 fn minus(p: Point) -> Point {

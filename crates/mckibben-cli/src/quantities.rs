@@ -1,6 +1,9 @@
 //! A note on a pressure that was typed without its unit.
 
-use mckibben_core::units::{Dimension, short_numbers};
+use mckibben_core::{
+    joined,
+    units::{Dimension, short_numbers},
+};
 use std::sync::OnceLock;
 
 /// The note on the unit of a pressure that was typed.
@@ -46,12 +49,8 @@ fn meant(mpa: f64) -> String {
         [] => format!("{said}; for bar write {mpa}bar"),
         [one] => format!("{said}; was {one} meant? write {mpa}{one}"),
         _ => {
-            let write: Vec<String> = likely.iter().map(|unit| format!("{mpa}{unit}")).collect();
-            format!(
-                "{said}; was {} meant? write {}",
-                likely.join(" or "),
-                write.join(" or ")
-            )
+            let write = joined(likely.iter().map(|unit| format!("{mpa}{unit}")), " or ");
+            format!("{said}; was {} meant? write {write}", likely.join(" or "))
         }
     }
 }

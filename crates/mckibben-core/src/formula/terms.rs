@@ -1,6 +1,7 @@
 //! The terms of a formula.
 
 use super::{Coefficients, file::check::positive};
+use crate::joined;
 use serde::{Deserialize, Serialize};
 
 /// What the variables of a `global` formula are divided by.
@@ -81,11 +82,11 @@ pub fn name<const N: usize>(
         1 => Some((*letter).to_owned()),
         n => Some(format!("{letter}{}", power(n))),
     };
-    let factors: Vec<String> = letters.iter().zip(&powers).filter_map(factor).collect();
+    let factors = joined(letters.iter().zip(&powers).filter_map(factor), " ");
     if factors.is_empty() {
         "1".into()
     } else {
-        factors.join(" ")
+        factors
     }
 }
 

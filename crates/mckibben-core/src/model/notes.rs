@@ -1,6 +1,9 @@
 //! Notes: which data of a muscle a model does not use, in sentences.
 
-use crate::muscle::{Bulk, Muscle};
+use crate::{
+    joined,
+    muscle::{Bulk, Muscle},
+};
 
 /// Of a model that takes the strands as straight ones on the surface of a tube that fills its
 /// sleeve, the tube as mounted without a stretch, and its rubber as on its first inflation.
@@ -23,22 +26,15 @@ fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
         ),
         ("braid.crimp", braid.crimp.is_some()),
     ];
-    let stated: Vec<&str> = keys.into_iter().filter(|k| k.1).map(|k| k.0).collect();
-    let strands = (!stated.is_empty()).then(|| {
-        format!(
-            "{model} assumes straight strands on the tube: {} not used",
-            stated.join(", ")
-        )
-    });
+    let stated = joined(keys.into_iter().filter(|k| k.1).map(|k| k.0), ", ");
+    let strands = (!stated.is_empty())
+        .then(|| format!("{model} assumes straight strands on the tube: {stated} not used"));
     let tube = (muscle.tube().prestretch != 1.0).then(|| {
         format!("{model} assumes a tube mounted without stretch: tube.prestretch not used")
     });
-    let both: Vec<String> = strands
-        .into_iter()
-        .chain(tube)
-        .chain(plugs(model, muscle))
-        .collect();
-    (!both.is_empty()).then(|| both.join("; "))
+    let all = strands.into_iter().chain(tube).chain(plugs(model, muscle));
+    let all = joined(all, "; ");
+    (!all.is_empty()).then_some(all)
 }
 
 /// Of a model whose plugs have the diameter of the bore.

@@ -88,11 +88,9 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
         return Err(table.no_points());
     }
     let by_velocity = by_velocity.then(|| "branches by the sign of the velocity".to_owned());
-    let note: Vec<String> = note.into_iter().chain(by_velocity).collect();
-    Ok((
-        points,
-        understood(&table, joined, (!note.is_empty()).then(|| note.join("; ")))?,
-    ))
+    let note = mckibben_core::joined(note.into_iter().chain(by_velocity), "; ");
+    let note = (!note.is_empty()).then_some(note);
+    Ok((points, understood(&table, joined, note)?))
 }
 
 /// The table, whose pressures may be those of a log.

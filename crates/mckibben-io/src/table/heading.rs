@@ -207,11 +207,8 @@ fn rank(heading: &str, label: &str, words: &Words) -> Option<usize> {
     if words.knows(label) {
         return Some(WORD);
     }
-    let kept: Vec<&str> = label
-        .split('_')
-        .filter(|w| !is_spoken("fillers", w))
-        .collect();
-    let kept = kept.join("_");
+    let kept = label.split('_').filter(|w| !is_spoken("fillers", w));
+    let kept = joined(kept, "_");
     if kept != label && words.knows(&kept) {
         return Some(WITH_FILLERS);
     }

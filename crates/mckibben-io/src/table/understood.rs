@@ -136,14 +136,12 @@ impl Table {
         let values = self.some_numbers(column.meaning).unwrap_or_default();
         let mut values = values.into_iter().flatten().map(f64::abs);
         let small = percent && values.clone().any(|v| v > 0.0) && values.all(|v| v < SMALL);
-        let notes: Vec<&str> = [
+        let notes = [
             note,
             column.negated.then_some("with the opposite sign"),
             small.then_some("all below 1 %: if they are ratios, take % out of the heading"),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
-        (!notes.is_empty()).then(|| notes.join(", "))
+        ];
+        let notes = joined(notes.into_iter().flatten(), ", ");
+        (!notes.is_empty()).then_some(notes)
     }
 }
