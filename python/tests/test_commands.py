@@ -66,7 +66,7 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "design": lambda root: mk.design(**SPEC),
     "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", tables=True),
     "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(),
-    "plan": lambda root: mk.plan(PLAN),
+    "plan": lambda root: mk.campaign(PLAN),
     "identify": lambda root: mk.identify(
         root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"
     ),
