@@ -488,13 +488,11 @@ class Curves(Record):
         """The points, curve after curve, with what is ``fixed`` on each; a point without an answer is NaN, and its ``status`` and ``cause`` say why."""
         held = self.to_dict()
         rows, fixed = held["points"], held["fixed"]
-        about = {"model": []}
         return of_rows(
             [
                 {"fixed": fixed[i * len(fixed) // len(rows)]}
                 | row
-                | {"slack": row.get("slack", False)}
-                | about
+                | {"slack": row.get("slack", False), "model": []}
                 for i, row in enumerate(rows)
             ]
         )

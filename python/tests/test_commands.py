@@ -66,7 +66,6 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "design": lambda root: mk.design(**SPEC),
     "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", tables=True),
     "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(),
-    "plan": lambda root: mk.campaign(PLAN),
     "identify": lambda root: mk.identify(
         root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"
     ),
@@ -782,3 +781,13 @@ def test_sources_are_whole_references() -> None:
     assert "@article{chou1996," in text and "{Chou, Ching-Ping and Hannaford" in text
     assert "10.1109/70.481753" in text and "@article{marechal2021," in text
     assert "note = {axisymmetric finite elements" in muscle.cite()
+
+
+def test_a_plan_in_memory_has_the_points_of_its_campaign(tmp_path: Path) -> None:
+    """Whose table is given to a fit as that of any other."""
+    held = mk.ask("plan", {"plan": PLAN})["table"]
+    table = list(csv.DictReader(held["text"].splitlines()))
+    kept = mk.campaign(PLAN, tmp_path / "c.parquet").to_pandas()
+    assert [float(row["force_n"]) for row in table] == kept["force_n"].tolist()
+    with pytest.raises(mk.MckibbenError, match="3 are needed"):
+        mk.fit(held)

@@ -234,7 +234,7 @@ def test_closed_form_a_loose_joint_is_a_free_body_under_a_torque(
             regulator={"time_constant_s": 0.05},
             command={"pressure_mpa": pressure_mpa, "until_s": 0.4},
             start=start,
-            external={"torque_nm": [[0, 0], [0.1, 0.1]]},
+            external={"torque_nm": [[0.0, 0.0], [0.1, 0.1]]},
         )
         assert mk.Drive.__reduce__(drive)[0](*drive.__reduce__()[1]) == drive
         return drive.motion(model="universal")

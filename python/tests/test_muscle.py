@@ -415,12 +415,14 @@ def test_one_word_for_the_branch_and_the_old_ones_name_it(root: Path) -> None:
     assert curve["force_n"].tolist() == [low, high]
     assert muscle.check(branch="elongation", model="ideal", pressure_mpa=0.2)
     old: Any = muscle
-    for ask in (
+    identify: Any = mk.identify
+    asks: list[Any] = [
         lambda: old.force(0.2, 0.1, direction="mean"),
         lambda: old.check(direction="mean"),
         lambda: old.curve(both=True),
-        lambda: mk.identify(old, {}, **{"branches": "mean"}),
-    ):
+        lambda: identify(old, {}, branches="mean"),
+    ]
+    for ask in asks:
         with pytest.raises(mk.InputError, match="branch") as caught:
             ask()
         assert isinstance(caught.value, TypeError)
