@@ -12,16 +12,25 @@ import sys
 from collections.abc import Callable
 from decimal import Decimal
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
 import polars as pl
 import pyarrow as pa
 import pytest
+from numpy.typing import NDArray
 
 import mckibben as mk
 from mckibben import _errors, answers
+
+if TYPE_CHECKING:
+    from typing_extensions import assert_type
+else:
+
+    def assert_type(value: Any, kind: Any) -> Any:
+        return value
+
 
 THIN = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
 THIN_OF = {"muscle": {"file": {"name": "m", "text": THIN.to_toml()}}}
@@ -791,3 +800,17 @@ def test_a_plan_in_memory_has_the_points_of_its_campaign(tmp_path: Path) -> None
     assert [float(row["force_n"]) for row in table] == kept["force_n"].tolist()
     with pytest.raises(mk.MckibbenError, match="3 are needed"):
         mk.fit(held)
+
+
+def test_columns_and_loaded_objects_have_types(root: Path) -> None:
+    """Those who check types see them; the arrays are of these."""
+    identified = mk.identify(
+        root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"
+    )
+    assert_type(identified["value"], NDArray[np.float64])
+    assert_type(identified["name"], "list[str]")
+    assert identified["value"].dtype == np.float64
+    assert_type(mk.load(root / "examples/elbow.toml", mk.Joint), mk.Joint)
+    curve = THIN.curve(model="ideal")
+    assert_type(curve["force_n"], NDArray[np.float64])
+    assert curve["force_n"].dtype == np.float64
