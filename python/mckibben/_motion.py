@@ -436,7 +436,8 @@ class Drive(_api.DriveCommands, _File):
         Tables that the commands or the load name, by their names.
     others
         The others by their names: ``valve``, which may be the name of one of the library such as ``festo-mh2``, ``supply``, ``air``, ``load``, ``friction``,
-        ``rubber``, ``controller``, ``regulator``; of a muscle that is filled with a liquid ``liquid``, ``pump``, ``syringe``.
+        ``rubber``, ``controller``, ``regulator``; of a muscle that is filled with a liquid ``liquid``, ``pump``, ``syringe``; where it starts, ``start``, and what acts
+        from outside, ``external`` (``force_n`` or ``torque_nm``, over time).
 
     Examples
     --------
