@@ -7310,13 +7310,14 @@ class MuscleNumbers:
         progress
             True for a line on standard error, or a function that is called with (done, total).
         options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), and how it is asked, as in `Options`.
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `branch`.
 
         Returns
         -------
         float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in N, then ∂F/∂θ of each name in N per its unit, all other
-            constants held.
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more:
+            ∂F/∂P in N/MPa, ∂F/∂ε in N, then ∂F/∂θ of each name in N per its unit, all other constants held.
 
         Raises
         ------
@@ -7383,13 +7384,14 @@ class MuscleNumbers:
         progress
             True for a line on standard error, or a function that is called with (done, total).
         options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), and how it is asked, as in `Options`.
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `branch`.
 
         Returns
         -------
         float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation, all other
-            constants held.
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more:
+            ∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation, all other constants held.
 
         Raises
         ------
@@ -7456,13 +7458,14 @@ class MuscleNumbers:
         progress
             True for a line on standard error, or a function that is called with (done, total).
         options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), and how it is asked, as in `Options`.
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `branch`.
 
         Returns
         -------
         float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation, all other
-            constants held.
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more:
+            ∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation, all other constants held.
 
         Raises
         ------
