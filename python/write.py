@@ -8,7 +8,6 @@ The schema is that of the program (``MCKIBBEN``, or ``target/debug/mckibben``); 
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import json
 import keyword
@@ -25,61 +24,56 @@ ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "python" / "mckibben"
 Schema = Any
 
-# Commands as functions and as methods of a muscle, a joint and a drive, with what may be given without its keyword.
-FUNCTIONS: dict[str, tuple[str, list[str]]] = {
-    "design": ("design", []),
-    "identify": ("identify", ["muscle", "data"]),
-    "rubber": ("fit_rubber", ["data"]),
-    "fit": ("fit", ["table"]),
-    "parts-list": ("parts", ["kind"]),
-    "parts-show": ("part", ["name"]),
-    "measures": ("measures", []),
-    "plan": ("plan", ["plan"]),
-    "check-formula": ("check_formula", ["file"]),
-}
-METHODS: dict[str, dict[str, tuple[str, list[str]]]] = {
+# Commands as functions, and as methods of a muscle, a joint and a drive, with what may be given without its keyword: with `!` what must be, with `=` what
+# it is else.
+COMMANDS: dict[str, dict[str, str]] = {
     "MuscleCommands": {
-        "curve": ("curve", ["test"]),
-        "simulate": ("simulate", ["test"]),
-        "shape": ("shape", ["pressure_mpa", "contraction"]),
-        "fill": ("fill", ["volume_mm3"]),
-        "check": ("check", []),
-        "compare": ("compare", []),
-        "study": ("study", []),
-        "build": ("build", ["pressure_mpa"]),
-        "export": ("export", ["target"]),
+        "curve": "test=isobaric",
+        "simulate": "test=isobaric",
+        "shape": "pressure_mpa contraction",
+        "fill": "volume_mm3!",
+        "check": "",
+        "compare": "",
+        "study": "",
+        "build": "pressure_mpa",
+        "export": "target",
     },
-    "JointCommands": {"joint": ("solve", []), "export-joint": ("export", ["target"])},
-    "DriveCommands": {"motion": ("motion", [])},
-    "CampaignCommands": {
-        "campaign": ("run", []),
-        "campaign-status": ("status", []),
-        "campaign-show": ("summary", []),
+    "JointCommands": {"joint": "", "export-joint": "target"},
+    "DriveCommands": {"motion": ""},
+    "CampaignCommands": {"campaign": "", "campaign-status": "", "campaign-show": ""},
+    "": {
+        "design": "",
+        "identify": "muscle! data!",
+        "rubber": "data!",
+        "fit": "table",
+        "parts-list": "kind!",
+        "parts-show": "name!",
+        "measures": "",
+        "check-formula": "file!",
     },
+}
+# Those with another name.
+CALLED = {
+    "joint": "solve",
+    "export-joint": "export",
+    "campaign": "_run",
+    "campaign-status": "status",
+    "campaign-show": "summary",
+    "rubber": "fit_rubber",
+    "parts-list": "parts",
+    "parts-show": "part",
+    "check-formula": "check_formula",
 }
 # Arguments that such an object has itself.
 OWN = {
-    "MuscleCommands": {"muscle"},
-    "JointCommands": {"joint", "muscles"},
-    "DriveCommands": {"drive", "step", "muscle", "joint", "muscles", "tables"},
-    "CampaignCommands": {"plan", "output", "campaign"},
-}
-DEFAULTS = {("curve", "test"): "isobaric", ("simulate", "test"): "isobaric"}
-# What must be given.
-NEEDED = {
-    ("identify", "muscle"),
-    ("identify", "data"),
-    ("rubber", "data"),
-    ("parts-show", "name"),
-    ("parts-list", "kind"),
-    ("plan", "plan"),
-    ("check-formula", "file"),
-    ("fill", "volume_mm3"),
+    "MuscleCommands": "muscle",
+    "JointCommands": "joint muscles",
+    "DriveCommands": "drive step muscle joint muscles tables",
+    "CampaignCommands": "plan output campaign",
 }
 # Answers with a name of their own, and what they inherit from.
 NAMES = {
     "CurveAnswer": "Curve",
-    "PlanAnswer": "Plan",
     "FitAnswer": "Fit",
     "IdentifyAnswer": "Identification",
     "RubberFitAnswer": "RubberFit",
@@ -120,7 +114,12 @@ ROWS = {
     "motion": "series",
     "parts-list": "tubes sleeves rubbers muscles models",
     "curve": "points",
-    "plan": "table",
+}
+# Types of columns, by those of a row's field, or of a list by its name.
+COLUMNS = {
+    **dict.fromkeys(("float", "float | None"), "NDArray[np.float64]"),
+    **dict.fromkeys(("list[float]", "list[float] | None"), "NDArray[np.float64]"),
+    "str": "list[str]",
 }
 # Types of what may be given, by the names of fields.
 GIVEN = {
@@ -137,16 +136,15 @@ GIVEN = {
     ),
     "stiffness": "Number",
 }
-MEASURES = "What differs from the muscle, as in :class:`Muscle`."
-PROGRESS = "True for a line on standard error, or a function that is called with (done, total)."
-RAISES = [
-    ("InputError", "", "An argument is wrong: `field` names it."),
-    ("NoAnswerError", "", "There is none."),
-    ("NotConvergedError", "", "It was not found, or cancelled."),
-]
-# By function and method.
-EXAMPLES = dict(
-    part.split("\n\n", 1)
+# Numbers that a muscle is asked for, and of which pair.
+ASKED = {
+    "force": ("pressure_mpa", "contraction"),
+    "pressure": ("force_n", "contraction"),
+    "contraction": ("force_n", "pressure_mpa"),
+}
+# By function and method, and others.
+TEXTS = dict(
+    part.strip().split("\n\n", 1)
     for part in (PACKAGE.parent / "docstrings.md").read_text("utf-8").split("\n## ")[1:]
 )
 HEAD = '''"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
@@ -154,11 +152,11 @@ HEAD = '''"""Commands and answers of the program. Written by python/write.py fro
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
-from ._request import answered, known, modelled
+from ._request import answered, known, modelled, renamed
 
 if TYPE_CHECKING:
     import numpy as np
@@ -166,7 +164,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
-    from ._request import Choice, FileLike, FormulaLike, MuscleLike, Number, Numbers, Plain, Progress, RubberLike, TableLike
+    from ._request import *
 '''
 
 
@@ -201,6 +199,13 @@ class Bundle:
     def request(self, command: str) -> dict[str, Schema]:
         """The arguments of a command: the fields of its request, those of its model one by one."""
         fields = self.properties(self.held[command]["request"])
+        # One word for the branch of the hysteresis.
+        both = fields.pop("both", None)
+        named = {"direction": "branch", "branches": "branch"}
+        fields = {named.get(n, n): field for n, field in fields.items()}
+        if both and command == "curve":
+            either = [*options(fields["branch"]), {"enum": ["both"]}]
+            fields["branch"] = {**fields["branch"], "anyOf": either}
         if reference(fields.get("model")) == "ModelFields":
             made = self.properties(fields["model"])
             fields |= {"model": made.pop("name"), **made}
@@ -353,7 +358,7 @@ def described(
         about,
         section("Parameters", parameters),
         section("Returns", [returns]),
-        section("Raises", RAISES),
+        TEXTS["Raises"],
         f"Examples\n--------\n>>> import mckibben as mk\n{example.strip()}",
     ]
 
@@ -374,7 +379,7 @@ def entries_of(fields: dict[str, Schema]) -> list[tuple[str, str, str]]:
 
 
 def parameter(
-    bundle: Bundle, command: str, name: str, schema: Schema
+    bundle: Bundle, name: str, schema: Schema, how: str = ""
 ) -> tuple[str, str | None]:
     """The annotated parameter of a field, and its default; None where it must be given."""
     kind = bundle.type_of(schema, False)
@@ -387,11 +392,8 @@ def parameter(
         .replace("dict[", "Mapping[")
     )
     kind = re.sub(r"\bfloat\b", "Number", kind).removesuffix(" | None")
-    default = DEFAULTS.get((command, name))
-    if default is not None:
-        return f"{named(name)}: {kind}", json.dumps(default)
-    if (command, name) in NEEDED:
-        return f"{named(name)}: {kind}", None
+    if how:
+        return f"{named(name)}: {kind}", json.dumps(how[1:]) if how != "!" else None
     if kind == "bool":
         return f"{named(name)}: bool", repr(schema.get("default") is True)
     return f"{named(name)}: {kind} | None", "None"
@@ -414,32 +416,30 @@ def signature(
     )
 
 
-def function(
-    bundle: Bundle, command: str, name: str, first: list[str], owner: str | None
-) -> str:
-    held = bundle.held[command]
+def function(bundle: Bundle, command: str, owner: str) -> str:
+    held, name = bundle.held[command], CALLED.get(command, command)
+    first = dict(re.findall(r"(\w+)(\S*)", COMMANDS[owner][command]))
     title = held["answer"]["title"]
     answer = NAMES.get(title, title)
     fields = bundle.request(command)
-    left_out = {"figure"} | (OWN[owner] if owner else set())
-    fields = {
-        n: fields[n]
-        for n in [*first, *(n for n in fields if n not in first)]
-        if n not in left_out
+    left_out = ["figure", *OWN.get(owner, "").split()]
+    order = dict.fromkeys([*first, *fields])
+    fields = {n: fields[n] for n in order if n not in left_out}
+    made = {
+        n: parameter(bundle, n, field, first.get(n, "")) for n, field in fields.items()
     }
-    made = {n: parameter(bundle, command, n, field) for n, field in fields.items()}
     keywords = [made[n] for n in fields if n not in first]
     listed = entries_of(fields)
     if held["long"] or command == "curve":
         keywords.append(("progress: Progress", "None"))
-        listed.append(("progress", "", PROGRESS))
+        listed.append(("progress", "", TEXTS["Progress"]))
     given = "locals()"
     if reference(fields.get("muscle")) == "MuscleFields":
         keywords.append(("**measures: Unpack[Measures]", None))
-        listed.append(("measures", "", MEASURES))
+        listed.append(("measures", "", TEXTS["Measures"]))
         given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
     if reference(bundle.properties(held["request"]).get("model")) == "ModelFields":
-        given = f"modelled({given})"
+        given = f'modelled({given}, "{command}")'
     indent = "    " if owner else ""
     figure = bundle.request(command).get("figure")
     # A curve is drawn when it is wanted.
@@ -454,35 +454,66 @@ def function(
         wrapped(doc(held["request"]) or f"The command `{command}`."),
         listed,
         (answer, "", doc(held["answer"]) or "The answer."),
-        EXAMPLES[".".join(filter(None, [owner, name]))],
+        TEXTS[".".join(filter(None, [owner, name]))],
     )
     me = ["self"] if owner else []
-    return f'{indent}def {name}({signature(me, [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
+    old = f"{indent}@renamed\n" if "branch" in fields else ""
+    return f'{old}{indent}def {name}({signature(me, [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
+
+
+def asked(name: str) -> str:
+    """A number of a muscle, as a method for numbers and arrays, with and without derivatives."""
+    first, second = ASKED[name]
+    about, slopes, example = TEXTS[f"MuscleNumbers.{name}"].split("\n\n", 2)
+    text = TEXTS["MuscleNumbers"].format(**locals()).strip()
+
+    def head(kind: str, jac: str, options: str, answer: str) -> str:
+        rest = " = 0.0" if second == "contraction" else ""
+        note = "  # type: ignore[overload-overlap]\n" if answer == "float" else ""
+        return f"    def {name}({note}self, {first}: {kind}, {second}: {kind}{rest}, *, jac: {jac}, **options: {options}) -> {answer}:"
+
+    array, given = "NDArray[np.float64]", "Unpack[Asking]"
+    overloads = [
+        head("Number", "Literal[False] = False", given, "float"),
+        head("Floats", "Literal[False] = False", given, array),
+        head("Floats", "Literal[True] | Sequence[str]", given, f"tuple[Any, {array}]"),
+    ]
+    return "\n".join(
+        [
+            *(f"    @overload\n{overload} ..." for overload in overloads),
+            head("Any", "bool | Sequence[str] = False", "Any", "Any"),
+            documented([text], "        "),
+            f'        return self._asked("{name}", {first}, {second}, jac, options)',
+        ]
+    )
+
+
+def columns(bundle: Bundle, table: Schema) -> str:
+    """The columns of a table, for those who check types."""
+    by_type: dict[str, list[str]] = {}
+    rows = bundle.defined(table)
+    for name, field in bundle.properties(rows.get("items", rows)).items():
+        kind = re.sub(r"Literal\[.*?\]", "str", bundle.type_of(field, True))
+        if kind in COLUMNS:
+            by_type.setdefault(COLUMNS[kind], []).append(name)
+    heads = [
+        f"def __getitem__(self, name: Literal{json.dumps(names)}, /) -> {kind}: ..."
+        for kind, names in by_type.items()
+    ]
+    rest = "def __getitem__(self, name: str, /) -> Any: ..."
+    lines = "\n@overload\n".join(["if TYPE_CHECKING:", *heads, rest])
+    return textwrap.indent(lines + "\n" + rest, "        ")[4:]
 
 
 def fields_class(bundle: Bundle) -> str:
     """What makes a muscle of its fields, and the fields as attributes."""
     fields = bundle.muscle()
     always = ("outer_diameter_mm", "wall_mm", "length_mm")
-    made = {n: parameter(bundle, "check", n, field) for n, field in fields.items()}
+    made = {n: parameter(bundle, n, field) for n, field in fields.items()}
     needed = {n: (made[n][0].removesuffix(" | None"), None) for n in always}
-    entries = [
-        (n, unit, text + (" Or a :class:`Rubber`." if n == "rubber" else ""))
-        for n, unit, text in entries_of(fields)
-    ]
-    raises = section(
-        "Raises",
-        [
-            (
-                "InputError",
-                "",
-                "There is no such muscle; `field` is the argument to blame.",
-            )
-        ],
-    )
     me, out = ["self: Any"], []
     out.append(
-        f'    def __init__({signature(me, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries), raises], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
+        f'    def __init__({signature(me, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries_of(fields)), TEXTS["MuscleFields"]], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
     )
     for name, field in fields.items():
         if name not in ("rubber", "braid"):
@@ -498,7 +529,6 @@ def fields_class(bundle: Bundle) -> str:
 def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
     fields, always = bundle.properties(schema), bundle.required(schema)
     base = f"_record.{BASES[name]}" if name in BASES else "Record"
-    about = [wrapped(doc(schema) or name), section("Attributes", entries_of(fields))]
     lines = [f"    _rows: ClassVar[str | None] = {json.dumps(rows)}"] if rows else []
     # Those that are always there first, as in any dataclass.
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
@@ -510,7 +540,17 @@ def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
             else kind
         )
         lines.append(f"    {named(field)}: {kind}" + (" = None" if optional else ""))
-    return class_of(f"{name}({base})", about, lines)
+    if rows:
+        lines.append(columns(bundle, fields[rows.split()[0]]))
+    about = wrapped(doc(schema) or name)
+    return with_fields(f"{name}({base})", about, fields, lines)
+
+
+def with_fields(
+    head: str, about: str, fields: dict[str, Schema], lines: Iterable[str]
+) -> str:
+    """A class with what its fields are."""
+    return class_of(head, [about, section("Attributes", entries_of(fields))], lines)
 
 
 def solution(bundle: Bundle) -> str:
@@ -520,38 +560,31 @@ def solution(bundle: Bundle) -> str:
         for n, f in bundle.properties({"$ref": "#/$defs/Answer"}).items()
         if bundle.type_of(f, True) in ("float", "float | None")
     }
-    what = (
+    about = (
         "Points of a muscle as arrays of one shape; NaN where a point does not have it."
     )
     lines = (f"    {n}: NDArray[np.float64]" for n in fields)
-    about = [what, section("Attributes", entries_of(fields))]
-    return class_of("Solution(_record.Points)", about, lines)
+    return with_fields("Solution(_record.Points)", about, fields, lines)
 
 
 def state(bundle: Bundle) -> str:
     """Where a simulation is."""
     fields = bundle.properties({"$ref": "#/$defs/MotionSeries"})
-    about = [
-        "Where a simulation is; None what it is not.",
-        section("Attributes", entries_of(fields)),
-    ]
+    about = "Where a simulation is; None what it is not."
     # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
-    return class_of("State(Record)", about, (f"    {n}: float" for n in fields))
+    lines = (f"    {n}: float" for n in fields)
+    return with_fields("State(Record)", about, fields, lines)
 
 
-def keywords(
-    bundle: Bundle, name: str, about: list[str], fields: dict[str, Schema]
-) -> str:
+def keywords(bundle: Bundle, name: str, about: str, fields: dict[str, Schema]) -> str:
     """Fields as keywords of one type."""
-    lines = (f"    {parameter(bundle, 'force', n, f)[0]}" for n, f in fields.items())
-    return class_of(f"{name}(TypedDict, total=False)", about, lines)
+    lines = (f"    {parameter(bundle, n, f)[0]}" for n, f in fields.items())
+    return with_fields(f"{name}(TypedDict, total=False)", about, fields, lines)
 
 
 def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
     """All records, by name: those of commands, and those to which they refer."""
-    asked = dict.fromkeys(
-        [*(c for names in METHODS.values() for c in names), *FUNCTIONS]
-    )
+    asked = [command for names in COMMANDS.values() for command in names]
     out: dict[str, tuple[Schema, str | None]] = {}
 
     def reach(schema: Any) -> None:
@@ -588,21 +621,28 @@ def api(bundle: Bundle) -> str:
         f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}",
     ]
     parts += [record(bundle, name, *held) for name, held in made.items()]
-    own = ("pressure_mpa", "contraction", "both", "muscle")
+    own = ("pressure_mpa", "contraction", "muscle")
     how = {n: f for n, f in bundle.request("force").items() if n not in own}
-    about = "Which model of a muscle answers, and how."
-    listed = section("Attributes", entries_of(how))
     parts += [
-        keywords(bundle, "Options", [about, listed], how),
+        keywords(bundle, "Options", "Which model of a muscle answers, and how.", how),
         'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
-        keywords(bundle, "Measures", [MEASURES], bundle.muscle()),
+        keywords(bundle, "Measures", TEXTS["Measures"], bundle.muscle()),
     ]
     parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip()]
-    for owner, methods in METHODS.items():
+    parts.append(
+        class_of(
+            "MuscleNumbers",
+            ["Numbers that a muscle is asked for."],
+            [
+                "    def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], options: dict[str, Any]) -> Any:\n        raise NotImplementedError",
+                *map(asked, ASKED),
+            ],
+        )
+    )
+    for owner, commands in COMMANDS.items():
+        made_of = [function(bundle, command, owner) for command in commands]
         what = ["What the program answers of it, by command."]
-        made_of = (function(bundle, c, *of, owner) for c, of in methods.items())
-        parts.append(class_of(owner, what, made_of))
-    parts += [function(bundle, c, *of, None) for c, of in FUNCTIONS.items()]
+        parts += [class_of(owner, what, made_of)] if owner else made_of
     return formatted("\n\n\n".join(parts) + "\n")
 
 
@@ -614,12 +654,12 @@ def formatted(code: str) -> str:
     ).stdout
 
 
-def program(*words: str) -> Schema:
+def program() -> Schema:
     """A schema of the program."""
     tool = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
     return json.loads(
         subprocess.run(
-            [tool, "schema", *words], capture_output=True, text=True, check=True
+            [tool, "schema"], capture_output=True, text=True, check=True
         ).stdout
     )
 
@@ -649,10 +689,7 @@ def main(what: str, place: str = str(PACKAGE / "_api.py")) -> None:
     if place != "--check":
         Path(place).write_text(text, "utf-8")
     elif text != held:
-        lines = difflib.unified_diff(
-            held.splitlines(True), text.splitlines(True), "kept", "made"
-        )
-        sys.exit("".join([*lines][:40]) + "python python/write.py api writes it anew")
+        sys.exit("python python/write.py api writes it anew")
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ Lengths in mm, pressures in MPa (gauge), forces in N, angles in degrees, as ever
 - a muscle: ``Muscle``, its ``Rubber``; ``muscle.force(p, e)``, ``.pressure``, ``.contraction`` answer numbers and arrays, ``.solve`` all that is known of points,
   ``.curve``, ``.shape``, ``.simulate``, ``.fill``, ``.check``, ``.compare``, ``.study``, ``.build``, ``.export``, ``.report``, ``.cite`` the rest
 - find one: ``design``; from measurements: ``identify``, ``fit_rubber``; move it: ``Joint``, ``Drive``, ``Simulation``, ``rollout``
-- a formula: ``campaign``, ``Campaign``, ``plan``, ``fit``, ``Formula``
+- a formula: ``campaign``, ``Campaign``, ``fit``, ``Formula``
 - what is known: ``parts``, ``part``, ``measures``
 - files: ``load`` reads what ``.save`` of each object wrote; ``ask`` is JSON in and out, of every command
 - what is wrong: below ``MckibbenError`` are ``InputError``, ``OutOfRangeError``, ``FileError``, ``NoAnswerError``, ``NotConvergedError``, ``InternalError``
@@ -38,7 +38,6 @@ from ._api import (
     measures as measures,
     part as part,
     parts as parts,
-    plan as plan,
 )
 from ._campaign import Campaign as Campaign, campaign as campaign
 from ._motion import (

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
-from ._request import answered, known, modelled
+from ._request import answered, known, modelled, renamed
 
 if TYPE_CHECKING:
     import numpy as np
@@ -15,18 +15,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
-    from ._request import (
-        Choice,
-        FileLike,
-        FormulaLike,
-        MuscleLike,
-        Number,
-        Numbers,
-        Plain,
-        Progress,
-        RubberLike,
-        TableLike,
-    )
+    from ._request import *
 
 
 __all__ = [
@@ -124,7 +113,6 @@ __all__ = [
     "Parameter",
     "PartShowAnswer",
     "PartsListAnswer",
-    "Plan",
     "PointRow",
     "Powers",
     "ProfileRow",
@@ -535,6 +523,17 @@ class Build(_record.Files):
     allowed_pressure_mpa: float | None = None
     allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
     allowed_factor: float | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(
+            self, name: Literal["part", "size", "amount", "spare"], /
+        ) -> list[str]: ...
+        @overload
+        def __getitem__(self, name: Literal["mass_g"], /) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class BuildPart(Record):
@@ -1380,6 +1379,31 @@ class CompareAnswer(Record):
     models: list[ComparedModel]
     warnings: list[str]
     figure: Figure | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, name: Literal["model"], /) -> list[str]: ...
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "rms_n",
+                "max_n",
+                "mean_n",
+                "r_squared",
+                "rms_contraction",
+                "mean_contraction",
+                "rms_volume_mm3",
+                "mean_volume_mm3",
+                "fitted_modulus_factor",
+                "fitted_end_factor",
+                "fitted_stiffness_n_per_mm",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class ComparedModel(Record):
@@ -1496,6 +1520,55 @@ class Curve(_record.Curves):
     allowed_factor: float | None = None
     loaded: LoadAnswer | None = None
     figure: Figure | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "model", "direction", "predicted_direction", "status", "cause"
+            ],
+            /,
+        ) -> list[str]: ...
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "pressure_mpa",
+                "contraction",
+                "force_n",
+                "volume_mm3",
+                "volume_per_pressure_mm3_per_mpa",
+                "volume_per_contraction_mm3",
+                "stiffness_n_per_mm",
+                "force_per_pressure_n_per_mpa",
+                "braid_tension_n",
+                "strand_tension_n",
+                "bulged_diameter_mm",
+                "middle_stretch",
+                "max_stretch",
+                "free_contraction",
+                "start_pressure_mpa",
+                "predicted_n",
+                "predicted_low_n",
+                "predicted_high_n",
+                "uncertainty_n",
+                "predicted_mpa",
+                "predicted_low_mpa",
+                "predicted_high_mpa",
+                "pressure_uncertainty_mpa",
+                "predicted",
+                "predicted_low",
+                "predicted_high",
+                "contraction_uncertainty",
+                "buckling_load_n",
+                "wanted_force_n",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class Cut(Record):
@@ -1722,6 +1795,49 @@ class Design(_record.Designed):
     bought: list[BoughtAnswer] | None = None
     figure: Figure | None = None
     muscle_files: list[TextFile] | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "outer_diameter_mm",
+                "wall_mm",
+                "length_mm",
+                "angle_deg",
+                "stiffness_factor",
+                "rubber_mass_g",
+                "mass_g",
+                "pressure_mpa",
+                "sure_pressure_mpa",
+                "highest_pressure_mpa",
+                "margin",
+                "blocked_force_n",
+                "free_contraction",
+                "work_j",
+                "bulged_diameter_mm",
+                "family_stiffness_n_per_mm",
+                "stiffness_n_per_mm",
+                "air_normal_litres",
+                "liquid_volume_mm3",
+                "strand_tension_n",
+                "braid_tension_n",
+                "max_stretch",
+                "burst_pressure_mpa",
+                "least_burst_pressure_mpa",
+                "allowed_pressure_mpa",
+                "allowed_factor",
+                "uncertainty_n",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(
+            self, name: Literal["rubber", "braid", "model"], /
+        ) -> list[str]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class DesignPoint(Record):
@@ -2083,6 +2199,13 @@ class Export(_record.Files):
     files: list[BuiltFile]
     warnings: list[str]
     uncertainty_n: float | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, name: Literal["name", "about"], /) -> list[str]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class ExportForm(Record):
@@ -2709,6 +2832,25 @@ class Identification(_record.Identified):
     warnings: list[str]
     laws: list[LawRow] | None = None
     figure: Figure | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, name: Literal["name", "unit"], /) -> list[str]: ...
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "start",
+                "value",
+                "standard_error",
+                "half_width_95",
+                "prior_standard_deviation",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class Identified(Record):
@@ -2846,6 +2988,13 @@ class JointExport(_record.Files):
     stiffness_error_nm_per_rad: float
     files: list[BuiltFile]
     warnings: list[str]
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, name: Literal["name", "about"], /) -> list[str]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class JointMap(Record):
@@ -3024,6 +3173,43 @@ class JointSolution(Record):
     map: JointMap | None = None
     uncertainty_text: str | None = None
     figure: Figure | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "angle_deg",
+                "torque_nm",
+                "stiffness_nm_per_rad",
+                "stiffness_shut_isothermal_nm_per_rad",
+                "stiffness_shut_adiabatic_nm_per_rad",
+                "predicted_nm",
+                "predicted_low_nm",
+                "predicted_high_nm",
+                "uncertainty_nm",
+                "stiffness_uncertainty_nm_per_rad",
+                "pressure_1_mpa",
+                "pressure_2_mpa",
+                "torque_turning_plus_nm",
+                "torque_turning_minus_nm",
+                "force_1_n",
+                "force_2_n",
+                "contraction_1",
+                "contraction_2",
+                "arm_1_mm",
+                "arm_2_mm",
+                "start_pressure_1_mpa",
+                "start_pressure_2_mpa",
+                "angle_uncertainty_deg",
+                "pressure_1_uncertainty_mpa",
+                "pressure_2_uncertainty_mpa",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class LawAnswer(Record):
@@ -3661,6 +3847,19 @@ class MeasuresAnswer(Record):
 
     _rows: ClassVar[str | None] = "measures"
     measures: list[MeasureEntry]
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(
+            self, name: Literal["key", "group", "label", "about"], /
+        ) -> list[str]: ...
+        @overload
+        def __getitem__(
+            self, name: Literal["above", "minimum", "maximum", "default"], /
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class ModeError(Record):
@@ -3907,6 +4106,46 @@ class Motion(Record):
     errors: list[LogErrors] | None = None
     drive_file: str | None = None
     figure: Figure | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "time_s",
+                "angle_deg",
+                "velocity_deg_per_s",
+                "velocity_mm_per_s",
+                "pressure_mpa",
+                "contraction",
+                "force_n",
+                "air_mass_g",
+                "temperature_degc",
+                "volume_mm3",
+                "opening",
+                "command",
+                "pressure_1_mpa",
+                "contraction_1",
+                "force_1_n",
+                "air_mass_1_g",
+                "temperature_1_degc",
+                "volume_1_mm3",
+                "opening_1",
+                "command_1",
+                "pressure_2_mpa",
+                "contraction_2",
+                "force_2_n",
+                "air_mass_2_g",
+                "temperature_2_degc",
+                "volume_2_mm3",
+                "opening_2",
+                "command_2",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class MotionRun(Record):
@@ -4040,7 +4279,7 @@ class MotionSeries(Record):
     air_mass_g : g
         Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_degc : degC
-        Temperature of its air or liquid, °C.
+        Temperature of its air or liquid.
     volume_mm3 : mm3
         Volume of its cavity between the terminals, mm³.
     opening
@@ -4056,7 +4295,7 @@ class MotionSeries(Record):
     air_mass_1_g : g
         Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_1_degc : degC
-        Temperature of its air or liquid, °C.
+        Temperature of its air or liquid.
     volume_1_mm3 : mm3
         Volume of its cavity between the terminals, mm³.
     opening_1
@@ -4072,7 +4311,7 @@ class MotionSeries(Record):
     air_mass_2_g : g
         Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_2_degc : degC
-        Temperature of its air or liquid, °C.
+        Temperature of its air or liquid.
     volume_2_mm3 : mm3
         Volume of its cavity between the terminals, mm³.
     opening_2
@@ -4312,28 +4551,27 @@ class PartsListAnswer(Record):
     rubbers: list[RubberSummary]
     muscles: list[LibraryMuscle]
     models: list[ModelEntry]
+    if TYPE_CHECKING:
 
-
-class Plan(Record):
-    """Its table.
-
-    Attributes
-    ----------
-    table
-        The table (CSV): what `fit` reads.
-    muscles
-        Muscles.
-    points
-        Points.
-    failed
-        Points without an answer.
-    """
-
-    _rows: ClassVar[str | None] = "table"
-    table: TextFile
-    muscles: int
-    points: int
-    failed: int
+        @overload
+        def __getitem__(
+            self, name: Literal["name", "rubber", "source"], /
+        ) -> list[str]: ...
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "inner_diameter_mm",
+                "outer_diameter_mm",
+                "wall_mm",
+                "density_kg_per_m3",
+                "pressure_mpa",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class PointRow(Record):
@@ -4901,6 +5139,28 @@ class RubberFit(_record.FittedLaws):
     relaxation: PronyAnswer | None = None
     softening: SofteningAnswer | None = None
     figure: Figure | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, name: Literal["law", "name"], /) -> list[str]: ...
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "shear_modulus_mpa",
+                "r_squared",
+                "free_r_squared",
+                "rms_mpa",
+                "relative_rms",
+                "aicc",
+                "fitted_to_stretch",
+                "unstable_from_hoop_stretch",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class RubberSummary(Record):
@@ -5335,6 +5595,39 @@ class SimulateAnswer(Record):
     figure: Figure | None = None
     deck: str | None = None
     files: list[BuiltFile] | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "pressure_mpa",
+                "contraction",
+                "force_n",
+                "volume_mm3",
+                "volume_per_pressure_mm3_per_mpa",
+                "volume_per_contraction_mm3",
+                "stiffness_n_per_mm",
+                "force_per_pressure_n_per_mpa",
+                "braid_tension_n",
+                "strand_tension_n",
+                "bulged_diameter_mm",
+                "middle_stretch",
+                "max_stretch",
+                "free_contraction",
+                "rubber_energy_j",
+                "braid_energy_j",
+                "ends_energy_j",
+                "pressure_work_j",
+                "wanted_force_n",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: Literal["status", "cause"], /) -> list[str]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class SimulatedPoint(Record):
@@ -5663,6 +5956,63 @@ class StudyAnswer(Record):
     points: list[StudyRow]
     warnings: list[str]
     figure: Figure | None = None
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "test",
+                "curve",
+                "model",
+                "direction",
+                "predicted_direction",
+                "status",
+                "cause",
+            ],
+            /,
+        ) -> list[str]: ...
+        @overload
+        def __getitem__(
+            self,
+            name: Literal[
+                "fixed",
+                "wall_mm",
+                "pressure_mpa",
+                "contraction",
+                "force_n",
+                "volume_mm3",
+                "volume_per_pressure_mm3_per_mpa",
+                "volume_per_contraction_mm3",
+                "stiffness_n_per_mm",
+                "force_per_pressure_n_per_mpa",
+                "braid_tension_n",
+                "strand_tension_n",
+                "bulged_diameter_mm",
+                "middle_stretch",
+                "max_stretch",
+                "free_contraction",
+                "start_pressure_mpa",
+                "predicted_n",
+                "predicted_low_n",
+                "predicted_high_n",
+                "uncertainty_n",
+                "predicted_mpa",
+                "predicted_low_mpa",
+                "predicted_high_mpa",
+                "pressure_uncertainty_mpa",
+                "predicted",
+                "predicted_low",
+                "predicted_high",
+                "contraction_uncertainty",
+                "buckling_load_n",
+                "wanted_force_n",
+            ],
+            /,
+        ) -> NDArray[np.float64]: ...
+        @overload
+        def __getitem__(self, name: str, /) -> Any: ...
+        def __getitem__(self, name: str, /) -> Any: ...
 
 
 class StudyRow(Record):
@@ -6184,7 +6534,7 @@ class Options(TypedDict, total=False):
         Compute outside the model's range too, with a warning.
     two_sided
         Give the negative force, not slack, where the muscle would have to push.
-    direction
+    branch
         Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
         muscle, or else estimated.
     mesh
@@ -6201,7 +6551,7 @@ class Options(TypedDict, total=False):
     model: FormulaLike | None
     extrapolate: bool
     two_sided: bool
-    direction: Literal["mean", "contraction", "elongation"] | None
+    branch: Literal["mean", "contraction", "elongation"] | None
     mesh: str | None
     match: Literal["length", "angle"] | None
     terminal: Mapping[str, Plain] | None
@@ -6215,7 +6565,92 @@ class Asking(Options, total=False):
 
 
 class Measures(TypedDict, total=False):
-    """What differs from the muscle, as in :class:`Muscle`."""
+    """What differs from the muscle, as in :class:`Muscle`.
+
+    Attributes
+    ----------
+    outer_diameter_mm : mm
+        Outer diameter D0 of the tube at rest, mm.
+    wall_mm : mm
+        Wall thickness s of the tube at rest, mm.
+    length_mm : mm
+        Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle.
+    temperature_degc : degC
+        Temperature T of the rubber; its moduli change like the absolute temperature, from 23 °C on, degC.
+    angle_deg : deg
+        Angle θ0 of the strands to the axis at rest, degrees.
+    insertion_mm : mm
+        Length of tube and braid clamped on each plug, mm.
+    seating_mm : mm
+        Seating: total displacement of both ends under load, mm.
+    slip_mm_per_n : mm/N
+        Slip of both ends together per newton of clamp load, mm/N.
+    grip_mm : mm
+        Length at each end, within L0, in which tube and braid are clamped, mm.
+    plug_diameter_mm : mm
+        Outer diameter of the plugs on which tube and braid are clamped; the bore of the tube where none is stated, mm, for the models fe and fe3d and
+        universal.
+    pull_off_n : N
+        Axial load at which a clamp lets go of tube and braid, N.
+    rated_pressure_mpa : MPa
+        Pressure for which plugs and fittings are rated, MPa.
+    end_factor
+        Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
+    cone_factor
+        Cone factor kc, for the model conical-ends.
+    stiffness_factor
+        Factor within which the stiffness of the strands is known.
+    strands
+        Number N of strands, both families together.
+    strands_factor
+        Factor by which there may be fewer strands; the allowed pressure carries it.
+    strand_area_mm2 : mm2
+        Cross-section A of one strand, mm2.
+    strand_modulus_mpa : MPa
+        Young's modulus E of the strands, MPa.
+    strand_strength_n : N
+        Force at which one strand breaks, N.
+    strand_strength_factor
+        Factor by which the strands may be weaker; the allowed pressure carries it.
+    strands_per_carrier
+        Strands that lie side by side on a carrier of the braiding machine.
+    strand_length_mm : mm
+        Length of one strand measured on the muscle, mm, for the model belforte.
+    turns
+        Turns of that strand, for the model belforte.
+    take_up_mpa : MPa
+        Take-up pressure P0: what takes up the slack of the braid before the muscle pulls, MPa.
+    braid_thickness_mm : mm
+        Thickness t of the braid, both layers of strands, mm.
+    braid_diameter_mm : mm
+        Inner diameter Ds of a sleeve wider than the tube, at its angle, mm.
+    crimp
+        Strain c1 at which the strands are straight.
+    crimp_stiffness
+        Share κ of their stiffness that the strands have before they are straight.
+    friction_coefficient
+        Coefficient C of the friction C·P^β, P in MPa.
+    friction_exponent
+        Exponent β of the friction C·P^β.
+    friction_lever_mm : mm
+        Coefficient of friction times lever of the strands' crossings, μw, mm.
+    friction_presliding_mm : mm
+        Presliding length xs, over which the friction builds up after a reversal, mm.
+    rubber
+        Rubber: `mckibben parts list rubbers` [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
+        rubber of a muscle file.
+    braid
+        Sleeve: `mckibben parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
+        largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
+    strand_diameter_mm : mm
+        Diameter of one strand of a named sleeve, if its source does not state it.
+    stiffness : N/mm
+        Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `paper`.
+    """
 
     outer_diameter_mm: Number | None
     wall_mm: Number | None
@@ -6374,7 +6809,7 @@ class State(Record):
     air_mass_g : g
         Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_degc : degC
-        Temperature of its air or liquid, °C.
+        Temperature of its air or liquid.
     volume_mm3 : mm3
         Volume of its cavity between the terminals, mm³.
     opening
@@ -6390,7 +6825,7 @@ class State(Record):
     air_mass_1_g : g
         Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_1_degc : degC
-        Temperature of its air or liquid, °C.
+        Temperature of its air or liquid.
     volume_1_mm3 : mm3
         Volume of its cavity between the terminals, mm³.
     opening_1
@@ -6406,7 +6841,7 @@ class State(Record):
     air_mass_2_g : g
         Mass of its air, g; of a liquid `liquid_mass_g`.
     temperature_2_degc : degC
-        Temperature of its air or liquid, °C.
+        Temperature of its air or liquid.
     volume_2_mm3 : mm3
         Volume of its cavity between the terminals, mm³.
     opening_2
@@ -6566,7 +7001,7 @@ class MuscleFields:
             Presliding length xs, over which the friction builds up after a reversal, mm.
         rubber
             Rubber: `mckibben parts list rubbers` [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
-            rubber of a muscle file. Or a :class:`Rubber`.
+            rubber of a muscle file.
         braid
             Sleeve: `mckibben parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
             largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
@@ -6579,6 +7014,10 @@ class MuscleFields:
         ------
         InputError
             There is no such muscle; `field` is the argument to blame.
+
+        Notes
+        -----
+        `rubber` may be a :class:`Rubber`.
         """
         self._make({name: value for name, value in locals().items() if name != "self"})
 
@@ -6807,9 +7246,246 @@ class MuscleFields:
         return found
 
 
+class MuscleNumbers:
+    """Numbers that a muscle is asked for."""
+
+    def _asked(
+        self,
+        wanted: str,
+        a: Any,
+        b: Any,
+        jac: bool | Sequence[str],
+        options: dict[str, Any],
+    ) -> Any:
+        raise NotImplementedError
+
+    @overload
+    def force(  # type: ignore[overload-overlap]
+        self,
+        pressure_mpa: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[Asking],
+    ) -> float: ...
+    @overload
+    def force(
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[Asking],
+    ) -> NDArray[np.float64]: ...
+    @overload
+    def force(
+        self,
+        pressure_mpa: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[Any, NDArray[np.float64]]: ...
+    def force(
+        self,
+        pressure_mpa: Any,
+        contraction: Any = 0.0,
+        *,
+        jac: bool | Sequence[str] = False,
+        **options: Any,
+    ) -> Any:
+        """F(P, ε): the pull, in N; 0 where the muscle is slack.
+
+        Parameters
+        ----------
+        pressure_mpa, contraction
+            Pulls F in N, gauge pressures P in MPa or contraction ratios ε = ΔL/L0, broadcast against each other: numbers, a text such as `"2.5 bar"` or
+            `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `branch`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more:
+            ∂F/∂P in N/MPa, ∂F/∂ε in N, then ∂F/∂θ of each name in N per its unit, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> muscle.force([0.1, 0.2], 0.1, model="paper").round(1)
+        array([ 585.7, 1202.7])
+        """
+        return self._asked("force", pressure_mpa, contraction, jac, options)
+
+    @overload
+    def pressure(  # type: ignore[overload-overlap]
+        self,
+        force_n: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[Asking],
+    ) -> float: ...
+    @overload
+    def pressure(
+        self,
+        force_n: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[Asking],
+    ) -> NDArray[np.float64]: ...
+    @overload
+    def pressure(
+        self,
+        force_n: Floats,
+        contraction: Floats = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[Any, NDArray[np.float64]]: ...
+    def pressure(
+        self,
+        force_n: Any,
+        contraction: Any = 0.0,
+        *,
+        jac: bool | Sequence[str] = False,
+        **options: Any,
+    ) -> Any:
+        """P(F, ε): the pressure that gives a pull, in MPa.
+
+        Parameters
+        ----------
+        force_n, contraction
+            Pulls F in N, gauge pressures P in MPa or contraction ratios ε = ΔL/L0, broadcast against each other: numbers, a text such as `"2.5 bar"` or
+            `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `branch`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more:
+            ∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> round(muscle.pressure(300, "10%", model="ideal"), 4)
+        0.0377
+        """
+        return self._asked("pressure", force_n, contraction, jac, options)
+
+    @overload
+    def contraction(  # type: ignore[overload-overlap]
+        self,
+        force_n: Number,
+        pressure_mpa: Number,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[Asking],
+    ) -> float: ...
+    @overload
+    def contraction(
+        self,
+        force_n: Floats,
+        pressure_mpa: Floats,
+        *,
+        jac: Literal[False] = False,
+        **options: Unpack[Asking],
+    ) -> NDArray[np.float64]: ...
+    @overload
+    def contraction(
+        self,
+        force_n: Floats,
+        pressure_mpa: Floats,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[Any, NDArray[np.float64]]: ...
+    def contraction(
+        self,
+        force_n: Any,
+        pressure_mpa: Any,
+        *,
+        jac: bool | Sequence[str] = False,
+        **options: Any,
+    ) -> Any:
+        """ε(F, P): the contraction at which a pressure gives a pull.
+
+        Parameters
+        ----------
+        force_n, pressure_mpa
+            Pulls F in N, gauge pressures P in MPa or contraction ratios ε = ΔL/L0, broadcast against each other: numbers, a text such as `"2.5 bar"` or
+            `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
+            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
+            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            `raise` for the first point without an answer, `nan` for NaN there.
+        progress
+            True for a line on standard error, or a function that is called with (done, total).
+        options
+            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
+            `two_sided`, `branch`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more:
+            ∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation, all other constants held.
+
+        Raises
+        ------
+        MckibbenError
+            One of its classes says why there is no answer; `index` is the place of the point.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
+        >>> round(muscle.contraction(300, "2 bar", model="ideal"), 3)
+        0.293
+        """
+        return self._asked("contraction", force_n, pressure_mpa, jac, options)
+
+
 class MuscleCommands:
     """What the program answers of it, by command."""
 
+    @renamed
     def curve(
         self,
         test: Literal["isometric", "isotonic", "isobaric"] = "isobaric",
@@ -6819,11 +7495,12 @@ class MuscleCommands:
         forces_n: Numbers | None = None,
         load: str | None = None,
         load_tables: TableLike | Sequence[TableLike] | None = None,
-        both: bool = False,
         model: FormulaLike | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
-        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        branch: Literal["mean", "contraction", "elongation"]
+        | Literal["both"]
+        | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
@@ -6847,15 +7524,13 @@ class MuscleCommands:
             pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
         load_tables
             The tables that it names.
-        both
-            Both branches of the friction hysteresis.
         model
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         extrapolate
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
-        direction
+        branch
             Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
             muscle, or else estimated.
         mesh
@@ -6892,7 +7567,7 @@ class MuscleCommands:
         array([[429., 287., 159.],
                [859., 574., 319.]])
         """
-        return answered(Curve, "curve", modelled(locals()))
+        return answered(Curve, "curve", modelled(locals(), "curve"))
 
     def simulate(
         self,
@@ -6969,7 +7644,9 @@ class MuscleCommands:
         >>> test["force_n"].shape
         (2,)
         """
-        return answered(SimulateAnswer, "simulate", modelled(locals()), "MPa")
+        return answered(
+            SimulateAnswer, "simulate", modelled(locals(), "simulate"), "MPa"
+        )
 
     def shape(
         self,
@@ -7024,6 +7701,7 @@ class MuscleCommands:
         """
         return answered(Shape, "shape", locals())
 
+    @renamed
     def fill(
         self,
         volume_mm3: Number,
@@ -7038,7 +7716,7 @@ class MuscleCommands:
         model: FormulaLike | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
-        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        branch: Literal["mean", "contraction", "elongation"] | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
@@ -7070,7 +7748,7 @@ class MuscleCommands:
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
-        direction
+        branch
             Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
             muscle, or else estimated.
         mesh
@@ -7104,8 +7782,9 @@ class MuscleCommands:
         >>> filled.stroke_mm > 0
         True
         """
-        return answered(FillAnswer, "fill", modelled(locals()))
+        return answered(FillAnswer, "fill", modelled(locals(), "fill"))
 
+    @renamed
     def check(
         self,
         *,
@@ -7115,7 +7794,7 @@ class MuscleCommands:
         model: FormulaLike | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
-        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        branch: Literal["mean", "contraction", "elongation"] | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
@@ -7136,7 +7815,7 @@ class MuscleCommands:
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
-        direction
+        branch
             Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
             muscle, or else estimated.
         mesh
@@ -7169,8 +7848,9 @@ class MuscleCommands:
         >>> mk.Muscle.prototype().check(pressure_mpa="2 bar", model="ideal").angle_deg
         28.0
         """
-        return answered(CheckAnswer, "check", modelled(locals()))
+        return answered(CheckAnswer, "check", modelled(locals(), "check"))
 
+    @renamed
     def compare(
         self,
         *,
@@ -7253,13 +7933,14 @@ class MuscleCommands:
         """
         return answered(CompareAnswer, "compare", locals(), "MPa")
 
+    @renamed
     def study(
         self,
         *,
         model: FormulaLike | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
-        direction: Literal["mean", "contraction", "elongation"] | None = None,
+        branch: Literal["mean", "contraction", "elongation"] | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
@@ -7275,7 +7956,7 @@ class MuscleCommands:
             Compute outside the model's range too, with a warning.
         two_sided
             Give the negative force, not slack, where the muscle would have to push.
-        direction
+        branch
             Branch of the friction hysteresis: contraction to lift, elongation to lower [mean, or that of the muscle file's job]. The friction is that of the
             muscle, or else estimated.
         mesh
@@ -7311,7 +7992,7 @@ class MuscleCommands:
         >>> len(study.to_pandas()) == len(study.points)
         True
         """
-        return answered(StudyAnswer, "study", modelled(locals()), "MPa")
+        return answered(StudyAnswer, "study", modelled(locals(), "study"), "MPa")
 
     def build(
         self,
@@ -7458,7 +8139,7 @@ class MuscleCommands:
         >>> [file.name for file in mk.Muscle.prototype().export("python", model="thick-wall").files]
         ['muscle.py']
         """
-        return answered(Export, "export", modelled(locals()))
+        return answered(Export, "export", modelled(locals(), "export"))
 
 
 class JointCommands:
@@ -7538,7 +8219,7 @@ class JointCommands:
         >>> found.points[0].rest, abs(found.points[0].angle_deg) < 1e-6
         ('stable', True)
         """
-        return answered(JointSolution, "joint", modelled(locals()), "MPa")
+        return answered(JointSolution, "joint", modelled(locals(), "joint"), "MPa")
 
     def export(
         self,
@@ -7598,7 +8279,7 @@ class JointCommands:
         >>> import mckibben as mk
         >>> joint.export("c").write("joint_c")  # doctest: +SKIP
         """
-        return answered(JointExport, "export-joint", modelled(locals()))
+        return answered(JointExport, "export-joint", modelled(locals(), "export-joint"))
 
 
 class DriveCommands:
@@ -7667,13 +8348,13 @@ class DriveCommands:
         >>> motion.at_rest
         True
         """
-        return answered(Motion, "motion", modelled(locals()), "MPa")
+        return answered(Motion, "motion", modelled(locals(), "motion"), "MPa")
 
 
 class CampaignCommands:
     """What the program answers of it, by command."""
 
-    def run(
+    def _run(
         self,
         *,
         samples: FileLike | None = None,
@@ -7715,7 +8396,7 @@ class CampaignCommands:
         Examples
         --------
         >>> import mckibben as mk
-        >>> mk.Campaign("campaign.parquet", "plans/paper.toml").run()  # doctest: +SKIP
+        >>> mk.campaign("plans/paper.toml", "campaign.parquet")  # doctest: +SKIP
         """
         return answered(CampaignOutcome, "campaign", locals())
 
@@ -7768,6 +8449,7 @@ class CampaignCommands:
         return answered(CampaignSummary, "campaign-show", locals())
 
 
+@renamed
 def design(
     *,
     force_n: Number | None = None,
@@ -7818,7 +8500,7 @@ def design(
     strand_length_per_turn_mm: Choice | None = None,
     radius_mm: Choice | None = None,
     model: FormulaLike | None = None,
-    direction: Literal["mean", "contraction", "elongation"] | None = None,
+    branch: Literal["mean", "contraction", "elongation"] | None = None,
     extrapolate: bool = False,
     top: int | None = None,
     mesh: str | None = None,
@@ -7928,7 +8610,7 @@ def design(
         Radii of the pulley [searched].
     model
         Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
-    direction
+    branch
         Branch of the friction hysteresis on which it must pull [contraction; mean with a model by name]. A model that is named meets the requirement by
         its own pull; without one, a muscle that is built does, which shortens against its friction.
     extrapolate
@@ -7968,9 +8650,10 @@ def design(
     >>> found.best.rubber, len(found["outer_diameter_mm"]) == len(found.candidates)
     ('dragon-skin-30', True)
     """
-    return answered(Design, "design", modelled(locals()), "MPa")
+    return answered(Design, "design", modelled(locals(), "design"), "MPa")
 
 
+@renamed
 def identify(
     muscle: MuscleLike,
     data: TableLike | Sequence[TableLike],
@@ -7985,7 +8668,7 @@ def identify(
     laws: bool = False,
     model: FormulaLike | None = None,
     weights: Numbers | None = None,
-    branches: Literal["both", "mean", "history"] | None = None,
+    branch: Literal["both", "mean", "history"] | None = None,
     two_sided: bool = False,
     loss: Literal["squares", "huber", "largest"] | None = None,
     mesh: str | None = None,
@@ -8025,7 +8708,7 @@ def identify(
         Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
     weights
         Weight of each data set [1].
-    branches
+    branch
         Treatment of the branches of the hysteresis.
     two_sided
         Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
@@ -8077,7 +8760,8 @@ def identify(
                 **locals(),
                 "muscle": {"file": muscle, **known(measures, Measures)},
                 "measures": None,
-            }
+            },
+            "identify",
         ),
         "MPa",
     )
@@ -8338,38 +9022,6 @@ def measures() -> MeasuresAnswer:
     ['density_kg_per_m3']
     """
     return answered(MeasuresAnswer, "measures", locals())
-
-
-def plan(plan: FileLike, *, progress: Progress = None) -> Plan:
-    """A plan to be computed.
-
-    Parameters
-    ----------
-    plan
-        The plan (TOML).
-    progress
-        True for a line on standard error, or a function that is called with (done, total).
-
-    Returns
-    -------
-    Plan
-        Its table.
-
-    Raises
-    ------
-    InputError
-        An argument is wrong: `field` names it.
-    NoAnswerError
-        There is none.
-    NotConvergedError
-        It was not found, or cancelled.
-
-    Examples
-    --------
-    >>> import mckibben as mk
-    >>> mk.plan("plans/paper.toml").to_pandas()  # doctest: +SKIP
-    """
-    return answered(Plan, "plan", locals())
 
 
 def check_formula(

@@ -76,24 +76,6 @@ class Campaign(_api.CampaignCommands):
             else {"plan": self.plan, "output": self.output}
         )
 
-    @staticmethod
-    def merge(
-        folders: list[str | PathLike[str]],
-        output: str | PathLike[str],
-        *,
-        overwrite: bool = False,
-    ) -> Campaign:
-        """Joins folders of parts into one file, the same bytes as those of a single run."""
-        _native.ask(
-            "campaign-merge",
-            {
-                "folders": [os.fspath(f) for f in folders],
-                "output": os.fspath(output),
-                "overwrite": overwrite,
-            },
-        )
-        return Campaign(output)
-
     def __fspath__(self) -> str:
         return self._table
 
@@ -208,7 +190,7 @@ def campaign(
         _on(made, executor, threads or 1, shards, progress, overwrite)
     if executor is None or made._parts != made.output:
         # With an executor all parts are there, and this writes the file.
-        made.run(
+        made._run(
             threads=threads,
             progress=progress if executor is None else None,
             overwrite=overwrite,

@@ -113,21 +113,23 @@ def of(values: dict[str, Any]) -> MckibbenError:
         found = re.sub(
             r"`(?:mckibben )?parts list (\w+)`", r'`mk.parts("\1")`', values[name]
         )
-        values[name] = found.replace("`parts list`", "`mk.parts(…)`")
+        found = found.replace("`parts list`", "`mk.parts(…)`")
+        values[name] = found.replace("`direction`", "`branch`")
+    if values.get("field") in ("direction", "branches", "both"):
+        values["field"] = "branch"
     kind, message = KINDS.get(values["kind"], InputError), values["message"]
     unknown = re.match(r"there is no (command|model|part)\b", message)
     if unknown and not values["field"]:
         values["field"] = unknown[1].replace("part", "name")
     name, _, rest = message.partition(":")
-    if kind is FileError and name in _TEXTS:
-        values |= {"field": name, "message": rest.strip(), "kind": "usage"}
-        kind = InputError
-    if kind is FileError and message.startswith("there is no"):
-        kind = InputError
-    if kind is FileError and any(
-        words in message for words in ("(os error 2)", "does not exist")
-    ):
-        kind = MissingFileError
+    if kind is FileError:
+        if name in _TEXTS:
+            values |= {"field": name, "message": rest.strip(), "kind": "usage"}
+            kind = InputError
+        elif message.startswith("there is no"):
+            kind = InputError
+        elif re.search(r"\(os error 2\)|does not exist", message):
+            kind = MissingFileError
     return kind(**values)
 
 

@@ -231,28 +231,21 @@ class Joint(_api.JointCommands, _File):
                 field=without[0],
                 hint='radius_mm=25, or "radius": "25 mm"',
             )
-        made, muscles = (
-            {"joint": _table(joint), **_tables(tables)},
-            {},
-        )
+        made: Any = {"joint": _table(joint), **_tables(tables)}
+        muscles: Any = {}
         for side, muscle, geometry in (
             (1, muscle_1, geometry_1),
             (2, muscle_2, geometry_2),
         ):
-            if muscle is not None and not isinstance(muscle, Muscle):
+            if muscle is None:
+                continue
+            if not isinstance(muscle, Muscle):
                 raise wrong_type(f"muscle_{side}", "a Muscle", muscle)
-            if muscle is not None:
-                place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
-                muscles[place] = {"name": place, "text": muscle.to_toml()}
-                made[f"muscle_{side}"] = {
-                    "file": place,
-                    **_table(
-                        {
-                            "contraction_at_neutral": contraction_at_neutral,
-                            **(geometry or {}),
-                        }
-                    ),
-                }
+            place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
+            muscles[place] = {"name": place, "text": muscle.to_toml()}
+            neutral = {"contraction_at_neutral": contraction_at_neutral}
+            keys = _table({**neutral, **(geometry or {})})
+            made[f"muscle_{side}"] = {"file": place, **keys}
         self._hold(_held=self._written(made, muscles=list(muscles.values())))
         self._parts()
 
@@ -304,7 +297,7 @@ class Joint(_api.JointCommands, _File):
                 held[i - len(muscles)],
                 contraction,
                 slopes,
-                {"direction": "mean", "errors": errors, **options},
+                {"branch": "mean", "errors": errors, **options},
             )
             pull, rates = pull if slopes else (pull, np.zeros(2))
             torque = torque + 1e-3 * arm * pull
@@ -443,7 +436,8 @@ class Drive(_api.DriveCommands, _File):
         Tables that the commands or the load name, by their names.
     others
         The others by their names: ``valve``, which may be the name of one of the library such as ``festo-mh2``, ``supply``, ``air``, ``load``, ``friction``,
-        ``rubber``, ``controller``, ``regulator``; of a muscle that is filled with a liquid ``liquid``, ``pump``, ``syringe``.
+        ``rubber``, ``controller``, ``regulator``; of a muscle that is filled with a liquid ``liquid``, ``pump``, ``syringe``; where it starts, ``start``, and what acts
+        from outside, ``external`` (``force_n`` or ``torque_nm``, over time).
 
     Examples
     --------
@@ -641,13 +635,8 @@ class Simulation:
         given: Any = command if several else [command] * count
         if torque_nm and not self._joint or force_n and self._joint:
             raise TypeError("torque_nm is for a joint, force_n for a muscle")
-        outside = (
-            number("torque_nm", torque_nm)
-            if torque_nm
-            else number("force_n", force_n)
-            if force_n
-            else 0.0
-        )
+        name = "torque_nm" if self._joint else "force_n"
+        outside = number(name, torque_nm or force_n)
         values = [
             value
             if type(value) is float and value <= 1.0

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
-import sys
 from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal
 
 from . import _api, _native
 from ._errors import InputError, MckibbenError, MuscleWarning, warned, wrong_type
+from ._record import of_rows
 from ._request import (
     Saved,
     array,
@@ -55,54 +56,50 @@ class Bound:
     __slots__ = ("muscle", "native", "quiet")
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
-        self.muscle, self.native = (
-            muscle,
-            muscle._held.model(fields(modelled(known(given, _api.Options)))),
-        )
+        made = muscle._held.model
+        self.muscle = muscle
+        self.native = made(fields(modelled(known(given, _api.Options))))
         (_, allowed), _ = self.native.bounds()
         highest = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
         # Elements would take long, and warn of what a long muscle does.
-        model = {"model": "thick-wall"} if self.native.is_elements else None
-        probe = muscle._held.model(fields(modelled(model))) if model else self.native
-        self.quiet = next(
-            (
-                pressure
-                for pressure in (highest, highest / 2, highest / 4)
-                if not any(
-                    row.get("warnings")
-                    for row in probe.solve(
-                        [pressure] * len(_PROBED), list(_PROBED), True
-                    )
-                )
-            ),
-            0.0,
+        probe = (
+            made({"model": "thick-wall"}) if self.native.is_elements else self.native
         )
+        # Up to which pressure and contraction a muscle says nothing.
+        self.quiet = 0.0, 0.0
+        for pressure in (highest, highest / 2, highest / 4):
+            rows = probe.solve([pressure] * len(_PROBED), list(_PROBED), True)
+            loud = [bool(row.get("warnings")) for row in rows]
+            quiet = (*loud, True).index(True)
+            if quiet > 2:
+                self.quiet = pressure, _PROBED[quiet - 1]
+                break
 
     def is_quiet(self, pressure: Any, contraction: Any) -> Any:
         """Whether nothing is to be said of a point, or of each of several."""
-        low, high = contraction >= _PROBED[0], contraction <= _PROBED[-1]
-        return (pressure <= self.quiet) & low & high
+        most, last = self.quiet
+        return (pressure <= most) & (contraction >= 0.0) & (contraction <= last)
 
-    def look(self, pressures: list[float], contractions: list[float]) -> None:
-        """Warns of points."""
-        rows = self.native.solve(pressures, contractions, True)
-        if said := dict.fromkeys(
-            text for row in rows for text in row.get("warnings", ())
-        ):
+    def say(self, rows: Sequence[Mapping[str, Any]]) -> list[str]:
+        """Warns of points that were solved, once of each text; which these are."""
+        said = dict.fromkeys(text for row in rows for text in row.get("warnings", ()))
+        if said:
             warned("; ".join(said), MuscleWarning)
+        return list(said)
+
+    def look(self, p: list[float], e: list[float], nan: bool = True) -> list[float]:
+        """Pulls at points, with what is to be said of these."""
+        self.say(rows := self.native.solve(p, e, nan))
+        return [row.get("force_n", math.nan) for row in rows]
 
 
 def _plain(value: Any) -> Any:
     """A number of NumPy, or an array of no dimension, as one of Python."""
-    # While another thread imports NumPy, its module is not complete.
-    numpy = sys.modules.get("numpy")
-    is_number = isinstance(value, getattr(numpy, "generic", ())) or (
-        type(value) is getattr(numpy, "ndarray", None) and not value.shape
-    )
-    return value.item() if is_number else value
+    is_one = type(value).__module__ == "numpy" and getattr(value, "shape", 0) == ()
+    return value.item() if is_one else value
 
 
-class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
+class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     """A McKibben muscle: a rubber tube in a braid between two terminals. Diameter, wall and length are to be given; :meth:`prototype` is that
     of the paper. Angle 28°, rubber and braid ``paper`` where they are left out.
 
@@ -240,244 +237,19 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
             if stated > _LIKELY_MPA:
                 number("pressure_mpa", stated)
             try:
+                # One solve gives both.
+                if wanted == "force" and not bound.is_quiet(a, b):
+                    return bound.look([a], [b], nan)[0]
                 found = bound.native.answer_pair(wanted, a, b, nan)
             except MckibbenError as error:
                 # It is not one of several.
                 error.index = None
                 raise
-            pressure = (
-                a if wanted == "force" else b if wanted == "contraction" else found
-            )
-            at = found if wanted == "contraction" else b
-            if not bound.is_quiet(pressure, at) and pressure == pressure and at == at:
-                bound.look([pressure], [at])
+            p, e = {"force": (a, b), "pressure": (found, b)}.get(wanted, (b, found))
+            if found == found and not bound.is_quiet(p, e):
+                bound.look([p], [e])
             return found
         return _arrays(bound, wanted, a, b, jac, nan, progress)
-
-    @overload
-    def force(  # type: ignore[overload-overlap]
-        self,
-        pressure_mpa: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[False] = False,
-        **options: Unpack[_api.Asking],
-    ) -> float: ...
-    @overload
-    def force(
-        self,
-        pressure_mpa: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[False] = False,
-        **options: Unpack[_api.Asking],
-    ) -> Array: ...
-    @overload
-    def force(
-        self,
-        pressure_mpa: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        **options: Unpack[_api.Asking],
-    ) -> tuple[Any, Array]: ...
-    def force(
-        self,
-        pressure_mpa: Any,
-        contraction: Any = 0.0,
-        *,
-        jac: bool | Sequence[str] = False,
-        **options: Any,
-    ) -> Any:
-        """F(P, ε): the pull, in N; 0 where the muscle is slack.
-
-        Parameters
-        ----------
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
-            N, then ∂F/∂θ of each name in N per its unit, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> muscle.force([0.1, 0.2], 0.1, model="paper").round(1)
-        array([ 585.7, 1202.7])
-        """
-        return self._asked("force", pressure_mpa, contraction, jac, options)
-
-    @overload
-    def pressure(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        contraction: Number = 0.0,
-        *,
-        jac: Literal[False] = False,
-        **options: Unpack[_api.Asking],
-    ) -> float: ...
-    @overload
-    def pressure(
-        self,
-        force_n: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[False] = False,
-        **options: Unpack[_api.Asking],
-    ) -> Array: ...
-    @overload
-    def pressure(
-        self,
-        force_n: Floats,
-        contraction: Floats = 0.0,
-        *,
-        jac: Literal[True] | Sequence[str],
-        **options: Unpack[_api.Asking],
-    ) -> tuple[Any, Array]: ...
-    def pressure(
-        self,
-        force_n: Any,
-        contraction: Any = 0.0,
-        *,
-        jac: bool | Sequence[str] = False,
-        **options: Any,
-    ) -> Any:
-        """P(F, ε): the pressure that gives a pull, in MPa.
-
-        Parameters
-        ----------
-        force_n : N
-            Pulls F, broadcast against the other argument.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂P/∂F, ∂P/∂ε, then
-            ∂P/∂θ, by implicit differentiation, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> round(muscle.pressure(300, "10%", model="ideal"), 4)
-        0.0377
-        """
-        return self._asked("pressure", force_n, contraction, jac, options)
-
-    @overload
-    def contraction(  # type: ignore[overload-overlap]
-        self,
-        force_n: Number,
-        pressure_mpa: Number,
-        *,
-        jac: Literal[False] = False,
-        **options: Unpack[_api.Asking],
-    ) -> float: ...
-    @overload
-    def contraction(
-        self,
-        force_n: Floats,
-        pressure_mpa: Floats,
-        *,
-        jac: Literal[False] = False,
-        **options: Unpack[_api.Asking],
-    ) -> Array: ...
-    @overload
-    def contraction(
-        self,
-        force_n: Floats,
-        pressure_mpa: Floats,
-        *,
-        jac: Literal[True] | Sequence[str],
-        **options: Unpack[_api.Asking],
-    ) -> tuple[Any, Array]: ...
-    def contraction(
-        self,
-        force_n: Any,
-        pressure_mpa: Any,
-        *,
-        jac: bool | Sequence[str] = False,
-        **options: Any,
-    ) -> Any:
-        """ε(F, P): the contraction at which a pressure gives a pull.
-
-        Parameters
-        ----------
-        force_n : N
-            Pulls F, broadcast against the other argument.
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        jac
-            True for the derivatives as well; or names of constants and measures of the muscle (see `parameters`) for the derivatives by these too, all others
-            held: k of the strands as well, where the diameter changes. `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg` and `stiffness` are those by
-            `replace`: k of a named braid follows the diameter. Those of finite elements come from the factorised tangent of the equilibrium itself.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
-
-        Returns
-        -------
-        float or numpy.ndarray
-            Of the broadcast shape; a masked array where one of the two is. With `jac` a pair: this, and an array with one axis more: ∂ε/∂F, ∂ε/∂P, then
-            ∂ε/∂θ, by implicit differentiation, all other constants held.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
-        >>> round(muscle.contraction(300, "2 bar", model="ideal"), 3)
-        0.293
-        """
-        return self._asked("contraction", force_n, pressure_mpa, jac, options)
 
     def solve(
         self,
@@ -488,31 +260,13 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
         progress: Progress = None,
         **options: Unpack[_api.Options],
     ) -> _api.Solution:
-        """All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape.
-
-        Parameters
-        ----------
-        pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as `"2.5 bar"` or `"0..2.5:0.5 bar"`, or quantities of pint. What is masked (`numpy.ma`) is not asked for.
-        contraction : ratio
-            Contraction ratios ε = ΔL/L0, broadcast against the other argument.
-        errors
-            `raise` for the first point without an answer, `nan` for NaN there.
-        progress
-            True for a line on standard error, or a function that is called with (done, total).
-        options
-            `model` (`fe` where it is left out, `universal`, `thick-wall`, `ideal`, `paper`, …, a fitted formula), `mesh`, `match`, `terminal`, `extrapolate`,
-            `two_sided`, `direction`.
+        """All that is known of points: pulls with their ±, volumes, stiffness, strand tension, … as arrays of one shape. Arguments and exceptions are those of
+        :meth:`force`.
 
         Returns
         -------
         Solution
             Its arrays are attributes: `force_n`, `uncertainty_n`, `volume_mm3`, …; `warned` has a bit for each of `warnings`.
-
-        Raises
-        ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
 
         Examples
         --------
@@ -534,35 +288,19 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
             is_nan(errors),
             heard(progress, "solve"),
         )
-        if texts := list(
-            dict.fromkeys(text for row in rows for text in row.get("warnings", ()))
-        ):
-            warned("; ".join(texts), MuscleWarning)
+        texts = bound.say(rows)
         usual = {"slack": False, "status": "ok", "cause": ""}
         for row in rows:
             # They add as squares.
             parts = row.pop("uncertainty_parts_n", {}).items()
             row |= {f"uncertainty_{name}_n": part for name, part in parts}
-            said = row.pop("warnings", ())
-            row["warned"] = sum(1 << texts.index(text) for text in set(said))
-        names = dict.fromkeys(
-            name
-            for row in (usual, *rows)
-            for name, value in row.items()
-            if name in usual or isinstance(value, (int, float))
-        )
-        columns = {
-            name: [row.get(name, usual.get(name)) for row in rows] for name in names
-        }
-        made = _api.Solution._read(
-            {
-                **columns,
-                "pressure_mpa": p,
-                "contraction": e,
-                "model": bound.native.name,
-                "warnings": texts,
-            }
-        )
+            said = set(row.pop("warnings", ()))
+            row["warned"] = sum(1 << texts.index(text) for text in said)
+        columns = of_rows([{**usual, **row} for row in rows])
+        held = {n: v for n, v in columns.items() if n in usual or hasattr(v, "dtype")}
+        at = {"pressure_mpa": p, "contraction": e}
+        about = {"model": bound.native.name, "warnings": texts}
+        made = _api.Solution._read({**dict.fromkeys(usual, ()), **held, **at, **about})
         if p.ndim and not isinstance(labelled("", p), np.ndarray):
             made.__dict__["_labels"] = labelled
         return made
@@ -689,8 +427,8 @@ class Muscle(_api.MuscleFields, _api.MuscleCommands, Saved):
             with suppress(InputError):
                 held: Any = _api.part(name)
                 sources[name] = (held.rubber or held.sleeve).source
-        known = re.findall(r"^(@\w+\{(\w+),.*?^\})", _native.LITERATURE, re.M | re.S)
-        entries = {key: text for text, key in known}
+        found = re.findall(r"^(@\w+\{(\w+),.*?^\})", _native.LITERATURE, re.M | re.S)
+        entries = {key: text for text, key in found}
         out = [
             f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
         ]
@@ -762,22 +500,12 @@ def _arrays(
     )
     slopes = bool(names) or bool(jac)
     out = np.empty((*shape, 3 + len(own)) if slopes else shape)
-    bound.native.fill(
-        wanted,
-        first,
-        second,
-        out.reshape(-1),
-        slopes,
-        own,
-        nan,
-        heard(progress, wanted),
-    )
     value, rates = (out[..., 0], out[..., 1:]) if slopes else (out, None)
-    p, e = {
-        "force": (first, second),
-        "pressure": (value.ravel(), second),
-        "contraction": (second, value.ravel()),
-    }[wanted]
+    how = slopes, own, nan, heard(progress, wanted)
+    bound.native.fill(wanted, first, second, out.reshape(-1), *how)
+    found = value.ravel()
+    pairs = {"force": (first, second), "pressure": (found, second)}
+    p, e = pairs.get(wanted, (second, found))
     loud = np.flatnonzero(~bound.is_quiet(p, e) & np.isfinite(p) & np.isfinite(e))
     if loud.size:
         loud = loud[np.argsort(p[loud], kind="stable")[-_MOST:]]

@@ -6,11 +6,11 @@ import json
 import os
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 
 from . import _api, _native
 from ._motion import Drive, Joint, muscle_of
-from ._errors import InputError
+from ._errors import FileError, InputError
 from ._record import Record
 from ._request import Saved, array, bare, is_nan
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ._request import Floats, Number, Plain
 
     Errors = Literal["raise", "nan"]
+    Kind = TypeVar("Kind")
 
 
 _compiled = lru_cache(_native.Formula)
@@ -63,18 +64,14 @@ class Rubber(Saved):
         bulk_modulus_mpa: Number | Literal["incompressible"] | None = None,
         **constants: Plain,
     ) -> None:
-        stated = {
-            n: _constant(v)
-            for n, v in {**constants, "bulk_modulus_mpa": bulk_modulus_mpa}.items()
-            if v is not None
-        }
-        given = {n: v for n, v in stated.items() if v != "incompressible"}
-        bulk = given.get("bulk_modulus_mpa")
-        material = {
-            "law": law,
-            **{n: v for n, v in given.items() if n != "bulk_modulus_mpa"},
-            **({"bulk_modulus": f"{bulk!r} MPa"} if bulk is not None else {}),
-        }
+        stated = {**constants, "bulk_modulus_mpa": bulk_modulus_mpa}
+        if bulk_modulus_mpa == "incompressible":
+            del stated["bulk_modulus_mpa"]
+        given = {n: _constant(v) for n, v in stated.items() if v is not None}
+        material = {"law": law, **given}
+        if "bulk_modulus_mpa" in given:
+            bulk = material.pop("bulk_modulus_mpa")
+            material["bulk_modulus"] = f"{bulk!r} MPa"
         text = _native.toml_text({"tube": {"material": material}})
         # A muscle of nothing else says what is wrong with it.
         self._hold(
@@ -276,20 +273,39 @@ class Formula(Saved):
         return f"$${latex}$$" if latex and "\\begin{document}" not in latex else None
 
 
-def load(path: str | os.PathLike[str]) -> Any:
+@overload
+def load(path: str | os.PathLike[str]) -> Any: ...
+@overload
+def load(path: str | os.PathLike[str], kind: type[Kind]) -> Kind: ...
+def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
     """What ``save()`` wrote or a person did: a muscle, a rubber, a joint or a drive (TOML), a formula or an answer (JSON); a muscle of the library by ``lib:NAME``.
+
+    Parameters
+    ----------
+    path
+        The file.
+    kind
+        The class that it is to be, such as ``mk.Joint``: with it the type is known to those who check types.
 
     Raises
     ------
     FileError
-        It is none of these.
+        It is none of these, or of another class.
 
     Examples
     --------
     >>> import mckibben as mk
-    >>> mk.load("lib:dmsp-20-300").length_mm
+    >>> mk.load("lib:dmsp-20-300", mk.Muscle).length_mm
     300.0
     """
+    found = _loaded(path)
+    if not isinstance(found, kind):
+        said = f"{path} holds a {type(found).__name__}, not a {kind.__name__}"
+        raise FileError(said, field="kind")
+    return found
+
+
+def _loaded(path: str | os.PathLike[str]) -> Any:
     held = _native.read(
         path, "muscle" if str(path).lower().startswith("lib:") else "table"
     )

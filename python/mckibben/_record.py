@@ -114,19 +114,6 @@ class Record(Fixed):
             raise TypeError(f"{type(self).__name__} holds no table")
         lists = (self.__dict__.get(name) for name in self._rows.split())
         held: Any = next(filter(None, lists), [])
-        if isinstance(held, Record) and hasattr(held, "text"):
-            import csv
-
-            rows = csv.DictReader(held.text.splitlines())
-            return of_rows(
-                [
-                    {
-                        n: v if n in ("status", "cause") else float(v or "nan")
-                        for n, v in row.items()
-                    }
-                    for row in rows
-                ]
-            )
         if isinstance(held, Record):
             return {
                 name: column(values)
@@ -135,7 +122,7 @@ class Record(Fixed):
             }
         return of_rows([_unwrapped(row) for row in held])
 
-    def __getitem__(self, name: str) -> Any:
+    def __getitem__(self, name: str, /) -> Any:
         return self.to_columns()[name]
 
     def to_pandas(self) -> pandas.DataFrame:
@@ -260,6 +247,8 @@ def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
 
 def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
     """One line, row of points, or band."""
+    import numpy as np
+
     colour = (
         "#808080"
         if series.get("neutral")
@@ -268,11 +257,8 @@ def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
         else _COLOURS[number % len(_COLOURS)]
     )
     # A text that the program writes at the end of a line is in the legend here.
-    label = str(series.get("label") or series.get("end_label") or "") or None
-    x, y = (
-        [float("nan") if point[i] is None else point[i] for point in series["points"]]
-        for i in (0, 1)
-    )
+    label = series.get("label") or series.get("end_label")
+    x, y = np.array(series["points"], dtype=np.float64).reshape(-1, 2).T
     style = series.get("style", "auto")
     if style == "band":
         axis.fill(x, y, color=colour, alpha=0.2, linewidth=0, label=label)
@@ -296,6 +282,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
     from matplotlib.colors import LinearSegmentedColormap
 
     panels = figure["panels"]
+    is_one = len(panels) == 1
     axes = list(np.ravel(ax))
     if ax is None:
         columns = max(1, min(figure.get("columns") or 1, len(panels)))
@@ -310,12 +297,12 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
         axes = list(grid.flat)
         for spare in axes[len(panels) :]:
             spare.remove()
-        made.suptitle(figure["title"] if len(panels) > 1 else "")
+        made.suptitle("" if is_one else figure["title"])
     if len(axes) < len(panels):
         raise ValueError(f"{len(panels)} panels need as many axes")
     for panel, axis in zip(panels, axes):
         numbers = [
-            s.get("colour") if s.get("colour") is not None else i
+            i if s.get("colour") is None else s["colour"]
             for i, s in enumerate(panel["series"])
         ]
         ramp = (
@@ -343,7 +330,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
         axis.set(
             xlabel=panel["x"]["label"],
             ylabel=panel["y"]["label"],
-            title=panel["title"] or (figure["title"] if len(panels) == 1 else ""),
+            title=panel["title"] or (figure["title"] if is_one else ""),
         )
         for name, fit in (("x", axis.set_xlim), ("y", axis.set_ylim)):
             if panel[name].get("range"):
@@ -354,7 +341,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
         axis.grid(visible=True, alpha=0.3)
         if axis.get_legend_handles_labels()[1]:
             axis.legend(fontsize="small")
-    return axes[0] if len(panels) == 1 else axes[: len(panels)]
+    return axes[0] if is_one else axes[: len(panels)]
 
 
 class Points(Record):
@@ -413,7 +400,7 @@ class Points(Record):
         shape: tuple[int, ...] = self.__dict__["pressure_mpa"].shape
         return shape
 
-    def __getitem__(self, name: str) -> NDArray[Any]:
+    def __getitem__(self, name: str, /) -> NDArray[Any]:
         return self._arrays()[name]
 
     def to_dict(self) -> dict[str, Any]:
@@ -501,18 +488,12 @@ class Curves(Record):
         """The points, curve after curve, with what is ``fixed`` on each; a point without an answer is NaN, and its ``status`` and ``cause`` say why."""
         held = self.to_dict()
         rows, fixed = held["points"], held["fixed"]
-        whole = [
-            {
-                "fixed": fixed[i * len(fixed) // len(rows)],
-                **row,
-                "slack": row.get("slack", False),
-            }
-            for i, row in enumerate(rows)
-        ]
         return of_rows(
             [
-                {name: value for name, value in row.items() if name != "model"}
-                for row in whole
+                {"fixed": fixed[i * len(fixed) // len(rows)]}
+                | row
+                | {"slack": row.get("slack", False), "model": []}
+                for i, row in enumerate(rows)
             ]
         )
 

@@ -5,10 +5,18 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union
+from functools import wraps
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union, cast
 
 from . import _native
-from ._errors import ExistingFileError, InputError, warned, wrong_type
+from ._errors import (
+    ExistingFileError,
+    InputError,
+    WrongTypeError,
+    warned,
+    wrong_type,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -27,6 +35,7 @@ if TYPE_CHECKING:
         def to(self, unit: Any, /) -> Any: ...
 
     Answer = TypeVar("Answer", bound=Record)
+    Function = TypeVar("Function", bound=Callable[..., Any])
     # A number in the unit of its name, a text with its unit, or a quantity of pint.
     Number = Union[float, str, Measured]
     # Several; a text may be a range with both ends in, such as "0..2.5:0.5 bar".
@@ -57,6 +66,8 @@ if TYPE_CHECKING:
 # Fields that are tables, those of a model by their arguments, and those that a design searches through.
 TABLES = ("data", "log", "table", "tables", "load_tables")
 MODEL = {"model": "name", "mesh": "mesh", "match": "match", "terminal": "terminal"}
+# Arguments that have another name since.
+RENAMED = {"direction": "branch", "branches": "branch", "both": 'branch="both"'}
 _NUMBERS = "numbers, a text with its unit or quantities of pint"
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
 
@@ -321,15 +332,38 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
     return out
 
 
-def modelled(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Arguments, those of the model as the one object that a request has."""
+def modelled(given: Mapping[str, Any], command: str = "force") -> dict[str, Any]:
+    """Arguments, those of the model as the one object that the request of a command has, and the branch under its field."""
     out = dict(given)
     model = {field: out.pop(name, None) for name, field in MODEL.items()}
-    return {**out, "model": model}
+    branch = out.pop("branch", None)
+    by = "branches" if command == "identify" else "direction"
+    if (command, branch) == ("curve", "both"):
+        by, branch = branch, True
+    return {**out, by: branch, "model": model}
+
+
+def _gone(given: Mapping[str, Any]) -> None:
+    """Refuses arguments that have another name since."""
+    for name in given:
+        if new := RENAMED.get(name):
+            raise WrongTypeError(f"is now {new}", field=name)
+
+
+def renamed(function: Function) -> Function:
+    """A function that says so of arguments that have another name since."""
+
+    @wraps(function)
+    def call(*values: Any, **given: Any) -> Any:
+        _gone(given)
+        return function(*values, **given)
+
+    return cast("Function", call)
 
 
 def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
     """Keywords, of which each is one of a class of keywords."""
+    _gone(given)
     if unknown := [name for name in given if name not in kind.__annotations__]:
         raise TypeError(
             f"unexpected keyword argument {unknown[0]!r}; there is {', '.join(kind.__annotations__)}"
@@ -366,9 +400,7 @@ def put(
     }
     for path, content in contents.items():
         if not overwrite and os.path.isfile(path):
-            with open(path, "rb") as there:
-                held = there.read()
-            if held not in (b"", content):
+            if Path(path).read_bytes() not in (b"", content):
                 raise ExistingFileError(
                     f"{path} is another file and would be overwritten",
                     kind="output",

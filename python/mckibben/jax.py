@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from typing_extensions import Unpack
 
-    from ._api import Options
+    from ._api import Asking
     from ._muscle import Muscle
 
     Array: TypeAlias = NDArray[np.float64]
@@ -41,12 +41,13 @@ class _Asked:
     signed: int | None = 1
     names: Sequence[str] = ()
 
-    def __init__(self, muscle: Muscle, errors: str, options: Mapping[str, Any]) -> None:
-        self.nan, self.options = is_nan(errors), options
+    def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
+        self.options = options = dict(given)
+        self.nan = is_nan(options.pop("errors", "raise"))
         # Which model it is, and whether there is one.
         self.has_second = not muscle._bound(options).native.is_elements
         # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
-        width = len(self.usual) + len(self.names)
+        self.width = width = len(self.usual) + len(self.names)
         self.widths: Any = (), (1 + width,), (width**2,)
 
     def numbers(
@@ -120,8 +121,7 @@ class _OfMuscle(_Asked):
         muscle: Muscle,
         wanted: str,
         names: Sequence[str],
-        errors: str,
-        options: Mapping[str, Any],
+        given: Mapping[str, Any],
     ) -> None:
         there = [*MEASURES, *muscle.parameters]
         if unknown := [name for name in names if name not in there]:
@@ -129,7 +129,7 @@ class _OfMuscle(_Asked):
         self.muscle, self.wanted, self.names = muscle, wanted, names
         self.usual = _USUAL[wanted]
         self.signed = None if wanted == "contraction" else 1
-        super().__init__(muscle, errors, options)
+        super().__init__(muscle, given)
 
     def numbers(
         self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
@@ -165,11 +165,11 @@ class _OfMuscle(_Asked):
 class _OfJoint(_Asked):
     """The torque of a joint."""
 
-    def __init__(self, joint: Joint, errors: str, options: Mapping[str, Any]) -> None:
+    def __init__(self, joint: Joint, given: Mapping[str, Any]) -> None:
         muscles = joint._parts()[1]
         self.joint, self.signed = joint, len(muscles)
         self.usual = *[0.1] * len(muscles), 20.0
-        super().__init__(muscles[0], errors, options)
+        super().__init__(muscles[0], given)
 
     def numbers(
         self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
@@ -184,9 +184,7 @@ class _OfJoint(_Asked):
 def force(
     muscle: Muscle,
     wrt: Sequence[str] = (),
-    *,
-    errors: str = "raise",
-    **options: Unpack[Options],
+    **options: Unpack[Asking],
 ) -> Callable[..., jax.Array]:
     """F(P, ε; θ) of a muscle as a function of JAX with its first and second derivatives (``jax.custom_jvp``): ``f(pressure_mpa, contraction)``, or
     ``f(pressure_mpa, contraction, theta)`` with the values of the names in their order, or a dict of them, of the broadcast shape of pressures and contractions.
@@ -208,42 +206,34 @@ def force(
     ValueError
         A muscle has no constant or measure of that name (:class:`InputError`).
     """
-    return _function(_OfMuscle(muscle, "force", wrt, errors, options))
+    return _function(_OfMuscle(muscle, "force", wrt, options))
 
 
 def pressure(
     muscle: Muscle,
     wrt: Sequence[str] = (),
-    *,
-    errors: str = "raise",
-    **options: Unpack[Options],
+    **options: Unpack[Asking],
 ) -> Callable[..., jax.Array]:
     """P(F, ε; θ) of a muscle: ``f(force_n, contraction)`` or ``f(force_n, contraction, theta)`` in MPa; arguments as in :func:`force`."""
-    return _function(_OfMuscle(muscle, "pressure", wrt, errors, options))
+    return _function(_OfMuscle(muscle, "pressure", wrt, options))
 
 
 def contraction(
     muscle: Muscle,
     wrt: Sequence[str] = (),
-    *,
-    errors: str = "raise",
-    **options: Unpack[Options],
+    **options: Unpack[Asking],
 ) -> Callable[..., jax.Array]:
     """ε(F, P; θ) of a muscle: ``f(force_n, pressure_mpa)`` or ``f(force_n, pressure_mpa, theta)``; arguments as in :func:`force`."""
-    return _function(_OfMuscle(muscle, "contraction", wrt, errors, options))
+    return _function(_OfMuscle(muscle, "contraction", wrt, options))
 
 
-def torque(
-    joint: Joint, *, errors: str = "raise", **options: Unpack[Options]
-) -> Callable[..., jax.Array]:
+def torque(joint: Joint, **options: Unpack[Asking]) -> Callable[..., jax.Array]:
     """τ(P, φ) of a joint with its first and second derivatives: ``f(pressures_mpa, angle_deg)`` in N m, with a pressure for each muscle; arguments as in :func:`force`."""
-    return _function(_OfJoint(joint, errors, options))
+    return _function(_OfJoint(joint, options))
 
 
 def _function(asked: _Asked) -> Callable[..., jax.Array]:
-    count = len(asked.names)
-
-    width = len(asked.usual) + count
+    count, width = len(asked.names), asked.width
 
     def of_order(order: int) -> jax.custom_jvp[Any]:
         def call(*numbers: Any) -> Any:

@@ -12,16 +12,25 @@ import sys
 from collections.abc import Callable
 from decimal import Decimal
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
 import polars as pl
 import pyarrow as pa
 import pytest
+from numpy.typing import NDArray
 
 import mckibben as mk
 from mckibben import _errors, answers
+
+if TYPE_CHECKING:
+    from typing_extensions import assert_type
+else:
+
+    def assert_type(value: Any, kind: Any) -> Any:
+        return value
+
 
 THIN = mk.Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285)
 THIN_OF = {"muscle": {"file": {"name": "m", "text": THIN.to_toml()}}}
@@ -66,7 +75,6 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "design": lambda root: mk.design(**SPEC),
     "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", tables=True),
     "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(),
-    "plan": lambda root: mk.plan(PLAN),
     "identify": lambda root: mk.identify(
         root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"
     ),
@@ -782,3 +790,27 @@ def test_sources_are_whole_references() -> None:
     assert "@article{chou1996," in text and "{Chou, Ching-Ping and Hannaford" in text
     assert "10.1109/70.481753" in text and "@article{marechal2021," in text
     assert "note = {axisymmetric finite elements" in muscle.cite()
+
+
+def test_a_plan_in_memory_has_the_points_of_its_campaign(tmp_path: Path) -> None:
+    """Whose table is given to a fit as that of any other."""
+    held = mk.ask("plan", {"plan": PLAN})["table"]
+    table = list(csv.DictReader(held["text"].splitlines()))
+    kept = mk.campaign(PLAN, tmp_path / "c.parquet").to_pandas()
+    assert [float(row["force_n"]) for row in table] == kept["force_n"].tolist()
+    with pytest.raises(mk.MckibbenError, match="3 are needed"):
+        mk.fit(held)
+
+
+def test_columns_and_loaded_objects_have_types(root: Path) -> None:
+    """Those who check types see them; the arrays are of these."""
+    identified = mk.identify(
+        root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"
+    )
+    assert_type(identified["value"], NDArray[np.float64])
+    assert_type(identified["name"], "list[str]")
+    assert identified["value"].dtype == np.float64
+    assert_type(mk.load(root / "examples/elbow.toml", mk.Joint), mk.Joint)
+    curve = THIN.curve(model="ideal")
+    assert_type(curve["force_n"], NDArray[np.float64])
+    assert curve["force_n"].dtype == np.float64

@@ -100,7 +100,8 @@ def test_a_killed_pool_is_joined_again(tmp_path: Path, expected: bytes) -> None:
     with ProcessPoolExecutor(2) as pool:
         campaign = mk.campaign(PLAN, out, executor=pool, shards=10)
     assert campaign.status().complete and campaign.status().shards_done == 10
-    mk.Campaign.merge([out], tmp_path / "merged.parquet")
+    request = {"folders": [str(out)], "output": str(tmp_path / "merged.parquet")}
+    mk.ask("campaign-merge", request)
     assert (tmp_path / "merged.parquet").read_bytes() == expected
 
 

@@ -192,7 +192,7 @@ def test_monte_carlo_the_parts_of_two_opposed_muscles(elbow: mk.Joint) -> None:
     parts = []
     for i, muscle in enumerate(muscles):
         e, arm = levers[2 + 3 * i : 4 + 3 * i]
-        points = muscle.solve(at[i], e, model="universal", direction="mean")
+        points = muscle.solve(at[i], e, model="universal", branch="mean")
         held = {
             name.removeprefix("uncertainty_").removesuffix("_n"): 1e-3 * arm * value
             for name, value in points._arrays().items()
@@ -214,3 +214,43 @@ def test_monte_carlo_the_parts_of_two_opposed_muscles(elbow: mk.Joint) -> None:
         expected = getattr(printed, name)
         # 1/√400000 = 0.16 % is the error of a standard deviation from 200 000 draws; three times that.
         assert torques.std() == pytest.approx(expected, rel=5e-3), name
+
+
+def test_closed_form_a_loose_joint_is_a_free_body_under_a_torque(
+    elbow: mk.Joint,
+) -> None:
+    """Without pressure the muscles hang loose: φ = φ0 + τ (t - t0)²/2I of a drive that starts at an angle, and with pressures its first point has them."""
+    muscle = next(iter(elbow.muscles.values()))
+    loose = mk.Joint(
+        muscle,
+        muscle,
+        joint={"radius_mm": 25, "range_deg": (-60, 60), "inertia_kg_m2": 0.03},
+        contraction_at_neutral=0.2,
+    )
+
+    def moved(pressure_mpa: float, **start: Any) -> Any:
+        drive = mk.Drive(
+            loose,
+            regulator={"time_constant_s": 0.05},
+            command={"pressure_mpa": pressure_mpa, "until_s": 0.4},
+            start=start,
+            external={"torque_nm": [[0.0, 0.0], [0.1, 0.1]]},
+        )
+        assert mk.Drive.__reduce__(drive)[0](*drive.__reduce__()[1]) == drive
+        return drive.motion(model="universal")
+
+    motion = moved(0.0, position_deg=-20)
+    t, angle = motion["time_s"], np.radians(motion["angle_deg"])
+    expected = np.radians(-20) + 0.1 * np.maximum(t - 0.1, 0) ** 2 / (2 * 0.03)
+    assert np.abs(angle - expected).max() < 1e-8
+    filled = moved(0.2, pressures_mpa=[0.1, 0.15], position_deg=5)
+    first = [filled[f"pressure_{i}_mpa"][0] for i in (1, 2)]
+    assert [*first, filled["angle_deg"][0]] == pytest.approx([0.1, 0.15, 5])
+    with pytest.raises(mk.InputError, match="torque"):
+        mk.Drive(loose, **DRIVE, external={"force_n": 1}).motion(model="universal")
+
+
+DRIVE: Any = {
+    "regulator": {"time_constant_s": 0.05},
+    "command": {"pressure_mpa": 0, "until_s": 0.4},
+}

@@ -392,10 +392,43 @@ def test_a_muscle_with_other_parameters_keeps_its_branch(own: str) -> None:
     )
     name, model = "tube.wall_thickness", "universal"
     pull, jac = muscle.force(0.2, 0.1, jac=[name], model=model)
-    assert pull < muscle.force(0.2, 0.1, direction="mean", model=model)
+    assert pull < muscle.force(0.2, 0.1, branch="mean", model=model)
 
     def at(wall: float) -> float:
         return muscle.with_parameters({name: wall}).force(0.2, 0.1, model=model)
 
     assert at(3.0) == pytest.approx(pull, rel=1e-12)
     assert (at(3.001) - at(2.999)) / 0.002 == pytest.approx(jac[2], rel=1e-5)
+
+
+def test_one_word_for_the_branch_and_the_old_ones_name_it(root: Path) -> None:
+    """Of points, curves, comparisons and identifications; friction opposes the motion on both sides of the mean."""
+    muscle = mk.load(root / "examples/tondu2012.toml", mk.Muscle)
+    low, mean, high = (
+        muscle.force(0.2, 0.1, model="thick-wall", branch=branch)
+        for branch in ("contraction", "mean", "elongation")
+    )
+    assert low < mean < high and mean - low == pytest.approx(high - mean, rel=1e-9)
+    curve = muscle.curve(
+        pressures_mpa=[0.2], contractions=[0.1], model="thick-wall", branch="both"
+    )
+    assert curve["force_n"].tolist() == [low, high]
+    assert muscle.check(branch="elongation", model="ideal", pressure_mpa=0.2)
+    old: Any = muscle
+    identify: Any = mk.identify
+    asks: list[Any] = [
+        lambda: old.force(0.2, 0.1, direction="mean"),
+        lambda: old.check(direction="mean"),
+        lambda: old.curve(both=True),
+        lambda: identify(old, {}, branches="mean"),
+    ]
+    for ask in asks:
+        with pytest.raises(mk.InputError, match="branch") as caught:
+            ask()
+        assert isinstance(caught.value, TypeError)
+
+
+def test_load_refuses_another_class(root: Path) -> None:
+    assert mk.load(root / "examples/elbow.toml", mk.Joint).muscles
+    with pytest.raises(mk.FileError, match="a Joint, not a Muscle"):
+        mk.load(root / "examples/elbow.toml", mk.Muscle)

@@ -98,18 +98,16 @@ impl Command {
                 points
                     .iter()
                     .try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
-                points
-                    .windows(2)
-                    .zip(2..)
-                    .find_map(|(pair, number)| match pair {
-                        [before, after] if after.0 <= before.0 => Some((before.0, after.0, number)),
-                        _ => None,
-                    }).map_or(Ok(()), |(before, after, number)| {
-                    Err(MotionError::Refused(format!(
-                        "the command's times must increase: {after} s follows {before} s (point \
-                         {number})"
-                    )))
-                })
+                for (number, pair) in (2..).zip(points.windows(2)) {
+                    let [before, after] = [0, 1].map(|i: usize| pair[i].0);
+                    MotionError::require(after > before, || {
+                        format!(
+                            "the command's times must increase: {after} s follows {before} s (point \
+                             {number})"
+                        )
+                    })?;
+                }
+                Ok(())
             }
             Self::Sine {
                 mean,

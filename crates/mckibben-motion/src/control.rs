@@ -43,36 +43,21 @@ pub struct Pid {
 
 impl Pid {
     pub(crate) fn check(&self) -> Result<()> {
-        within(
-            "the controller's proportional gain",
-            self.proportional,
-            0.0,
-            1e9,
-        )?;
-        within(
-            "the controller's integral gain",
-            self.integral_per_s,
-            0.0,
-            1e9,
-        )?;
-        within(
-            "the controller's derivative gain",
-            self.derivative_s,
-            0.0,
-            1e9,
-        )?;
-        within(
-            "the controller's filter time in s",
-            self.filter_s,
-            1e-6,
-            1e6,
-        )?;
-        within(
-            "the controller's tracking time in s",
-            self.tracking_s,
-            1e-6,
-            1e6,
-        )?;
+        let gain = (0.0, 1e9);
+        let time = (1e-6, 1e6);
+        for (what, value, (low, high)) in [
+            (
+                "the controller's proportional gain",
+                self.proportional,
+                gain,
+            ),
+            ("the controller's integral gain", self.integral_per_s, gain),
+            ("the controller's derivative gain", self.derivative_s, gain),
+            ("the controller's filter time in s", self.filter_s, time),
+            ("the controller's tracking time in s", self.tracking_s, time),
+        ] {
+            within(what, value, low, high)?;
+        }
         match self.output {
             PidOutput::Pressure { bias_mpa } => {
                 within("the controller's bias in MPa", bias_mpa, 0.0, 100.0)

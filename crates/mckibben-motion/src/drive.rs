@@ -183,8 +183,9 @@ pub struct Drive {
     /// The coordinate at the start in mm or rad, at rest; without it, the equilibrium at the first
     /// command.
     pub initial_coordinate: Option<f64>,
-    /// A generalised force from outside that opposes growing q: in N (q in mm) or N mm (q in rad).
-    pub outside_force: f64,
+    /// A generalised force from outside that opposes growing q, over time: in N (q in mm) or N mm (q
+    /// in rad).
+    pub external: Command,
 }
 
 impl Drive {
@@ -205,18 +206,8 @@ impl Drive {
             tolerance: 1e-6,
             most_steps: 1_000_000,
             initial_coordinate: None,
-            outside_force: 0.0,
+            external: Command::Constant(0.0),
         }
-    }
-
-    /// What opposes growing q.
-    pub(crate) fn load(&self, q: f64) -> f64 {
-        self.mechanism.load(q) + self.outside_force
-    }
-
-    /// Its energy in mJ.
-    pub(crate) fn load_energy_mj(&self, q: f64) -> f64 {
-        self.mechanism.load_energy_mj(q) + self.outside_force * q
     }
 
     /// Whether it can be run.
@@ -227,12 +218,6 @@ impl Drive {
             .iter()
             .try_for_each(|m| m.model.muscle().check_contracts())?;
         for (what, value, low, high) in [
-            (
-                "the force or torque from outside",
-                self.outside_force,
-                -1e12,
-                1e12,
-            ),
             (
                 "the supply's temperature in K",
                 self.supply.temperature_k,
@@ -277,7 +262,12 @@ impl Drive {
     }
 
     fn check_commands(&self) -> Result<()> {
-        self.target.commands().iter().try_for_each(Command::check)?;
+        let commands = self.target.commands().iter();
+        commands
+            .chain([&self.external])
+            .try_for_each(Command::check)?;
+        self.external
+            .check_bounds("the force or torque from outside", -1e12, 1e12)?;
         match &self.target {
             Commanded::Pressure(commands) => {
                 self.count(commands.len(), "commands")?;

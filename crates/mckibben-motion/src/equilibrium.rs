@@ -29,7 +29,8 @@ impl System {
     /// Static net force at q: pulls less load. A muscle that would have to push is slack, also
     /// where its model has no answer for it.
     fn net(&self, pressures: &[f64], q: f64) -> Result<f64> {
-        let mut sum = -self.drive.load(q);
+        let external = self.drive.external.value(self.within.get());
+        let mut sum = -self.drive.mechanism.load(q) - external;
         for (i, (member, p)) in self.members.iter().zip(pressures).enumerate() {
             let lever = self.drive.mechanism.lever(i, q);
             let force = match member.at_rest(*p, lever.contraction) {

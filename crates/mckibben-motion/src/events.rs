@@ -112,7 +112,11 @@ impl System {
             }
         }
         for (i, (m, mode)) in self.drive.muscles.iter().zip(&modes.muscles).enumerate() {
-            let Some(kind @ ValveKind::OnOff { .. }) = m.actuator.kind() else {
+            let Some(ValveKind::OnOff {
+                hysteresis_mpa,
+                closed_centre,
+            }) = m.actuator.kind()
+            else {
                 continue;
             };
             let signal = match (point.muscles.get(i), state.muscles.get(i)) {
@@ -120,7 +124,8 @@ impl System {
                 (None, Some(now)) => self.command(t, i, None) - now.gauge_mpa(),
                 (None, None) => continue,
             };
-            guards.extend(self.switches(i, kind, mode.switch, signal));
+            let valve = (hysteresis_mpa, closed_centre);
+            guards.extend(self.switches(i, valve, mode.switch, signal));
         }
         Ok(guards)
     }
@@ -129,17 +134,10 @@ impl System {
     fn switches(
         &self,
         muscle: usize,
-        kind: ValveKind,
+        (hysteresis_mpa, closed_centre): (f64, bool),
         switch: Switch,
         signal: f64,
     ) -> Vec<(Guard, f64)> {
-        let ValveKind::OnOff {
-            hysteresis_mpa,
-            closed_centre,
-        } = kind
-        else {
-            return vec![];
-        };
         let (on, off) = match (self.drive.target.is_pressure(), closed_centre) {
             (true, true) => (hysteresis_mpa, 0.0),
             (true, false) => (hysteresis_mpa, -hysteresis_mpa),

@@ -1,9 +1,6 @@
 //! The drive about an equilibrium, as a linear system.
 
-use crate::{
-    Command, Commanded, Drive, MotionError, Result, integrate::Equations, metrics::reached,
-    system::System,
-};
+use crate::{Drive, MotionError, Result, integrate::Equations, metrics::reached, system::System};
 use mckibben_core::analysis::bisect;
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -43,13 +40,7 @@ impl Linear {
     /// # Errors
     /// As of [`Linear::new`].
     pub fn at_state_reached(drive: &Drive, side: f64) -> Result<Self> {
-        let mut held = Drive {
-            target: Commanded::Pressure(
-                reached(drive).into_iter().map(Command::Constant).collect(),
-            ),
-            initial_coordinate: None,
-            ..drive.clone()
-        };
+        let mut held = reached(drive);
         for muscle in &mut held.muscles {
             muscle.initial_pressure_mpa = None;
         }
@@ -126,14 +117,13 @@ impl Linear {
             }
             a.set_column(column, &best);
         }
-        let step = 1e-6;
         let offset = |u: f64| {
             system.offset.set(u);
             let rates = rates(&y);
             system.offset.set(0.0);
             rates
         };
-        let [above, below] = beside(side, step);
+        let [above, below] = beside(side, 1e-6);
         Ok(Self {
             a,
             b: DVector::from_vec(difference(&offset(above)?, &offset(below)?, above - below)),

@@ -8,7 +8,7 @@ use mckibben_core::{
 };
 
 /// Contraction of a muscle at a position, and its derivative by the coordinate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Lever {
     /// ε.
     pub contraction: f64,
@@ -221,16 +221,11 @@ impl Mechanism for Joint {
     fn lever(&self, muscle: usize, q: f64) -> Lever {
         self.contraction(muscle, q)
             .zip(Joint::muscles(self).get(muscle))
-            .map_or(
-                Lever {
-                    contraction: 0.0,
-                    per_coordinate: 0.0,
-                },
-                |((contraction, s), m)| Lever {
-                    contraction,
-                    per_coordinate: s.arm_mm / m.muscle.length_mm(),
-                },
-            )
+            .map(|((contraction, s), m)| Lever {
+                contraction,
+                per_coordinate: s.arm_mm / m.muscle.length_mm(),
+            })
+            .unwrap_or_default()
     }
 
     fn load(&self, q: f64) -> f64 {

@@ -116,19 +116,26 @@ pub fn changes(drive: &Drive) -> Vec<f64> {
     times
 }
 
-/// The commands of the state that the first step reaches: those after it; the mean of a periodic one,
-/// and the last of those that never change.
-pub fn reached(drive: &Drive) -> Vec<f64> {
+/// A drive that is held by its commands in the state that the first step reaches: those after it; the
+/// mean of a periodic one, and the last of those that never change.
+pub fn reached(drive: &Drive) -> Drive {
     let changes = changes(drive);
     let end = changes.get(1).copied().unwrap_or(drive.until_s);
     let at = 0.5 * (changes.first().copied().unwrap_or(0.0) + end);
-    let one = |command: &Command| match command {
-        Command::Sine { .. } | Command::Chirp { .. } => {
-            0.5 * (command.bounds().0 + command.bounds().1)
-        }
-        _ => command.value_within(end, at),
+    let one = |command: &Command| {
+        Command::Constant(match command {
+            Command::Sine { .. } | Command::Chirp { .. } => {
+                0.5 * (command.bounds().0 + command.bounds().1)
+            }
+            _ => command.value_within(end, at),
+        })
     };
-    drive.target.commands().iter().map(one).collect()
+    Drive {
+        target: Commanded::Pressure(drive.target.commands().iter().map(one).collect()),
+        external: one(&drive.external),
+        initial_coordinate: None,
+        ..drive.clone()
+    }
 }
 
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of
@@ -218,9 +225,9 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
     if drive.mechanism.is_held() {
         return None;
     }
-    let commands = drive.target.commands();
+    let commands = drive.target.commands().iter();
     let from = commands
-        .iter()
+        .chain([&drive.external])
         .map(constant_from)
         .collect::<Option<Vec<_>>>()?;
     let from = peak(from);
@@ -253,10 +260,7 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
     };
     let equilibrium = match &drive.target {
         Commanded::Pressure(commands) => {
-            let pressures: Vec<f64> = commands
-                .iter()
-                .map(|c| c.value_within(until, until))
-                .collect();
+            let pressures: Vec<f64> = commands.iter().map(|c| c.value(until)).collect();
             system.at_pressures(&pressures).ok().map(|e| e.coordinate)
         }
         Commanded::Opening(_) | Commanded::Volume(_) | Commanded::Position { .. } => None,

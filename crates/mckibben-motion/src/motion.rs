@@ -175,7 +175,7 @@ pub struct Energies {
     pub damper_j: f64,
     /// Lost in impacts on stops.
     pub impacts_j: f64,
-    /// Growth of the load's potential energy.
+    /// Growth of the load's potential energy, and work against a force or torque from outside.
     pub load_j: f64,
     /// Growth of the kinetic energy.
     pub kinetic_j: f64,

@@ -209,7 +209,8 @@ impl Integration<'_> {
                 0.5 * drive.mechanism.inertia() * v * v
             }
         };
-        let load = |state: &State| drive.load_energy_mj(state.coordinate);
+        let load = |state: &State| drive.mechanism.load_energy_mj(state.coordinate);
+        let external = totals.external.unwrap_or(0.0);
         let ambient = drive
             .muscles
             .first()
@@ -244,7 +245,7 @@ impl Integration<'_> {
             viscoelastic_j: 1e-3 * totals.viscoelastic,
             damper_j: 1e-3 * totals.damper,
             impacts_j: self.impacts_j,
-            load_j: 1e-3 * (load(&self.state) - load(&self.first)),
+            load_j: 1e-3 * (load(&self.state) - load(&self.first) + external),
             kinetic_j: 1e-3 * (kinetic(&self.state) - kinetic(&self.first)),
             work_j: 1e-3 * totals.positive_work,
             exergy_j: 1e-3 * exergy_mj,

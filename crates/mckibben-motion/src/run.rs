@@ -1,7 +1,7 @@
 //! From a drive to its motion.
 
 use crate::{
-    Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, OnStop, Result,
+    Command, Drive, EventKind, Motion, MotionError, MotionSeries, MuscleSeries, OnStop, Result,
     events::Guard, integrate::Stepper, metrics::Passed, state::State, system::System,
 };
 use mckibben_core::{progress::Progress, size};
@@ -87,7 +87,7 @@ impl<'s> Integration<'s> {
             .target
             .commands()
             .first()
-            .and_then(super::command::Command::period_s);
+            .and_then(Command::period_s);
         let until = system.drive.until_s;
         let cycle = period.filter(|p| *p <= until).map(|p| Cycle {
             from_s: until - p,
@@ -138,16 +138,11 @@ impl<'s> Integration<'s> {
     }
 
     fn integrate(&mut self) -> Result<()> {
-        let until = self.system.drive.until_s;
-        let mut ends: Vec<f64> = self
-            .system
-            .drive
-            .target
-            .commands()
-            .iter()
-            .flat_map(super::command::Command::breakpoints)
-            .collect();
+        let drive = &self.system.drive;
+        let commands = drive.target.commands().iter().chain([&drive.external]);
+        let mut ends: Vec<f64> = commands.flat_map(Command::breakpoints).collect();
         ends.extend(self.cycle.as_ref().map(|c| c.from_s));
+        let until = drive.until_s;
         ends.retain(|t| *t > 0.0 && *t < until);
         ends.push(until);
         ends.sort_by(f64::total_cmp);

@@ -20,59 +20,41 @@ pub struct MotionSeries {
     pub muscles: Vec<MuscleSeries>,
 }
 
-/// One muscle over time.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MuscleSeries {
-    /// Gauge pressure in MPa.
-    pub pressure_mpa: Vec<f64>,
-    /// ε.
-    pub contraction: Vec<f64>,
-    /// Pull at its end in N, with friction and viscoelasticity; 0 where it is slack.
-    pub force_n: Vec<f64>,
-    /// Mass of its air or liquid in g.
-    pub mass_g: Vec<f64>,
-    /// Temperature of its air or liquid in K.
-    pub temperature_k: Vec<f64>,
-    /// Volume of its cavity between the terminals in mm³.
-    pub volume_mm3: Vec<f64>,
-    /// Opening of its valve, −1 … 1; 0 on a regulator; the share of a syringe that is pushed out.
-    pub opening: Vec<f64>,
-    /// What is commanded: pressure in MPa, opening, or volume in mm³.
-    pub command: Vec<f64>,
+/// The columns of a muscle: the field, its key around the muscle's number, what is added to its values,
+/// and what it is.
+macro_rules! muscle_series {
+    ($($field:ident $key:literal $shift:literal $about:literal)*) => {
+        /// One muscle over time.
+        #[derive(Debug, Clone, PartialEq, Default)]
+        pub struct MuscleSeries {
+            $(#[doc = $about] pub $field: Vec<f64>,)*
+        }
+
+        const COLUMNS: &[(&str, &str, f64)] = &[$(($key, $about, $shift)),*];
+
+        impl MuscleSeries {
+            fn lists(&self) -> [&Vec<f64>; COLUMNS.len()] {
+                [$(&self.$field),*]
+            }
+
+            /// The same to be written.
+            pub(crate) fn lists_mut(&mut self) -> [&mut Vec<f64>; COLUMNS.len()] {
+                [$(&mut self.$field),*]
+            }
+        }
+    };
 }
 
-/// The columns of a muscle, in the order of [`MuscleSeries::lists`]: the key around the muscle's
-/// number, what it is, and what is added to its values.
-const COLUMNS: [(&str, &str, f64); 8] = [
-    ("pressure{}_mpa", "Gauge pressure, MPa.", 0.0),
-    ("contraction{}", "Contraction ratio.", 0.0),
-    ("force{}_n", "Pull, N.", 0.0),
-    (
-        "air_mass{}_g",
-        "Mass of its air, g; of a liquid `liquid_mass_g`.",
-        0.0,
-    ),
-    (
-        "temperature{}_degc",
-        "Temperature of its air or liquid, °C.",
-        -273.15,
-    ),
-    (
-        "volume{}_mm3",
-        "Volume of its cavity between the terminals, mm³.",
-        0.0,
-    ),
-    (
-        "opening{}",
-        "Opening of its valve, −1 to 1; share of a syringe that is pushed out.",
-        0.0,
-    ),
-    (
-        "command{}",
-        "What is commanded: pressure in MPa, opening, or volume in mm³.",
-        0.0,
-    ),
-];
+muscle_series! {
+    pressure_mpa "pressure{}_mpa" 0.0 "Gauge pressure, MPa."
+    contraction "contraction{}" 0.0 "Contraction ratio."
+    force_n "force{}_n" 0.0 "Pull, N."
+    mass_g "air_mass{}_g" 0.0 "Mass of its air, g; of a liquid `liquid_mass_g`."
+    temperature_k "temperature{}_degc" -273.15 "Temperature of its air or liquid."
+    volume_mm3 "volume{}_mm3" 0.0 "Volume of its cavity between the terminals, mm³."
+    opening "opening{}" 0.0 "Opening of its valve, −1 to 1; share of a syringe that is pushed out."
+    command "command{}" 0.0 "What is commanded: pressure in MPa, opening, or volume in mm³."
+}
 
 /// A column's key; of a joint with the number of the muscle, from 1.
 fn key(pattern: &str, muscle: Option<usize>, liquid: bool) -> String {
@@ -82,54 +64,6 @@ fn key(pattern: &str, muscle: Option<usize>, liquid: bool) -> String {
         key.replace("air", "liquid")
     } else {
         key
-    }
-}
-
-impl MuscleSeries {
-    fn lists(&self) -> [&Vec<f64>; 8] {
-        let Self {
-            pressure_mpa,
-            contraction,
-            force_n,
-            mass_g,
-            temperature_k,
-            volume_mm3,
-            ..
-        } = self;
-        [
-            pressure_mpa,
-            contraction,
-            force_n,
-            mass_g,
-            temperature_k,
-            volume_mm3,
-            &self.opening,
-            &self.command,
-        ]
-    }
-
-    /// The same to be written.
-    pub(crate) fn lists_mut(&mut self) -> [&mut Vec<f64>; 8] {
-        let Self {
-            pressure_mpa,
-            contraction,
-            force_n,
-            mass_g,
-            temperature_k,
-            volume_mm3,
-            opening,
-            command,
-        } = self;
-        [
-            pressure_mpa,
-            contraction,
-            force_n,
-            mass_g,
-            temperature_k,
-            volume_mm3,
-            opening,
-            command,
-        ]
     }
 }
 
@@ -178,7 +112,7 @@ impl MotionSeries {
             Coordinate::Shortening { .. } => vec![time, v],
         };
         for muscle in &self.muscles {
-            for (list, (_, _, shift)) in muscle.lists().into_iter().zip(COLUMNS) {
+            for (list, &(_, _, shift)) in muscle.lists().into_iter().zip(COLUMNS) {
                 let value = *list.get(i)?;
                 row.push(if shift == 0.0 { value } else { value + shift });
             }

@@ -108,7 +108,7 @@ impl Simulation {
         self.step_against(commands, 0.0, &Silent)
     }
 
-    /// The same against a force from outside ([`Drive::outside_force`]), which can be interrupted.
+    /// The same against a force from outside ([`Drive::external`]), which can be interrupted.
     ///
     /// # Errors
     /// As those of [`Simulation::step`], and [`MotionError::Cancelled`].
@@ -158,13 +158,14 @@ impl Simulation {
                 MotionError::Refused(format!("the drive has {wanted} commands, not {given}"))
             })?,
         };
-        let drive = &mut self.system.drive;
-        let before = std::mem::replace(&mut drive.target, target);
-        let outside_before = std::mem::replace(&mut drive.outside_force, outside_force);
-        drive.check().inspect_err(|_| {
-            drive.target = before;
-            drive.outside_force = outside_before;
-        })
+        let drive = Drive {
+            target,
+            external: Command::Constant(outside_force),
+            ..self.system.drive.clone()
+        };
+        drive.check()?;
+        self.system.drive = drive;
+        Ok(())
     }
 
     /// Its time in s.
@@ -234,12 +235,7 @@ impl Simulation {
                 .flat_map(mckibben_core::muscle::Presliding::numbers)
                 .collect();
             let switch = f64::from(mode.switch as u8);
-            out.extend([
-                f64::from(u8::from(mode.slack)),
-                mode.sign,
-                switch,
-                turns.len() as f64,
-            ]);
+            out.extend([f64::from(mode.slack), mode.sign, switch, turns.len() as f64]);
             out.extend(turns);
         }
         out

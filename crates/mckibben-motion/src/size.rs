@@ -1,7 +1,7 @@
 //! The smallest valve that is quick enough.
 
 use crate::{
-    Actuator, Command, Commanded, Drive, Motion, MotionError, Result, equilibrium,
+    Actuator, Commanded, Drive, Motion, MotionError, Result, equilibrium,
     metrics::{changes, rise_time},
     run,
 };
@@ -47,13 +47,11 @@ pub fn size(drive: &Drive, rise_time_s: f64, progress: &dyn Progress) -> Result<
     let (Some(given), Commanded::Pressure(commands)) = (valve, &drive.target) else {
         return Err(no_rise());
     };
-    let begin = changes(drive).first().copied().ok_or_else(no_rise)?;
-    let end = changes(drive).get(1).copied().unwrap_or(drive.until_s);
+    let changes = changes(drive);
+    let begin = changes.first().copied().ok_or_else(no_rise)?;
+    let end = changes.get(1).copied().unwrap_or(drive.until_s);
     let still = |within: f64| {
-        let pressures: Vec<f64> = commands
-            .iter()
-            .map(|c: &Command| c.value_within(within, within))
-            .collect();
+        let pressures: Vec<f64> = commands.iter().map(|c| c.value(within)).collect();
         equilibrium(drive, &pressures).map(|e| e.coordinate)
     };
     let from = still(0.5 * begin)?;
@@ -99,7 +97,7 @@ fn smallest(
     loop {
         let (reached_s, motion) = rise(c)?;
         if met(reached_s) {
-            best = Some((c, reached_s, motion));
+            best = Some((c, motion));
             c /= 4.0;
             if c < 1e-6 {
                 break;
@@ -119,7 +117,7 @@ fn smallest(
             c = (4.0 * c).min(LARGEST);
         }
     }
-    let Some((mut high, mut reached, mut motion)) = best else {
+    let Some((mut high, mut motion)) = best else {
         return Ok(None);
     };
     let mut low = c;
@@ -127,14 +125,14 @@ fn smallest(
         let mid = (high * low).sqrt();
         let (r, m) = rise(mid)?;
         if met(r) {
-            (high, reached, motion) = (mid, r, m);
+            (high, motion) = (mid, m);
         } else {
             low = mid;
         }
     }
     Ok(Some(SizedValve {
         conductance_l_per_s_bar: high,
-        rise_time_s: reached.unwrap_or(rise_time_s),
+        rise_time_s: motion.rise_time_s.unwrap_or(rise_time_s),
         motion,
     }))
 }

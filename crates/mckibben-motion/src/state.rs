@@ -1,7 +1,7 @@
 //! The state of a drive: what is integrated, by name. Only this file has the order in which the
 //! integrator sees it.
 
-use crate::{ATMOSPHERE_MPA, Actuator, Commanded, Drive, MotionError, Result, ValveKind};
+use crate::{ATMOSPHERE_MPA, Actuator, Command, Commanded, Drive, MotionError, Result, ValveKind};
 
 /// The state of one muscle, or its rates.
 #[derive(Clone, Default)]
@@ -47,6 +47,8 @@ pub struct Totals {
     pub positive_work: f64,
     /// Work of the atmosphere on pistons that push; none without a syringe.
     pub atmosphere: Option<f64>,
+    /// Work against a force from outside, where there is one.
+    pub external: Option<f64>,
 }
 
 /// The state of a drive, its rates, or the size of each of its numbers.
@@ -112,6 +114,7 @@ impl State {
             damper,
             positive_work,
             atmosphere,
+            external,
         } = &mut self.totals;
         [
             enthalpy_in,
@@ -126,6 +129,7 @@ impl State {
         ]
         .into_iter()
         .chain(atmosphere)
+        .chain(external)
         .for_each(&mut visit);
         count
     }
@@ -179,15 +183,13 @@ impl Layout {
             }
         });
         let controlled = matches!(drive.target, Commanded::Position { .. });
-        let pushes = drive
-            .muscles
-            .iter()
-            .any(|m| matches!(m.actuator, Actuator::Syringe(_)));
+        let pushes = matches!(drive.target, Commanded::Volume(_));
         let mut zero = State {
             muscles: muscles.collect(),
             controller: controlled.then(ControllerState::default),
             totals: Totals {
                 atmosphere: pushes.then_some(0.0),
+                external: (drive.external != Command::Constant(0.0)).then_some(0.0),
                 ..Totals::default()
             },
             ..State::default()

@@ -230,8 +230,10 @@ impl System {
             });
         }
         let damping = mechanism.damping() * v;
-        net -= self.drive.load(q) + damping;
+        let external = self.drive.external.value_within(t, self.within.get());
+        net -= mechanism.load(q) + external + damping;
         totals.damper = damping * v;
+        totals.external = state.totals.external.map(|_| external * v);
         if modes.stop.is_none() {
             (rates.coordinate, rates.velocity) = (v, net / mechanism.inertia());
         }

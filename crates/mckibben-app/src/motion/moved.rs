@@ -29,15 +29,10 @@ impl Moved {
                          fixed ends";
                     Problem::new(ProblemKind::File, "the drive has no [load], so that nothing moves", hint)
                 })?;
-                let free = SingleMuscle::new(&**model, load);
-                let stops_mm = (
-                    file.stops_mm.0.max(free.stops_mm.0),
-                    file.stops_mm.1.min(free.stops_mm.1),
-                );
                 Some(SingleMuscle {
                     damping_n_s_per_m: file.damping_n_s_per_m,
-                    stops_mm,
-                    ..free
+                    stops_mm: file.stops_mm,
+                    ..SingleMuscle::new(&**model, load)
                 })
             }
             _ => None,
@@ -46,7 +41,8 @@ impl Moved {
 
     /// The drive of a file.
     pub fn drive(&self, file: &DriveFile) -> Result<Drive> {
-        let muscles = self.models.iter().map(|model| Actuated {
+        let muscles = self.models.iter().enumerate().map(|(i, model)| Actuated {
+            initial_pressure_mpa: file.start_mpa.get(i).copied(),
             fluid: file.fluid.clone(),
             friction: friction(file, model.muscle().friction()),
             rubber: file.rubber.clone(),
@@ -54,8 +50,8 @@ impl Moved {
         });
         let (muscles, target, until_s) = (muscles.collect(), self.target(file), file.until_s);
         let single = self.single(file)?;
-        let start = single.as_ref().zip(file.held.or(file.start));
-        let initial_coordinate = start.map(|(single, e)| e * single.length_mm);
+        let length_mm = single.as_ref().map_or(1.0, |single| single.length_mm);
+        let initial_coordinate = file.held.or(file.start).map(|start| start * length_mm);
         let drive = match (single, &self.joint) {
             (Some(single), _) => Drive::new(single, muscles, target, until_s),
             (None, Some(joint)) => Drive::new(joint.clone(), muscles, target, until_s),
@@ -65,6 +61,7 @@ impl Moved {
             supply: file.supply,
             output_step_s: file.output_step_s,
             initial_coordinate,
+            external: file.external.clone(),
             ..drive
         })
     }

@@ -2,7 +2,7 @@
 
 use super::{
     Tables,
-    keys::{OfCommand, OfController, Output},
+    keys::{OfCommand, OfController, OfExternal, Output},
 };
 use crate::{
     command::Command,
@@ -84,6 +84,8 @@ pub struct Commands<'s> {
     pub source: &'s Source<'s>,
     pub tables: &'s Tables,
     pub about_joint: bool,
+    /// Of positions, in rad or as a contraction.
+    pub unit: f64,
 }
 
 impl Commands<'_> {
@@ -100,11 +102,7 @@ impl Commands<'_> {
         let position = keys.position.map(|position| {
             let position = self.read(position, "command.position", what)?;
             Ok(Commanded::Position {
-                command: if self.about_joint {
-                    position.scaled(std::f64::consts::PI / 180.0)
-                } else {
-                    position
-                },
+                command: position.scaled(self.unit),
                 pid: self.pid(controller)?,
             })
         });
@@ -161,6 +159,22 @@ impl Commands<'_> {
         }
     }
 
+    /// The force or torque from outside, as it opposes growing q.
+    pub fn external(&self, keys: OfExternal) -> Result<Command, FileError> {
+        match (keys.force, keys.torque, self.about_joint) {
+            (None, None, _) => Ok(Command::Constant(0.0)),
+            (Some(force), None, false) => self.read(force, "external.force", None),
+            (None, Some(torque), true) => {
+                let torque = self.read(torque, "external.torque", None)?;
+                Ok(torque.scaled(-1e3))
+            }
+            _ => Err(self.source.error(
+                "external",
+                "is a `force` on a muscle, or a `torque` on a joint",
+            )),
+        }
+    }
+
     fn pid(&self, keys: Option<OfController>) -> Result<Pid, FileError> {
         let keys = keys.ok_or_else(|| {
             let needs = "the controller's gain, in MPa (or opening) per unit of position";
@@ -188,13 +202,15 @@ impl Commands<'_> {
         &self,
         course: Course<Q>,
         key: &str,
-        what: OverTime,
+        what: impl Into<Option<OverTime>>,
     ) -> Result<Command, FileError> {
         let wrong = |said: String| self.source.error(key, said);
         if let Course::Said(text) = &course
             && let Some(name) = table_named(text)
         {
             let invalid = |e: String| wrong(format!("names {name}, which is not valid: {e}"));
+            let no_table = || wrong("takes no table; write its values as pairs".to_owned());
+            let what = what.into().ok_or_else(no_table)?;
             let table = self.tables.texts.get(name);
             let table =
                 table.ok_or_else(|| wrong(format!("names {name}, which was not supplied")))?;

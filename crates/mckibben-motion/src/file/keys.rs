@@ -9,7 +9,8 @@ use mckibben_core::{
     units::{
         Interval, NotNegative, Positive,
         typed::{
-            Conductance, Damping, Flow, Length, Mass, Pressure, Ratio, Temperature, Time, Volume,
+            Conductance, Damping, Flow, Force, Length, Mass, Pressure, Ratio, Temperature, Time,
+            Torque, Volume,
         },
     },
 };
@@ -22,9 +23,11 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub struct DriveKeys<Position = Ratio> {
     /// Path of a muscle file, relative to this file
-    pub(super) muscle: Option<String>,
+    #[serde(rename = "muscle")]
+    _muscle: Option<String>,
     /// Path of a joint file, relative to this file
-    pub(super) joint: Option<String>,
+    #[serde(rename = "joint")]
+    _joint: Option<String>,
     /// The air supply
     #[serde(default)]
     pub(super) supply: OfSupply,
@@ -52,6 +55,11 @@ pub struct DriveKeys<Position = Ratio> {
     pub(super) controller: Option<OfController>,
     /// What is commanded: pressure, valve, volume or position
     pub(super) command: OfCommand<Position>,
+    /// Where it starts, at rest; else where its first commands hold it
+    pub(super) start: Option<OfStart<Position>>,
+    /// A force or torque from outside
+    #[serde(default)]
+    pub(super) external: OfExternal,
     /// Name, for people
     #[serde(rename = "name")]
     _name: Option<String>,
@@ -198,7 +206,7 @@ pub struct OfLiquid {
     pub dead_volume: Volume,
 }
 
-#[derive(Default, Deserialize, JsonSchema)]
+#[derive(Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct OfLoad {
     /// Mass that hangs from the muscle
@@ -213,8 +221,25 @@ pub struct OfLoad {
     pub stops: Option<Interval<Length>>,
     /// Contraction at which both ends are held, in place of a load
     pub held: Option<Ratio>,
-    /// Contraction from which the load is released at rest, in place of its equilibrium
-    pub start: Option<Ratio>,
+}
+
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OfStart<Position> {
+    /// Contraction, or angle of a joint
+    pub position: Option<Position>,
+    /// Pressures, one for each muscle
+    #[serde(default)]
+    pub pressures: Vec<Pressure>,
+}
+
+#[derive(Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct OfExternal {
+    /// Of a muscle: force that stretches it, or pairs of times and forces
+    pub force: Option<Course<Force>>,
+    /// Of a joint: torque that turns it to +, or pairs of times and torques
+    pub torque: Option<Course<Torque>>,
 }
 
 #[derive(Default, Deserialize, JsonSchema)]

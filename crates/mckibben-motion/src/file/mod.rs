@@ -6,13 +6,14 @@ mod liquid;
 mod valve;
 
 use crate::{
+    command::Command,
     drive::{Actuator, Commanded, Supply},
     fluid::Fluid,
     viscoelastic::Prony,
 };
 use command::Commands;
 pub use keys::DriveKeys;
-use keys::{OfAir, OfLoad, OfSupply};
+use keys::{OfLoad, OfSupply};
 use mckibben_core::{
     load::{Load, LoadTable},
     muscle::file::{FileError, Keys, Source},
@@ -24,7 +25,7 @@ use mckibben_core::{
 use mckibben_io::table::read_load;
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, f64::consts::PI};
 
 /// What moves: its file, relative to the drive file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -68,9 +69,13 @@ pub struct DriveFile {
     pub load: Option<Load>,
     /// The contraction at which both ends of a muscle are held, in place of a load.
     pub held: Option<f64>,
-    /// The contraction from which the load of a muscle is released at rest, in place of its
+    /// The contraction, or the angle in rad, from which it is released at rest, in place of its
     /// equilibrium.
     pub start: Option<f64>,
+    /// Gauge pressures of the muscles at the start in MPa; else what the first command says.
+    pub start_mpa: Vec<f64>,
+    /// A force or torque from outside ([`Drive::external`](crate::Drive::external)).
+    pub external: Command,
     /// Damper of a muscle's load in N s/m.
     pub damping_n_s_per_m: f64,
     /// Stops of a muscle's load: shortenings in mm.
@@ -109,16 +114,23 @@ pub struct DriveFile {
 pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> {
     let source = Source::parse(text)?;
     match subject(&source)? {
-        Moves::Muscle => drive::<Ratio>(&source, tables, false),
-        Moves::Joint => drive::<Angle>(&source, tables, true),
+        subject @ Subject::Muscle(_) => drive::<Ratio>(&source, tables, subject, 1.0),
+        subject => drive::<Angle>(&source, tables, subject, PI / 180.0),
     }
 }
 
-fn drive<P>(source: &Source<'_>, tables: &Tables, about_joint: bool) -> Result<DriveFile, FileError>
+/// A drive whose positions are in a unit of rad or of a contraction of 1.
+fn drive<P>(
+    source: &Source<'_>,
+    tables: &Tables,
+    subject: Subject,
+    unit: f64,
+) -> Result<DriveFile, FileError>
 where
     P: Quantity + DeserializeOwned + JsonSchema,
 {
-    let keys: DriveKeys<P> = source.read()?;
+    let mut keys: DriveKeys<P> = source.read()?;
+    let about_joint = matches!(subject, Subject::Joint(_));
     let supply = supply(&keys.supply, source)?;
     let fluid = match &keys.liquid {
         Some(_) if keys.air.is_some() => {
@@ -126,9 +138,8 @@ where
         }
         Some(liquid) => Fluid::Liquid(liquid::liquid(liquid, source, supply.temperature_k)?),
         None => {
-            let usual = OfAir::default();
-            let air = keys.air.as_ref().unwrap_or(&usual);
-            Fluid::Air(valve::air(air, source, supply.temperature_k)?)
+            let air = keys.air.take().unwrap_or_default();
+            Fluid::Air(valve::air(&air, source, supply.temperature_k)?)
         }
     };
     if about_joint && keys.load.is_some() {
@@ -136,14 +147,22 @@ where
         return Err(source.error("load", said));
     }
     let actuator = valve::actuator(&keys, source, fluid.is_liquid())?;
-    let subject = keys.subject();
     let load = keys.load.unwrap_or_default();
+    let held = held_contraction(&load, keys.start.is_some(), source)?;
+    let (start, start_mpa) = keys.start.map_or_else(Default::default, |start| {
+        let position = start.position.map(|position| unit * position.into());
+        (
+            position,
+            start.pressures.into_iter().map(f64::from).collect(),
+        )
+    });
     let until_s = keys.command.until.into();
     let output_step = keys.command.output_step;
     let commands = Commands {
         source,
         tables,
         about_joint,
+        unit,
     };
     Ok(DriveFile {
         subject,
@@ -151,8 +170,10 @@ where
         actuator,
         fluid,
         load: line(&load, source, tables)?,
-        held: held_contraction(&load, source)?,
-        start: load.start.map(f64::from),
+        held,
+        start,
+        start_mpa,
+        external: commands.external(keys.external)?,
         damping_n_s_per_m: load.damping.unwrap_or_default().0,
         stops_mm: load
             .stops
@@ -174,53 +195,30 @@ where
 /// [`FileError`] for a text that is not valid TOML, or moves nothing.
 pub fn drive_names(text: &str) -> Result<Names, FileError> {
     let source = Source::parse(text)?;
-    match subject(&source)? {
-        Moves::Muscle => names::<Ratio>(&source),
-        Moves::Joint => names::<Angle>(&source),
-    }
-}
-
-fn names<P: DeserializeOwned + JsonSchema>(source: &Source<'_>) -> Result<Names, FileError> {
-    let keys: DriveKeys<P> = source.read()?;
-    let line = keys.load.as_ref().and_then(|load| load.line.as_deref());
-    let of_load = line.map(Load::tables).into_iter().flatten();
+    let of_load = source.texts("load").flat_map(Load::tables);
     let of_commands = source.texts("command").filter_map(command::table_named);
     Ok(Names {
-        subject: keys.subject(),
+        subject: subject(&source)?,
         tables: of_load.chain(of_commands).map(str::to_owned).collect(),
     })
 }
 
-impl<P> DriveKeys<P> {
-    fn subject(&self) -> Subject {
-        match (&self.joint, &self.muscle) {
-            (Some(joint), _) => Subject::Joint(joint.clone()),
-            (None, muscle) => Subject::Muscle(muscle.clone().unwrap_or_default()),
-        }
-    }
-}
-
 /// What a drive file moves.
-enum Moves {
-    Muscle,
-    Joint,
-}
-
-fn subject(source: &Source<'_>) -> Result<Moves, FileError> {
+fn subject(source: &Source<'_>) -> Result<Subject, FileError> {
     let missing = |why: &str| Err(source.error("", format!("muscle is missing; {why}")));
-    match (source.has("muscle"), source.has("joint")) {
-        (true, false) => Ok(Moves::Muscle),
-        (false, true) => Ok(Moves::Joint),
-        (true, true) => Err(source.error(
+    match (source.text_at("muscle"), source.text_at("joint")) {
+        (Some(muscle), None) => Ok(Subject::Muscle(muscle.to_owned())),
+        (None, Some(joint)) => Ok(Subject::Joint(joint.to_owned())),
+        (Some(_), Some(_)) => Err(source.error(
             "joint",
             "conflicts with muscle: a drive moves one or the other",
         )),
-        (false, false) if source.has("tube") || source.has("braid") => missing(
+        (None, None) if source.has("tube") || source.has("braid") => missing(
             "this is a muscle file, and a motion needs a drive file: one that names it (muscle = \
              \"muscle.toml\") and has [load], [valve] and [command]; docs/motion.md describes it, \
              examples/drive.toml is one",
         ),
-        (false, false) => missing("what moves: a muscle or a joint"),
+        (None, None) => missing("what moves: a muscle or a joint"),
     }
 }
 
@@ -315,22 +313,22 @@ fn line(keys: &OfLoad, source: &Source<'_>, tables: &Tables) -> Result<Option<Lo
     }))
 }
 
-/// The contraction at which both ends are held; it goes with no other key of the load.
-fn held_contraction(keys: &OfLoad, source: &Source<'_>) -> Result<Option<f64>, FileError> {
+/// The contraction at which both ends are held; it goes with no other key of the load, nor with a start.
+fn held_contraction(
+    keys: &OfLoad,
+    is_started: bool,
+    source: &Source<'_>,
+) -> Result<Option<f64>, FileError> {
     let Some(Ratio(contraction)) = keys.held else {
         return Ok(None);
     };
-    let others = [
-        ("load.mass", keys.mass.is_some()),
-        ("load.level", keys.level.is_some()),
-        ("load.line", keys.line.is_some()),
-        ("load.damping", keys.damping.is_some()),
-        ("load.stops", keys.stops.is_some()),
-        ("load.start", keys.start.is_some()),
-    ];
-    if let Some((key, _)) = others.iter().find(|(_, given)| *given) {
-        let said = "conflicts with held: a muscle with fixed ends moves no load";
-        return Err(source.error(key, said));
+    let alone = OfLoad {
+        held: keys.held,
+        ..OfLoad::default()
+    };
+    if is_started || *keys != alone {
+        let said = "conflicts with [start] and other keys of [load]";
+        return Err(source.error("load.held", said));
     }
     if contraction.abs() >= 1.0 {
         let said = "must be a contraction below 1, such as \"10 %\"";
@@ -425,6 +423,51 @@ mod tests {
             drive.target,
             Commanded::Volume(vec![Command::Ramps(vec![(0.0, 0.0), (2.0, 15e3)])])
         );
+    }
+
+    /// A start and a torque of a joint in rad, MPa and N mm against the angle; of a muscle a force.
+    #[test]
+    fn starts_and_external_torques_are_read() {
+        let read = |text: String| parse_drive(&text, &Tables::default());
+        let joint = "joint = 'j.toml'\n[regulator]\ntime_constant = '20 ms'\n";
+        let rest = "[start]\nposition = '90 deg'\npressures = ['2 bar', 0.1]\n[external]\n\
+                    torque = [['0 s', '0 N m'], ['0.1 s', '0.5 N m']]\n";
+        let drive = read(format!("{joint}{rest}{TAIL}")).unwrap();
+        assert_eq!(drive.start, Some(std::f64::consts::FRAC_PI_2));
+        assert_eq!(drive.start_mpa, [0.2, 0.1]);
+        let Command::Steps(points) = drive.external else {
+            panic!()
+        };
+        assert_eq!(points[1], (0.1, -500.0));
+        let force = "[start]\nposition = '10 %'\n[external]\nforce = '20 N'\n";
+        let drive = read(format!("{HEAD}{force}{TAIL}")).unwrap();
+        assert_eq!(drive.start, Some(0.1));
+        assert_eq!(drive.external, Command::Constant(20.0));
+        for (wrong, words) in [
+            (
+                format!("{HEAD}[external]\ntorque = '1 N m'\n{TAIL}"),
+                "on a muscle",
+            ),
+            (
+                format!("{joint}[external]\nforce = '1 N'\n{TAIL}"),
+                "on a joint",
+            ),
+            (
+                format!("{HEAD}[external]\nforce = 'table:f.csv'\n{TAIL}"),
+                "no table",
+            ),
+            (
+                format!("{HEAD}[load]\nheld = '10%'\n[start]\nposition = 0.1\n{TAIL}"),
+                "[start]",
+            ),
+            (
+                format!("{HEAD}[load]\nheld = '10%'\nmass = '1 kg'\n{TAIL}"),
+                "[load]",
+            ),
+        ] {
+            let error = read(wrong).unwrap_err().to_string();
+            assert!(error.contains(words), "{error}");
+        }
     }
 
     #[test]

@@ -30,8 +30,8 @@ pub fn mechanics() -> Vec<VerificationRow> {
     rows
 }
 
-fn valve() -> Option<Valve> {
-    Some(Valve::new(Orifice::new(0.5, 0.3).ok()?))
+fn valve() -> Option<Actuator> {
+    Some(Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).ok()?)))
 }
 
 fn universal() -> Option<Arc<dyn ForceModel>> {
@@ -42,17 +42,7 @@ fn universal() -> Option<Arc<dyn ForceModel>> {
 /// Mass, spring, damper, friction, viscoelastic rubber and warm air at once.
 fn balances() -> Option<Vec<VerificationRow>> {
     let model = universal()?;
-    let spring = Load::Spring {
-        rate_n_per_mm: 1.0,
-        preload_n: 0.0,
-    };
-    let line = Load::Sum(vec![
-        Load::Mass {
-            mass_kg: 5.0,
-            level: false,
-        },
-        spring,
-    ]);
+    let line = Load::parse("mass:5kg+spring:1N/mm", &|_| None).ok()?;
     let load = SingleMuscle {
         damping_n_s_per_m: 200.0,
         stops_mm: (0.0, 60.0),
@@ -64,7 +54,7 @@ fn balances() -> Option<Vec<VerificationRow>> {
         ("adiabatic", Heat::Adiabatic),
         ("warm", Heat::Transfer(50.0)),
     ] {
-        let mut muscle = Actuated::new(model.clone(), Actuator::Valve(valve()?));
+        let mut muscle = Actuated::new(model.clone(), valve()?);
         muscle.fluid = Fluid::Air(Air {
             heat,
             dead_volume_mm3: 10e3,
@@ -122,7 +112,7 @@ fn shut() -> Vec<VerificationRow> {
     let values = |heat: Heat, index: f64| {
         let model = universal()?;
         let load = SingleMuscle::hanging(&*model, 10.0);
-        let mut muscle = Actuated::new(model.clone(), Actuator::Valve(valve()?));
+        let mut muscle = Actuated::new(model.clone(), valve()?);
         muscle.fluid = Fluid::Air(Air {
             heat,
             dead_volume_mm3: 10e3,
@@ -271,7 +261,7 @@ fn convergence() -> Vec<VerificationRow> {
             ..SingleMuscle::hanging(&model, 10.0)
         };
         let steps = Command::Steps(vec![(0.0, 0.0), (0.05, 0.2)]);
-        let muscle = Actuated::new(model.clone(), Actuator::Valve(valve()?));
+        let muscle = Actuated::new(model.clone(), valve()?);
         let drive = driven(
             &load,
             muscle,

@@ -5,6 +5,7 @@
 mod chamber;
 mod control;
 mod ends;
+mod external;
 mod frequency;
 mod measured;
 mod mechanics;
