@@ -2713,7 +2713,7 @@ class HeldOut(Record):
     Attributes
     ----------
     outer_diameters_mm : mm
-        Their diameters in mm.
+        Their diameters in mm, where they were chosen by these.
     points
         How many points.
     rms_of_blocked
@@ -8861,6 +8861,7 @@ def fit(
     campaign: FileLike | None = None,
     method: Literal["paper", "global", "universal", "universal-small"] | None = None,
     hold_out_mm: Numbers | None = None,
+    hold_out_share: Number | None = None,
     name: str | None = None,
     rubber: RubberLike | None = None,
     stiffness: Number | None = None,
@@ -8884,6 +8885,8 @@ def fit(
         Fitting method.
     hold_out_mm : mm
         Diameters D0 to leave out of the fit, to test it.
+    hold_out_share
+        Share of the muscles to leave out of the fit, evenly in the order of D0 and wall.
     name
         Name of the formula in answers [that of the method].
     rubber
