@@ -468,13 +468,12 @@ fn file_name(name: &Path) -> Option<String> {
     name.file_name().map(|n| n.to_string_lossy().into_owned())
 }
 
-/// Bytes of memory that a point takes.
-const OF_POINT: f64 = 80.0;
-
 /// The rows of a campaign's file, or of its folder of parts, if what is kept of them fits into
 /// memory.
 #[cfg(feature = "files")]
 fn rows(path: &Path) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)> {
+    /// Bytes of memory that a point takes.
+    const OF_POINT: f64 = 80.0;
     let table = mckibben_campaign::campaign::rows(path)?;
     size::bytes("campaign", OF_POINT * table.provenance.points() as f64)?;
     let from = Provenance {
