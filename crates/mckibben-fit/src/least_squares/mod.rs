@@ -1,7 +1,7 @@
 //! Nonlinear least squares (Levenberg–Marquardt).
 //!
 //! The one place that speaks to the library which does it; fits of constants elsewhere hand over
-//! their residuals. [`estimate`] knows bounds, weights and outliers, takes derivatives where the
+//! their residuals. `estimate` knows bounds, weights and outliers, takes derivatives where the
 //! model has them, and gives the error of each unknown.
 
 mod aicc;

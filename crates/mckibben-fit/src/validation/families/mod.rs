@@ -1,5 +1,5 @@
-//! What families of measured muscles tell of one that nobody measured ([`experience`]), and what the ±
-//! covers where a whole family is left out ([`left_out`]).
+//! What families of measured muscles tell of one that nobody measured (`experience`), and what the ±
+//! covers where a whole family is left out (`left_out`).
 //!
 //! A family is what one maker, or one workshop, made; a series of it is one muscle of one length.
 //! The points of a series tell of its constants beside a wide prior ([`known`]); what the families
