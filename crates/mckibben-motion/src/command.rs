@@ -99,7 +99,7 @@ impl Command {
                     .iter()
                     .try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
                 for (number, pair) in (2..).zip(points.windows(2)) {
-                    let [before, after] = [0, 1].map(|i: usize| pair[i].0);
+                    let (before, after) = (pair[0].0, pair[1].0);
                     MotionError::require(after > before, || {
                         format!(
                             "the command's times must increase: {after} s follows {before} s (point \

@@ -8,6 +8,7 @@ use crate::{
     system::{Modes, Switch, System},
 };
 use mckibben_core::progress::{Progress, Silent};
+use std::mem::{replace, take};
 
 /// A drive that is stepped: it owns the drive, its state and what was recorded at the end of each
 /// step.
@@ -127,7 +128,7 @@ impl Simulation {
         let modes = system.modes.borrow().clone();
         let points = self.motion.series.points();
         let events = self.motion.events.len();
-        let motion = std::mem::take(&mut self.motion);
+        let motion = take(&mut self.motion);
         let mut at = Integration::started_at((system, progress), from, self.state.clone(), motion);
         at.outputs = self.done + 1;
         system.within.set(0.5 * (from + end));
@@ -153,19 +154,20 @@ impl Simulation {
         let target = match commands {
             None => self.target.clone(),
             Some(values) => self.target.constant(values).ok_or_else(|| {
-                let wanted = self.target.commands().len();
-                let given = values.len();
-                MotionError::Refused(format!("the drive has {wanted} commands, not {given}"))
+                MotionError::Refused(format!(
+                    "the drive has {} commands, not {}",
+                    self.target.commands().len(),
+                    values.len()
+                ))
             })?,
         };
-        let drive = Drive {
-            target,
-            external: Command::Constant(outside_force),
-            ..self.system.drive.clone()
-        };
-        drive.check()?;
-        self.system.drive = drive;
-        Ok(())
+        let drive = &mut self.system.drive;
+        let target = replace(&mut drive.target, target);
+        let external = replace(&mut drive.external, Command::Constant(outside_force));
+        drive.check().inspect_err(|_| {
+            drive.target = target;
+            drive.external = external;
+        })
     }
 
     /// Its time in s.
@@ -229,13 +231,13 @@ impl Simulation {
         let mut out = vec![self.done as f64, modes.stop.unwrap_or(0.0)];
         out.extend(self.state.to_vec());
         for mode in &modes.muscles {
-            let turns: Vec<f64> = mode
-                .presliding
-                .iter()
-                .flat_map(mckibben_core::muscle::Presliding::numbers)
-                .collect();
-            let switch = f64::from(mode.switch as u8);
-            out.extend([f64::from(mode.slack), mode.sign, switch, turns.len() as f64]);
+            let turns: Vec<f64> = mode.presliding.iter().flat_map(|p| p.numbers()).collect();
+            out.extend([
+                f64::from(mode.slack),
+                mode.sign,
+                f64::from(mode.switch as u8),
+                turns.len() as f64,
+            ]);
             out.extend(turns);
         }
         out

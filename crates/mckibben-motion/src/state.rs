@@ -182,13 +182,12 @@ impl Layout {
                 ..MuscleState::default()
             }
         });
-        let controlled = matches!(drive.target, Commanded::Position { .. });
-        let pushes = matches!(drive.target, Commanded::Volume(_));
         let mut zero = State {
             muscles: muscles.collect(),
-            controller: controlled.then(ControllerState::default),
+            controller: matches!(drive.target, Commanded::Position { .. })
+                .then(ControllerState::default),
             totals: Totals {
-                atmosphere: pushes.then_some(0.0),
+                atmosphere: matches!(drive.target, Commanded::Volume(_)).then_some(0.0),
                 external: (drive.external != Command::Constant(0.0)).then_some(0.0),
                 ..Totals::default()
             },

@@ -90,14 +90,17 @@ pub struct FittedFormula {
 impl FittedFormula {
     /// The published formula, with its errors on the same points.
     pub fn published(&self) -> Formula {
-        let Provenance { points: fitted, .. } = self.formula.provenance;
         let held_out = self.formula.errors.held_out.as_ref();
         let diameters = held_out.map_or_else(Vec::new, |h| h.outer_diameters_mm.clone());
         let of = |p: &FitPoint| self.forces.compared(*p, p.published_n() - p.force_n);
         Formula {
             name: "paper".into(),
             body: Body::Paper(Box::new(*Coefficients::published())),
-            errors: formula_errors(self.points.split_at(fitted), diameters, of),
+            errors: formula_errors(
+                self.points.split_at(self.formula.provenance.points),
+                diameters,
+                of,
+            ),
             provenance: Provenance {
                 method: "published (Table 2)".into(),
                 ..self.formula.provenance.clone()
@@ -130,7 +133,10 @@ fn formula_errors(
 
 /// A share of the muscles, evenly in the order of their diameters and walls.
 fn shared(points: &[FitPoint], share: f64) -> BTreeSet<Section> {
-    let mut sections: BTreeSet<Section> = points.iter().map(section).collect();
+    let mut sections = BTreeSet::new();
+    if share > 0.0 {
+        sections.extend(points.iter().map(section));
+    }
     let mut sum: f64 = 0.0;
     sections.retain(|_| {
         let before = sum.round();
@@ -151,11 +157,10 @@ pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
     keep_pressures(&mut points, request.method);
     let unused = there - points.len();
     let shared = shared(&points, request.hold_out_share);
-    let listed = |p: &FitPoint| {
+    let held = |p: &FitPoint| {
         let of = |d: &f64| same(*d, p.outer_diameter_mm);
-        request.hold_out.iter().any(of)
+        request.hold_out.iter().any(of) || shared.contains(&section(p))
     };
-    let held = |p: &FitPoint| listed(p) || shared.contains(&section(p));
     points.sort_by_key(held);
     let parts = points.split_at(points.partition_point(|p| !held(p)));
     let fitted = parts.0;

@@ -77,14 +77,9 @@ impl PlanBuilder {
     /// # Errors
     /// [`FileError`] with the key that is wrong, as of a plan's file.
     pub fn build(self) -> Result<Plan, FileError> {
-        let Self {
-            muscle,
-            sampling,
-            vary,
-            test,
-        } = self;
         Plan::parse(&format!(
-            "{muscle}\n[sampling]\n{sampling}\n[vary]\n{vary}\n[test]\n{test}"
+            "{}\n[sampling]\n{}\n[vary]\n{}\n[test]\n{}",
+            self.muscle, self.sampling, self.vary, self.test
         ))
     }
 }

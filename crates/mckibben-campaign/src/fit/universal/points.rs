@@ -101,16 +101,17 @@ fn sample(rows: &[PointRow]) -> Option<Sample> {
         let pulls = |f: &f64| r.status.is_ok() && f.is_finite() && *f > 0.0;
         r.force_n.filter(pulls)
     };
-    let blocked_n = |at: &PointRow| {
-        let blocked = |r: &&PointRow| r.contraction == 0.0 && r.pressure_mpa == at.pressure_mpa;
-        rows.iter().filter(blocked).find_map(pull)
-    };
+    let blocked: Vec<_> = rows
+        .iter()
+        .filter(|r| r.contraction == 0.0)
+        .filter_map(|r| Some((r.pressure_mpa, pull(r)?)))
+        .collect();
     let point = |r: &PointRow| {
         Some(PullPoint {
             pressure_mpa: r.pressure_mpa,
             contraction: r.contraction,
             force_n: pull(r)?,
-            blocked_n: blocked_n(r)?,
+            blocked_n: blocked.iter().find(|b| b.0 == r.pressure_mpa)?.1,
             volume_mm3: r.volume_mm3,
         })
     };
