@@ -23,7 +23,7 @@ use mckibben_campaign::{
     },
 };
 use mckibben_core::{
-    formula::{Document, Form, Made, Provenance, UniversalFormula},
+    formula::{Body, Document, Form, GlobalTerms, Made, Provenance, UniversalFormula},
     model::ModelKind,
     progress::Progress,
     size,
@@ -70,6 +70,9 @@ pub struct FitRequest {
     /// Muscle file with the rubber and the braid
     #[arg(long, value_name = "FILE", value_parser = flags::muscle_file, help_heading = "Muscle")]
     pub muscle: Option<TextFile>,
+    /// Formula of the kind global whose terms are fitted [terms chosen one by one]
+    #[arg(long, value_name = "FORMULA.json", value_parser = flags::file, help_heading = "Advanced")]
+    pub terms: Option<TextFile>,
     /// Treatment of thick walls of thin muscles at low pressure, in the paper's method
     #[arg(long, value_parser = flags::word::<ThinRule>(), default_value = "leave-out", help_heading = "Advanced")]
     pub thin_rule: ThinRule,
@@ -147,13 +150,15 @@ impl FitAnswer {
 /// From a table of points to a formula with its errors and where it holds.
 pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
     match request.method {
-        FitMethod::Paper => section(
-            request,
-            Method::Paper(Rules {
+        FitMethod::Paper => {
+            let why = "`method` paper has its own 48 terms";
+            Problem::refuse_unused(&[("terms", request.terms.is_some())], why)?;
+            let rules = Rules {
                 thin: request.thin_rule,
                 slack: request.slack_rule,
-            }),
-        ),
+            };
+            section(request, Method::Paper(rules))
+        }
         FitMethod::Global => {
             request.check_rules("global")?;
             let why = "`method` global has no intermediate tables";
@@ -186,6 +191,7 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         points,
         made_for,
         method,
+        terms: request.own_terms()?.as_ref(),
         hold_out: request.hold_out(),
         hold_out_share: request.hold_out_share.map_or(0.0, f64::from),
         name: request.name.clone().unwrap_or_else(|| method.name().into()),
@@ -300,6 +306,7 @@ impl FitRequest {
         let foreign = [
             ("hold_out_mm", self.hold_out_mm.is_some()),
             ("hold_out_share", self.hold_out_share.is_some()),
+            ("terms", self.terms.is_some()),
             ("tables", self.tables),
             ("figures", self.figures),
             ("rubber", self.rubber.is_some()),
@@ -311,6 +318,21 @@ impl FitRequest {
             &foreign,
             "`method` universal takes all data of its muscles from the campaign",
         )
+    }
+
+    /// The terms of a formula that are fitted anew.
+    fn own_terms(&self) -> Result<Option<GlobalTerms>> {
+        let Some(TextFile { name, text }) = &self.terms else {
+            return Ok(None);
+        };
+        let formula = Document::parse(text).map_err(|e| e.in_file(Path::new(name)))?;
+        if let Document::Section(formula) = formula
+            && let Body::Global(terms) = formula.body
+        {
+            return Ok(Some(terms));
+        }
+        let message = format!("{name} is no formula of the kind global");
+        Err(ProblemKind::Usage.problem(message).in_field("terms"))
     }
 
     /// Diameters that are left out of the fit.

@@ -65,6 +65,7 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
         points: data::points(&rows),
         made_for: made.made_for(),
         method: Method::Global,
+        terms: None,
         hold_out: &[],
         hold_out_share: 0.0,
         name: "own".into(),

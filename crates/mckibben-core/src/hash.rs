@@ -1,15 +1,17 @@
 //! SHA-256, the one hash of muscles, files and tables.
 
-use sha2::{Digest, Sha256};
+use hmac_sha256::Hash;
 
 /// The hash of what was added, in hexadecimal digits.
-pub fn digits(hash: Sha256) -> String {
+pub fn digits(hash: Hash) -> String {
     hash.finalize().iter().map(|b| format!("{b:02x}")).collect()
 }
 
 /// The hash of some bytes, in hexadecimal digits.
 pub fn hex(bytes: impl AsRef<[u8]>) -> String {
-    digits(Sha256::new_with_prefix(bytes))
+    let mut hash = Hash::new();
+    hash.update(bytes);
+    digits(hash)
 }
 
 /// The first 16 digits of the hash of a text, which tell two texts apart.

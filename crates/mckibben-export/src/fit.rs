@@ -29,7 +29,8 @@ pub struct BoxRequest {
     /// Lower end in ε; `None`: [`BoxRequest::LOW`], or nearer to 0 where the model ends before or
     /// the form would miss it.
     pub contraction_low: Option<f64>,
-    /// Upper end in ε; `None`: the free contraction at the supply.
+    /// Upper end in ε; `None`: the free contraction at the supply, or the end of the range of a
+    /// model that pulls up to there.
     pub contraction_high: Option<f64>,
 }
 
@@ -108,7 +109,14 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitte
     let blocked_n = evaluation.force_n(supply, 0.0)?;
     let high = match wanted.contraction_high {
         Some(high) => high,
-        None => evaluation.free_contraction(supply)?,
+        // The range of a formula may end before it stops to pull.
+        None => match (
+            evaluation.free_contraction(supply),
+            model.info().range.contraction.1,
+        ) {
+            (Err(_), end) if end < 0.5 => end,
+            (free, end) => free?.min(end),
+        },
     };
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
         return Err(ExportError::NoPull(supply));

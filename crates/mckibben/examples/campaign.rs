@@ -38,6 +38,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         points: data::points(&rows),
         made_for: made.made_for(),
         method: Method::Global,
+        terms: None,
         hold_out: &[],
         hold_out_share: 0.0,
         name: "own".into(),

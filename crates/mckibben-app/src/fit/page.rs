@@ -114,10 +114,11 @@ fn formula_page(formula: &Document, with_terms: bool) -> Page {
 }
 
 fn section(f: &Formula) -> Rows {
-    let (kind, range, made) = match &f.body {
-        Body::Paper(_) => ("paper", &f.range, &f.made_for),
-        Body::Global(_) => ("global", &f.range, &f.made_for),
+    let kind = match &f.body {
+        Body::Paper(_) => "paper",
+        Body::Global(_) => "global",
     };
+    let (range, made) = (&f.range, &f.made_for);
     let u = Units::default();
     let constants = made.rubber.constants.iter();
     let constants = constants.map(|(name, v)| format!("{name} {}", number(*v, 5)));
@@ -239,6 +240,7 @@ fn intermediate(f: &FittedFormula, failed: usize, page: &mut Page) {
         let chosen = g.terms.terms.len();
         let candidates = g.candidates;
         let step = g.steps.get(chosen.saturating_sub(1));
+        let step = step.filter(|_| chosen < candidates);
         let why = step.and_then(|step| step.left_out).map(|rms| {
             let rms = 100.0 * rms;
             format!(", chosen by rms {rms:.3} % on inner diameters left out one at a time")

@@ -61,8 +61,8 @@ pub struct GlobalFit {
     pub points: usize,
 }
 
-/// Fits at most [`MOST_TERMS`] terms.
-pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
+/// Fits given terms, or at most [`MOST_TERMS`] chosen ones.
+pub fn global(points: &[FitPoint], own: Option<&GlobalTerms>) -> Result<GlobalFit> {
     let forces = ForceScales::new(points)?;
     let used = || points.iter().filter(|p| p.force_n > 0.0);
     if used().next().is_none() {
@@ -88,14 +88,20 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
         contractions.len(),
         diameters.len().saturating_sub(1),
     ];
-    let candidates = candidates(counts);
-    let groups = Table {
-        points,
-        forces: &forces,
-        candidates: &candidates,
-        scales: &scales,
-    }
-    .groups(&diameters);
+    let candidates = match own {
+        Some(own) => own.terms.iter().map(|term| term.powers).collect(),
+        None => candidates(counts),
+    };
+    // D0² xᵃ pᵇ eᶜ dᵈ/F_blocked | F/F_blocked
+    let row = |p: &FitPoint| {
+        let blocked_n = forces.blocked_n(p);
+        let d = p.outer_diameter_mm;
+        let variables = scales.variables(d, p.wall_mm, p.pressure_mpa, p.contraction);
+        let term = |powers: &[u8; 4]| d.powi(2) / blocked_n * Term::product(*powers, variables);
+        let force = p.force_n / blocked_n;
+        candidates.iter().map(term).chain([force]).collect()
+    };
+    let groups = groups(points, &diameters, candidates.len(), row);
     cancel::check()?;
     let full = Triangle::without(&groups, None);
     let chosen = select(&full);
@@ -111,7 +117,7 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
             left_out: left_out.get(terms - 1).copied(),
         })
         .collect();
-    let count = enough(&steps);
+    let count = own.map_or_else(|| enough(&steps), |_| steps.len());
     let values = coefficients(count).ok_or_else(|| FitError::singular("the global formula"))?;
     let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term {
         powers: candidates[j],
@@ -129,50 +135,23 @@ pub fn global(points: &[FitPoint]) -> Result<GlobalFit> {
     })
 }
 
-/// What the rows of a problem are made of.
-struct Table<'a> {
-    points: &'a [FitPoint],
-    forces: &'a ForceScales,
-    candidates: &'a [[u8; 4]],
-    scales: &'a Scales,
-}
-
-impl Table<'_> {
-    /// The problems of groups of diameters, of which one can be left out: of each diameter, or of
-    /// neighbouring ones where they are many.
-    fn groups(&self, diameters: &[f64]) -> Vec<Triangle> {
-        /// Most groups.
-        const GROUPS: usize = 12;
-        let size = diameters.len().div_ceil(GROUPS).max(1);
-        let groups: Vec<&[f64]> = diameters.chunks(size).collect();
-        threads::map(&groups, |group| self.problem(group))
-    }
-
-    /// The problem of some neighbouring diameters.
-    fn problem(&self, diameters: &[f64]) -> Triangle {
-        let terms = self.candidates.len();
-        let (Some(first), Some(last)) = (diameters.first(), diameters.last()) else {
-            return Triangle::none(terms);
-        };
-        let belongs = |d: f64| (d > *first && d < *last) || same(d, *first) || same(d, *last);
+/// The problems of groups of diameters, of which one can be left out: of each diameter, or of
+/// neighbouring ones where they are many.
+fn groups(
+    points: &[FitPoint],
+    diameters: &[f64],
+    terms: usize,
+    row: impl Fn(&FitPoint) -> Vec<f64> + Sync,
+) -> Vec<Triangle> {
+    /// Most groups.
+    const GROUPS: usize = 12;
+    let size = diameters.len().div_ceil(GROUPS).max(1);
+    threads::map(&Vec::from_iter(diameters.chunks(size)), |group| {
+        let (first, last) = (group[0], group[group.len() - 1]);
+        let belongs = |d: f64| (d > first && d < last) || same(d, first) || same(d, last);
         let used = |p: &&FitPoint| p.force_n > 0.0 && belongs(p.outer_diameter_mm);
-        Triangle::of_rows(terms, self.points.iter().filter(used).map(|p| self.row(p)))
-    }
-
-    /// The row D0² xᵃ pᵇ eᶜ dᵈ/F_blocked | F/F_blocked of a point: the terms, and the force.
-    fn row(&self, p: &FitPoint) -> Vec<f64> {
-        let blocked_n = self.forces.blocked_n(p);
-        let weight = p.outer_diameter_mm.powi(2) / blocked_n;
-        let variables = self.scales.variables(
-            p.outer_diameter_mm,
-            p.wall_mm,
-            p.pressure_mpa,
-            p.contraction,
-        );
-        let term = |powers: &[u8; 4]| weight * Term::product(*powers, variables);
-        let force = p.force_n / blocked_n;
-        self.candidates.iter().map(term).chain([force]).collect()
-    }
+        Triangle::of_rows(terms, points.iter().filter(used).map(&row))
+    })
 }
 
 /// All products of powers that the values in the table distinguish.

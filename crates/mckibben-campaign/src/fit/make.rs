@@ -11,8 +11,8 @@ use crate::{columns::PointRow, hash};
 use mckibben_core::{
     extremes::ends,
     formula::{
-        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made,
-        MadeBraid, MadeRubber, NamedBraid, Provenance,
+        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms,
+        HeldOut, Made, MadeBraid, MadeRubber, NamedBraid, Provenance,
     },
     muscle::Muscle,
 };
@@ -36,7 +36,7 @@ impl Method {
     }
 
     /// The method in words, with the rules that were applied to some curves.
-    fn text(self, curves: &[CurveFit]) -> String {
+    fn text(self, curves: &[CurveFit], has_terms: bool) -> String {
         match self {
             Method::Paper(rules) => {
                 let applied: BTreeSet<&str> = curves.iter().map(|c| c.rule).collect();
@@ -48,6 +48,9 @@ impl Method {
                     SlackRule::Zero => "zero where the muscle would push",
                 };
                 format!("paper (seven steps; {applied}force {slack})")
+            }
+            Method::Global if has_terms => {
+                "global (given terms; points where the muscle pulls)".into()
             }
             Method::Global => format!(
                 "global (forward selection, at most {MOST_TERMS} terms, number by diameters left \
@@ -63,6 +66,8 @@ pub struct FormulaRequest<'a> {
     /// The make of their muscles; length and angle are those of the points.
     pub made_for: Made,
     pub method: Method,
+    /// Terms that the global method fits in place of those that it chooses.
+    pub terms: Option<&'a GlobalTerms>,
     /// Diameters in mm that are kept out of the fit, to test it.
     pub hold_out: &'a [f64],
     /// Share of the muscles that is kept out, evenly in the order of their diameters and walls.
@@ -170,7 +175,7 @@ pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
             (Body::Paper(Box::new(steps.coefficients)), Some(steps), None)
         }
         Method::Global => {
-            let fit = global(fitted)?;
+            let fit = global(fitted, request.terms)?;
             (Body::Global(fit.terms.clone()), None, Some(fit))
         }
     };
@@ -185,9 +190,10 @@ pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
         range: range(fitted),
         errors: FormulaErrors::default(),
         provenance: Provenance {
-            method: request
-                .method
-                .text(paper.as_ref().map_or(&[], |m| &m.curves)),
+            method: request.method.text(
+                paper.as_ref().map_or(&[], |m| &m.curves),
+                request.terms.is_some(),
+            ),
             points: fitted.len(),
             data_hash: hash::numbers(numbers(fitted)),
             ..request.from.clone()
@@ -269,6 +275,7 @@ pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<F
         points: points.to_vec(),
         made_for,
         method,
+        terms: None,
         hold_out,
         hold_out_share: 0.0,
         name: method.name().into(),

@@ -3,6 +3,7 @@
 //!   D0 35–50: a rises with P and with s; below 35 "opposite". b falls with P and with s. c rises with P and falls with s.
 
 use super::{data::same, paper_method::PaperMethod};
+use std::cmp::Ordering;
 
 /// One statement for one diameter, against the coefficients of steps 1–2.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,39 +33,33 @@ pub fn signs(method: &PaperMethod) -> Vec<Sign> {
     let mut out = vec![];
     for wall in &method.walls {
         let d = wall.outer_diameter_mm;
-        let curves: Vec<_> = method
-            .curves
-            .iter()
-            .filter(|c| same(c.outer_diameter_mm, d))
-            .filter_map(|c| c.abc.map(|f| (c.wall_mm, c.pressure_mpa, f.coefficients)))
-            .collect();
+        let curves = || {
+            method
+                .curves
+                .iter()
+                .filter(|c| same(c.outer_diameter_mm, d))
+        };
         for (k, coefficient) in ["a", "b", "c"].into_iter().enumerate() {
             for with in ["P", "s"] {
-                let rises = coefficient == "a" && d >= 35.0 || (coefficient, with) == ("c", "P");
-                let key =
-                    |c: &(f64, f64, [f64; 3])| if with == "P" { (c.0, c.1) } else { (c.1, c.0) };
-                let mut holding = 0;
-                let mut pairs = 0;
-                for a in &curves {
-                    let (fixed, from) = key(a);
-                    let next = curves
-                        .iter()
-                        .filter(|b| {
-                            same(key(b).0, fixed) && key(b).1 > from && !same(key(b).1, from)
-                        })
-                        .min_by(|x, y| key(x).1.total_cmp(&key(y).1));
-                    if let Some(b) = next {
-                        pairs += 1;
-                        holding += usize::from((b.2[k] > a.2[k]) == rises);
-                    }
+                let mut values = vec![];
+                for c in curves() {
+                    let (s, p) = (c.wall_mm, c.pressure_mpa);
+                    let at = if with == "P" { [s, p] } else { [p, s] };
+                    values.extend(c.abc.map(|f| (at, f.coefficients[k])));
                 }
+                values.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
+                let rises = coefficient == "a" && d >= 35.0 || (coefficient, with) == ("c", "P");
+                let pairs = values
+                    .windows(2)
+                    .filter(|pair| same(pair[0].0[0], pair[1].0[0]));
+                let holds = |pair: &&[([f64; 2], f64)]| (pair[1].1 > pair[0].1) == rises;
                 out.push(Sign {
                     outer_diameter_mm: d,
                     coefficient,
                     with,
                     rises,
-                    holding,
-                    pairs,
+                    holding: pairs.clone().filter(holds).count(),
+                    pairs: pairs.count(),
                 });
             }
         }

@@ -9,11 +9,13 @@ use mckibben_campaign::{
     },
 };
 use mckibben_core::{
-    formula::{Body, Coefficients, Document, Made, Provenance},
+    formula::{Body, Coefficients, Document, GlobalTerms, Made, Provenance, Term},
+    model::{ForceModel, FormulaModel, Workspace},
     muscle::Muscle,
     progress::Silent,
     status::Status,
 };
+use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// Points of the paper's campaign with a force of our choice.
 fn synthetic(force: impl Fn(f64, f64, f64, f64) -> f64) -> Vec<FitPoint> {
@@ -65,6 +67,7 @@ fn request(points: &[FitPoint], method: Method) -> FormulaRequest<'static> {
         points: points.to_vec(),
         made_for,
         method,
+        terms: None,
         hold_out: &[],
         hold_out_share: 0.0,
         name: "f".into(),
@@ -123,7 +126,7 @@ fn global_is_exact_on_a_polynomial_of_its_terms() {
         d * d * (1.1 * p - 0.55 * p * e - 0.05 * x * p + 0.04 * p * p * d4 + 0.02 * x * x * e * p)
     };
     let points = synthetic(f);
-    let fit = global(&points).unwrap();
+    let fit = global(&points, None).unwrap();
     assert!(fit.terms.terms.len() <= 12, "{:?}", fit.terms.terms);
     let formula = make(request(&points, Method::Global)).unwrap().formula;
     assert!(formula.errors.fit.max < 1e-9, "{:?}", formula.errors.fit);
@@ -390,4 +393,51 @@ fn by_hand_a_share_of_the_muscles_is_spread_evenly_and_not_seen() {
     let stated = shared.errors.held_out.unwrap();
     assert_eq!(stated.errors, expected.summary);
     assert!(stated.outer_diameters_mm.is_empty());
+}
+
+/// F = D0² (2 p − 3 p e) at P = 0.25 p and ε = 0.2 e, by those two terms alone; and a fit of the
+/// terms that were chosen is that of the choice.
+#[test]
+fn own_terms_are_fitted_as_they_are() {
+    let points = synthetic(|d, _, p, e| d * d * (2.0 * p / 0.25 - 3.0 * (p / 0.25) * (e / 0.2)));
+    let chosen = make(request(&points, Method::Global)).unwrap().formula;
+    let Body::Global(chosen_terms) = &chosen.body else {
+        panic!("{:?}", chosen.body)
+    };
+    let term = |powers| Term { powers, value: 1.0 };
+    let own = GlobalTerms {
+        terms: vec![term([0, 1, 1, 0]), term([0, 1, 0, 0])],
+        ..chosen_terms.clone()
+    };
+    let fitted = global(&points, Some(&own)).unwrap().terms.terms;
+    for (powers, value) in [([0, 1, 0, 0], 2.0), ([0, 1, 1, 0], -3.0)] {
+        let found = fitted.iter().find(|t| t.powers == powers).unwrap().value;
+        assert!((found - value).abs() < 1e-9, "{powers:?} {found}");
+    }
+    let again = FormulaRequest {
+        terms: Some(chosen_terms),
+        ..request(&points, Method::Global)
+    };
+    assert_eq!(make(again).unwrap().formula.body, chosen.body);
+}
+
+/// The volume of a formula, which is fitted to pulls alone, is that of the finite elements. Their
+/// pulls differ by 0.4 % of the blocked force at most, the thick wall has no ends.
+#[test]
+fn the_volume_of_a_formula_is_that_of_the_elements() {
+    let base = Muscle::prototype();
+    let formula = fitted(&Grid::PAPER.points(&base), Method::Global, &[]).unwrap();
+    let w = &mut Workspace::new();
+    let mut largest: f64 = 0.0;
+    for (d, s) in [(30.0, 3.0), (35.0, 1.5), (50.0, 5.0)] {
+        let muscle = base.with_section(d, s).unwrap();
+        let model = FormulaModel::between_ends(&formula.formula, &muscle);
+        let elements = Axisymmetric::between_ends(&muscle).unwrap();
+        for (p, e) in [(0.05, 0.0), (0.15, 0.1), (0.25, 0.0), (0.25, 0.2)] {
+            let [ours, theirs] = [&model as &dyn ForceModel, &elements]
+                .map(|model| model.response(w, p, e).unwrap().volume_mm3.unwrap());
+            largest = largest.max((ours / theirs - 1.0).abs());
+        }
+    }
+    assert!(largest < 0.05, "{largest}");
 }

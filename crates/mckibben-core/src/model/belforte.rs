@@ -8,7 +8,7 @@
 
 use super::{
     ForceModel, ModelEntry, ModelError, ModelInfo, Result,
-    proportional::{Inverse, PerPressure, Proportional},
+    proportional::{PerPressure, proportional},
 };
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
@@ -59,16 +59,7 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
             tension: Some((f + area) * b / l),
         })
     };
-    let contraction_at_pull = move |force_n: f64, pressure_mpa: f64| {
-        let l2 = (b * b + n2 * force_n / pressure_mpa) / 3.0;
-        (pressure_mpa > 0.0 && l2 > 0.0 && l2 < b * b).then(|| 1.0 - l2.sqrt() / length)
-    };
-    let contraction_at_pull: Option<Inverse> = Some(Box::new(contraction_at_pull));
-    Ok(Box::new(Proportional {
-        info: ModelInfo::new(&ENTRY, muscle),
-        per_pressure,
-        contraction_at_pull,
-    }))
+    proportional(ModelInfo::new(&ENTRY, muscle), per_pressure)
 }
 
 #[cfg(test)]

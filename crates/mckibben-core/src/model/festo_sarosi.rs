@@ -141,11 +141,6 @@ impl ForceModel for FestoSarosi {
         }
         .finite(self.fit.entry.name)
     }
-
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let (rest, slope) = self.line(contraction);
-        (slope > 0.0 && rest.is_finite()).then(|| (force_n - rest) / slope / BAR_PER_MPA)
-    }
 }
 
 #[cfg(test)]

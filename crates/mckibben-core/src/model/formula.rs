@@ -2,7 +2,7 @@
 
 use super::{
     Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity,
-    Reference, Response, Result, Workspace, notes,
+    Reference, Response, Result, ThickWall, Workspace, notes, quadrature,
 };
 use crate::{
     formula::{Body, Formula, FormulaRange, GlobalSection, Made, Section, alike},
@@ -54,13 +54,18 @@ impl FormulaModel {
         Self { info, bound }
     }
 
-    /// The section of a formula like the paper's.
-    fn section(&self) -> Option<&Section> {
-        if let Bound::Paper(section) = &self.bound {
-            Some(section)
-        } else {
-            None
+    /// V(P, ε) = V(P, 0) + L0 ∫ ∂F/∂P dε from 0 to ε, since pull and volume have one potential. No
+    /// pull gives V(P, 0): it is that of the thick-wall model.
+    fn volume_mm3(&self, w: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Option<f64> {
+        let muscle = &self.info.muscle;
+        let at_rest = ThickWall::between_ends(muscle).response(w, pressure_mpa, 0.0);
+        let half = 0.5 * contraction;
+        let mut volume_mm3 = at_rest.ok()?.volume_mm3?;
+        for (x, weight) in quadrature::rule(8) {
+            let slopes = self.force_and_slopes(pressure_mpa, half * (1.0 + x));
+            volume_mm3 += muscle.length_mm() * half * weight * slopes.ok()?[2];
         }
+        Some(volume_mm3)
     }
 
     /// F, ∂F/∂ε, ∂F/∂P.
@@ -88,14 +93,17 @@ impl ForceModel for FormulaModel {
         &self.info
     }
 
-    fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
+    fn response(&self, w: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
         let [force_n, by_contraction, by_pressure] =
             self.force_and_slopes(pressure_mpa, contraction)?;
+        let length_mm = self.info.muscle.length_mm();
         Ok(Response {
             pressure_mpa,
             contraction,
             force_n,
-            stiffness_n_per_mm: Some(-by_contraction / self.info.muscle.length_mm()),
+            volume_mm3: self.volume_mm3(w, pressure_mpa, contraction),
+            volume_per_contraction_mm3: Some(length_mm * by_pressure),
+            stiffness_n_per_mm: Some(-by_contraction / length_mm),
             force_per_pressure_mm2: Some(by_pressure),
             ..Response::default()
         })
@@ -104,19 +112,6 @@ impl ForceModel for FormulaModel {
     fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         self.force_and_slopes(pressure_mpa, contraction)
             .map(|all| all[0])
-    }
-
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        self.section()?.pressure_mpa(force_n, contraction)
-    }
-
-    fn contraction_at_pull(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<f64> {
-        self.section()?.contraction(force_n, pressure_mpa)
     }
 }
 

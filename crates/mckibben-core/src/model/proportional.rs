@@ -16,26 +16,18 @@ pub struct PerPressure {
     pub tension: Option<f64>,
 }
 
-/// As [`ForceModel::contraction_at_pull`].
-pub type Inverse = Box<dyn Fn(f64, f64) -> Option<f64> + Send + Sync>;
-
 /// A formula of this kind.
-pub struct Proportional<F> {
-    pub info: ModelInfo,
-    pub per_pressure: F,
-    pub contraction_at_pull: Option<Inverse>,
+struct Proportional<F> {
+    info: ModelInfo,
+    per_pressure: F,
 }
 
-/// A model without an inverse for the contraction.
+/// The model of such a formula.
 pub fn proportional(
     info: ModelInfo,
     per_pressure: impl Fn(f64) -> Result<PerPressure> + Send + Sync + 'static,
 ) -> Result<Box<dyn ForceModel>> {
-    Ok(Box::new(Proportional {
-        info,
-        per_pressure,
-        contraction_at_pull: None,
-    }))
+    Ok(Box::new(Proportional { info, per_pressure }))
 }
 
 impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportional<F> {
@@ -60,19 +52,5 @@ impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportiona
             .map(|tension| pressure_mpa * tension)
             .map_or(response, |n| response.with_braid_tension(n, muscle))
             .finite(&self.info.name)
-    }
-
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let f = (self.per_pressure)(contraction).ok()?.f;
-        (f > 0.0).then(|| force_n / f)
-    }
-
-    fn contraction_at_pull(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<f64> {
-        self.contraction_at_pull.as_ref()?(force_n, pressure_mpa)
     }
 }

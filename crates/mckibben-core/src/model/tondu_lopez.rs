@@ -77,33 +77,6 @@ impl ForceModel for TonduLopez {
         }
         .with_braid_tension(tension, self.muscle()))
     }
-
-    fn pressure_at_pull(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<f64> {
-        match self.factor {
-            EndFactor::Constant(k) => {
-                self.ideal
-                    .pressure_at_pull(workspace, force_n, k * contraction)
-            }
-            EndFactor::OfPressure { .. } => None,
-        }
-    }
-
-    fn contraction_at_pull(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<f64> {
-        let k = self.factor.at(pressure_mpa);
-        self.ideal
-            .contraction_at_pull(workspace, force_n, pressure_mpa)
-            .map(|e| e / k)
-    }
 }
 
 #[cfg(test)]

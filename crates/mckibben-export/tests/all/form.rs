@@ -3,13 +3,15 @@
 use super::{exported, fe};
 use mckibben_core::{
     analysis::Evaluation,
-    model::Workspace,
+    model::{ForceModel, FormulaModel, Workspace},
     muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube},
     random::{Random, rounds},
     rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh},
     threads,
 };
-use mckibben_export::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, SLACK};
+use mckibben_export::{
+    BoxRequest, CONTRACTION_OUTSIDE, ExportedMuscle, Form, OK, PRESSURE_OUTSIDE, SLACK,
+};
 use std::{f64::consts::TAU, sync::LazyLock};
 
 static PROTOTYPE: LazyLock<Form> =
@@ -445,5 +447,31 @@ fn friction_is_that_of_the_muscle_within_the_error_of_its_two_terms() {
                 "{exponent} {q}: {ours_n} {half_n}"
             );
         }
+    }
+}
+
+/// The range of the paper's formula ends at ε = 0.2, where its muscle still pulls.
+#[test]
+fn a_formula_is_exported_up_to_the_end_of_its_range() {
+    let model = FormulaModel::paper(&Muscle::prototype());
+    let wanted = BoxRequest {
+        supply_mpa: 0.25,
+        contraction_low: None,
+        contraction_high: None,
+    };
+    let exported = ExportedMuscle::fit(&model, "paper", wanted).unwrap();
+    let bounds = exported.bounds;
+    assert_eq!(
+        (bounds.contraction_low, bounds.contraction_high),
+        (0.0, 0.2)
+    );
+    let blocked_n = model.force_n(&mut Workspace::new(), 0.25, 0.0).unwrap();
+    for (p, e) in [(0.07, 0.03), (0.18, 0.11), (0.25, 0.2)] {
+        let at = model.response(&mut Workspace::new(), p, e).unwrap();
+        let ours = exported.form.point_at(1e6 * p, e);
+        let errors = &exported.errors;
+        assert!((ours.force_n - at.force_n).abs() <= errors.force_worst_ratio * blocked_n);
+        let volume_m3 = 1e-9 * at.volume_mm3.unwrap();
+        assert!((ours.volume_m3 / volume_m3 - 1.0).abs() <= 2.0 * errors.volume_worst_ratio);
     }
 }

@@ -2,7 +2,7 @@
 //! `parquet`, so that its generic code is compiled once, and with nothing else of this program.
 //!
 //! [`Writer`] writes a table group by group, with keys and values of metadata; [`Reader`] reads
-//! such files.
+//! such files; [`text()`] takes the table of any program.
 //!
 //! ```
 //! use mckibben_io::parquet::{Column, Field, Packing, Writer};
@@ -18,9 +18,11 @@
 mod column;
 mod error;
 mod read;
+mod text;
 mod write;
 
 pub use column::{Column, Field, Packing, Text};
 pub use error::TableError;
 pub use read::Reader;
+pub use text::text;
 pub use write::{GROUP, Writer};

@@ -21,6 +21,12 @@ pub fn read_text(
         let (text, name) = workbook::read(bytes, sheet)?;
         return Ok((text, Some(format!("sheet {name}"))));
     }
+    #[cfg(feature = "parquet")]
+    if bytes.starts_with(PARQUET) {
+        let text = crate::parquet::text(bytes)
+            .map_err(|e| TableError::Refused(format!("{e}; save the table as CSV")))?;
+        return Ok((text, Some("Parquet".into())));
+    }
     if let Some((_, what)) = NO_TEXT.iter().find(|n| bytes.starts_with(n.0)) {
         return Err(TableError::Refused(format!(
             "this is not text but {what}; save the table as CSV"
@@ -40,10 +46,12 @@ pub fn read_text(
 /// Beginnings of workbooks: packed ones (.xlsx, .ods), and the old kind (.xls).
 const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
 
+const PARQUET: &[u8] = b"PAR1";
+
 /// Beginnings of files that are no text, and what they are.
 const NO_TEXT: [(&[u8], &str); 4] = [
     (b"%PDF", "a PDF"),
-    (b"PAR1", "a Parquet file"),
+    (PARQUET, "a Parquet file"),
     (b"\x89PNG", "a picture"),
     (b"\x1f\x8b", "a packed file"),
 ];

@@ -1,8 +1,8 @@
 //! The checksum of a file, in its own metadata: the SHA-256 of all its other bytes. Parquet has
 //! checksums of pages, which the library does not write, and none of the metadata.
 
+use hmac_sha256::Hash;
 use mckibben_core::hash::digits;
-use sha2::{Digest, Sha256};
 use std::io::{BufRead, BufReader, Read, Result, Seek, SeekFrom, Write};
 
 /// The key of the checksum; its pair is the last of the metadata.
@@ -31,7 +31,7 @@ pub fn checksum(file: &mut (impl Read + Seek)) -> Result<Option<(u64, String, bo
     };
     let (before, rest) = end.split_at(at + MARK.len());
     let (written, behind) = rest.split_at(DIGITS);
-    let mut hash = Sha256::new();
+    let mut hash = Hash::new();
     file.rewind()?;
     let mut first = BufReader::new(file.take(from));
     while let bytes @ [_, ..] = first.fill_buf()? {

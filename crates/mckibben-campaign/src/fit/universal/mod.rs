@@ -27,6 +27,7 @@ use mckibben_core::{
         UniversalSummary, UniversalTerm,
     },
     model::{ForceModel, Universal},
+    muscle::Muscle,
     progress::Progress,
     rubber::RubberLaw,
     threads,
@@ -162,25 +163,18 @@ fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> boo
 
 /// The box, cut to what the muscles fill.
 fn range(samples: &[Sample]) -> UniversalRange {
-    let cut = |(low, high): (f64, f64), value: &dyn Fn(&Sample) -> f64| {
-        let (least, most) = ends(samples.iter().map(value));
-        (
-            low.max(least),
-            if high.is_finite() {
-                high.min(most)
-            } else {
-                high
-            },
-        )
+    let cut = |(low, high): (f64, f64), value: fn(&Muscle) -> f64| {
+        let (least, most) = ends(samples.iter().map(|s| value(&s.muscle)));
+        (low.max(least), high.min(most))
     };
+    let length_ratio = cut(RANGE.length_ratio, |m| {
+        m.length_mm() / m.outer_diameter_mm()
+    });
     UniversalRange {
-        wall_ratio: cut(RANGE.wall_ratio, &|s| {
-            s.muscle.wall_mm() / s.muscle.outer_diameter_mm()
-        }),
-        length_ratio: cut(RANGE.length_ratio, &|s| {
-            s.muscle.length_mm() / s.muscle.outer_diameter_mm()
-        }),
-        angle_deg: cut(RANGE.angle_deg, &|s| s.muscle.braid().angle_deg),
+        wall_ratio: cut(RANGE.wall_ratio, |m| m.wall_mm() / m.outer_diameter_mm()),
+        // A longer muscle has the same ends.
+        length_ratio: (length_ratio.0, RANGE.length_ratio.1),
+        angle_deg: cut(RANGE.angle_deg, |m| m.braid().angle_deg),
         ..RANGE
     }
 }
