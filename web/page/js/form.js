@@ -27,6 +27,13 @@ import { inWords } from "./words.js";
  * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }} Asked
  */
 
+/** A load as the engine reads it: a mass, a force or a stiffness alone is one. @param {string} text */
+const loadOf = (text) =>
+  text.replace(/^[\d.]+\s*([^\s:]+)$/, (all, unit) => {
+    const mass = /^(k?g|lb)$/.test(unit) ? "mass" : "force";
+    return `${unit.includes("/") ? "spring" : mass}:${all}`;
+  });
+
 let count = 0;
 /** A field with its label. @param {Field} f @param {() => void} submit @returns {Row} */
 function fieldRow(f, submit) {
@@ -108,7 +115,8 @@ class Reading {
     if (f.pair)
       values[f.field] = text
         .split(",")
-        .map((one) => this.#pair(f, one.split("@")));
+        .map((one) => this.#pair(f, one.split(/@| at /)));
+    else if (f.field === "load") values.load = loadOf(text);
     else if (!f.kind || f.or?.includes(text))
       values[f.field] = f.words ? list() : text;
     else

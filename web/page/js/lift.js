@@ -74,12 +74,12 @@ export function liftView() {
   );
   return {
     element: block("stand", box, play.button),
-    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer @param {number | boolean} moves */
-    show({ candidates }, moves) {
+    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer */
+    show({ candidates }) {
       if (one === candidates[0]) return;
       [one] = candidates;
       draw(1);
-      if (moves && !still) play.start();
+      if (!still) play.start();
     },
   };
 }

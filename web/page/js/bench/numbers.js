@@ -26,7 +26,7 @@ export function numbersView(store) {
   const parts = partsView(store),
     tornado = tornadoView(store),
     solve = solveView(store);
-  /** @type {HTMLElement[]} */ const values = [];
+  /** @type {[name: HTMLElement, value: HTMLElement][]} */ const values = [];
   let noted = "";
   const built = button(
     "",
@@ -44,9 +44,12 @@ export function numbersView(store) {
     const list = rows(store, point);
     if (!values.length) {
       const lines = list.flatMap(([name]) => {
-        const value = el("dd");
-        values.push(value);
-        return [el("dt", {}, name), value];
+        /** @type {[HTMLElement, HTMLElement]} */ const line = [
+          el("dt", {}, name),
+          el("dd"),
+        ];
+        values.push(line);
+        return line;
       });
       const head = [
         el("dt", {}, "Pull as built"),
@@ -66,7 +69,10 @@ export function numbersView(store) {
     }
     put(pull, point.slack ? "slack" : modelPull(point));
     put(built, asBuilt(point));
-    list.forEach(([, text], i) => put(values[i], text));
+    list.forEach(([, text], i) => {
+      put(values[i][1], text);
+      for (const part of values[i]) part.hidden = text === "–";
+    });
     meters.replaceChildren(...margins(store, point));
     const said = warned(store, point);
     if (said.join() === noted) return;

@@ -78,7 +78,7 @@ export const FIELDS = fieldsOf([
     "free",
     "Free constants",
     undefined,
-    { words: true, hint: "shear modulus, braid angle" },
+    { words: true, hint: "shear modulus" },
   ],
   [
     "models",

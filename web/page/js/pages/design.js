@@ -10,7 +10,7 @@ import {
   headView,
   rejectedView,
 } from "../design-view.js";
-import { block, el, folded, heading } from "../dom.js";
+import { block, el, folded, heading, tabs } from "../dom.js";
 import { Figures } from "../figure.js";
 import { fieldsOf, form, job } from "../form.js";
 import { muscle } from "../muscle.js";
@@ -32,30 +32,30 @@ export const WANTED = fieldsOf([
   [
     "at",
     "points",
-    "or several pulls",
+    "Pulls",
     undefined,
     {
       pair: [
         ["force", "force_n"],
         ["ratio", "contraction"],
       ],
-      hint: "700N@15%, 1200N@5%",
+      hint: "700 N at 15 %, 1200 N at 5 %",
     },
   ],
   [
     "joint",
     "torques",
-    "or torques of a joint",
+    "Torques",
     undefined,
     {
       pair: [
         ["torque", "torque_nm"],
         ["angle", "angle_deg"],
       ],
-      hint: "8Nm@45deg",
+      hint: "8 N m at 45°",
     },
   ],
-  ["load", "load", "or a load to lift", undefined, { hint: "mass:20kg" }],
+  ["load", "load", "Load", undefined, { hint: "20 kg" }],
   ["stroke", "stroke_mm", "Stroke", "length", { hint: "40 mm" }],
   ["pmax", "max_pressure_mpa", "Pressure of the supply", "pressure", "2.5 bar"],
   [
@@ -74,6 +74,13 @@ export const WANTED = fieldsOf([
     { options: OBJECTIVES, value: "bulged-diameter" },
   ],
 ]);
+/** What the muscle must do, each with its fields. @type {Record<string, string[]>} */
+const KINDS = {
+  F: ["F", "e"],
+  at: ["at"],
+  joint: ["joint"],
+  load: ["load", "e"],
+};
 /** @type {() => Field[]} */
 export const choices = () =>
   fieldsOf([
@@ -164,6 +171,28 @@ function specification(submit) {
     choice = form(choices(), submit),
     forms = [wanted, choice];
   const vary = folded("Search space", choice.element);
+  const [, ...others] = Object.keys(KINDS);
+  const select = (/** @type {string} */ kind) => {
+    for (const key of Object.values(KINDS).flat())
+      wanted.shown(key, KINDS[kind].includes(key));
+  };
+  const kinds = tabs(
+    "What it must do",
+    [
+      ["F", "Pull"],
+      ["at", "Several pulls"],
+      ["joint", "Joint"],
+      ["load", "Load"],
+    ],
+    "F",
+    (kind) => {
+      const { hint } = WANTED.find(({ key }) => key === kind) ?? {};
+      for (const key of others)
+        wanted.put(key, key === kind ? (hint ?? "") : "");
+      select(kind);
+      submit();
+    },
+  );
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
     const k = choice.text("k"),
@@ -187,15 +216,19 @@ function specification(submit) {
   };
   choice.element.addEventListener("input", offer);
   return {
-    elements: [wanted.element, vary],
+    elements: [kinds.list, wanted.element, vary],
     offer,
     put: (/** @type {string} */ key, /** @type {string} */ text) =>
       wanted.put(key, text),
     options: (/** @type {string} */ key, /** @type {string[]} */ names) =>
       choice.options(key, names),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
-    set: (/** @type {URLSearchParams} */ params) =>
-      forms.forEach((f) => f.set(params)),
+    set(/** @type {URLSearchParams} */ params) {
+      forms.forEach((f) => f.set(params));
+      const kind = others.find((key) => wanted.text(key)) ?? "F";
+      kinds.set(kind);
+      select(kind);
+    },
     /** The request, or nothing where a text cannot be read. @returns {Promise<Design["request"] | undefined>} */
     async read() {
       const [want, space] = await Promise.all([
@@ -203,10 +236,8 @@ function specification(submit) {
         choice.read({ intervals: true }),
       ]);
       if (!want || !space) return undefined;
-      // Several points or torques stand in place of the one pull; a load in place of its force.
-      if (want.points || want.torques || want.load) delete want.force_n;
-      if (want.points || want.torques || (want.load && want.stroke_mm))
-        delete want.contraction;
+      // The stroke of a load says how far.
+      if (want.load && want.stroke_mm) delete want.contraction;
       return { ...want, ...space, figure: unitName("pressure") };
     },
     /** @param {Problem} problem */

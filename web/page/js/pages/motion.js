@@ -37,7 +37,7 @@ export const STEP = fieldsOf([
   ["to", "pressure_mpa", "Step to", "pressure", "3 bar"],
   ["supply", "supply_mpa", "Supply", "pressure", "6 bar"],
   ["valve", "valve", "Valve", undefined, "0.5 L/(s bar)"],
-  ["load", "load", "Load", undefined, "mass:10kg"],
+  ["load", "load", "Load", undefined, "10 kg"],
   ["damping", "damping_n_s_per_m", "Damping", "damping", "200 N s/m"],
   ["until", "until_s", "Until", "time", "2 s"],
   [
@@ -245,7 +245,7 @@ export const mount = (main) => {
   function paint() {
     if (!run) return;
     charts.show(run);
-    numbers.replaceChildren(warnings(run.warnings), figures(run));
+    numbers.replaceChildren(figures(run), warnings(run.warnings));
   }
 
   onUnits(() => {

@@ -76,7 +76,7 @@ export const mount = (main) => {
     fields = form(WANTED, () => ask());
   const result = block(),
     head = el("h2", { class: "grow", "aria-live": "polite" }),
-    chips = block("row chips"),
+    chips = block("chips"),
     act = rowOf();
 
   function paint() {
@@ -90,12 +90,21 @@ export const mount = (main) => {
           : one
             ? "none"
             : "…";
-        return button(`${title}: ${said}`, () => choose(i), {
-          "aria-pressed": String(i === chosen),
-        });
+        return el(
+          "button",
+          {
+            type: "button",
+            class: "card",
+            onclick: () => choose(i),
+            "aria-pressed": String(i === chosen),
+          },
+          el("span", { class: "small soft" }, title),
+          el("b", {}, said),
+        );
       }),
     );
-    dim([result, head, lift.element], !answer);
+    // The first muscle says what a muscle is, not what is asked.
+    dim([result, head, lift.element], !answer && result.hasChildNodes());
     if (!answer) return;
     const isFound = "candidates" in answer;
     act.hidden = !isFound || !answer.candidates[0];
@@ -105,7 +114,7 @@ export const mount = (main) => {
     if (act.hidden) return result.replaceChildren(...closestView(answer));
     head.textContent = headline(answer);
     result.replaceChildren(decisionView(answer), warnings(answer.warnings));
-    lift.show(answer, true);
+    lift.show(answer);
     act.replaceChildren(
       mainButton("Open this muscle", () => openCandidate(answer)),
       button("More requirements", more, { class: "bare" }),
@@ -119,8 +128,8 @@ export const mount = (main) => {
     const text = (/** @type {string} */ key) => fields.text(key);
     const own = {
       pull: { F: text("F"), e: text("e") },
-      joint: { joint: `${text("M")}@${text("angle")}`.replaceAll(" ", "") },
-      load: { load: `mass:${text("m")}`, stroke: text("stroke") },
+      joint: { joint: `${text("M")} at ${text("angle")}` },
+      load: { load: text("m"), stroke: text("stroke") },
     }[kind];
     location.hash = address("design", { ...own, pmax: text("pmax") });
   };
@@ -226,7 +235,7 @@ export const mount = (main) => {
   );
   // A page that brings its engine loads that of the search when it is asked for.
   const isLarge = engine().files.length;
-  lift.show(REFERENCE, isLarge);
+  lift.show(REFERENCE);
   return {
     async load() {
       if (isLarge) {
