@@ -27,7 +27,6 @@ function nameField(renamed) {
     "aria-label": "Name of the muscle",
     maxlength: 80,
     autocomplete: "off",
-    spellcheck: "false",
     onchange() {
       muscle.rename(field.value.trim());
       renamed();

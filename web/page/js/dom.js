@@ -45,6 +45,9 @@ export const block = (classes, ...children) =>
   el("div", { class: classes }, ...children);
 /** Buttons, fields and words in a row. @param {Child[]} children */
 export const rowOf = (...children) => el("p", { class: "row" }, ...children);
+/** Names and what they have. @param {Child[][]} rows */
+export const termsOf = (rows) =>
+  rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]);
 /** What is shown once somebody opens it. @param {Child} summary @param {Child[]} children */
 export const folded = (summary, ...children) =>
   el("details", {}, el("summary", {}, summary), ...children);

@@ -12,6 +12,7 @@ import {
   mainButton,
   problemBox,
   optionsOf,
+  tabs,
 } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
@@ -45,7 +46,6 @@ function fieldRow(f, submit) {
         type: "text",
         id,
         autocomplete: "off",
-        spellcheck: "false",
         placeholder: f.hint ?? "",
         "aria-describedby": `${id}w`,
       });
@@ -258,6 +258,31 @@ export const fieldsOf = (rows) =>
     kind,
     ...(typeof more === "string" ? { value: more } : more),
   }));
+
+/**
+ * A switch between kinds of a question, each with its fields of a form.
+ * @param {Form} of @param {[kind: string, text: string, fields: string[]][]} kinds @param {(kind: string) => void} choose
+ */
+export function kindsOf(of, kinds, choose) {
+  const { list, set } = tabs(
+    "What it must do",
+    kinds.map(([kind, text]) => [kind, text]),
+    "",
+    (kind) => {
+      select(kind);
+      choose(kind);
+    },
+  );
+  function select(/** @type {string} */ chosen) {
+    set(chosen);
+    for (const [kind, , keys] of kinds)
+      if (kind !== chosen) for (const key of keys) of.shown(key, false);
+    for (const key of kinds.find(([kind]) => kind === chosen)?.[2] ?? [])
+      of.shown(key, true);
+  }
+  select(kinds[0][0]);
+  return { list, select };
+}
 
 /** A form of quantities. @param {Field[]} fields @param {() => void} submit */
 export const form = (fields, submit) => new Form(fields, submit);

@@ -229,12 +229,13 @@ export class View {
   }
 
   /**
-   * A new shape: the answer of `shape`; `rest` is the length at rest; what colours it and between which values.
-   * @param {Shape} shape @param {Show} show
+   * A new shape: the answer of `shape`; what colours it and between which values.
+   * @param {Shape & { muscle: MuscleMeasures }} shape @param {Omit<Show, "restLength" | "restRadius">} show
    */
   set(shape, show) {
     this.shape = shape;
-    this.show = show;
+    const { length_mm: restLength, outer_diameter_mm: diameter } = shape.muscle;
+    this.show = { ...show, restLength, restRadius: diameter / 2 };
     if (this.gl) {
       this.upload();
       this.draw();
@@ -243,15 +244,13 @@ export class View {
 
   /**
    * A shape by its largest stretch.
-   * @param {Shape & { muscle: { length_mm: number, outer_diameter_mm: number } }} shape @param {number} [least]
+   * @param {Shape & { muscle: MuscleMeasures }} shape
    */
-  stretched(shape, least = 1.2) {
+  stretched(shape) {
     this.set(shape, {
       field: "max_stretch",
       low: 1,
-      high: Math.max(least, reach(shape.arrays.max_stretch)[1]),
-      restLength: shape.muscle.length_mm,
-      restRadius: shape.muscle.outer_diameter_mm / 2,
+      high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]),
     });
   }
 

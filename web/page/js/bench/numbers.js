@@ -36,7 +36,6 @@ export function numbersView(store) {
     },
     { class: "bare", "aria-expanded": "false", title: "What the ± is made of" },
   );
-  const pull = el("span");
 
   function paint() {
     const { point } = store;
@@ -54,8 +53,6 @@ export function numbersView(store) {
       const head = [
         el("dt", {}, "Pull as built"),
         el("dd", { class: "head" }, built),
-        el("dt", {}, "Model"),
-        el("dd", {}, pull),
       ];
       element.replaceChildren(
         el("dl", {}, ...head, ...lines),
@@ -67,7 +64,6 @@ export function numbersView(store) {
         remark("As built: median and 95 % of muscles like this one."),
       );
     }
-    put(pull, point.slack ? "slack" : modelPull(point));
     put(built, asBuilt(point));
     list.forEach(([, text], i) => {
       put(values[i][1], text);
@@ -93,6 +89,7 @@ const put = (element, text) => {
 function rows({ facts }, point) {
   const c = facts.characteristics;
   return [
+    ["Model", point.slack ? "slack" : modelPull(point)],
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
     ["Contraction", showRatio(point.contraction, 3)],
     [

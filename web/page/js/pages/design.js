@@ -10,9 +10,9 @@ import {
   headView,
   rejectedView,
 } from "../design-view.js";
-import { block, el, folded, heading, tabs } from "../dom.js";
+import { block, el, folded, heading } from "../dom.js";
 import { Figures } from "../figure.js";
-import { fieldsOf, form, job } from "../form.js";
+import { fieldsOf, form, job, kindsOf } from "../form.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { onUnits, typed, unitName } from "../units.js";
@@ -74,13 +74,13 @@ export const WANTED = fieldsOf([
     { options: OBJECTIVES, value: "bulged-diameter" },
   ],
 ]);
-/** What the muscle must do, each with its fields. @type {Record<string, string[]>} */
-const KINDS = {
-  F: ["F", "e"],
-  at: ["at"],
-  joint: ["joint"],
-  load: ["load", "e"],
-};
+/** What the muscle must do, each with its fields. @type {[string, string, string[]][]} */
+const KINDS = [
+  ["F", "Pull", ["F", "e"]],
+  ["at", "Pulls", ["at"]],
+  ["joint", "Joint", ["joint"]],
+  ["load", "Load", ["load", "e"]],
+];
 /** @type {() => Field[]} */
 export const choices = () =>
   fieldsOf([
@@ -171,28 +171,12 @@ function specification(submit) {
     choice = form(choices(), submit),
     forms = [wanted, choice];
   const vary = folded("Search space", choice.element);
-  const [, ...others] = Object.keys(KINDS);
-  const select = (/** @type {string} */ kind) => {
-    for (const key of Object.values(KINDS).flat())
-      wanted.shown(key, KINDS[kind].includes(key));
-  };
-  const kinds = tabs(
-    "What it must do",
-    [
-      ["F", "Pull"],
-      ["at", "Several pulls"],
-      ["joint", "Joint"],
-      ["load", "Load"],
-    ],
-    "F",
-    (kind) => {
-      const { hint } = WANTED.find(({ key }) => key === kind) ?? {};
-      for (const key of others)
-        wanted.put(key, key === kind ? (hint ?? "") : "");
-      select(kind);
-      submit();
-    },
-  );
+  const others = KINDS.slice(1).map(([kind]) => kind);
+  const kinds = kindsOf(wanted, KINDS, (kind) => {
+    const { hint = "" } = WANTED.find(({ key }) => key === kind) ?? {};
+    for (const key of others) wanted.put(key, key === kind ? hint : "");
+    submit();
+  });
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
     const k = choice.text("k"),
@@ -218,16 +202,12 @@ function specification(submit) {
   return {
     elements: [kinds.list, wanted.element, vary],
     offer,
-    put: (/** @type {string} */ key, /** @type {string} */ text) =>
-      wanted.put(key, text),
-    options: (/** @type {string} */ key, /** @type {string[]} */ names) =>
-      choice.options(key, names),
+    wanted,
+    choice,
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
     set(/** @type {URLSearchParams} */ params) {
       forms.forEach((f) => f.set(params));
-      const kind = others.find((key) => wanted.text(key)) ?? "F";
-      kinds.set(kind);
-      select(kind);
+      kinds.select(others.find((key) => wanted.text(key)) ?? "F");
     },
     /** The request, or nothing where a text cannot be read. @returns {Promise<Design["request"] | undefined>} */
     async read() {
@@ -292,8 +272,8 @@ export const mount = (main) => {
   const target = designTarget({
     moved: (to) => map.preview(to),
     settled(to) {
-      spec.put("F", typed("force", to.force_n));
-      spec.put("e", typed("ratio", to.contraction));
+      spec.wanted.put("F", typed("force", to.force_n));
+      spec.wanted.put("e", typed("ratio", to.contraction));
       search.run();
     },
   });
@@ -323,8 +303,8 @@ export const mount = (main) => {
   async function paint() {
     if (!found) return;
     const answer = found;
-    const ask = (/** @type {Record<string, string>} */ words) => {
-      Object.entries(words).forEach(([key, text]) => spec.put(key, text));
+    const certain = () => {
+      spec.wanted.put("sure", "95 %");
       search.run();
     };
     const [best] = answer.candidates;
@@ -336,7 +316,7 @@ export const mount = (main) => {
         best.bulged_diameter_mm ?? best.outer_diameter_mm,
       );
     side.replaceChildren(
-      ...(best ? headView(answer, ask) : closestView(answer)),
+      ...(best ? headView(answer, certain) : closestView(answer)),
     );
     const show = (/** @type {Map<string, string>} */ known) =>
       list.replaceChildren(
@@ -377,7 +357,7 @@ export const mount = (main) => {
       if (own) await muscle.read(new URLSearchParams(own));
       else await Promise.all([muscle.known(), muscle.shown ?? muscle.look()]);
       spec.set(params);
-      spec.options(
+      spec.choice.options(
         "braid",
         muscle.sleeves.map((s) => s.name),
       );

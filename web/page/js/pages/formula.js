@@ -79,7 +79,6 @@ export const mount = (main) => {
     rows: 20,
     style: "width:100%;font:13px ui-monospace,monospace",
     "aria-label": "Plan (TOML)",
-    spellcheck: "false",
   });
   plan.value = fileOf("plan") ?? PLAN;
   plan.addEventListener("input", () =>
