@@ -123,11 +123,7 @@ export class Chart extends Lines {
       kind === "csv"
         ? csv([this.head(), ...this.rows()])
         : await this[kind](width, height);
-    download(
-      `${this.name}.${kind}`,
-      content,
-      { csv: "text/csv", svg: "image/svg+xml", png: "image/png" }[kind],
-    );
+    download(`${this.name}.${kind}`, content);
   }
 }
 

@@ -124,7 +124,7 @@ export const dim = (parts, on) =>
 /** @param {string} text */
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** Hands a file to the browser's downloads. @param {string} name @param {BlobPart} content @param {string} type */
+/** Hands a file to the browser's downloads. @param {string} name @param {BlobPart} content @param {string} [type] */
 export function download(name, content, type) {
   const url = URL.createObjectURL(new Blob([content], { type }));
   const link = el("a", { href: url, download: name });
