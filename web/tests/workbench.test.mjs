@@ -616,6 +616,7 @@ inBrowser(({ name, url, open, blank }) => {
       location.hash = "#rubber";
     });
     await there(page, "rubber");
+    await page.getByText("Advanced", { exact: true }).click();
     for (const end of ["xlsx", "ods"]) {
       await page
         .locator(".drop input")
@@ -735,6 +736,7 @@ inBrowser(({ name, url, open, blank }) => {
       30_000,
     );
     await reads(page, ".charts", "measured while it lengthens");
+    await page.getByText("Advanced", { exact: true }).click();
     await type(page, "Free constants", "Braid angle");
     await page.getByRole("button", { name: "Identify" }).click();
     await reads(page, ".middle", "Braid angle", 60_000);

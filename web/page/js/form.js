@@ -156,7 +156,10 @@ class Form {
 
   /** @param {string} key @param {string} message */
   mark(key, message) {
-    this.rows.get(key)?.say(message, true);
+    const of = this.rows.get(key),
+      box = of?.row.closest("details");
+    of?.say(message, true);
+    if (message && box) box.open = true;
   }
 
   /**

@@ -1,7 +1,7 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
-import { block, button, faded, heading, rowOf } from "../dom.js";
+import { block, button, faded, folded, heading, rowOf } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
@@ -134,7 +134,7 @@ export const mount = (main) => {
           take(name, text),
         ),
         cells.element,
-        fields.element,
+        folded("Advanced", fields.element),
         fit.element,
       ],
       [understood, samples, laws, figures.element],
