@@ -693,7 +693,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("points have the colour of their pressure and the sign of their branch, constants have names that are typed too", async () => {
     const { page, errors, context } = await open("#data");
-    await page.waitForSelector("form");
+    await page.waitForSelector(".drop");
     await page.evaluate(() => {
       const clipboardData = new DataTransfer();
       const rows = [
@@ -1523,7 +1523,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("data above 20,000 points are thinned, and the page says so", async () => {
     const { page, errors, context } = await open("#data?models=universal");
-    await page.waitForSelector("form");
+    await page.waitForSelector(".drop");
     const rows = Array.from(
       { length: 30_000 },
       (_, i) =>
