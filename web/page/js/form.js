@@ -296,17 +296,18 @@ export const form = (fields, submit) => new Form(fields, submit);
  * @param {() => Promise<Commands[K]["request"] | undefined>} request nothing where
  *   there is none to ask
  * @param {(answer: Commands[K]["answer"]) => void} take
- * @param {{ fields?: { at: (problem: Problem) => unknown }, shown?: HTMLElement[] }} [about] fields that a problem is
- *   marked at, and what is shown of an answer: dimmed beside the problem of a later question
+ * @param {{ fields?: { at: (problem: Problem) => unknown }, shown?: HTMLElement[], minor?: boolean }} [about] fields that
+ *   a problem is marked at, what is shown of an answer: dimmed beside the problem of a later question; and whether another
+ *   button of the place matters most
  */
 export function job(
   label,
   command,
   request,
   take,
-  { fields, shown = [] } = {},
+  { fields, shown = [], minor = false } = {},
 ) {
-  const start = mainButton(label, () => run());
+  const start = (minor ? button : mainButton)(label, () => run());
   const stop = button("Cancel", () => ends?.abort(), { hidden: true });
   const bar = el("progress", {
     hidden: true,

@@ -132,7 +132,7 @@ export const mount = (main) => {
       figures.replaceChildren(...figuresView(drawn));
       paint();
     },
-    about,
+    { ...about, minor: true },
   );
   main.replaceChildren(
     bench(
