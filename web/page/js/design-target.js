@@ -31,7 +31,7 @@ export function designTarget(act) {
     "div",
     { hidden: true },
     chart.element,
-    remark("Drag the ring to change the target: ", words),
+    remark("Drag the target: ", words),
   );
   /** @type {Target | undefined} */ let target;
   /** @type {Series[]} */ let series = [];

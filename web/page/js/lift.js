@@ -64,12 +64,17 @@ export function liftView() {
   const box = block("lift"),
     still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   /** @type {Lifting | undefined} */ let one;
+  let shown = NaN;
   const draw = (/** @type {number} */ share) => {
-    if (one) box.innerHTML = drawn(one, share);
+    if (!one || share === shown) return;
+    shown = share;
+    box.innerHTML = drawn(one, share);
   };
   const play = playing(
     "Move",
-    (share) => draw(clamp(0.5 - 0.7 * Math.cos(78.54 * share), 0, 1)),
+    // It rests at both ends, and moves in steps: the search needs the processor too.
+    (share) =>
+      draw(clamp(Math.round(16 - 22 * Math.cos(79 * share)) / 32, 0, 1)),
     () => (still ? 3000 : 60_000),
   );
   return {
@@ -78,6 +83,7 @@ export function liftView() {
     show({ candidates }) {
       if (one === candidates[0]) return;
       [one] = candidates;
+      shown = NaN;
       draw(1);
       if (!still) play.start();
     },

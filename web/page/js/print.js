@@ -1,6 +1,7 @@
 // Print: one sheet with the muscle, what was typed on the page, and its numbers.
 import { engine } from "./ask.js";
 import { isLocal } from "./address.js";
+import { pictures } from "./body.js";
 import {
   block,
   byId,
@@ -14,7 +15,6 @@ import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
 import { setTheme } from "./theme.js";
 import { thumbnail } from "./thumbnail.js";
-import { pictures } from "./view3d.js";
 
 /** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
 function inputs() {

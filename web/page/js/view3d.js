@@ -3,7 +3,7 @@
 //
 // What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies
 // follows from it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
-import { body } from "./body.js";
+import { body, pictures } from "./body.js";
 import { el } from "./dom.js";
 import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE, VIRIDIS } from "./shaders.js";
@@ -107,12 +107,6 @@ export function reach(list) {
  *   strands?: number | null }} Shape
  * @typedef {{ array: WebGLVertexArrayObject, count: number }} Piece
  */
-
-/**
- * What gives a picture of a view, by its canvas: it is drawn for it.
- * @type {WeakMap<HTMLCanvasElement, () => string>}
- */
-export const pictures = new WeakMap();
 
 export class View {
   /**

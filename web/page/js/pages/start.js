@@ -194,7 +194,7 @@ export const mount = (main) => {
         block("row", head, act),
         chips,
         result,
-        rowOf(button("Open a muscle", openDialog, { class: "bare" })),
+        button("Open a muscle", openDialog, { class: "bare" }),
       ),
     ),
   );
