@@ -71,7 +71,7 @@ declare global {
   };
 
   /**
-   * A field of a form. `pair`: a list of two quantities joined by @, such as 700N@15%, 300N@20%: kinds and fields of both. `words`: a list
+   * A field of a form. `pair`: a list of two quantities joined by "at" or @, such as 700 N at 15 %, 300N@20%: kinds and fields of both. `words`: a list
    * of words. `or`: words that may stand in place of a quantity. `factor`: a ratio that nobody writes in %. `hidden`: until it is shown.
    */
   interface Field {

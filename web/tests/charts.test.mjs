@@ -368,7 +368,7 @@ inBrowser(({ name, open, blank, url }) => {
       readFileSync(`${root}examples/bench.toml`, "utf8"),
     );
     const { page, errors, context } = await open(`#data?file=${file}`);
-    await page.waitForSelector("form");
+    await page.waitForSelector(".drop");
     await page
       .locator("input[type=file]")
       .setInputFiles(`${root}examples/bench.csv`);

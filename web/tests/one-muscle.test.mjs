@@ -720,7 +720,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("the chart of measured points ends with them", async () => {
     const { page, context } = await open("#data");
-    await page.waitForSelector("form");
+    await page.waitForSelector(".drop");
     await page
       .locator("input[type=file]")
       .setInputFiles(`${root}examples/bench.csv`);

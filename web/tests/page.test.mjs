@@ -602,7 +602,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("tables of data, good and broken; constants identified", async () => {
     const { page, errors, context } = await open("#data");
-    await page.waitForSelector("form");
+    await page.waitForSelector(".drop");
     await page.locator("input[type=file]").setInputFiles({
       name: "broken.csv",
       mimeType: "text/csv",

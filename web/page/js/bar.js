@@ -27,7 +27,6 @@ function nameField(renamed) {
     "aria-label": "Name of the muscle",
     maxlength: 80,
     autocomplete: "off",
-    spellcheck: "false",
     onchange() {
       muscle.rename(field.value.trim());
       renamed();
@@ -91,7 +90,7 @@ export function muscleBar(walk, renamed) {
         // A button that is disabled would lose the focus.
         one.ariaDisabled = String(!name);
         one.title = name
-          ? `${["Undo", "Redo"][i]}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})`
+          ? `${one.textContent}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})`
           : "";
       });
       const s = muscle.shown;

@@ -115,20 +115,15 @@ export class Chart extends Lines {
   /** @param {"csv" | "svg" | "png"} kind */
   async save(kind) {
     if (!this.spec) return;
-    if (kind === "csv")
-      return download(
-        `${this.name}.csv`,
-        csv([this.head(), ...this.rows()]),
-        "text/csv",
-      );
-    const size = {
-      width: Math.max(640, this.host.clientWidth),
-      height: Math.max(400, this.host.clientHeight),
-    };
-    const url = await this.picture(kind, size);
-    el("a", { href: url, download: `${this.name}.${kind}` }).click();
-    if (url.startsWith("blob:"))
-      setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    const [width, height] = [
+      Math.max(640, this.host.clientWidth),
+      Math.max(400, this.host.clientHeight),
+    ];
+    const content =
+      kind === "csv"
+        ? csv([this.head(), ...this.rows()])
+        : await this[kind](width, height);
+    download(`${this.name}.${kind}`, content);
   }
 }
 

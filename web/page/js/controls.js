@@ -88,7 +88,6 @@ class Quantity {
       type: "text",
       id,
       autocomplete: "off",
-      spellcheck: "false",
       "aria-describedby": `${id}w`,
     });
     this.unit = hasChoice(kind)

@@ -6,17 +6,11 @@ const MOST = 4_000_000;
 /** Texts as they stand in an address. @type {Map<string, string>} */ const known =
   new Map();
 
-/** @param {Uint8Array} bytes */
-const toText = (bytes) =>
-  btoa(Array.from(bytes, (b) => String.fromCharCode(b)).join(""))
-    .replaceAll("+", "-")
-    .replaceAll("/", "_")
-    .replaceAll("=", "");
-/** @param {string} text */
-const toBytes = (text) =>
-  Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) =>
-    c.charCodeAt(0),
-  );
+/** Base64 that an address may hold as it is. */
+const ALPHABET = /** @type {const} */ ({
+  alphabet: "base64url",
+  omitPadding: true,
+});
 
 /** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
 /**
@@ -44,20 +38,15 @@ export async function piped(bytes, through, most = MOST) {
 
 /** Makes a text ready for an address; a short one stays as it is. @param {string} text */
 export async function pack(text) {
-  if (
-    known.has(text) ||
-    text.length < 120 ||
-    typeof CompressionStream !== "function"
-  )
-    return;
+  if (known.has(text) || text.length < 120) return;
   const packed =
     MARK +
-    toText(
+    (
       await piped(
         new TextEncoder().encode(text),
         new CompressionStream("deflate-raw"),
-      ),
-    );
+      )
+    ).toBase64(ALPHABET);
   if (packed.length < encodeURIComponent(text).length) known.set(text, packed);
 }
 
@@ -68,7 +57,7 @@ export const packed = (text) => known.get(text) ?? text;
 export async function unpack(word) {
   if (!word.startsWith(MARK)) return word;
   const bytes = await piped(
-    toBytes(word.slice(MARK.length)),
+    Uint8Array.fromBase64(word.slice(MARK.length), ALPHABET),
     new DecompressionStream("deflate-raw"),
   );
   const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);

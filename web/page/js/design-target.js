@@ -31,11 +31,7 @@ export function designTarget(act) {
     "div",
     { hidden: true },
     chart.element,
-    remark(
-      "Drag the ring: the border of the map below follows (universal); when you release " +
-        "it, finite elements decide. ",
-      words,
-    ),
+    remark("Drag the target: ", words),
   );
   /** @type {Target | undefined} */ let target;
   /** @type {Series[]} */ let series = [];

@@ -170,9 +170,9 @@ export const decisionView = ({ decision = [] }) =>
 
 /**
  * The decision, and how to ask for a muscle that is sure.
- * @param {Design["answer"]} answer @param {(words: Record<string, string>) => void} ask
+ * @param {Design["answer"]} answer @param {() => void} certain
  */
-export function headView(answer, ask) {
+export function headView(answer, certain) {
   const [best] = answer.candidates,
     words = answer.uncertainty_words,
     { joint } = best;
@@ -191,8 +191,7 @@ export function headView(answer, ask) {
         `Pulley of radius ${showLength(joint.radius_mm, 3)}, ` +
           `${showRatio(joint.contraction_at_neutral, 3)} contracted at the neutral angle.`,
       ),
-    !answer.searched.guaranteed &&
-      button("Design for 95 % certainty", () => ask({ sure: "95 %" })),
+    !answer.searched.guaranteed && button("Design for 95 % certainty", certain),
     sentences.length > 0 && remark(inWords(sentences.join(" "))),
     warnings(answer.warnings),
   ]);

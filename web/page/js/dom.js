@@ -45,6 +45,9 @@ export const block = (classes, ...children) =>
   el("div", { class: classes }, ...children);
 /** Buttons, fields and words in a row. @param {Child[]} children */
 export const rowOf = (...children) => el("p", { class: "row" }, ...children);
+/** Names and what they have. @param {Child[][]} rows */
+export const termsOf = (rows) =>
+  rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]);
 /** What is shown once somebody opens it. @param {Child} summary @param {Child[]} children */
 export const folded = (summary, ...children) =>
   el("details", {}, el("summary", {}, summary), ...children);
@@ -121,7 +124,7 @@ export const dim = (parts, on) =>
 /** @param {string} text */
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** Hands a file to the browser's downloads. @param {string} name @param {BlobPart} content @param {string} type */
+/** Hands a file to the browser's downloads. @param {string} name @param {BlobPart} content @param {string} [type] */
 export function download(name, content, type) {
   const url = URL.createObjectURL(new Blob([content], { type }));
   const link = el("a", { href: url, download: name });

@@ -12,6 +12,7 @@ import {
   mainButton,
   problemBox,
   optionsOf,
+  tabs,
 } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
@@ -27,6 +28,13 @@ import { inWords } from "./words.js";
  * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }} Asked
  */
 
+/** A load as the engine reads it: a mass, a force or a stiffness alone is one. @param {string} text */
+const loadOf = (text) =>
+  text.replace(/^[\d.]+\s*([^\s:]+)$/, (all, unit) => {
+    const mass = /^(k?g|lb)$/.test(unit) ? "mass" : "force";
+    return `${unit.includes("/") ? "spring" : mass}:${all}`;
+  });
+
 let count = 0;
 /** A field with its label. @param {Field} f @param {() => void} submit @returns {Row} */
 function fieldRow(f, submit) {
@@ -38,7 +46,6 @@ function fieldRow(f, submit) {
         type: "text",
         id,
         autocomplete: "off",
-        spellcheck: "false",
         placeholder: f.hint ?? "",
         "aria-describedby": `${id}w`,
       });
@@ -108,7 +115,8 @@ class Reading {
     if (f.pair)
       values[f.field] = text
         .split(",")
-        .map((one) => this.#pair(f, one.split("@")));
+        .map((one) => this.#pair(f, one.split(/@| at /)));
+    else if (f.field === "load") values.load = loadOf(text);
     else if (!f.kind || f.or?.includes(text))
       values[f.field] = f.words ? list() : text;
     else
@@ -148,7 +156,10 @@ class Form {
 
   /** @param {string} key @param {string} message */
   mark(key, message) {
-    this.rows.get(key)?.say(message, true);
+    const of = this.rows.get(key),
+      box = of?.row.closest("details");
+    of?.say(message, true);
+    if (message && box) box.open = true;
   }
 
   /**
@@ -251,6 +262,31 @@ export const fieldsOf = (rows) =>
     ...(typeof more === "string" ? { value: more } : more),
   }));
 
+/**
+ * A switch between kinds of a question, each with its fields of a form.
+ * @param {Form} of @param {[kind: string, text: string, fields: string[]][]} kinds @param {(kind: string) => void} choose
+ */
+export function kindsOf(of, kinds, choose) {
+  const { list, set } = tabs(
+    "What it must do",
+    kinds.map(([kind, text]) => [kind, text]),
+    "",
+    (kind) => {
+      select(kind);
+      choose(kind);
+    },
+  );
+  function select(/** @type {string} */ chosen) {
+    set(chosen);
+    for (const [kind, , keys] of kinds)
+      if (kind !== chosen) for (const key of keys) of.shown(key, false);
+    for (const key of kinds.find(([kind]) => kind === chosen)?.[2] ?? [])
+      of.shown(key, true);
+  }
+  select(kinds[0][0]);
+  return { list, select };
+}
+
 /** A form of quantities. @param {Field[]} fields @param {() => void} submit */
 export const form = (fields, submit) => new Form(fields, submit);
 
@@ -260,17 +296,18 @@ export const form = (fields, submit) => new Form(fields, submit);
  * @param {() => Promise<Commands[K]["request"] | undefined>} request nothing where
  *   there is none to ask
  * @param {(answer: Commands[K]["answer"]) => void} take
- * @param {{ fields?: { at: (problem: Problem) => unknown }, shown?: HTMLElement[] }} [about] fields that a problem is
- *   marked at, and what is shown of an answer: dimmed beside the problem of a later question
+ * @param {{ fields?: { at: (problem: Problem) => unknown }, shown?: HTMLElement[], minor?: boolean }} [about] fields that
+ *   a problem is marked at, what is shown of an answer: dimmed beside the problem of a later question; and whether another
+ *   button of the place matters most
  */
 export function job(
   label,
   command,
   request,
   take,
-  { fields, shown = [] } = {},
+  { fields, shown = [], minor = false } = {},
 ) {
-  const start = mainButton(label, () => run());
+  const start = (minor ? button : mainButton)(label, () => run());
   const stop = button("Cancel", () => ends?.abort(), { hidden: true });
   const bar = el("progress", {
     hidden: true,

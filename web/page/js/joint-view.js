@@ -1,7 +1,7 @@
 // The joint in numbers and curves: torques over the angle, what it can reach, and its numbers.
 import { niceUp } from "./bench/round.js";
 import { KINDS, pressureColour } from "./chart.js";
-import { capital, el, remark } from "./dom.js";
+import { el, remark, termsOf } from "./dom.js";
 import {
   interval,
   number,
@@ -60,20 +60,20 @@ export function numbersView(point, which) {
   const pull = (/** @type {number | null | undefined} */ n) =>
     showForce(Math.abs(Number(n)) < 1e-5 ? 0 : n, 3);
   const rows = /** @type {[string, string][]} */ ([
-    ["pressure 1", showPressure(point.pressure_1_mpa, 3)],
-    ["pressure 2", showPressure(point.pressure_2_mpa, 3)],
-    ["stiffness", stiffness(point)],
+    ["Pressure 1", showPressure(point.pressure_1_mpa, 3)],
+    ["Pressure 2", showPressure(point.pressure_2_mpa, 3)],
+    ["Stiffness", stiffness(point)],
     ...(closed.length
       ? [
           [
-            "stiffness, valves closed",
+            "Stiffness, valves closed",
             `${closed.join(" to ")} ${unitName(ANGULAR)}`,
           ],
         ]
       : []),
-    ["pulls", `${pull(point.force_1_n)}, ${pull(point.force_2_n)}`],
+    ["Pulls", `${pull(point.force_1_n)}, ${pull(point.force_2_n)}`],
     [
-      "contractions",
+      "Contractions",
       `${showRatio(point.contraction_1, 3)}, ${showRatio(point.contraction_2, 3)}`,
     ],
   ]);
@@ -91,10 +91,7 @@ export function numbersView(point, which) {
         { class: "head" },
         `${number(point.angle_deg, 3)}${half(point.angle_uncertainty_deg)}°`,
       ),
-      ...rows.flatMap(([name, value]) => [
-        el("dt", {}, capital(name)),
-        el("dd", {}, value),
-      ]),
+      ...termsOf(rows),
     ),
     remark(`${which} Curves and map by universal.${words}`),
   ];

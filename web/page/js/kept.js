@@ -25,15 +25,8 @@ const stored = (storage, name) => ({
 export const remembered = (name) =>
   stored(() => localStorage, `mckibben:${name}`);
 const session = stored(() => sessionStorage, "mckibben:kept");
-/** @returns {Kept} */
-function before() {
-  try {
-    return { words: {}, files: {}, ...JSON.parse(session.get() || "{}") };
-  } catch {
-    return { words: {}, files: {} };
-  }
-}
-const kept = before();
+/** @type {Kept} */
+const kept = { words: {}, files: {}, ...JSON.parse(session.get() || "{}") };
 const changed = signal();
 export const onKept = changed.stay;
 

@@ -47,16 +47,16 @@ export const muscleButtons = (file, put, keep, name) =>
 function entryCard(entry, opened, fail) {
   const { name, blocked_force_n: force } = entry;
   const pull = force
-    ? `, ${showForce(force)} blocked at ${showPressure(entry.pressure_mpa, 3)} (model fe)`
+    ? `, ${showForce(force)} blocked at ${showPressure(entry.pressure_mpa, 3)}`
     : "";
   const size = `D0 ${showLength(entry.outer_diameter_mm, 3)}, L0 ${showLength(entry.length_mm)}`;
   const box = card(
     () => openPart(name).then(opened, fail),
     el("span", {}, thumbnail(entry)),
     capital(entry.product ?? entry.title),
-    `${name}: ${size}${pull}`,
+    `${size}${pull}`,
   );
-  box.title = `${entry.source}; ${entry.terms}`;
+  box.title = `${name}: ${entry.source}; ${entry.terms}`;
   return box;
 }
 

@@ -12,6 +12,16 @@ export function endAll() {
   all.forEach((end) => end());
 }
 
+/** Work that ends with the page, or when it begins anew: gives the signal of its newest beginning. */
+export function renewing() {
+  let ends = new AbortController();
+  atEnd(() => ends.abort());
+  return () => {
+    ends.abort();
+    return (ends = new AbortController()).signal;
+  };
+}
+
 /** Listeners to one thing: those of the page that is shown (`on`) end with it, others stay. */
 export function signal() {
   /** @type {Set<() => void>} */ const listeners = new Set();

@@ -64,22 +64,28 @@ export function liftView() {
   const box = block("lift"),
     still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   /** @type {Lifting | undefined} */ let one;
+  let shown = NaN;
   const draw = (/** @type {number} */ share) => {
-    if (one) box.innerHTML = drawn(one, share);
+    if (!one || share === shown) return;
+    shown = share;
+    box.innerHTML = drawn(one, share);
   };
   const play = playing(
     "Move",
-    (share) => draw(clamp(0.5 - 0.7 * Math.cos(78.54 * share), 0, 1)),
+    // It rests at both ends, and moves in steps: the search needs the processor too.
+    (share) =>
+      draw(clamp(Math.round(16 - 22 * Math.cos(79 * share)) / 32, 0, 1)),
     () => (still ? 3000 : 60_000),
   );
   return {
     element: block("stand", box, play.button),
-    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer @param {number | boolean} moves */
-    show({ candidates }, moves) {
+    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer */
+    show({ candidates }) {
       if (one === candidates[0]) return;
       [one] = candidates;
+      shown = NaN;
       draw(1);
-      if (moves && !still) play.start();
+      if (!still) play.start();
     },
   };
 }

@@ -106,11 +106,6 @@ export class Lines {
     this.ring.style.transform = `translate(${x}px, ${y}px)`;
   }
 
-  /** What lies at a place, as values of the axes. @param {number} px @param {number} py */
-  values(px, py) {
-    return this.at && [this.at.x(px), this.at.y(py)];
-  }
-
   /** @param {Reach | undefined} reach nothing for all */
   zoom(reach) {
     this.zoomed = reach;
@@ -386,17 +381,18 @@ export class Lines {
     );
   }
 
-  /** As an image's address. @param {"svg" | "png"} kind @param {{ width: number, height: number }} size */
-  async picture(kind, { width, height }) {
+  /** Its pixels, twice as fine. @param {number} width @param {number} height @returns {Promise<Blob>} */
+  async png(width, height) {
     const file = URL.createObjectURL(
       new Blob([this.svg(width, height)], { type: "image/svg+xml" }),
     );
-    if (kind === "svg") return file;
     const image = el("img", { src: file });
     await image.decode();
     const canvas = el("canvas", { width: 2 * width, height: 2 * height });
     canvas.getContext("2d")?.drawImage(image, 0, 0, 2 * width, 2 * height);
     URL.revokeObjectURL(file);
-    return canvas.toDataURL("image/png");
+    return new Promise((resolve) =>
+      canvas.toBlob((blob) => blob && resolve(blob)),
+    );
   }
 }

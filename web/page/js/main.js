@@ -117,7 +117,7 @@ function frame(name) {
   for (const a of places)
     a.ariaCurrent = a.dataset.place === place ? "page" : null;
   const links =
-    list.length > 1
+    place && list.length > 1
       ? list.map((view) =>
           el(
             "a",

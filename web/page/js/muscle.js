@@ -119,9 +119,6 @@ export class MuscleState {
   get e() {
     return this.state.e;
   }
-  get F() {
-    return this.state.F;
-  }
 
   /** The muscle of a request. */
   fields() {

@@ -1,12 +1,20 @@
 // Print: one sheet with the muscle, what was typed on the page, and its numbers.
 import { engine } from "./ask.js";
 import { isLocal } from "./address.js";
-import { block, byId, el, heading, paragraph, smallPrint } from "./dom.js";
+import { pictures } from "./body.js";
+import {
+  block,
+  byId,
+  el,
+  heading,
+  paragraph,
+  smallPrint,
+  termsOf,
+} from "./dom.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
 import { setTheme } from "./theme.js";
 import { thumbnail } from "./thumbnail.js";
-import { pictures } from "./view3d.js";
 
 /** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
 function inputs() {
@@ -34,17 +42,6 @@ function inputs() {
         : [];
     });
 }
-
-/** @param {[string, string][]} rows */
-const list = (rows) =>
-  el(
-    "dl",
-    {},
-    ...rows.flatMap(([name, value]) => [
-      el("dt", {}, name),
-      el("dd", {}, value),
-    ]),
-  );
 
 /** The muscle as it is seen. */
 function picture() {
@@ -82,7 +79,7 @@ function sheet() {
     picture(),
     block(
       "columns",
-      block("", heading("Inputs"), list(inputs())),
+      block("", heading("Inputs"), el("dl", {}, ...termsOf(inputs()))),
       block("", heading("Numbers"), .../** @type {Node[]} */ (numbers)),
     ),
     notes ?? null,

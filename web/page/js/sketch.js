@@ -45,6 +45,8 @@ const arrow = (
   /** @type {string} */ text,
   /** @type {[number, number]} */ [x, y],
 ) => `<path class="measure" d="${d}"/><text x="${x}" y="${y}">${text}</text>`;
+/** @param {string} text @param {number} x @param {number} y */
+const word = (text, x, y) => `<text x='${x}' y='${y}'>${text}</text>`;
 const ANGLE = arrow(
   "M86 60h44M86 60 102 28M112 60a26 26 0 0 0-14-23",
   "θ",
@@ -73,7 +75,7 @@ export const DRAWINGS = {
     BODY +
     dimension(120, 22, 120, 36, "") +
     dimension(120, 60, 120, 46, "") +
-    "<text x='128' y='30'>s</text>",
+    word("s", 128, 30),
   L: () => BODY + dimension(46, 106, 194, 106, "L0"),
   angle: () => BODY + BRAID + ANGLE,
   p: () => BULGED + PRESSURE,
@@ -84,16 +86,13 @@ export const DRAWINGS = {
   F: () => BULGED + PULL,
   k: () => BODY + BRAID + arrow("M122 84 146 36M140 39l6-3v7", "k", [150, 34]),
   sd: () => STRAND + dimension(90, 60, 150, 60, "d"),
-  strand_area_mm2: () => STRAND + "<text x='114' y='64'>A</text>",
+  strand_area_mm2: () => STRAND + word("A", 114, 64),
   sE: () =>
     '<path class="strand thick" d="M40 60h160"/>' +
     arrow("M40 60H14M200 60h26M20 55l-6 5 6 5M220 55l6 5-6 5", "E", [116, 50]),
   seating: () =>
-    BULGED +
-    dimension(62, 104, 82, 104, "") +
-    "<text x='86' y='108'>bonded end</text>",
-  grip: () =>
-    BODY + dimension(46, 104, 70, 104, "") + "<text x='76' y='108'>grip</text>",
+    BULGED + dimension(62, 104, 82, 104, "") + word("bonded end", 86, 108),
+  grip: () => BODY + dimension(46, 104, 70, 104, "") + word("grip", 76, 108),
   slip: () =>
     BODY + arrow("M30 96h22M46 91l6 5-6 5", "slip under load", [58, 100]),
   bulge: () => BULGED + dimension(120, 25, 120, 95, "D"),
@@ -101,9 +100,8 @@ export const DRAWINGS = {
     BULGED +
     '<path class="ghost" d="M194 33h16v54H194z"/>' +
     dimension(186, 106, 202, 106, "") +
-    "<text x='120' y='110'>stroke</text>",
-  r: () =>
-    PULLEY + dimension(150, 60, 150, 38, "") + "<text x='155' y='53'>r</text>",
+    word("stroke", 120, 110),
+  r: () => PULLEY + dimension(150, 60, 150, 38, "") + word("r", 155, 53),
   phi: () =>
     PULLEY + arrow("M150 60h60M196 60a46 46 0 0 0-5-19", "φ", [202, 52]),
   range: () =>

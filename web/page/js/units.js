@@ -58,9 +58,6 @@ export const bareIn = (text, kind) =>
     /\(a bare number is [^)]*\)$/,
     () => `(a number alone is in ${unitName(kind)})`,
   );
-/** Names of its units. @param {string} kind */
-export const unitsOf = (kind) =>
-  (kinds.get(kind)?.units ?? []).map((u) => u.name);
 /** The unit inside. @param {string} kind */
 const baseUnit = (kind) =>
   kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";

@@ -3,7 +3,7 @@
 //
 // What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies
 // follows from it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
-import { body } from "./body.js";
+import { body, pictures } from "./body.js";
 import { el } from "./dom.js";
 import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE, VIRIDIS } from "./shaders.js";
@@ -107,12 +107,6 @@ export function reach(list) {
  *   strands?: number | null }} Shape
  * @typedef {{ array: WebGLVertexArrayObject, count: number }} Piece
  */
-
-/**
- * What gives a picture of a view, by its canvas: it is drawn for it.
- * @type {WeakMap<HTMLCanvasElement, () => string>}
- */
-export const pictures = new WeakMap();
 
 export class View {
   /**
@@ -229,12 +223,13 @@ export class View {
   }
 
   /**
-   * A new shape: the answer of `shape`; `rest` is the length at rest; what colours it and between which values.
-   * @param {Shape} shape @param {Show} show
+   * A new shape: the answer of `shape`; what colours it and between which values.
+   * @param {Shape & { muscle: MuscleMeasures }} shape @param {Omit<Show, "restLength" | "restRadius">} show
    */
   set(shape, show) {
     this.shape = shape;
-    this.show = show;
+    const { length_mm: restLength, outer_diameter_mm: diameter } = shape.muscle;
+    this.show = { ...show, restLength, restRadius: diameter / 2 };
     if (this.gl) {
       this.upload();
       this.draw();
@@ -243,15 +238,13 @@ export class View {
 
   /**
    * A shape by its largest stretch.
-   * @param {Shape & { muscle: { length_mm: number, outer_diameter_mm: number } }} shape @param {number} [least]
+   * @param {Shape & { muscle: MuscleMeasures }} shape
    */
-  stretched(shape, least = 1.2) {
+  stretched(shape) {
     this.set(shape, {
       field: "max_stretch",
       low: 1,
-      high: Math.max(least, reach(shape.arrays.max_stretch)[1]),
-      restLength: shape.muscle.length_mm,
-      restRadius: shape.muscle.outer_diameter_mm / 2,
+      high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]),
     });
   }
 

@@ -2,12 +2,11 @@
 // their unit by a no-break space.
 import { kindInside, show, unitName } from "./units.js";
 
-/** A part as people call it: those of the reference muscle by their source. @param {string | null | undefined} name */
-export const partName = (name) =>
-  name === "paper" ? "silicone (Antonelli 2018)" : (name ?? "");
-/** The same of a braid. @param {string | null | undefined} name */
-export const braidName = (name) =>
-  name === "paper" ? "braid (Antonelli 2018)" : (name ?? "");
+/** Parts as people call them: those of the reference muscle by their source. @param {string} what */
+const named = (what) => (/** @type {string | null | undefined} */ name) =>
+  name === "paper" ? `${what} (Antonelli 2018)` : (name ?? "");
+export const partName = named("silicone"),
+  braidName = named("braid");
 
 /**
  * Fields and keys that the page calls otherwise than they are; those of measures are added.

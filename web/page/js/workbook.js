@@ -78,8 +78,13 @@ function lineOf(row, texts) {
 export async function sheetText(file) {
   const parts = partsOf(new Uint8Array(await file.arrayBuffer())),
     read = async (/** @type {string} */ name) => parts.get(name)?.();
-  const [list, document] = await Promise.all(
-    ["xl/sharedStrings.xml", "content.xml"].map(read),
+  const [list, document, book, places] = await Promise.all(
+    [
+      "xl/sharedStrings.xml",
+      "content.xml",
+      "xl/workbook.xml",
+      "xl/_rels/workbook.xml.rels",
+    ].map(read),
   );
   const texts = list
     ? all(list, "si").map((one) =>
@@ -88,9 +93,12 @@ export async function sheetText(file) {
           .join(""),
       )
     : [];
-  const names = [...parts.keys()]
-    .filter((name) => name.startsWith("xl/worksheets/sheet"))
-    .sort((a, b) => a.length - b.length || a.localeCompare(b));
+  // In the order of their tabs; where each is, a list says by its mark.
+  const names = (book ? all(book, "sheet") : []).map((sheet) => {
+    const mark = [...sheet.attributes].find((a) => a.localName === "id"),
+      of = places?.querySelector(`[Id="${mark?.value}"]`);
+    return `xl/${of?.getAttribute("Target")}`.replace("xl//", "");
+  });
   const sheets = document
     ? all(document, "table")
     : await Promise.all(names.map(read));

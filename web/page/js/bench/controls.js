@@ -128,8 +128,6 @@ export function controlsView(store) {
 
 /** @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks @param {Node} needed */
 function section(make, { rubber, braid, strands, held, branch }, needed) {
-  const group = (/** @type {string} */ name, /** @type {Node[]} */ ...list) =>
-    folded(name, ...list);
   const state = [
     make(PRESSURE),
     held.element,
@@ -150,7 +148,7 @@ function section(make, { rubber, braid, strands, held, branch }, needed) {
     { class: "controls", "aria-label": "Muscle" },
     el("fieldset", { class: "state" }, el("legend", {}, "State"), ...state),
     el("fieldset", {}, el("legend", {}, "Tube and braid"), ...tube),
-    group("Ends", ...ENDS.map(make)),
+    folded("Ends", ...ENDS.map(make)),
     moreMeasures(make),
   );
 }

@@ -115,7 +115,7 @@ export function ownOf(store, top) {
   if (test === "isometric")
     return { contractions: [muscle.e], pressures_mpa: over };
   return {
-    forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.F ?? 1)],
+    forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.state.F ?? 1)],
     pressures_mpa: over.slice(1),
   };
 }

@@ -26,7 +26,7 @@ export function numbersView(store) {
   const parts = partsView(store),
     tornado = tornadoView(store),
     solve = solveView(store);
-  /** @type {HTMLElement[]} */ const values = [];
+  /** @type {[name: HTMLElement, value: HTMLElement][]} */ const values = [];
   let noted = "";
   const built = button(
     "",
@@ -36,7 +36,6 @@ export function numbersView(store) {
     },
     { class: "bare", "aria-expanded": "false", title: "What the ± is made of" },
   );
-  const pull = el("span");
 
   function paint() {
     const { point } = store;
@@ -44,15 +43,16 @@ export function numbersView(store) {
     const list = rows(store, point);
     if (!values.length) {
       const lines = list.flatMap(([name]) => {
-        const value = el("dd");
-        values.push(value);
-        return [el("dt", {}, name), value];
+        /** @type {[HTMLElement, HTMLElement]} */ const line = [
+          el("dt", {}, name),
+          el("dd"),
+        ];
+        values.push(line);
+        return line;
       });
       const head = [
         el("dt", {}, "Pull as built"),
         el("dd", { class: "head" }, built),
-        el("dt", {}, "Model"),
-        el("dd", {}, pull),
       ];
       element.replaceChildren(
         el("dl", {}, ...head, ...lines),
@@ -64,9 +64,11 @@ export function numbersView(store) {
         remark("As built: median and 95 % of muscles like this one."),
       );
     }
-    put(pull, point.slack ? "slack" : modelPull(point));
     put(built, asBuilt(point));
-    list.forEach(([, text], i) => put(values[i], text));
+    list.forEach(([, text], i) => {
+      put(values[i][1], text);
+      for (const part of values[i]) part.hidden = text === "–";
+    });
     meters.replaceChildren(...margins(store, point));
     const said = warned(store, point);
     if (said.join() === noted) return;
@@ -87,6 +89,7 @@ const put = (element, text) => {
 function rows({ facts }, point) {
   const c = facts.characteristics;
   return [
+    ["Model", point.slack ? "slack" : modelPull(point)],
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
     ["Contraction", showRatio(point.contraction, 3)],
     [

@@ -3,7 +3,7 @@ import { engine } from "../ask.js";
 import { button, el, folded } from "../dom.js";
 import { isAbort } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
-import { atEnd } from "../life.js";
+import { renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
 import { show, showForce } from "../units.js";
@@ -40,11 +40,10 @@ export function solveView(store) {
     button("Solve", () => solve()),
     said,
   );
-  let ends = new AbortController();
+  const begin = renewing();
 
   async function solve() {
-    ends.abort();
-    const { signal } = (ends = new AbortController()),
+    const signal = begin(),
       { what, force_n: force } = (await asked.read()) ?? {};
     if (force === undefined || signal.aborted) return;
     said.textContent = "…";
@@ -60,7 +59,6 @@ export function solveView(store) {
         said.textContent = inWords(/** @type {Error} */ (problem).message);
     }
   }
-  atEnd(() => ends.abort());
   return { element };
 }
 

@@ -96,13 +96,7 @@ export function stageView(store, busy) {
     colour.set(name);
     view.cut = Boolean(store.wanted.cut);
     cut.ariaPressed = String(view.cut);
-    view.set(shape, {
-      field: name,
-      low,
-      high,
-      restLength: shape.muscle.length_mm,
-      restRadius: shape.muscle.outer_diameter_mm / 2,
-    });
+    view.set(shape, { field: name, low, high });
     if (!point) return;
     paintLegend(words, kind, low, high);
     said.replaceChildren(...sentence(shape, point));

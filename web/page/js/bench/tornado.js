@@ -1,7 +1,7 @@
 // What a small change of each measure does to the pull: one millimetre, a degree, 0.1 bar. Each is computed, on demand.
 import { engine } from "../ask.js";
 import { block, el, folded, remark } from "../dom.js";
-import { atEnd } from "../life.js";
+import { atEnd, renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
 import { number, outside, show, showForce, unitName } from "../units.js";
@@ -16,9 +16,9 @@ export function tornadoView(store) {
   const bars = block("tornado"),
     words = remark();
   const element = folded("What a small change does", bars, words);
+  const begin = renewing();
   let of = "",
-    timer = 0,
-    ends = new AbortController();
+    timer = 0;
 
   async function start() {
     const { state } = muscle,
@@ -29,8 +29,7 @@ export function tornadoView(store) {
     ]);
     if (!element.open || !at || at.slack || key === of) return;
     of = key;
-    ends.abort();
-    const { signal } = (ends = new AbortController());
+    const signal = begin();
     words.textContent = "Computing …";
     const list = /** @type {Measure[]} */ ([
       ...QUANTITIES,
@@ -73,7 +72,7 @@ export function tornadoView(store) {
   const soon = () => {
     // What belongs to another muscle is given up at once.
     of = "";
-    ends.abort();
+    begin();
     clearTimeout(timer);
     timer = window.setTimeout(start, REST);
   };
@@ -82,10 +81,7 @@ export function tornadoView(store) {
   store.on("answer", () => {
     if (element.open && of === "") soon();
   });
-  atEnd(() => {
-    clearTimeout(timer);
-    ends.abort();
-  });
+  atEnd(() => clearTimeout(timer));
   return { element };
 }
 

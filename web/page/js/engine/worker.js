@@ -12,6 +12,10 @@ let current = 0;
 const encoder = new TextEncoder(),
   decoder = new TextDecoder();
 
+/** What stands in the memory as the answer. */
+const said = () =>
+  new Uint8Array(engine.memory.buffer, engine.answer(), engine.answer_length());
+
 /**
  * @param {string} command @param {string} request
  * @returns {{ problem?: object, answer?: unknown, buffers?: ArrayBuffer[] }}
@@ -23,14 +27,9 @@ function ask(command, request) {
   input.set(a);
   input.set(b, a.length);
   const wrong = engine.ask(a.length);
-  const bytes = new Uint8Array(
-    engine.memory.buffer,
-    engine.answer(),
-    engine.answer_length(),
-  ).slice();
   return wrong
-    ? { problem: JSON.parse(decoder.decode(bytes)) }
-    : unpack(bytes.buffer);
+    ? { problem: JSON.parse(decoder.decode(said())) }
+    : unpack(said().slice().buffer);
 }
 
 /** @param {WebAssembly.Module} module */
@@ -61,13 +60,7 @@ self.onmessage = async ({ data }) => {
     );
   } catch (error) {
     // A trap: the instance cannot be used any more; its last words stand where the answer would.
-    const words = decoder.decode(
-      new Uint8Array(
-        engine.memory.buffer,
-        engine.answer(),
-        engine.answer_length(),
-      ),
-    );
+    const words = decoder.decode(said());
     self.postMessage({ id: data.id, dead: words || String(error) });
   }
 };

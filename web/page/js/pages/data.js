@@ -9,10 +9,12 @@ import {
   capital,
   dim,
   faded,
+  folded,
   heading,
   paragraph,
   problemBox,
   remark,
+  rowOf,
 } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
@@ -34,7 +36,7 @@ function identifiedView(answer) {
       capital(worded(p.name)),
       `${number(p.value, 5)} ${p.unit ?? ""}`,
       half,
-      p.identifiable ? "" : "not told by these points",
+      p.identifiable ? "" : "not identifiable",
     ];
   });
   return [
@@ -78,7 +80,7 @@ export const FIELDS = fieldsOf([
     "free",
     "Free constants",
     undefined,
-    { words: true, hint: "shear modulus, braid angle" },
+    { words: true, hint: "shear modulus" },
   ],
   [
     "models",
@@ -88,11 +90,6 @@ export const FIELDS = fieldsOf([
     { words: true, value: "fe, thick-wall, ideal" },
   ],
 ]);
-const HINT =
-  "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.";
-const BEGIN =
-  "Drop a table of measured points, paste its cells, or type them into Table.";
-
 class DataPage {
   /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
   /** @type {Commands["identify"]["answer"] | undefined} */ #known;
@@ -109,7 +106,14 @@ class DataPage {
     );
     this.understood = block(
       "",
-      ...(this.data ? [] : [faded(BEGIN), this.#begins()]),
+      ...(this.data
+        ? []
+        : [
+            faded(
+              "Drop a table of measured points, paste its cells, or type them into Table.",
+            ),
+            this.#begins(),
+          ]),
     );
     this.errors = block();
     this.found = block();
@@ -145,12 +149,14 @@ class DataPage {
       fileField("Open a table (CSV, XLSX, ODS)", TABLES, (name, text) =>
         this.#take(name, text),
       ),
-      remark(HINT),
+      remark(
+        "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.",
+      ),
       this.table.element,
-      this.what.element,
-      block(
-        "row",
-        button("Compare", () => this.#look()),
+      folded(
+        "Advanced",
+        this.what.element,
+        rowOf(button("Compare", () => this.#look())),
       ),
       this.identify.element,
     ];

@@ -12,7 +12,7 @@ import {
 } from "../design-view.js";
 import { block, el, folded, heading } from "../dom.js";
 import { Figures } from "../figure.js";
-import { fieldsOf, form, job } from "../form.js";
+import { fieldsOf, form, job, kindsOf } from "../form.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { onUnits, typed, unitName } from "../units.js";
@@ -32,30 +32,30 @@ export const WANTED = fieldsOf([
   [
     "at",
     "points",
-    "or several pulls",
+    "Pulls",
     undefined,
     {
       pair: [
         ["force", "force_n"],
         ["ratio", "contraction"],
       ],
-      hint: "700N@15%, 1200N@5%",
+      hint: "700 N at 15 %, 1200 N at 5 %",
     },
   ],
   [
     "joint",
     "torques",
-    "or torques of a joint",
+    "Torques",
     undefined,
     {
       pair: [
         ["torque", "torque_nm"],
         ["angle", "angle_deg"],
       ],
-      hint: "8Nm@45deg",
+      hint: "8 N m at 45°",
     },
   ],
-  ["load", "load", "or a load to lift", undefined, { hint: "mass:20kg" }],
+  ["load", "load", "Load", undefined, { hint: "20 kg" }],
   ["stroke", "stroke_mm", "Stroke", "length", { hint: "40 mm" }],
   ["pmax", "max_pressure_mpa", "Pressure of the supply", "pressure", "2.5 bar"],
   [
@@ -74,6 +74,13 @@ export const WANTED = fieldsOf([
     { options: OBJECTIVES, value: "bulged-diameter" },
   ],
 ]);
+/** What the muscle must do, each with its fields. @type {[string, string, string[]][]} */
+const KINDS = [
+  ["F", "Pull", ["F", "e"]],
+  ["at", "Pulls", ["at"]],
+  ["joint", "Joint", ["joint"]],
+  ["load", "Load", ["load", "e"]],
+];
 /** @type {() => Field[]} */
 export const choices = () =>
   fieldsOf([
@@ -164,6 +171,12 @@ function specification(submit) {
     choice = form(choices(), submit),
     forms = [wanted, choice];
   const vary = folded("Search space", choice.element);
+  const others = KINDS.slice(1).map(([kind]) => kind);
+  const kinds = kindsOf(wanted, KINDS, (kind) => {
+    const { hint = "" } = WANTED.find(({ key }) => key === kind) ?? {};
+    for (const key of others) wanted.put(key, key === kind ? hint : "");
+    submit();
+  });
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
     const k = choice.text("k"),
@@ -187,15 +200,15 @@ function specification(submit) {
   };
   choice.element.addEventListener("input", offer);
   return {
-    elements: [wanted.element, vary],
+    elements: [kinds.list, wanted.element, vary],
     offer,
-    put: (/** @type {string} */ key, /** @type {string} */ text) =>
-      wanted.put(key, text),
-    options: (/** @type {string} */ key, /** @type {string[]} */ names) =>
-      choice.options(key, names),
+    wanted,
+    choice,
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
-    set: (/** @type {URLSearchParams} */ params) =>
-      forms.forEach((f) => f.set(params)),
+    set(/** @type {URLSearchParams} */ params) {
+      forms.forEach((f) => f.set(params));
+      kinds.select(others.find((key) => wanted.text(key)) ?? "F");
+    },
     /** The request, or nothing where a text cannot be read. @returns {Promise<Design["request"] | undefined>} */
     async read() {
       const [want, space] = await Promise.all([
@@ -203,10 +216,8 @@ function specification(submit) {
         choice.read({ intervals: true }),
       ]);
       if (!want || !space) return undefined;
-      // Several points or torques stand in place of the one pull; a load in place of its force.
-      if (want.points || want.torques || want.load) delete want.force_n;
-      if (want.points || want.torques || (want.load && want.stroke_mm))
-        delete want.contraction;
+      // The stroke of a load says how far.
+      if (want.load && want.stroke_mm) delete want.contraction;
       return { ...want, ...space, figure: unitName("pressure") };
     },
     /** @param {Problem} problem */
@@ -261,8 +272,8 @@ export const mount = (main) => {
   const target = designTarget({
     moved: (to) => map.preview(to),
     settled(to) {
-      spec.put("F", typed("force", to.force_n));
-      spec.put("e", typed("ratio", to.contraction));
+      spec.wanted.put("F", typed("force", to.force_n));
+      spec.wanted.put("e", typed("ratio", to.contraction));
       search.run();
     },
   });
@@ -292,8 +303,8 @@ export const mount = (main) => {
   async function paint() {
     if (!found) return;
     const answer = found;
-    const ask = (/** @type {Record<string, string>} */ words) => {
-      Object.entries(words).forEach(([key, text]) => spec.put(key, text));
+    const certain = () => {
+      spec.wanted.put("sure", "95 %");
       search.run();
     };
     const [best] = answer.candidates;
@@ -305,7 +316,7 @@ export const mount = (main) => {
         best.bulged_diameter_mm ?? best.outer_diameter_mm,
       );
     side.replaceChildren(
-      ...(best ? headView(answer, ask) : closestView(answer)),
+      ...(best ? headView(answer, certain) : closestView(answer)),
     );
     const show = (/** @type {Map<string, string>} */ known) =>
       list.replaceChildren(
@@ -346,7 +357,7 @@ export const mount = (main) => {
       if (own) await muscle.read(new URLSearchParams(own));
       else await Promise.all([muscle.known(), muscle.shown ?? muscle.look()]);
       spec.set(params);
-      spec.options(
+      spec.choice.options(
         "braid",
         muscle.sleeves.map((s) => s.name),
       );

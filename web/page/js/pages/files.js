@@ -89,7 +89,7 @@ function card(title, about, fields, [label, command], request, shown) {
       return read && request(read);
     },
     async (answer) => done.replaceChildren(...(await shown(answer))),
-    { fields: asked },
+    { fields: asked, minor: title !== "Workshop" },
   );
   return {
     form: asked,

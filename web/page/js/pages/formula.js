@@ -79,7 +79,6 @@ export const mount = (main) => {
     rows: 20,
     style: "width:100%;font:13px ui-monospace,monospace",
     "aria-label": "Plan (TOML)",
-    spellcheck: "false",
   });
   plan.value = fileOf("plan") ?? PLAN;
   plan.addEventListener("input", () =>
@@ -133,7 +132,7 @@ export const mount = (main) => {
       figures.replaceChildren(...figuresView(drawn));
       paint();
     },
-    about,
+    { ...about, minor: true },
   );
   main.replaceChildren(
     bench(

@@ -267,6 +267,7 @@ class JointPage {
     });
     this.numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
     this.said = block();
+    this.notes = block();
     this.bench = controlsOf(this.joint.v, {
       changed: (key, settled) => {
         this.joint.over.add(key);
@@ -313,7 +314,7 @@ class JointPage {
         "bench",
         this.bench.element,
         block("middle", this.arm, charts, this.map.element),
-        block("side", this.said, this.numbers),
+        block("side", this.said, this.numbers, this.notes),
       ),
     );
     dragging(this.arm, (event, settled) => {
@@ -374,7 +375,8 @@ class JointPage {
   /** @param {JointAnswer} answer */
   #take(answer) {
     this.#stale(false);
-    this.said.replaceChildren(warnings(answer.warnings));
+    this.said.replaceChildren();
+    this.notes.replaceChildren(warnings(answer.warnings));
     this.#point = {
       ...answer.points[0],
       model: answer.model,

@@ -31,13 +31,12 @@ import { stated } from "../toml.js";
 import { onUnits } from "../units.js";
 import { View } from "../view3d.js";
 
-const DRIVE = "drive";
 /** @type {Field[]} */
 export const STEP = fieldsOf([
   ["to", "pressure_mpa", "Step to", "pressure", "3 bar"],
   ["supply", "supply_mpa", "Supply", "pressure", "6 bar"],
   ["valve", "valve", "Valve", undefined, "0.5 L/(s bar)"],
-  ["load", "load", "Load", undefined, "mass:10kg"],
+  ["load", "load", "Load", undefined, "10 kg"],
   ["damping", "damping_n_s_per_m", "Damping", "damping", "200 N s/m"],
   ["until", "until_s", "Until", "time", "2 s"],
   [
@@ -54,7 +53,6 @@ export const STEP = fieldsOf([
     },
   ],
 ]);
-const STEP_KEYS = STEP.map(({ key }) => key).filter((key) => key !== "model");
 
 /**
  * A drive file with the muscle of the page, or with the joint of the page Joint.
@@ -214,8 +212,7 @@ export const mount = (main) => {
       [shown.stage, shown.row, charts.element],
     ),
   );
-  const place = () =>
-    muscle.place("motion", { ...fields.texts(), [DRIVE]: drive });
+  const place = () => muscle.place("motion", { ...fields.texts(), drive });
 
   async function request() {
     const read = await fields.read();
@@ -235,7 +232,7 @@ export const mount = (main) => {
 
   /** What a drive file states has no field. */
   function offer() {
-    for (const key of STEP_KEYS) fields.shown(key, !drive);
+    for (const { key } of STEP) fields.shown(key, !drive || key === "model");
     box.show(drive);
     title.textContent = drive
       ? "Commands of a drive file"
@@ -245,7 +242,7 @@ export const mount = (main) => {
   function paint() {
     if (!run) return;
     charts.show(run);
-    numbers.replaceChildren(warnings(run.warnings), figures(run));
+    numbers.replaceChildren(figures(run), warnings(run.warnings));
   }
 
   onUnits(() => {
@@ -255,9 +252,9 @@ export const mount = (main) => {
   });
   return {
     async load(params) {
-      await muscle.read(params, [...fields.keys, DRIVE]);
+      await muscle.read(params, [...fields.keys, "drive"]);
       fields.set(params);
-      drive = params.get(DRIVE) ?? "";
+      drive = params.get("drive") ?? "";
       offer();
       await go.run();
     },

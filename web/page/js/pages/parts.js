@@ -28,7 +28,7 @@ const KINDS = /** @type {[string, string][]} */ ([
 ]);
 /** What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>} Said */
 /**
- * A row: the name, cells, the words that a filter looks at, its outer or possible diameters, and what it says of the
+ * A row: the name, cells, words that a filter looks at too, its outer or possible diameters, and what it says of the
  * muscle.
  * @typedef {{ name: string, cells: (string | Node)[], words: string, low: number, high: number, said: Said }} Row
  */
@@ -60,20 +60,13 @@ const LISTS = {
         name: t.name,
         low: t.outer_diameter_mm,
         high: t.outer_diameter_mm,
-        words: [
-          t.name,
-          t.rubber,
-          t.source,
-          t.note,
-          t.is_cast ? "cast" : "sold",
-        ].join(" "),
+        words: `${t.source} ${t.note}`,
         said: {
           D: t.outer_diameter_mm,
           s: Number(t.wall_mm.toPrecision(12)),
           rubber: t.rubber,
         },
         cells: [
-          t.name,
           showLength(t.inner_diameter_mm),
           showLength(t.outer_diameter_mm),
           showLength(t.wall_mm, 3),
@@ -103,10 +96,9 @@ const LISTS = {
         name: s.name,
         low: s.least_diameter_mm,
         high: s.largest_diameter_mm,
-        words: [s.name, s.title, s.material, s.source].join(" "),
+        words: s.source,
         said: { braid: s.name },
         cells: [
-          s.name,
           s.title,
           s.material,
           `${showLength(s.least_diameter_mm, 3)} to ${showLength(s.largest_diameter_mm, 3)}`,
@@ -133,10 +125,9 @@ const LISTS = {
         name: r.name,
         low: 0,
         high: Infinity,
-        words: [r.name, r.title, r.law, r.source].join(" "),
+        words: r.source,
         said: { rubber: r.name },
         cells: [
-          r.name,
           r.title,
           r.law,
           show("modulus", r.shear_modulus_mpa, 3),
@@ -164,7 +155,7 @@ function estimated({ missing, stiffness_factor: factor }) {
 /** Whether all words occur. @param {Row} row @param {string} find */
 function fitsFilter(row, find) {
   const cells = row.cells.filter((cell) => typeof cell === "string").join(" ");
-  const words = `${row.words} ${cells}`.toLowerCase();
+  const words = `${row.name} ${row.words} ${cells}`.toLowerCase();
   return find
     .toLowerCase()
     .split(/[\s,]+/)
@@ -210,17 +201,14 @@ export const mount = (main) => {
     type: "text",
     id: "parts-find",
     autocomplete: "off",
-    spellcheck: "false",
     placeholder: "latex, silicone, 10 mm",
     oninput: () => {
       state.find = find.value.trim();
       changed();
     },
   });
-  const fits = check("parts-fits", "fits the muscle's diameter", () =>
-    changed(),
-  );
-  const cast = check("parts-sold", "sold only", () => changed());
+  const fits = check("parts-fits", "fits the muscle's diameter", changed),
+    cast = check("parts-sold", "sold only", changed);
   const list = block("parts-list"),
     count = el("p", { class: "small soft", role: "status" }),
     filter = el("label", { for: "parts-find" }, "Filter");
@@ -249,7 +237,7 @@ export const mount = (main) => {
   const matches = (/** @type {Row} */ row) =>
     fitsFilter(row, state.find) &&
     !(fits.box.checked && state.kind === "sleeves" && !isFor(row)) &&
-    !(cast.box.checked && state.kind === "tubes" && /\bcast$/.test(row.words));
+    !(cast.box.checked && state.kind === "tubes" && row.cells.includes("cast"));
 
   function paint() {
     if (!parts) return;
@@ -273,11 +261,7 @@ export const mount = (main) => {
     const use = `Use this ${state.kind.slice(0, -1)}`;
     const put = (/** @type {Row} */ row) =>
       button(use, () => take(row), { "aria-label": `${use}: ${row.name}` });
-    const cells = shown.map((row) => [
-      row.cells[0],
-      put(row),
-      ...row.cells.slice(1),
-    ]);
+    const cells = shown.map((row) => [row.name, put(row), ...row.cells]);
     list.replaceChildren(table(head, cells, { text, label: state.kind }));
   }
 

@@ -1,7 +1,7 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
-import { block, button, faded, heading, rowOf } from "../dom.js";
+import { block, button, faded, folded, heading, rowOf } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
@@ -14,19 +14,13 @@ import { number, onUnits, show } from "../units.js";
 /** @typedef {Answer["laws"][number]} Law */
 /** @type {Field[]} */
 export const FIELDS = fieldsOf([
-  [
-    "laws",
-    "laws",
-    "Laws",
-    undefined,
-    { words: true, hint: "all that the points determine" },
-  ],
+  ["laws", "laws", "Laws", undefined, { words: true, hint: "all" }],
   [
     "set",
     "set",
     "Constants of the table",
     undefined,
-    { words: true, hint: "area=8mm2, gauge_length=25mm, mode=planar" },
+    { words: true, hint: "area=8 mm2" },
   ],
   [
     "upto",
@@ -97,6 +91,11 @@ export const mount = (main) => {
     take(data?.name ?? "typed.csv", text),
   );
   const understood = faded(BEGIN),
+    samples = rowOf(
+      button("Open the example: Treloar (1944)", async () =>
+        take("treloar.csv", await example("treloar.csv")),
+      ),
+    ),
     laws = block();
   const fit = job(
     "Fit",
@@ -134,16 +133,11 @@ export const mount = (main) => {
         fileField("Open a table (CSV, XLSX, ODS)", TABLES, (name, text) =>
           take(name, text),
         ),
-        rowOf(
-          button("Open the example", async () =>
-            take("treloar.csv", await example("treloar.csv")),
-          ),
-        ),
         cells.element,
-        fields.element,
+        folded("Advanced", fields.element),
         fit.element,
       ],
-      [understood, laws, figures.element],
+      [understood, samples, laws, figures.element],
     ),
   );
   const place = () => muscle.place("rubber", fields.texts());
@@ -159,6 +153,7 @@ export const mount = (main) => {
     if (!found) return;
     const answer = found,
       file = answer.muscle_file;
+    samples.hidden = true;
     understood.textContent =
       `${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a ` +
       `stretch of ${number(answer.fitted_to_stretch, 3)}. ${columnLine(answer.understood[0].columns)}`;

@@ -10,9 +10,8 @@ import {
   mainButton,
   problemBox,
   rowOf,
-  tabs,
 } from "../dom.js";
-import { fieldsOf, form, warnings } from "../form.js";
+import { fieldsOf, form, kindsOf, warnings } from "../form.js";
 import { liftView } from "../lift.js";
 import { openDialog } from "../open.js";
 import { onUnits, showLength, showPressure } from "../units.js";
@@ -36,12 +35,12 @@ const WANTED = fieldsOf([
   ["stroke", "stroke_mm", "by", "length", "40 mm"],
   ["pmax", "max_pressure_mpa", "at", "pressure", "2.5 bar"],
 ]);
-/** Fields of each kind of question. @type {Record<string, string[]>} */
-const KINDS = {
-  pull: ["F", "e"],
-  joint: ["M", "angle"],
-  load: ["m", "stroke"],
-};
+/** What it must do, each with its fields. @type {[string, string, string[]][]} */
+const KINDS = [
+  ["pull", "Pull", ["F", "e"]],
+  ["joint", "Joint", ["M", "angle"]],
+  ["load", "Load", ["m", "stroke"]],
+];
 /** The reference muscle, until there is an answer. */
 const REFERENCE = {
   candidates: [
@@ -55,15 +54,9 @@ const REFERENCE = {
   ],
 };
 
-/** @param {Design["answer"]} answer */
-function headline(answer) {
-  const [{ count, pressure_mpa: set, bulged_diameter_mm: wide }] =
-    answer.candidates;
-  return (
-    `Yes${count > 1 ? `, ${count} side by side` : ""}: set ${showPressure(set, 3)}, ` +
-    `${showLength(wide, 3)} wide${count > 1 ? " each" : ""}.`
-  );
-}
+/** What to set, and how wide it gets. @param {Candidate} c */
+const inUse = ({ count, pressure_mpa: set, bulged_diameter_mm: wide }) =>
+  `${showPressure(set, 3)}, ${count > 1 ? `${count} × ` : ""}${showLength(wide, 3)} wide`;
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -76,7 +69,7 @@ export const mount = (main) => {
     fields = form(WANTED, () => ask());
   const result = block(),
     head = el("h2", { class: "grow", "aria-live": "polite" }),
-    chips = block("row chips"),
+    chips = block("chips"),
     act = rowOf();
 
   function paint() {
@@ -85,17 +78,22 @@ export const mount = (main) => {
       ...WISHES.map(([title], i) => {
         const one = answers[i],
           best = one && "candidates" in one ? one.candidates[0] : undefined;
-        const said = best
-          ? `${best.count > 1 ? `${best.count} × ` : ""}${showLength(best.bulged_diameter_mm, 3)} wide, ${showPressure(best.pressure_mpa, 3)}`
-          : one
-            ? "none"
-            : "…";
-        return button(`${title}: ${said}`, () => choose(i), {
-          "aria-pressed": String(i === chosen),
-        });
+        const said = best ? inUse(best) : one ? "none" : "…";
+        return el(
+          "button",
+          {
+            type: "button",
+            class: "card",
+            onclick: () => choose(i),
+            "aria-pressed": String(i === chosen),
+          },
+          el("span", { class: "small soft" }, title),
+          el("b", {}, said),
+        );
       }),
     );
-    dim([result, head, lift.element], !answer);
+    // The first muscle says what a muscle is, not what is asked.
+    dim([result, head, lift.element], !answer && result.hasChildNodes());
     if (!answer) return;
     const isFound = "candidates" in answer;
     act.hidden = !isFound || !answer.candidates[0];
@@ -103,9 +101,9 @@ export const mount = (main) => {
     if (!isFound) return result.replaceChildren(problemBox(answer));
     dim([lift.element], act.hidden);
     if (act.hidden) return result.replaceChildren(...closestView(answer));
-    head.textContent = headline(answer);
+    head.textContent = `Yes: set ${inUse(answer.candidates[0])}.`;
     result.replaceChildren(decisionView(answer), warnings(answer.warnings));
-    lift.show(answer, true);
+    lift.show(answer);
     act.replaceChildren(
       mainButton("Open this muscle", () => openCandidate(answer)),
       button("More requirements", more, { class: "bare" }),
@@ -119,8 +117,8 @@ export const mount = (main) => {
     const text = (/** @type {string} */ key) => fields.text(key);
     const own = {
       pull: { F: text("F"), e: text("e") },
-      joint: { joint: `${text("M")}@${text("angle")}`.replaceAll(" ", "") },
-      load: { load: `mass:${text("m")}`, stroke: text("stroke") },
+      joint: { joint: `${text("M")} at ${text("angle")}` },
+      load: { load: text("m"), stroke: text("stroke") },
     }[kind];
     location.hash = address("design", { ...own, pmax: text("pmax") });
   };
@@ -168,27 +166,12 @@ export const mount = (main) => {
       }),
     );
   }
-  const select = (/** @type {string} */ name) => {
-    kind = name;
-    for (const { key } of WANTED.slice(0, -1))
-      fields.shown(key, KINDS[kind].includes(key));
-  };
-  select(kind);
   // The picture says it, and a drawing would hide the answer.
   for (const { row } of fields.rows.values()) delete row.dataset.sketch;
-  const what = tabs(
-    "What it must do",
-    [
-      ["pull", "Pull"],
-      ["joint", "Joint"],
-      ["load", "Load"],
-    ],
-    kind,
-    (name) => {
-      select(name);
-      ask();
-    },
-  );
+  const what = kindsOf(fields, KINDS, (name) => {
+    kind = name;
+    ask();
+  });
   let waits = 0;
   fields.element.addEventListener("input", () => {
     clearTimeout(waits);
@@ -211,22 +194,13 @@ export const mount = (main) => {
         block("row", head, act),
         chips,
         result,
-        rowOf(
-          button("Open a muscle", openDialog, { class: "bare" }),
-          button(
-            "Measurements",
-            () => {
-              location.hash = "#data";
-            },
-            { class: "bare" },
-          ),
-        ),
+        button("Open a muscle", openDialog, { class: "bare" }),
       ),
     ),
   );
   // A page that brings its engine loads that of the search when it is asked for.
   const isLarge = engine().files.length;
-  lift.show(REFERENCE, isLarge);
+  lift.show(REFERENCE);
   return {
     async load() {
       if (isLarge) {

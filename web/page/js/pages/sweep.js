@@ -14,7 +14,7 @@ import {
 } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
 import { bench, fieldsOf, form } from "../form.js";
-import { atEnd } from "../life.js";
+import { renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
 import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
@@ -75,9 +75,8 @@ export const mount = (main) => {
   const asked = { x: "p", y: "F" };
   /** @type {Row[]} */ let rows = [];
   /** @type {Measure[]} */ let measures = [PRESSURE, CONTRACTION];
-  let ends = new AbortController(),
-    range = form([], () => run());
-  atEnd(() => ends.abort());
+  const begin = renewing();
+  let range = form([], () => run());
   const measure = () => measures.find(({ key }) => key === asked.x) ?? PRESSURE;
   const what = choice("Over", [["p", PRESSURE.label]], "p", (key) => {
     asked.x = key;
@@ -157,8 +156,7 @@ export const mount = (main) => {
     range.mark("points", `Give between 2 and ${MOST} points.`);
   }
   async function run() {
-    ends.abort();
-    const { signal } = (ends = new AbortController()),
+    const signal = begin(),
       list = await values();
     if (!list || signal.aborted || !said.isConnected) return;
     place();
