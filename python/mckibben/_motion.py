@@ -437,7 +437,8 @@ class Drive(_api.DriveCommands, _File):
     others
         The others by their names: ``valve``, which may be the name of one of the library such as ``festo-mh2``, ``supply``, ``air``, ``load``, ``friction``,
         ``rubber``, ``controller``, ``regulator``; of a muscle that is filled with a liquid ``liquid``, ``pump``, ``syringe``; where it starts, ``start``, and what acts
-        from outside, ``external`` (``force_n`` or ``torque_nm``, over time).
+        from outside, ``external`` (``force_n`` or ``torque_nm``). Pairs are steps, as is an array ``np.column_stack([t, v])``; a table that a text names
+        (``"table:wind.csv"``) is joined by straight lines.
 
     Examples
     --------

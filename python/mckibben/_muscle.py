@@ -479,11 +479,10 @@ def _arrays(
     shape = np.broadcast_shapes(a.shape, b.shape)
     # What is masked is asked as the muscle at rest, which every model answers, and its answer is masked.
     first, second = (
-        (values if mask is None else np.where(mask, 0.0, np.ma.getdata(values)))
-        for values in (a, b)
-    )
-    first, second = (
-        np.broadcast_to(values, shape).ravel() for values in (first, second)
+        np.broadcast_to(
+            v if mask is None else np.where(mask, 0.0, np.ma.getdata(v)), shape
+        ).ravel()
+        for v in (a, b)
     )
     names = (
         []

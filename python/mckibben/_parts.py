@@ -323,10 +323,4 @@ def _loaded(path: str | os.PathLike[str]) -> Any:
         )
     answer = json.loads(text)
     kind: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
-    return (
-        Formula(text)
-        if kind is Record
-        else kind._read(
-            answer["data"], tuple(answer["asked"]) if answer["asked"] else None
-        )
-    )
+    return Formula(text) if kind is Record else kind._load(answer)

@@ -443,10 +443,8 @@ class Points(Record):
         dims: list[str] = [f"dim_{axis}" for axis in range(p.ndim)]
         coords: dict[str, Any] = {}
         for name, own, other in (("pressure_mpa", p, e), ("contraction", e, p)):
-            axes = [
-                axis for axis in range(p.ndim) if not (own == own.take([0], axis)).all()
-            ]
-            if len(axes) == 1 and (other == other.take([0], axes[0])).all():
+            axes = [axis for axis in range(p.ndim) if np.diff(own, axis=axis).any()]
+            if len(axes) == 1 and not np.diff(other, axis=axes[0]).any():
                 dims[axes[0]] = name
                 coords[name] = np.moveaxis(own, axes[0], -1)[(0,) * (p.ndim - 1)]
         out = xr.Dataset(

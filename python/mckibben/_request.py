@@ -128,7 +128,9 @@ def unit_for_pint(name: str) -> str:
 
 
 def bare(name: str, value: Any) -> Any:
-    """The magnitude of a quantity of pint in the unit of a name; anything else as it is."""
+    """The magnitude of a quantity of pint, or of a DataArray that states its units, in the unit of a name; anything else as it is."""
+    if hasattr(value, "dims") and (unit := value.attrs.get("units")):
+        return value * _native.quantity(name, f"1 {unit}")
     if not (hasattr(value, "magnitude") and hasattr(value, "to")):
         return value
     try:
@@ -148,6 +150,8 @@ def plain(name: str, value: Any) -> Any:
     if isinstance(value, Saved):
         return {"name": getattr(value, "name", name), "text": value._key()}
     value = bare(name, value)
+    if hasattr(value, "dims"):
+        value = value.values
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, os.PathLike):
@@ -195,10 +199,13 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
             dtype=np.float64,
         )
     own, value = value, bare(name, value)
-    if isinstance(value, (list, tuple)) and any(
-        isinstance(v, str) or hasattr(v, "magnitude") for v in value
+    # Texts, also in an array or a Series, and quantities of pint.
+    kind = getattr(getattr(value, "dtype", None), "kind", None)
+    items = value.tolist() if kind in ("O", "U") else value
+    if isinstance(items, (list, tuple)) and any(
+        isinstance(v, str) or hasattr(v, "magnitude") for v in items
     ):
-        value = [number(name, item) for item in value]
+        value = [number(name, item) for item in items]
     given: Any = (
         np.asanyarray(value)
         if isinstance(value, np.ma.MaskedArray)
@@ -223,14 +230,14 @@ def labels(
     if any(hasattr(value, "dims") for value in values):
         import xarray as xr
 
-        def dimensioned(name: str, value: Any) -> Any:
-            if not hasattr(value, "dims"):
-                return xr.DataArray(number(name, value))
-            unit = value.attrs.get("units")
-            return value * _native.quantity(name, f"1 {unit}") if unit else value
-
+        arrays = [
+            bare(name, value)
+            if hasattr(value, "dims")
+            else xr.DataArray(number(name, value))
+            for name, value in given.items()
+        ]
         try:
-            aligned = xr.align(*map(dimensioned, given, values), join="exact")
+            aligned = xr.align(*arrays, join="exact")
         except ValueError as error:
             raise InputError(str(error), field=next(iter(given))) from None
         values = list(xr.broadcast(*aligned))
@@ -242,7 +249,10 @@ def labels(
             return xr.DataArray(found, own.coords, dims, name, units)
 
         return [value.values for value in values], labelled
-    series = {n: v for n, v in given.items() if hasattr(v, "to_frame")}
+    # An index of pandas has no index.
+    series = {
+        n: v for n, v in given.items() if hasattr(v, "to_frame") and hasattr(v, "index")
+    }
     first: Any = next(iter(series.values()), None)
     for name, value in series.items():
         if not value.index.equals(first.index):
@@ -399,14 +409,15 @@ def put(
         for path, content in files.items()
     }
     for path, content in contents.items():
-        if not overwrite and os.path.isfile(path):
-            if Path(path).read_bytes() not in (b"", content):
-                raise ExistingFileError(
-                    f"{path} is another file and would be overwritten",
-                    kind="output",
-                    field="path",
-                    hint="or overwrite=True",
-                )
+        if overwrite or not os.path.isfile(path):
+            continue
+        if Path(path).read_bytes() not in (b"", content):
+            raise ExistingFileError(
+                f"{path} is another file and would be overwritten",
+                kind="output",
+                field="path",
+                hint="or overwrite=True",
+            )
     for path, content in contents.items():
         _native.write_file(path, content)
 
@@ -422,23 +433,15 @@ def table(value: Any) -> dict[str, str]:
     )
 
 
-def column(values: Any) -> Any:
+def column(values: Sequence[Any]) -> Any:
     """A column: an array of float64, int64 or bool, or a list of texts. Missing numbers are NaN."""
     import numpy as np
 
-    values = [
-        v.item() if isinstance(v, np.generic) else v
-        for v in (values.tolist() if hasattr(values, "tolist") else values)
-    ]
-    values = [None if v != v else v for v in values]
-    kinds = {type(v) for v in values}
-    if kinds <= {float, int, type(None)} and kinds != {int}:
-        return np.array(values, dtype=np.float64)
-    return (
-        np.array(values, dtype=kinds.pop())
-        if kinds in ({int}, {bool})
-        else [None if v is None else str(v) for v in values]
-    )
+    given = np.array([v for v in values if v is not None])
+    kind, is_whole = given.dtype.kind, len(given) == len(values)
+    if kind in "if" or (kind == "b" and is_whole):
+        return given if is_whole else np.array(values, dtype=np.float64)
+    return [None if v is None else str(v) for v in values]
 
 
 def to_csv(data: Any) -> str:

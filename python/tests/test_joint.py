@@ -250,6 +250,37 @@ def test_closed_form_a_loose_joint_is_a_free_body_under_a_torque(
         mk.Drive(loose, **DRIVE, external={"force_n": 1}).motion(model="universal")
 
 
+def test_closed_form_a_torque_of_a_table_is_joined_by_straight_lines(
+    elbow: mk.Joint, tmp_path: Path
+) -> None:
+    """A loose joint under τ = k t from a table is φ = φ0 + k t³/6I, also from the files that it writes."""
+    muscle = next(iter(elbow.muscles.values()))
+    loose = mk.Joint(
+        muscle,
+        muscle,
+        joint={"radius_mm": 25, "range_deg": (-60, 60), "inertia_kg_m2": 0.03},
+        contraction_at_neutral=0.2,
+    )
+    drive = mk.Drive(
+        loose,
+        **DRIVE,
+        start={"position_deg": -20},
+        external={"torque": "table:wind.csv"},
+        tables={
+            "wind.csv": {
+                "time_s": np.linspace(0, 1, 5),
+                "torque_nm": np.linspace(0, 0.5, 5),
+            }
+        },
+    )
+    drive.save(tmp_path / "drive.toml")
+    for made in (drive, mk.load(tmp_path / "drive.toml", mk.Drive)):
+        motion = made.motion(model="universal")
+        t, angle = motion["time_s"], np.radians(motion["angle_deg"])
+        expected = np.radians(-20) + 0.5 * t**3 / (6 * 0.03)
+        assert np.abs(angle - expected).max() < 1e-8
+
+
 DRIVE: Any = {
     "regulator": {"time_constant_s": 0.05},
     "command": {"pressure_mpa": 0, "until_s": 0.4},

@@ -43,10 +43,25 @@ def test_units_of_a_data_array_are_read(muscle: mk.Muscle) -> None:
     assert muscle.force(bars, 0.1, **OPTIONS).values == pytest.approx(
         muscle.force([0.1, 0.2], 0.1, **OPTIONS)
     )
+    curve = muscle.curve(pressures_mpa=bars, contractions=[0.1], **OPTIONS)
+    assert curve.fixed == pytest.approx([0.1, 0.2])
     wrong = xr.DataArray([1.0], dims="p", attrs={"units": "mm"})
     with pytest.raises(mk.InputError) as caught:
         muscle.force(wrong, 0.1, **OPTIONS)
     assert caught.value.field == "pressure_mpa"
+    assert str(caught.value).count("pressure_mpa") == 1
+
+
+def test_arrays_of_texts_and_indices_are_numbers(muscle: mk.Muscle) -> None:
+    """A column of texts as it comes from a table; an index is an array, and points that are none have no labels."""
+    pd, _ = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    expected = muscle.force([0.1, 0.2], 0.1, **OPTIONS)
+    texts = pd.Series(["1 bar", "2 bar"], ["a", "b"])
+    pull: Any = muscle.force(texts, 0.1, **OPTIONS)
+    assert pull.index.equals(texts.index) and pull.to_numpy() == pytest.approx(expected)
+    for given in (np.array(["1 bar", "2 bar"]), pd.Index([0.1, 0.2])):
+        assert muscle.force(given, 0.1, **OPTIONS) == pytest.approx(expected)
+    assert muscle.solve([], 0.1, **OPTIONS).to_xarray().force_n.shape == (0,)
 
 
 def test_what_does_not_match_is_refused(muscle: mk.Muscle) -> None:

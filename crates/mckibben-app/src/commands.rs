@@ -11,21 +11,19 @@ use schemars::JsonSchema;
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::Value;
 use std::sync::LazyLock;
-#[cfg(feature = "schema")]
-use std::sync::OnceLock;
 
 /// A command: what a front end may call by name.
 pub struct CommandEntry {
     /// Its name: the words of the command line, joined by a hyphen.
     pub name: &'static str,
-    #[cfg(feature = "schema")]
-    schema: fn() -> Value,
+    #[cfg(feature = "answers")]
+    pub(crate) answered: schemas::Root,
     read: Box<Read>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
     /// The schema of its request, which is made once.
     #[cfg(feature = "schema")]
-    request: OnceLock<Value>,
+    request: LazyLock<Value>,
 }
 
 /// What makes the work of a request.
@@ -60,12 +58,6 @@ impl CommandEntry {
                 .is_some_and(|campaign| !campaign.is_null())
     }
 
-    /// Its JSON Schema: `request`, `answer` and `error`.
-    #[cfg(feature = "schema")]
-    pub fn schema(&self) -> Value {
-        (self.schema)()
-    }
-
     /// Reads a request, before any work is done for it: what is wrong with it is an error at once.
     pub fn read(&self, request: Value) -> Result<Ready, Problem> {
         #[cfg(feature = "schema")]
@@ -84,7 +76,7 @@ impl CommandEntry {
     /// The JSON Schema of its request, made once.
     #[cfg(feature = "schema")]
     pub fn request_schema(&self) -> &Value {
-        self.request.get_or_init(|| self.schema()["request"].take())
+        &self.request
     }
 }
 
@@ -143,8 +135,8 @@ where
 {
     CommandEntry {
         name,
-        #[cfg(feature = "schema")]
-        schema: schemas::schemas::<Q, A>,
+        #[cfg(feature = "answers")]
+        answered: schemas::root::<A>(),
         read: Box::new(move |value| {
             let request: Q = understood(value)?;
             Ok(Ready(Box::new(move |progress| {
@@ -152,7 +144,7 @@ where
             })))
         }),
         #[cfg(feature = "schema")]
-        request: OnceLock::new(),
+        request: LazyLock::new(schemas::of_request::<Q>),
         long: true,
     }
 }

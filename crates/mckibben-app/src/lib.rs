@@ -36,6 +36,8 @@
 mod batch;
 mod braid;
 mod build;
+#[cfg(feature = "answers")]
+mod bundle;
 mod burst;
 #[cfg(feature = "files")]
 mod campaign;
@@ -48,7 +50,7 @@ mod design;
 mod export;
 mod fields;
 mod figure;
-#[cfg(all(feature = "schema", feature = "whole"))]
+#[cfg(feature = "answers")]
 mod file_schema;
 #[cfg(feature = "files")]
 mod files;
@@ -86,6 +88,8 @@ pub mod words;
 pub use batch::{ArrayError, BoundModel, Many, PointQuantity, with_parameters};
 pub use braid::*;
 pub use build::*;
+#[cfg(feature = "answers")]
+pub use bundle::{bundle, schema};
 pub use burst::*;
 #[cfg(feature = "files")]
 pub use campaign::*;
@@ -100,7 +104,7 @@ pub use design::*;
 pub use export::*;
 pub use fields::*;
 pub use figure::model_colour;
-#[cfg(all(feature = "schema", feature = "whole"))]
+#[cfg(feature = "answers")]
 pub use file_schema::file_schema;
 #[cfg(feature = "files")]
 pub use files::measured_folder;
@@ -125,8 +129,6 @@ pub use quantities::*;
 pub use report::{TitleBlock, body};
 pub use rubber::*;
 pub use rubber_fit::*;
-#[cfg(feature = "schema")]
-pub use schemas::{bundle, schema};
 pub use shape::*;
 pub use simulate::*;
 pub use uncertainty::*;

@@ -30,26 +30,32 @@ pub struct Need {
     pub names: &'static str,
 }
 
-const TIMES: Need = Need {
-    wanted: "times",
-    any_of: &[Time],
-    names: "time_s or Time [ms]",
-};
-const PRESSURES_OF_MUSCLE: Need = Need {
-    wanted: "pressures",
-    any_of: &[Pressure],
-    names: "pressure_mpa, pressure_kpa, pressure_bar or Pressure [psi]",
-};
-const CONTRACTIONS_OF_MUSCLE: Need = Need {
-    wanted: "contractions",
-    any_of: &[Contraction, Shortening, Length, Extension],
-    names: "contraction, contraction_percent, Shortening [mm], Length [mm] or Extension [mm]",
-};
-const FORCES_OF_MUSCLE: Need = Need {
-    wanted: "forces",
-    any_of: &[Force, Volume],
-    names: "force_n, Force [kN] or Force [lbf] (or volumes: Volume [mL])",
-};
+const fn need(wanted: &'static str, any_of: &'static [Meaning], names: &'static str) -> Need {
+    Need {
+        wanted,
+        any_of,
+        names,
+    }
+}
+
+const TIMES: Need = need("times", &[Time], "time_s or Time [ms]");
+const PRESSURES_OF_MUSCLE: Need = need(
+    "pressures",
+    &[Pressure],
+    "pressure_mpa, pressure_kpa, pressure_bar or Pressure [psi]",
+);
+const CONTRACTIONS_OF_MUSCLE: Need = need(
+    "contractions",
+    &[Contraction, Shortening, Length, Extension],
+    "contraction, contraction_percent, Shortening [mm], Length [mm] or Extension [mm]",
+);
+const FORCES_OF_MUSCLE: Need = need(
+    "forces",
+    &[Force, Volume],
+    "force_n, Force [kN] or Force [lbf] (or volumes: Volume [mL])",
+);
+
+const FORCES: Need = need("forces", &[Force], "force_n, Force [kN] or Force [lbf]");
 
 /// What a muscle was commanded over time.
 const COMMANDS: &[&[Meaning]] = &[&[Time, Pressure, Contraction, Opening, Volume, JointAngle]];
@@ -80,16 +86,12 @@ pub static HISTORIES: Vocabulary = Vocabulary {
     quantities: &[&[Time, Stretch, NominalStress]],
     needed: &[
         TIMES,
-        Need {
-            wanted: "stretches",
-            any_of: &[Stretch],
-            names: "stretch",
-        },
-        Need {
-            wanted: "stresses",
-            any_of: &[NominalStress],
-            names: "nominal_stress_mpa (or _kpa, _psi)",
-        },
+        need("stretches", &[Stretch], "stretch"),
+        need(
+            "stresses",
+            &[NominalStress],
+            "nominal_stress_mpa (or _kpa, _psi)",
+        ),
     ],
 };
 /// Measured points of a muscle.
@@ -134,16 +136,16 @@ pub static TESTS: Vocabulary = Vocabulary {
         Area,
     ]],
     needed: &[
-        Need {
-            wanted: "stretches",
-            any_of: &[Stretch, Strain, TrueStrain, Extension, Length],
-            names: "stretch, engineering_strain, strain_percent or extension_mm",
-        },
-        Need {
-            wanted: "stresses",
-            any_of: &[NominalStress, TrueStress, Force, TrueStressDifference],
-            names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
-        },
+        need(
+            "stretches",
+            &[Stretch, Strain, TrueStrain, Extension, Length],
+            "stretch, engineering_strain, strain_percent or extension_mm",
+        ),
+        need(
+            "stresses",
+            &[NominalStress, TrueStress, Force, TrueStressDifference],
+            "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
+        ),
     ],
 };
 /// A load over the shortening of the muscle that meets it.
@@ -151,52 +153,24 @@ pub static LOADS: Vocabulary = Vocabulary {
     what: "a load",
     quantities: &[STATE, MEASURED],
     needed: &[
-        Need {
-            wanted: "shortenings",
-            any_of: &[Shortening, Contraction],
-            names: "Shortening [mm] or contraction",
-        },
-        Need {
-            wanted: "forces",
-            any_of: &[Force],
-            names: "force_n, Force [kN] or Force [lbf]",
-        },
+        need(
+            "shortenings",
+            &[Shortening, Contraction],
+            "Shortening [mm] or contraction",
+        ),
+        FORCES,
     ],
 };
 /// A quantity over time, in the order of [`OverTime`](super::OverTime).
-pub static OVER_TIME: [Vocabulary; 5] = [
+pub static OVER_TIME: [Vocabulary; 7] = [
+    over_time(COMMANDS, &[TIMES, PRESSURES_OF_MUSCLE]),
     over_time(
         COMMANDS,
-        &[
-            TIMES,
-            Need {
-                wanted: "pressures",
-                any_of: &[Pressure],
-                names: "pressure_mpa, pressure_bar or Pressure [psi]",
-            },
-        ],
+        &[TIMES, need("openings", &[Opening], "opening (-1 to 1)")],
     ),
     over_time(
         COMMANDS,
-        &[
-            TIMES,
-            Need {
-                wanted: "openings",
-                any_of: &[Opening],
-                names: "opening (-1 to 1)",
-            },
-        ],
-    ),
-    over_time(
-        COMMANDS,
-        &[
-            TIMES,
-            Need {
-                wanted: "volumes",
-                any_of: &[Volume],
-                names: "volume_mm3 or volume_ml",
-            },
-        ],
+        &[TIMES, need("volumes", &[Volume], "volume_mm3 or volume_ml")],
     ),
     over_time(
         &[&[
@@ -210,22 +184,26 @@ pub static OVER_TIME: [Vocabulary; 5] = [
         ]],
         &[
             TIMES,
-            Need {
-                wanted: "contractions",
-                any_of: &[Contraction, Shortening],
-                names: "contraction, contraction_percent or Shortening [mm]",
-            },
+            need(
+                "contractions",
+                &[Contraction, Shortening],
+                "contraction, contraction_percent or Shortening [mm]",
+            ),
         ],
     ),
     over_time(
         COMMANDS,
         &[
             TIMES,
-            Need {
-                wanted: "angles",
-                any_of: &[JointAngle],
-                names: "angle_deg or Angle [rad]",
-            },
+            need("angles", &[JointAngle], "angle_deg or Angle [rad]"),
+        ],
+    ),
+    over_time(&[&[Time, Force]], &[TIMES, FORCES]),
+    over_time(
+        &[&[Time, Torque]],
+        &[
+            TIMES,
+            need("torques", &[Torque], "torque_nm or Torque [N mm]"),
         ],
     ),
 ];

@@ -22,6 +22,10 @@ pub enum OverTime {
     Contraction,
     /// Angles of a joint in degrees.
     Angle,
+    /// Forces in N.
+    Force,
+    /// Torques in N m.
+    Torque,
 }
 
 /// Reads times in s and values from a table in any common form; shortenings in mm are divided by

@@ -26,6 +26,7 @@ pub enum Meaning {
     /// L0.
     RestLength,
     Force,
+    Torque,
     /// Volume of the cavity.
     Volume,
     /// Branch of the hysteresis loop.

@@ -163,9 +163,9 @@ impl Commands<'_> {
     pub fn external(&self, keys: OfExternal) -> Result<Command, FileError> {
         match (keys.force, keys.torque, self.about_joint) {
             (None, None, _) => Ok(Command::Constant(0.0)),
-            (Some(force), None, false) => self.read(force, "external.force", None),
+            (Some(force), None, false) => self.read(force, "external.force", OverTime::Force),
             (None, Some(torque), true) => {
-                let torque = self.read(torque, "external.torque", None)?;
+                let torque = self.read(torque, "external.torque", OverTime::Torque)?;
                 Ok(torque.scaled(-1e3))
             }
             _ => Err(self.source.error(
@@ -202,15 +202,13 @@ impl Commands<'_> {
         &self,
         course: Course<Q>,
         key: &str,
-        what: impl Into<Option<OverTime>>,
+        what: OverTime,
     ) -> Result<Command, FileError> {
         let wrong = |said: String| self.source.error(key, said);
         if let Course::Said(text) = &course
             && let Some(name) = table_named(text)
         {
             let invalid = |e: String| wrong(format!("names {name}, which is not valid: {e}"));
-            let no_table = || wrong("takes no table; write its values as pairs".to_owned());
-            let what = what.into().ok_or_else(no_table)?;
             let table = self.tables.texts.get(name);
             let table =
                 table.ok_or_else(|| wrong(format!("names {name}, which was not supplied")))?;
@@ -328,5 +326,27 @@ mod tests {
             panic!()
         };
         assert_eq!(commands[0].value(0.0), 0.2);
+    }
+
+    /// Forces and torques of a table are joined by straight lines, a torque in N mm against the angle.
+    #[test]
+    fn identity_external_tables_are_joined_by_straight_lines() {
+        let external = |of: &str, key: &str, table: &str| {
+            let text = format!(
+                "{of} = 'm'\n[regulator]\ntime_constant = '0.1 s'\n[external]\n{key} = \
+                 'table:t.csv'\n[command]\npressure = 0\nuntil = '1 s'\n"
+            );
+            let tables = Tables {
+                texts: [("t.csv".to_owned(), table.to_owned())].into(),
+                rest_length_mm: 1.0,
+            };
+            crate::parse_drive(&text, &tables).map(|drive| drive.external.value(0.5))
+        };
+        let force = "t [ms];Kraft [kN]\n0;0\n1000;0,2\n";
+        assert!((external("muscle", "force", force).unwrap() - 100.0).abs() < 1e-9);
+        let torque = "time_s,torque_nm\n0,1\n1,2\n";
+        assert!((external("joint", "torque", torque).unwrap() + 1500.0).abs() < 1e-9);
+        let error = external("muscle", "force", torque).unwrap_err();
+        assert!(error.to_string().contains("forces"), "{error}");
     }
 }

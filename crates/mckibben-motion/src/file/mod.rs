@@ -196,7 +196,11 @@ where
 pub fn drive_names(text: &str) -> Result<Names, FileError> {
     let source = Source::parse(text)?;
     let of_load = source.texts("load").flat_map(Load::tables);
-    let of_commands = source.texts("command").filter_map(command::table_named);
+    let over_time = ["command", "external"].map(|table| source.texts(table));
+    let of_commands = over_time
+        .into_iter()
+        .flatten()
+        .filter_map(command::table_named);
     Ok(Names {
         subject: subject(&source)?,
         tables: of_load.chain(of_commands).map(str::to_owned).collect(),
@@ -454,7 +458,7 @@ mod tests {
             ),
             (
                 format!("{HEAD}[external]\nforce = 'table:f.csv'\n{TAIL}"),
-                "no table",
+                "not supplied",
             ),
             (
                 format!("{HEAD}[load]\nheld = '10%'\n[start]\nposition = 0.1\n{TAIL}"),
