@@ -8866,6 +8866,7 @@ def fit(
     rubber: RubberLike | None = None,
     stiffness: Number | None = None,
     muscle: MuscleLike | None = None,
+    terms: FileLike | None = None,
     thin_rule: Literal["leave-out", "line", "whole"] | None = None,
     slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None,
     at_mm: tuple[Number, Number] | None = None,
@@ -8895,6 +8896,8 @@ def fit(
         Braid of the muscles, if the table does not state it [paper].
     muscle
         Muscle file with the rubber and the braid.
+    terms
+        Formula of the kind global whose terms are fitted [terms chosen one by one].
     thin_rule
         Treatment of thick walls of thin muscles at low pressure, in the paper's method.
     slack_rule

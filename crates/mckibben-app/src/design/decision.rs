@@ -150,11 +150,13 @@ impl Decision<'_> {
             return format!("Sure to {share}: the lower end of the ± meets what is required");
         }
         let candidates = self.found.outcome.candidates.iter();
-        let sure = candidates.filter_map(|c| Some((1, c, c.sure_pressure_mpa?)));
+        let sure = candidates.filter_map(|c| Some((spec.count, c, c.sure_pressure_mpa?)));
         let several = self.found.to_be_sure.iter();
         let other = several.map(|s| (s.count, &s.candidate, s.candidate.pressure_mpa));
         match sure.chain(other).next() {
-            Some((_, c, p)) if c.muscle == first.muscle => format!("Sure to {share} at {}", mpa(p)),
+            Some((n, c, p)) if n == spec.count && c.muscle == first.muscle => {
+                format!("Sure to {share} at {}", mpa(p))
+            }
             Some((count, c, p)) => {
                 let sure = choice(ChoiceKind::Sure, count, c);
                 let [circle, length] = [sure.envelope_mm.unwrap_or(0.0), sure.length_mm]

@@ -65,6 +65,44 @@ fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
     }
 }
 
+/// What is sure is so many muscles: of 7 that are taken, 28 of the same were called sure without
+/// their number.
+#[test]
+fn what_is_sure_is_said_with_its_number_of_muscles() {
+    for (force_n, contraction, mpa, extra) in [
+        (800.0, 0.2, 0.4, json!({})),
+        (1500.0, 0.12, 0.6, json!({})),
+        (300.0, 0.15, 0.25, json!({"count": 4})),
+        (60.0, 0.12, 0.4, json!({})),
+    ] {
+        let mut job =
+            json!({"force_n": force_n, "contraction": contraction, "max_pressure_mpa": mpa});
+        job.as_object_mut()
+            .unwrap()
+            .extend(extra.as_object().unwrap().clone());
+        let answer = reply("design", job);
+        let mut lines = answer["decision"].as_array().unwrap().iter();
+        let line = lines.find_map(|line| line.as_str().filter(|line| line.starts_with("Sure")));
+        let line = line.unwrap();
+        let candidates = answer["candidates"].as_array().unwrap();
+        let taken = answer["bundle"]["muscles"].as_u64().unwrap_or(1);
+        let itself = candidates[0]["sure_pressure_mpa"].is_number();
+        let other = candidates
+            .iter()
+            .any(|c| c["sure_pressure_mpa"].is_number());
+        let count = match &answer["to_be_sure"]["count"] {
+            Value::Number(count) if !other => count.as_u64().unwrap(),
+            _ => taken,
+        };
+        assert_eq!(line.contains("% at "), itself, "{line}");
+        let named = format!("{count} muscles");
+        assert!(
+            itself || count == 1 || line.contains(&named),
+            "{line} {count}"
+        );
+    }
+}
+
 /// Of parts a specification in Rust has the answer of the command: one muscle, one of several, and
 /// none that fits.
 #[test]
