@@ -88,9 +88,7 @@ mod tests {
         let n = 200;
         let (a, b) = (r.contraction, high.answer.response.contraction);
         let power = |e: f64, w: &mut Workspace| {
-            let p = model
-                .pressure_at_pull(&mut Workspace::new(), 98.0665, e)
-                .unwrap();
+            let p = 98.0665 / model.pull(1.0, e);
             p * model
                 .response(w, p, e)
                 .unwrap()

@@ -107,11 +107,6 @@ impl ForceModel for Ideal {
         .finite(ENTRY.name)
     }
 
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        let per_pressure = self.pull(1.0, contraction);
-        (per_pressure > 0.0).then(|| force_n / per_pressure)
-    }
-
     /// Formula (4).
     fn contraction_at_pull(
         &self,
