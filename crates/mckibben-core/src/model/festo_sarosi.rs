@@ -110,14 +110,6 @@ impl FestoSarosi {
         };
         Self { info, fit }
     }
-
-    /// (F at no pressure, ∂F/∂P per bar) at a contraction.
-    fn line(&self, contraction: f64) -> (f64, f64) {
-        let [a, b, c, d, e, f] = self.fit.constants;
-        let k = 100.0 * contraction;
-        let exp = (c * k).exp();
-        (b * exp + f, a * exp + d * k + e)
-    }
 }
 
 impl ForceModel for FestoSarosi {
@@ -126,11 +118,14 @@ impl ForceModel for FestoSarosi {
     }
 
     fn response(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<Response> {
-        let [a, b, c, d, ..] = self.fit.constants;
+        let [a, b, c, d, e, f] = self.fit.constants;
         let bar = BAR_PER_MPA * pressure_mpa;
-        let (rest, slope) = self.line(contraction);
+        let k = 100.0 * contraction;
+        let exp = (c * k).exp();
+        // F at no pressure, and ∂F/∂P per bar.
+        let (rest, slope) = (b * exp + f, a * exp + d * k + e);
         // dF/dκ, κ in %
-        let by_percent = c * (a * bar + b) * (c * 100.0 * contraction).exp() + d * bar;
+        let by_percent = c * (a * bar + b) * exp + d * bar;
         Response {
             pressure_mpa,
             contraction,

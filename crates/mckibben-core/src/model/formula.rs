@@ -24,6 +24,8 @@ pub enum Bound {
 pub struct FormulaModel {
     pub(super) info: ModelInfo,
     pub(super) bound: Bound,
+    /// Gives the volume at rest length, which no pull gives.
+    pub(super) at_rest: ThickWall,
 }
 
 impl FormulaModel {
@@ -51,27 +53,30 @@ impl FormulaModel {
             costly: false,
             notes: notes::of_a_simple_tube(&formula.name, muscle),
         };
-        Self { info, bound }
+        Self {
+            info,
+            bound,
+            at_rest: ThickWall::between_ends(muscle),
+        }
     }
 
-    /// V(P, ε) = V(P, 0) + L0 ∫ ∂F/∂P dε from 0 to ε, since pull and volume have one potential. No
-    /// pull gives V(P, 0): it is that of the thick-wall model.
+    /// V(P, ε) = V(P, 0) + L0 ∫ ∂F/∂P dε from 0 to ε, since pull and volume have one potential.
     fn volume_mm3(&self, w: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Option<f64> {
-        let muscle = &self.info.muscle;
-        let at_rest = ThickWall::between_ends(muscle).response(w, pressure_mpa, 0.0);
-        let half = 0.5 * contraction;
-        let mut volume_mm3 = at_rest.ok()?.volume_mm3?;
+        let mut volume_mm3 = self
+            .at_rest
+            .response(w, pressure_mpa, 0.0)
+            .ok()?
+            .volume_mm3?;
+        let (half, length_mm) = (0.5 * contraction, self.info.muscle.length_mm());
         for (x, weight) in quadrature::rule(8) {
             let slopes = self.force_and_slopes(pressure_mpa, half * (1.0 + x));
-            volume_mm3 += muscle.length_mm() * half * weight * slopes.ok()?[2];
+            volume_mm3 += length_mm * half * weight * slopes.ok()?[2];
         }
         Some(volume_mm3)
     }
 
     /// F, ∂F/∂ε, ∂F/∂P.
-    fn force_and_slopes(&self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 3]> {
-        let p = pressure_mpa;
-        let e = contraction;
+    fn force_and_slopes(&self, p: f64, e: f64) -> Result<[f64; 3]> {
         let all = match &self.bound {
             Bound::Paper(s) => [s.force_n(p, e), s.by_contraction(p, e), s.by_pressure(e)],
             Bound::Global(s) => s.force_and_slopes(p, e),
@@ -79,11 +84,7 @@ impl FormulaModel {
         if all.iter().all(|v| v.is_finite()) {
             Ok(all)
         } else {
-            Err(ModelError::not_finite(
-                &self.info.name,
-                pressure_mpa,
-                contraction,
-            ))
+            Err(ModelError::not_finite(&self.info.name, p, e))
         }
     }
 }
@@ -162,10 +163,10 @@ fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
     let mut parts = vec![];
     let is_one = made.rubber.is_like(&theirs.rubber, TOLERANCE);
     if !is_one && !made.rubber.is_named(muscle.rubber()) {
-        let ours = made.rubber.text();
-        let theirs = theirs.rubber.text();
         parts.push(format!(
-            "the rubber is {theirs}, the formula is for {ours} (`rubber`)"
+            "the rubber is {}, the formula is for {} (`rubber`)",
+            theirs.rubber.text(),
+            made.rubber.text()
         ));
     }
     let ours = made.stiffness_n_per_mm(muscle.outer_diameter_mm());
@@ -173,10 +174,10 @@ fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
     if !alike(ours, theirs, TOLERANCE) {
         let text =
             |k: Option<f64>| k.map_or_else(|| "inextensible".into(), |k| format!("{k:.4} N/mm"));
-        let ours = text(ours);
-        let theirs = text(theirs);
         parts.push(format!(
-            "the braid's stiffness is {theirs}, the formula is for {ours} (`stiffness`)"
+            "the braid's stiffness is {}, the formula is for {} (`stiffness`)",
+            text(theirs),
+            text(ours)
         ));
     }
     parts

@@ -8,7 +8,7 @@
 //! to finite elements of one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
 use super::{
-    Accuracy, BlockedAt, FormulaModel, ModelEntry, ModelInfo, ModelRange, Reference,
+    Accuracy, BlockedAt, FormulaModel, ModelEntry, ModelInfo, ModelRange, Reference, ThickWall,
     formula::{Bound, of_sections},
 };
 use crate::{
@@ -78,6 +78,7 @@ impl FormulaModel {
         Self {
             info,
             bound: Bound::Paper(section),
+            at_rest: ThickWall::between_ends(muscle),
         }
     }
 }

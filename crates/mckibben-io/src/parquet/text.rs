@@ -4,7 +4,7 @@ use super::{
     error::TableError,
     read::{Pages, check_schema_size, guarded, wrong},
 };
-use crate::table::MAX_BYTES;
+use crate::table::{MAX_BYTES, plain};
 use bytes::Bytes;
 use mckibben_units::joined;
 use parquet::{
@@ -22,21 +22,22 @@ pub fn text(bytes: &[u8]) -> Result<String, TableError> {
         check_schema_size(&bytes)?;
         let file = SerializedFileReader::new(bytes)?;
         let columns = file.metadata().file_metadata().schema_descr().columns();
-        let mut out = joined(columns.iter().map(|column| column.name()), "\t");
+        let mut out = joined(columns.iter().map(|column| plain(column.name())), "\t");
+        // The pages are looked at first: the library believes what a dictionary says of its size.
         for group in 0..file.num_row_groups() {
+            let group = file.get_row_group(group)?;
             for i in 0..columns.len() {
-                let pages = file.get_row_group(group)?.get_column_page_reader(i)?;
-                Pages(pages).try_for_each(|page| page.map(drop))?;
+                Pages(group.get_column_page_reader(i)?).try_for_each(|page| page.map(drop))?;
             }
         }
         for row in file.get_row_iter(None)? {
-            let row = row?;
             let field = |(_, field): (_, &Field)| match field {
                 Field::Null => String::new(),
+                Field::Str(text) => format!("\"{}\"", plain(text)),
                 there => there.to_string(),
             };
             out += "\n";
-            out += &joined(row.get_column_iter().map(field), "\t");
+            out += &joined(row?.get_column_iter().map(field), "\t");
             if out.len() > MAX_BYTES {
                 return wrong(format!("it is larger than {} MB as text", MAX_BYTES >> 20));
             }
@@ -48,6 +49,7 @@ pub fn text(bytes: &[u8]) -> Result<String, TableError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::table::Sheet;
 
     /// What pyarrow 26 wrote with Snappy: pages with dictionaries, floats of 32 bits, missing values.
     #[test]
@@ -60,6 +62,16 @@ mod tests {
             "\t72\t\t0.33333334\ttrue",
         ];
         assert_eq!(text, lines.join("\n") + "\n");
+    }
+
+    /// A tab, a line end and a quote in a text are no ends of fields: the row has three fields.
+    #[test]
+    fn a_text_is_one_field() {
+        let rows = Sheet::split(&text(include_bytes!("tests/texts.parquet")).unwrap());
+        let rows = rows.unwrap().rows;
+        let fields: Vec<Vec<&str>> = rows.iter().map(|row| row.fields().collect()).collect();
+        assert_eq!(fields[0], ["size ″", "note", "n"]);
+        assert_eq!(fields[1], ["3 ″ of a bar", "two lines", "5.0"]);
     }
 
     #[test]

@@ -8,6 +8,11 @@ use mckibben_units::cancel;
 /// The largest table that is read, in bytes: about a million lines.
 pub const MAX_BYTES: usize = 32 << 20;
 
+/// A text as one field of a line: without tabs, line ends and quotes.
+pub fn plain(text: &str) -> String {
+    text.replace(['\t', '\n', '\r'], " ").replace('"', "″")
+}
+
 /// What is between two fields.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Separator {

@@ -35,7 +35,7 @@ pub use over_time::{Log, OverTime, Series, read_log, read_over_time};
 pub use text::read_text;
 pub use understood::{Understood, UnderstoodColumn};
 
-pub use delimited::{MAX_BYTES, Sheet};
+pub use delimited::{MAX_BYTES, Sheet, plain};
 pub use find::Table;
 pub use heading::{Column, is_absolute};
 pub use kinds::{HISTORIES, MEASURED, POINTS, RECORDED, TESTS, Vocabulary};

@@ -22,7 +22,7 @@ pub fn read_text(
         return Ok((text, Some(format!("sheet {name}"))));
     }
     #[cfg(feature = "parquet")]
-    if bytes.starts_with(PARQUET) {
+    if bytes.starts_with(b"PAR1") {
         let text = crate::parquet::text(bytes)
             .map_err(|e| TableError::Refused(format!("{e}; save the table as CSV")))?;
         return Ok((text, Some("Parquet".into())));
@@ -46,12 +46,10 @@ pub fn read_text(
 /// Beginnings of workbooks: packed ones (.xlsx, .ods), and the old kind (.xls).
 const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
 
-const PARQUET: &[u8] = b"PAR1";
-
 /// Beginnings of files that are no text, and what they are.
 const NO_TEXT: [(&[u8], &str); 4] = [
     (b"%PDF", "a PDF"),
-    (PARQUET, "a Parquet file"),
+    (b"PAR1", "a Parquet file"),
     (b"\x89PNG", "a picture"),
     (b"\x1f\x8b", "a packed file"),
 ];

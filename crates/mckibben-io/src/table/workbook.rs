@@ -2,7 +2,7 @@
 //! sheet, tabs are between fields.
 
 use super::{
-    delimited::MAX_BYTES,
+    delimited::{MAX_BYTES, plain},
     error::TableError,
     unpacked::{self, MOST_CELLS, too_large},
 };
@@ -30,8 +30,7 @@ impl Sheet {
             .or_else(|| value.as_string());
         // An error of a formula is an empty field.
         let text = text.filter(|text| !text.is_empty() && !value.is_error());
-        let plain = |text: String| text.replace(['\t', '\n', '\r'], " ").replace('"', "″");
-        self.cells.extend(text.map(|text| (at, plain(text))));
+        self.cells.extend(text.map(|text| (at, plain(&text))));
         Ok(())
     }
 
