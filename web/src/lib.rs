@@ -6,18 +6,14 @@
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
-use rust_embed::Embed;
-use std::borrow::Cow;
+use include_dir::{Dir, File, include_dir};
 
-#[derive(Embed)]
-#[folder = "page/"]
-struct Page;
-
+/// The page's own files.
+pub static PAGE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/page");
 /// Muscles, joints and points that the page's gallery opens.
-#[derive(Embed)]
-#[folder = "examples/"]
-#[prefix = "examples/"]
-struct Examples;
+pub static EXAMPLES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/examples");
+/// The page's path to them.
+pub const EXAMPLES_AT: &str = "examples/";
 
 /// Where the page looks for its engine.
 pub const KIND: &str = "js/kind.js";
@@ -27,15 +23,12 @@ pub const KIND_OF_SERVER: &str =
     "export { Engine } from \"./engine/http.js\";\nexport const DOCUMENTATION = \"\";\n";
 
 /// A file of the page as it is kept, by its path from the page's folder, such as `index.html`.
-pub fn file(path: &str) -> Option<Cow<'static, [u8]>> {
-    Page::get(path)
-        .or_else(|| Examples::get(path))
-        .map(|file| file.data)
-}
-
-/// Paths of all files that are kept.
-pub fn paths() -> impl Iterator<Item = Cow<'static, str>> {
-    Page::iter().chain(Examples::iter())
+pub fn file(path: &str) -> Option<&'static [u8]> {
+    let file = match path.strip_prefix(EXAMPLES_AT) {
+        Some(path) => EXAMPLES.get_file(path),
+        None => PAGE.get_file(path),
+    };
+    file.map(File::contents)
 }
 
 /// The script that turns the muscle in a report: the page's own view, in one piece.

@@ -41,7 +41,7 @@ pub fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem
     cancel::check()?;
     let mut list = list();
     if list.len() >= KEPT {
-        list.remove(0);
+        drop(list.remove(0));
     }
     list.push((choice.clone(), model.muscle().clone(), failures));
     Ok(failures)

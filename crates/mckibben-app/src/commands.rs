@@ -112,7 +112,7 @@ fn check_fields(
             let near = nearest(field, known.keys().map(String::as_str));
             let hint = near.map_or_else(String::new, |name| format!("did you mean `{name}`?"));
             let message = format!("there is no field \"{field}\" in this request");
-            return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
+            return Err(Problem::usage(message, hint).in_field(field.clone()));
         };
         check_fields(format_args!("`{field}`"), value, schema, root).map_err(|problem| {
             Problem {

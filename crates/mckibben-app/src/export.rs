@@ -218,7 +218,7 @@ fn target_of(target: Option<&str>) -> Result<ExportTarget> {
     let missing = || {
         let message = "`target` is missing: what the muscle is exported for";
         let hint = format!("one of {}", ExportTarget::names());
-        Problem::new(ProblemKind::Usage, message, hint).in_field("target")
+        Problem::usage(message, hint).in_field("target")
     };
     ExportTarget::named(target.ok_or_else(missing)?)
         .map_err(|e| Problem::from(e).in_field("target"))

@@ -3,7 +3,7 @@
 //!
 //! They follow from the structs that files are read into.
 
-use crate::problem::{Problem, ProblemKind};
+use crate::problem::Problem;
 use mckibben_campaign::campaign::PlanKeys;
 use mckibben_core::{
     joined,
@@ -46,7 +46,7 @@ pub fn file_schema(kind: &str) -> Result<Value, Problem> {
             "there is no file of kind \"{kind}\"; the kinds are {}",
             joined(file_kinds(), ", ")
         );
-        return Err(Problem::new(ProblemKind::Usage, message, hint));
+        return Err(Problem::usage(message, hint));
     };
     let mut schema = schema();
     schema["title"] = format!("{name} file of mckibben").into();

@@ -286,7 +286,7 @@ impl FitRequest {
             }
             _ => return Ok(()),
         };
-        Err(Problem::new(ProblemKind::Usage, why, "take another name").in_field("name"))
+        Err(Problem::usage(why, "take another name").in_field("name"))
     }
 
     /// Refuses rules of the paper's method where another one is taken.

@@ -426,7 +426,7 @@ impl IdentifyRequest {
         if self.branches == Branches::History {
             let message = "a measured muscle has no rows in time order";
             let hint = "let `branches` be both: each row then states its branch";
-            return Err(Problem::new(ProblemKind::Usage, message, hint));
+            return Err(Problem::usage(message, hint));
         }
         let muscle = self.muscle.resolve()?;
         let points = self.points(&muscle)?.points;
@@ -490,9 +490,7 @@ impl IdentifyRequest {
 
     fn weights(&self, sets: usize) -> Result<&[f64]> {
         let weights = self.weights.as_deref().unwrap_or_default();
-        let wrong = |message: String, hint| {
-            Err(Problem::new(ProblemKind::Usage, message, hint).in_field("weights"))
-        };
+        let wrong = |message: String, hint| Err(Problem::usage(message, hint).in_field("weights"));
         if !weights.is_empty() && weights.len() != sets {
             let message = format!("{} numbers for {sets} sets of data", weights.len());
             return wrong(message, "one for each of `data`");

@@ -10,6 +10,7 @@ use crate::{
     number, warnings,
 };
 use mckibben_core::{
+    by_number::ByNumber,
     cancel,
     joint::{
         BoundJoint, Joint, JointError, JointMap, JointMuscle, JointPoint, JointTarget, Rest,
@@ -143,7 +144,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     if rows.is_empty() && map.is_none() {
         let message = "the request is incomplete: give `pressures_mpa`, `angles_deg` or `map`";
         let hint = "`pressures_mpa` alone gives the rest position";
-        return Err(Problem::new(ProblemKind::Usage, message, hint));
+        return Err(Problem::usage(message, hint));
     }
     let bursts = models
         .iter()
@@ -408,7 +409,7 @@ fn largest_uncertainty(rows: &[JointRow]) -> Option<String> {
     let known = rows
         .iter()
         .filter_map(|row| Some((row.point.angle_deg, row.point.uncertainty_parts_nm?)));
-    let (angle_deg, parts) = known.max_by(|a, b| a.1.total().total_cmp(&b.1.total()))?;
+    let (angle_deg, parts) = known.max_by_number(|a| a.1.total())?;
     let angle = number(
         if angle_deg.abs() < 1e-9 {
             0.0

@@ -5,6 +5,7 @@ mod page;
 use crate::{ProblemKind, Result, TextFile, flags::Args};
 use mckibben_core::{
     analysis::Evaluation,
+    by_number::ByNumber,
     cancel,
     load::{Balance, Cycle, Load, LoadError, LoadTable, cycle},
     warning::sentence,
@@ -117,8 +118,8 @@ pub fn loaded(
             error,
         });
     }
-    let least = stable.iter().min_by(|a, b| a.0.total_cmp(&b.0));
-    let most = stable.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let least = stable.iter().min_by_number(|a| a.0);
+    let most = stable.iter().max_by_number(|a| a.0);
     let cycle = match (least, most) {
         (Some((low, from)), Some((high, Some(to)))) if low < high => {
             let (contraction, volume) = match from {

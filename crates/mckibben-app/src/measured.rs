@@ -120,7 +120,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
         let message =
             "the figure shows measured muscles, and these cases are rubbers only: leave it out";
         let hint = "`rubber` draws a rubber's laws over its points";
-        return Err(Problem::new(ProblemKind::Usage, message, hint));
+        return Err(Problem::usage(message, hint));
     }
     let points: usize = cases
         .iter()

@@ -122,8 +122,7 @@ pub fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
         );
     }
     let hint = "leave one of them out";
-    Err(Problem::new(
-        ProblemKind::Usage,
+    Err(Problem::usage(
         "`direction` selects one branch and `both` selects two",
         hint,
     ))

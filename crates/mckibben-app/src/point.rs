@@ -170,11 +170,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     }
     if request.force_n.is_some() {
         let message = "`force_n` conflicts with `load`: give the load, or the pull";
-        return Err(Problem::new(
-            ProblemKind::Usage,
-            message,
-            "`load` takes `force:300N` as well",
-        ));
+        return Err(Problem::usage(message, "`load` takes `force:300N` as well"));
     }
     let mut said: Option<LoadAnswer> = None;
     let mut answer = answered(question, sought, request.both, |model| {

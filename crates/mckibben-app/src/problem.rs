@@ -148,6 +148,7 @@ pub struct Nearest {
 /// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``) and join
 /// quantities to their unit by a no-break space, so that a front end can put its words and units in
 /// place.
+#[must_use]
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Problem {
@@ -177,6 +178,11 @@ impl Problem {
             nearest: None,
             further: vec![],
         }
+    }
+
+    /// A request that asks for what is not there, or does not fit together.
+    pub fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::new(ProblemKind::Usage, message, hint)
     }
 
     /// All that is wrong, a sentence each.
@@ -233,11 +239,7 @@ impl Problem {
         match fields.iter().find(|field| field.1) {
             Some((field, _)) => {
                 let message = format!("`{field}` has no effect: {why}");
-                Err(Self::new(
-                    ProblemKind::Usage,
-                    message,
-                    "leave one of them out",
-                ))
+                Err(Self::usage(message, "leave one of them out"))
             }
             None => Ok(()),
         }

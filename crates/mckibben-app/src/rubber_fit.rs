@@ -345,7 +345,7 @@ impl RubberFitRequest {
         if forms.is_empty() {
             let message = "none of these laws has this number of terms";
             let hint = "leave `terms` out, or take `laws` ogden";
-            return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("terms"));
+            return Err(Problem::usage(message, hint).in_field("terms"));
         }
         Ok(forms)
     }
@@ -358,11 +358,7 @@ fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
     for entry in text.split(',').filter(|entry| !entry.trim().is_empty()) {
         let bad = |why: &str| {
             let message = format!("\"{:.60}\" {why}", entry.trim());
-            Problem::new(
-                ProblemKind::Usage,
-                message,
-                "write uniaxial=1,equibiaxial=2",
-            )
+            Problem::usage(message, "write uniaxial=1,equibiaxial=2")
         };
         let (mode, weight) = entry.split_once('=').ok_or_else(|| bad("has no ="))?;
         let mode = mckibben_core::units::named(mode.trim()).ok_or_else(|| {

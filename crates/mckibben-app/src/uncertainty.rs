@@ -9,6 +9,7 @@ use mckibben_core::{
     analysis::Evaluation,
     answer::Answer,
     built::{Built, Left, UncertaintyParts},
+    by_number::SortByNumber,
     joined,
 };
 use schemars::JsonSchema;
@@ -149,7 +150,7 @@ pub fn bounds([median, low, high]: [f64; 3], scale: &Scale) -> String {
 pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
     let whole = parts.total();
     let mut named: Vec<(&str, f64)> = parts.named().collect();
-    named.sort_by(|a, b| b.1.total_cmp(&a.1));
+    named.sort_by_number(|a| -a.1);
     let each = named
         .into_iter()
         .map(|(name, v)| (name, part(scale.value(v), scale.value(whole))));

@@ -18,6 +18,7 @@ const NOTHING: f64 = 1e-9;
 const JOIN: char = '\u{a0}';
 
 /// How one kind of quantity is shown.
+#[must_use]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
     /// The unit's name.

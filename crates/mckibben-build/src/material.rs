@@ -8,7 +8,8 @@ use crate::{
     text::{mm, significant},
 };
 use mckibben_core::{
-    clean, muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves,
+    by_number::ByNumber, clean, muscle::Muscle, rubber::library as rubbers,
+    sleeve::library as sleeves,
 };
 use mckibben_design::tubes::{self, TubePart};
 
@@ -30,7 +31,7 @@ fn ferrule_mm(on_mm: f64) -> Option<[f64; 2]> {
         .flat_map(|outer| STEEL_WALLS_MM.map(|wall| [*outer, wall]));
     let bore = |[outer, wall]: &[f64; 2]| outer - 2.0 * wall;
     let fits = all.filter(|size| bore(size) >= on_mm + FERRULE_PLAY_MM);
-    fits.min_by(|a, b| bore(a).total_cmp(&bore(b)))
+    fits.min_by_number(bore)
 }
 
 /// What is used up by every muscle: what, how much, what for.

@@ -1,5 +1,6 @@
 //! Closed surfaces of triangles: bodies of revolution, and an eye on one of them.
 
+use mckibben_core::by_number::ByNumber;
 use std::f64::consts::TAU;
 
 /// Corners of a circle.
@@ -92,8 +93,7 @@ impl Mesh {
         };
         // Each loop from its least angle on, with the angle of its first corner again at the end.
         let sorted = |ring: &[usize]| -> Vec<(f64, usize)> {
-            let first =
-                (0..ring.len()).min_by(|a, b| angle(&ring[*a]).total_cmp(&angle(&ring[*b])));
+            let first = (0..ring.len()).min_by_number(|a| angle(&ring[*a]));
             let first = first.unwrap_or(0);
             let turn = |i: usize| if i == ring.len() { TAU } else { 0.0 };
             (0..=ring.len())

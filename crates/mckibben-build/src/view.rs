@@ -1,7 +1,7 @@
 //! Tools of a drawing: a view at a scale, dimensions, hatches.
 
 use crate::plug::Plug;
-use mckibben_core::extremes::ends;
+use mckibben_core::{by_number::SortByNumber, extremes::ends};
 use mckibben_report::{Anchor, Pen, Sheet};
 
 /// Height of dimensions and notes in mm.
@@ -131,7 +131,7 @@ impl View<'_> {
                     cuts.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
                 }
             }
-            cuts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            cuts.sort_by_number(|a| a[0]);
             cuts.chunks_exact(2)
                 .for_each(|pair| self.sheet.line(Pen::Thin, [pair[0], pair[1]]));
         }

@@ -3,12 +3,13 @@
 //! plan → rows (one a point, in Parquet) → fit → formula → design.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod campaign;
+#[doc(hidden)]
 pub mod columns;
 pub mod fit;
 mod hash;
 
 pub use columns::PointRow;
+#[doc(hidden)]
 pub use mckibben_core::hash::hex as sha256;

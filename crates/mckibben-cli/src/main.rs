@@ -27,11 +27,11 @@ use output::{
 use plot::Plot;
 use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
 use progress::Bar;
-use std::{borrow::Cow, io::Write, process::ExitCode};
+use std::{borrow::Cow, env::args_os, io::Write, process::ExitCode};
 
 fn main() -> ExitCode {
     panics_are_problems();
-    let args: Vec<String> = std::env::args_os()
+    let args: Vec<String> = args_os()
         .map(|arg| arg.to_string_lossy().into_owned())
         .collect();
     if let Err(problem) = quotes::check_quotes(&args) {
@@ -40,7 +40,7 @@ fn main() -> ExitCode {
     progress::no_signal_for_long_files();
     let mut root = cli::command();
     let parsed = root
-        .try_get_matches_from_mut(std::env::args_os())
+        .try_get_matches_from_mut(args_os())
         .and_then(|matches| cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
@@ -90,7 +90,7 @@ fn unparsed(error: &clap::Error) -> ExitCode {
 
 /// The format of a command line that could not be parsed.
 fn asked_format() -> Format {
-    let args: Vec<_> = std::env::args_os().skip(1).collect();
+    let args: Vec<_> = args_os().skip(1).collect();
     let json = args.iter().any(|a| a == "--format=json")
         || args
             .windows(2)

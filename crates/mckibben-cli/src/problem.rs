@@ -64,7 +64,7 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
     if is_force && ["-F", "--force"].contains(&&**flag) {
         let message = "`mckibben force` gives the force at a pressure and a contraction";
         let hint = "`mckibben pressure` and `mckibben contraction` take a force";
-        return Some(Problem::new(ProblemKind::Usage, message, hint));
+        return Some(Problem::usage(message, hint));
     }
     let is_table = !flag.starts_with('-') && flag.contains('.');
     let measure = || {
@@ -87,7 +87,7 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
     let thing = if is_table { "place for" } else { "flag" };
     let message = format!("there is no {thing} {flag}: {what}");
     let hint = format!("write {hint}");
-    Some(Problem::new(ProblemKind::Usage, message, hint))
+    Some(Problem::usage(message, hint))
 }
 
 /// A command line that clap refuses.
@@ -100,8 +100,7 @@ pub fn unparsed(error: &clap::Error) -> Problem {
             .map(str::trim),
         " ",
     );
-    Problem::new(
-        ProblemKind::Usage,
+    Problem::usage(
         message.trim_start_matches("error: "),
         "see `mckibben --help`",
     )

@@ -1,7 +1,6 @@
 //! A missing quote around a number and its unit.
 
 use crate::Problem;
-use mckibben_app::ProblemKind;
 use mckibben_core::units::{Dimension, parse_values};
 use std::path::Path;
 
@@ -36,7 +35,7 @@ pub fn check_quotes(args: &[String]) -> Result<(), Problem> {
             format!("{flag} {number}{unit} or ")
         };
         let hint = format!("write {short}{flag} '{number} {unit}'");
-        return Err(Problem::new(ProblemKind::Usage, message, hint));
+        return Err(Problem::usage(message, hint));
     }
     Ok(())
 }

@@ -33,19 +33,12 @@
 // The physics is documented on its public types.
 #![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
-#![cfg_attr(
-    test,
-    allow(
-        clippy::unwrap_used,
-        clippy::expect_used,
-        clippy::panic,
-        clippy::too_many_lines
-    )
-)]
 
 pub mod analysis;
 pub mod answer;
 pub mod built;
+#[doc(hidden)]
+pub mod by_number;
 #[doc(hidden)]
 pub mod catalogue;
 pub mod curve;
@@ -79,9 +72,8 @@ pub mod threads;
 pub mod verification;
 pub mod warning;
 
-pub use mckibben_units as units;
 #[doc(hidden)]
-pub use mckibben_units::{cancel, clean, joined, nearest};
+pub use mckibben_units::{self as units, cancel, clean, joined, nearest};
 
 /// The paper whose formula (11) is [`model::FormulaModel::paper`] and whose method makes formulas
 /// from campaigns; equation numbers in code and documents are its. Sources are cited by their key

@@ -10,6 +10,7 @@
 use crate::{Build, Limits, OperatingPoint, Spec, fits};
 use mckibben_core::{
     analysis::Evaluation,
+    by_number::*,
     model::Workspace,
     muscle::{Muscle, Tube},
 };
@@ -66,7 +67,7 @@ pub fn bought<'a>(
     }
     let meets = |product| meets(spec, is_cut, build, product);
     let mut found: Vec<Bought> = products.into_iter().filter_map(meets).collect();
-    found.sort_by(|a, b| a.outer_diameter_mm.total_cmp(&b.outer_diameter_mm));
+    found.sort_by_number(|a| a.outer_diameter_mm);
     found
 }
 
@@ -101,9 +102,7 @@ fn meets(spec: &Spec, is_cut: bool, build: &Build<'_>, product: Product<'_>) -> 
     };
     let all: Vec<(OperatingPoint, f64, f64)> = points.iter().map(&mut at).collect::<Option<_>>()?;
     let spare = |(q, force_n, half): &(OperatingPoint, f64, f64)| (force_n - half) / q.force_n;
-    let (wanted, force_n, uncertainty_n) = all
-        .into_iter()
-        .min_by(|a, b| spare(a).total_cmp(&spare(b)))?;
+    let (wanted, force_n, uncertainty_n) = all.into_iter().min_by_number(spare)?;
     Some(Bought {
         name: product.name,
         product: product.product.to_owned(),

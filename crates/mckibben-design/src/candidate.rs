@@ -8,6 +8,7 @@ use crate::{
 use mckibben_core::{
     analysis::{Burst, Evaluation, Options, burst},
     built::Built,
+    by_number::SortByNumber,
     extremes::peak,
     model::{ModelError, Response},
     muscle::Muscle,
@@ -189,7 +190,7 @@ pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, Model
         .iter()
         .map(|c| (c.limit, -c.excess()))
         .collect();
-    spare.sort_by(|a, b| a.1.total_cmp(&b.1));
+    spare.sort_by_number(|a| a.1);
     let mut known = HashSet::new();
     spare.retain(|(limit, _)| known.insert(*limit));
     let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };

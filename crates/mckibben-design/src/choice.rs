@@ -13,7 +13,7 @@ use crate::{
     search::{Pick, Search},
     trial::Trial,
 };
-use mckibben_core::{model::Result, progress::Progress, threads};
+use mckibben_core::{by_number::SortByNumber, model::Result, progress::Progress, threads};
 use std::cmp::Ordering;
 
 /// Muscles whose size is at most so many times that of the smallest are equal.
@@ -192,7 +192,7 @@ pub fn order(a: &[f64; 2], b: &[f64; 2]) -> Ordering {
 
 /// The smallest of them with those that are equal to it, the best of these first; and so on.
 fn chosen<T>(mut list: Vec<T>, size: impl Fn(&T) -> f64, one: impl Fn(&T) -> &Settled) -> Vec<T> {
-    list.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    list.sort_by_number(&size);
     let mut rest = &mut list[..];
     while let Some(first) = rest.first() {
         let least = size(first);

@@ -140,6 +140,7 @@ impl Demand {
     }
 
     /// So many times what is wanted, over the same way.
+    #[must_use]
     pub fn times(&self, factor: f64) -> Self {
         self.scaled(factor, 1.0)
     }

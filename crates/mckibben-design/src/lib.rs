@@ -19,7 +19,9 @@
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
+#[doc(hidden)]
 pub mod bought;
+#[doc(hidden)]
 pub mod bundle;
 mod candidate;
 mod choice;
@@ -37,24 +39,29 @@ mod search;
 mod spec;
 mod task;
 mod trial;
+#[doc(hidden)]
 pub mod tubes;
 
-pub use bought::Bought;
-pub use bundle::{Bundle, BundlePoint};
 pub use candidate::{Candidate, CandidatePoint};
-pub use choice::{LARGEST_BUNDLE, Several};
 pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
 pub use joint::design_joint;
-pub use limits::{
-    Limit, Limits, SAFETY,
-    check::{Check, Show, fits},
-    pressure::Below,
-};
+pub use limits::{Limit, Limits, SAFETY};
 pub use mckibben_core::warning::VALIDATED_STRAND_STRAIN;
-pub use models::{Build, Models, SearchedMuscles, near_the_box};
 pub use reason::{Reason, Rejected};
 pub use relaxation::Relaxation;
 pub use run::{Closest, Outcome, design, design_with};
 pub use spec::{BraidChoice, Objective, SUPPLY_SHARE, Spec, SpecError};
-pub use task::{Design, Open, Task};
-pub use tubes::{TubeError, TubePart};
+pub use task::Design;
+#[doc(hidden)]
+pub use {
+    bought::Bought,
+    bundle::{Bundle, BundlePoint},
+    choice::{LARGEST_BUNDLE, Several},
+    limits::{
+        check::{Check, Show, fits},
+        pressure::Below,
+    },
+    models::{Build, Models, SearchedMuscles, near_the_box},
+    task::{Open, Task},
+    tubes::{TubeError, TubePart},
+};

@@ -5,7 +5,10 @@
 //! neighbouring roots nothing changes: one muscle in the middle tells.
 
 use crate::limits::check::{Check, NO_SCORE, Probe, Score};
-use mckibben_core::analysis::{Abscissa, find_root, golden};
+use mckibben_core::{
+    analysis::{Abscissa, find_root, golden},
+    by_number::SortByNumber,
+};
 use std::cmp::Ordering;
 
 /// Ratio of neighbouring samples.
@@ -132,7 +135,7 @@ pub fn along(low: f64, high: f64, first: bool, mut at: impl FnMut(f64) -> Sample
             break;
         }
     }
-    found.fitting.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.fitting.sort_by_number(|a| a.0);
     found.best = if found.fitting.is_empty() {
         least_violation(&samples, &mut at)
     } else {

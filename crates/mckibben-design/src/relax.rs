@@ -13,6 +13,7 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Evaluation, Options, bisect, find_root},
+    by_number::*,
     model::ModelError,
     muscle::Muscle,
     threads,
@@ -74,7 +75,7 @@ impl<'a> Misses<'a> {
         if out.is_empty() {
             out.extend(self.together());
         }
-        out.sort_by(|a, b| a.0.total_cmp(&b.0));
+        out.sort_by_number(|a| a.0);
         out.into_iter().map(|change| change.1).collect()
     }
 
@@ -121,13 +122,10 @@ impl<'a> Misses<'a> {
             .collect();
         let asks = threads::map(&all, |one| Some((change(one, false)?.0, *one)));
         let mut least: Vec<_> = asks.into_iter().flatten().collect();
-        least.sort_by(|a, b| a.0.total_cmp(&b.0));
+        least.sort_by_number(|a| a.0);
         least.truncate(MOST);
         let proven = threads::map(&least, |(_, one)| change(one, true));
-        proven
-            .into_iter()
-            .flatten()
-            .min_by(|a, b| a.0.total_cmp(&b.0))
+        proven.into_iter().flatten().min_by_number(|a| a.0)
     }
 
     /// The smallest change of each kind that is wanted: by a quick model of all muscles, proven of
@@ -164,7 +162,7 @@ impl<'a> Misses<'a> {
             .flatten()
             .flatten()
             .collect();
-        rough.sort_by(|a, b| a.0.total_cmp(&b.0));
+        rough.sort_by_number(|a| a.0);
         let mut known = HashSet::new();
         let kinds: Vec<Kind> = rough
             .iter()
@@ -181,10 +179,7 @@ impl<'a> Misses<'a> {
                 }
                 let change =
                     self.proven(pick, |miss, trial, probe| miss.change(*kind, trial, probe));
-                best = [best, change]
-                    .into_iter()
-                    .flatten()
-                    .min_by(|a, b| a.0.total_cmp(&b.0));
+                best = [best, change].into_iter().flatten().min_by_number(|a| a.0);
             }
             best
         };
@@ -308,7 +303,7 @@ impl Miss<'_> {
             Kind::Pressure(limit) => limit.allow(self.needed_mpa(trial)?, trial)?,
             Kind::Limit(limit) => {
                 let missed = probe.checks.iter().filter(|c| c.limit == limit);
-                let worst = missed.max_by(|a, b| a.excess().total_cmp(&b.excess()))?;
+                let worst = missed.max_by_number(|a| a.excess())?;
                 let change = (limit.at_points()?.allow)(three_digits(worst.value, true));
                 (worst.excess().ln_1p(), change)
             }

@@ -12,6 +12,7 @@ use crate::{
 };
 use mckibben_core::{
     analysis::bisect,
+    by_number::SortByNumber,
     muscle::Muscle,
     progress::{Progress, Silent},
     threads,
@@ -209,7 +210,7 @@ pub fn design_with(
         .flatten()
         .collect();
     let missed = |r: &Rejected| r.misses_by.unwrap_or(f64::INFINITY);
-    rejected.sort_by(|a, b| missed(a).total_cmp(&missed(b)));
+    rejected.sort_by_number(missed);
     rejected.truncate(spec.top);
     let closest = rejected.first().filter(|_| candidates.is_empty());
     let closest = closest.map(|rejected| Closest {

@@ -195,6 +195,7 @@ impl Spec {
     }
 
     /// The same for one of so many muscles that share what is required, and the liquid.
+    #[must_use]
     pub fn shared_by(&self, count: u32) -> Self {
         let share = 1.0 / f64::from(count);
         let mut shared = Self {

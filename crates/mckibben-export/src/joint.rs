@@ -7,6 +7,7 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Evaluation, Options},
+    by_number::ByNumber,
     extremes::{even, peak},
     joint::{Joint, JointSpring, Path},
     model::{ForceModel, Workspace},
@@ -62,10 +63,7 @@ impl ExportedJoint {
                 .iter()
                 .filter_map(|&angle| joint.contraction(i, angle));
             let at = |&angle: &f64| Some((joint.contraction(i, angle)?.0, angle));
-            let shortest = angles
-                .iter()
-                .filter_map(at)
-                .min_by(|a, b| a.0.total_cmp(&b.0));
+            let shortest = angles.iter().filter_map(at).min_by_number(|a| a.0);
             let (least, angle) = shortest.unwrap_or_default();
             let reaches = |why: String| {
                 ExportError::Host(format!(

@@ -17,13 +17,18 @@ mod template;
 
 pub use error::ExportError;
 pub(crate) use error::Result;
-pub use fit::{BoxRequest, FormErrors};
-pub use form::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, Point, SLACK};
+pub use fit::BoxRequest;
+pub use form::{CONTRACTION_OUTSIDE, OK, PRESSURE_OUTSIDE, SLACK};
 pub use joint::ExportedJoint;
 use mckibben_core::extremes::peak;
 pub use mckibben_io::files::{Content, File};
 pub use muscle::{ExportBox, ExportedMuscle};
 pub use targets::ExportTarget;
+#[doc(hidden)]
+pub use {
+    fit::FormErrors,
+    form::{Form, Point},
+};
 
 /// The program in the first line of a file.
 const MARK: &str = "exported by mckibben";

@@ -41,6 +41,7 @@
 // Components, nodes, rows and columns are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
+#[doc(hidden)]
 pub mod axisymmetric;
 #[doc(hidden)]
 pub mod element;
@@ -54,6 +55,7 @@ mod seated;
 pub mod simulation;
 #[doc(hidden)]
 pub mod solver;
+#[doc(hidden)]
 pub mod three_dimensional;
 #[doc(hidden)]
 pub mod verification;

@@ -1,7 +1,7 @@
 //! What an equilibrium tells, whichever elements found it.
 
 use crate::{Result, solver::body::Body};
-use mckibben_core::{extremes::peak, model::Response, muscle::Muscle};
+use mckibben_core::{by_number::SortByNumber, extremes::peak, model::Response, muscle::Muscle};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -55,7 +55,7 @@ const BEYOND: f64 = 0.01;
 /// Of stretches with the volume of rubber that has each, the one below which 99 % of the volume
 /// lies: at the bonded corner the largest of all grows without bound as the mesh gets finer.
 pub(crate) fn largest_of_most(mut list: Vec<(StretchAt, f64)>) -> StretchAt {
-    list.sort_by(|a, b| b.0.value.total_cmp(&a.0.value));
+    list.sort_by_number(|a| -a.0.value);
     let beyond = BEYOND * list.iter().map(|s| s.1).sum::<f64>();
     let mut sum = 0.0;
     let mut last: Option<(f64, StretchAt)> = None;
@@ -195,6 +195,7 @@ pub struct Sensitivity {
 }
 
 /// A body that is a muscle: what its present equilibrium tells.
+#[doc(hidden)]
 pub trait MuscleBody: Body {
     /// Factorises the tangent; dF/dw for a displacement of one terminal in N/mm, ∂F/∂P in mm² and
     /// ∂V/∂P in mm³/MPa of the whole muscle.

@@ -1,7 +1,7 @@
 //! The drive about an equilibrium, as a linear system.
 
 use crate::{Drive, MotionError, Result, integrate::Equations, metrics::reached, system::System};
-use mckibben_core::analysis::bisect;
+use mckibben_core::{analysis::bisect, by_number::ByNumber};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -149,7 +149,7 @@ impl Linear {
             .eigenvalues()
             .into_iter()
             .filter(|(_, im)| *im > 0.0)
-            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+            .max_by_number(|a| a.1)?;
         Some((fastest.1 / TAU, -fastest.0 / fastest.0.hypot(fastest.1)))
     }
 

@@ -4,6 +4,7 @@
 use crate::Actuated;
 use mckibben_core::{
     analysis::{Evaluation, Options},
+    by_number::ByNumber,
     model::{Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm},
 };
 use std::cell::{Cell, OnceCell, RefCell};
@@ -222,10 +223,7 @@ impl Member {
                 let away = |k: &&(f64, f64, Answer)| {
                     (k.0 - pressure_mpa).abs() + (k.1 - contraction).abs()
                 };
-                let nearest = kept
-                    .iter()
-                    .flatten()
-                    .min_by(|a, b| away(a).total_cmp(&away(b)));
+                let nearest = kept.iter().flatten().min_by_number(away);
                 if let Some((p, e, answer)) = nearest {
                     return Ok(answer.moved(pressure_mpa - p, contraction - e));
                 }

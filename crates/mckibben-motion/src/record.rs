@@ -10,7 +10,7 @@ use crate::{
     state::State,
     system::System,
 };
-use mckibben_core::extremes::peak;
+use mckibben_core::{by_number::SortByNumber, extremes::peak};
 
 impl Integration<'_> {
     /// The largest speed within the last step, which ended at `t`, by its dense output: the largest
@@ -176,7 +176,7 @@ impl Integration<'_> {
         let mut equilibrium = None;
         if ended.is_none() {
             // A step before an event was taken twice, the second time up to the event.
-            self.passed.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+            self.passed.sort_by_number(|a| a.time_s);
             step_figures(drive, &mut motion, &self.passed);
             let rest = rest(system, &self.passed);
             motion.end = rest.map(|(end, _)| end);

@@ -28,8 +28,7 @@ impl Formula {
             Document::Section(formula) => Ok(Self { formula }),
             Document::Universal(_) => {
                 let message = "a universal formula needs the whole muscle";
-                let problem =
-                    Problem::new(ProblemKind::Usage, message, "ask its model of a muscle");
+                let problem = Problem::usage(message, "ask its model of a muscle");
                 Err(Wrong::from(problem).into())
             }
         }

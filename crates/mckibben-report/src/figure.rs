@@ -18,6 +18,7 @@ use std::path::PathBuf;
 /// assert!(figure.to_svg()?.starts_with("<svg"));
 /// # Ok::<(), mckibben_report::FigureError>(())
 /// ```
+#[must_use]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Figure {
@@ -50,6 +51,7 @@ pub enum Palette {
 }
 
 /// One set of axes with its series and marks.
+#[must_use]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Panel {
@@ -66,6 +68,7 @@ pub struct Panel {
 }
 
 /// An axis.
+#[must_use]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Axis {
@@ -80,6 +83,7 @@ pub struct Axis {
 /// A line or a set of points.
 ///
 /// A point with a coordinate that is not finite breaks the line and is not drawn.
+#[must_use]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Series {

@@ -8,14 +8,11 @@ use axum::{
     },
     response::{IntoResponse, Response},
 };
-use std::{
-    borrow::Cow,
-    hash::{DefaultHasher, Hash, Hasher},
-};
+use std::hash::{DefaultHasher, Hash, Hasher};
 
-fn file(path: &str) -> Option<Cow<'static, [u8]>> {
+fn file(path: &str) -> Option<&'static [u8]> {
     match path {
-        mckibben_web::KIND => Some(mckibben_web::KIND_OF_SERVER.as_bytes().into()),
+        mckibben_web::KIND => Some(mckibben_web::KIND_OF_SERVER.as_bytes()),
         "" => mckibben_web::file("index.html"),
         path => mckibben_web::file(path),
     }

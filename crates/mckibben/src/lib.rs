@@ -26,8 +26,9 @@
 //! | `motion` | valves, loads and joints over time |
 //! | `campaign` | many finite-element tests from a plan, formulas fitted to them |
 //! | `export` | code for controllers and simulators |
+//! | `threads` | searches, lists of points and campaigns on all cores |
 //!
-//! The first four are in the default. Without any there are muscles, rubbers, the closed forms with
+//! The first four and `threads` are in the default. Without any there are muscles, rubbers, the closed forms with
 //! their inverses, and joints.
 
 #![warn(missing_docs)]
@@ -50,6 +51,7 @@ pub use decide::{Deciding, decide};
 pub use joint_model::JointModel;
 #[cfg(feature = "campaign")]
 pub use mckibben_campaign as campaign;
+#[doc(no_inline)]
 pub use mckibben_core::*;
 #[cfg(feature = "design")]
 pub use mckibben_design as design;

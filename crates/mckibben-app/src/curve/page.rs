@@ -9,6 +9,7 @@ use crate::{
 };
 use mckibben_core::{
     answer::Answer,
+    by_number::ByNumber,
     curve::{Curve, CurvePoint, Test},
     muscle::Direction,
     study::StudyPanel,
@@ -66,7 +67,7 @@ impl CurveAnswer {
             "± {low} to {high} {unit}: 95 %, of a muscle that is built"
         ));
         let of_pull = answers().filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
-        if let Some(largest) = of_pull.max_by(|a, b| a.total().total_cmp(&b.total())) {
+        if let Some(largest) = of_pull.max_by_number(|a| a.total()) {
             let parts = breakdown(&largest, &u.force);
             page.line(format!("the largest of the pull: {parts}"));
         }

@@ -12,6 +12,7 @@ use crate::{
 use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
     analysis::{Burst, burst::ends::clamp_load_n},
+    by_number::SortByNumber,
     extremes::peak,
     liquid::Liquid,
     muscle::{Braid, BraidStiffness, EndsMade, Job, JobPoint, file::to_toml},
@@ -305,7 +306,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
         format!("candidate-{}.toml", place + 1)
     };
     let mut points: Vec<&CandidatePoint> = candidate.points.iter().collect();
-    points.sort_by(|a, b| b.response.pressure_mpa.total_cmp(&a.response.pressure_mpa));
+    points.sort_by_number(|a| -a.response.pressure_mpa);
     let points = points.into_iter().map(|q| JobPoint {
         force: q.wanted.force_n.into(),
         contraction: q.wanted.contraction.into(),

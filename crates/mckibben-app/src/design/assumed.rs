@@ -4,6 +4,7 @@
 use super::request::DesignRequest;
 use crate::{Model, Units, percent, words::number};
 use mckibben_core::{
+    by_number::ByNumber,
     muscle::{Braid, Muscle},
     units::{Dimension, tidy, typed::Choice},
 };
@@ -128,7 +129,7 @@ impl Stated {
 /// What friction takes off the pull of a model, where it is estimated.
 fn friction(winner: &Candidate) -> Option<String> {
     let point = winner.points.iter().filter(|q| q.friction_n != 0.0);
-    let point = point.max_by(|a, b| a.friction_n.abs().total_cmp(&b.friction_n.abs()))?;
+    let point = point.max_by_number(|a| a.friction_n.abs())?;
     let estimated = winner.muscle.friction().is_none();
     let moves = if point.friction_n < 0.0 {
         "shortens: friction takes"

@@ -3,6 +3,7 @@
 use super::{answer::muscle_file, request::DesignRequest};
 use crate::{MotionRequest, Problem, ProblemKind, Result, StepFields, above_zero, motion, number};
 use mckibben_core::{
+    by_number::ByNumber,
     extremes::peak,
     load::GRAVITY_M_PER_S2,
     progress::Progress,
@@ -49,11 +50,7 @@ impl DesignRequest {
         let frequency_hz = above_zero(ProblemKind::Range, "cycle_hz", frequency)?;
         if matches!(spec.wanted, Demand::Joint(_)) || spec.liquid.is_some() {
             let message = "`cycle_hz` sizes the valve of muscles that air fills, without a joint";
-            return Err(Problem::new(
-                ProblemKind::Usage,
-                message,
-                "`motion` computes a drive",
-            ));
+            return Err(Problem::usage(message, "`motion` computes a drive"));
         }
         let force_n = peak(winner.points.iter().map(|q| q.wanted.force_n));
         let step = StepFields {
@@ -83,7 +80,7 @@ impl DesignRequest {
         let enough = valves()
             .iter()
             .filter(|v| needed.is_some_and(|c| size(v) >= c));
-        let valve = enough.min_by(|a, b| size(a).total_cmp(&size(b)));
+        let valve = enough.min_by_number(size);
         let stroke = winner.largest(|q| q.air_normal_litres);
         Ok(Some(CycleAnswer {
             frequency_hz,

@@ -22,6 +22,7 @@ use answer::{muscle_file, not_checked, out_of_reach, touches};
 use decision::Decision;
 use mckibben_core::{
     analysis::Evaluation,
+    by_number::ByNumber,
     load::Load,
     model::{ForceModel, ModelError, Workspace},
     muscle::Muscle,
@@ -171,10 +172,7 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
         response,
         model_force_n,
         ..
-    } = winner
-        .points
-        .iter()
-        .max_by(|a, b| half(a).total_cmp(&half(b)))?;
+    } = winner.points.iter().max_by_number(|q| half(q))?;
     let model = build(&winner.muscle).ok()?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, spec.options());

@@ -298,7 +298,7 @@ impl DesignRequest {
         if tubes.is_empty() {
             let field = if self.sold { "sold" } else { "cast" };
             let message = format!("`{field}` leaves none of the tubes that are named");
-            return Err(Problem::new(ProblemKind::Usage, message, "").in_field(field));
+            return Err(Problem::usage(message, "").in_field(field));
         }
         Ok(tubes)
     }
@@ -352,7 +352,7 @@ impl DesignRequest {
             );
             let hint = "give its size (`tubes`, such as 8x12mm), or sizes to search \
                 (`outer_diameter_mm` and `wall_mm`)";
-            return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("rubbers"));
+            return Err(Problem::usage(message, hint).in_field("rubbers"));
         }
         Ok(found)
     }

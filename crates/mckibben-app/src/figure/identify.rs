@@ -4,6 +4,7 @@ use super::{caption, contraction, curves::MOST_BANDS, pressure, pull, said, some
 use crate::{percent, units::Units};
 use mckibben_core::{
     analysis::Evaluation,
+    by_number::ByNumber,
     extremes::{ends, peak},
     model::Workspace,
     muscle::{Direction, Muscle},
@@ -78,7 +79,7 @@ impl Levels {
     fn nearest(&self, f: &PointFit) -> usize {
         let off = |n: usize| (self.fixed[n] - self.key(f)).abs();
         (0..self.fixed.len())
-            .min_by(|&a, &b| off(a).total_cmp(&off(b)))
+            .min_by_number(|&a| off(a))
             .unwrap_or(0)
     }
 

@@ -1,7 +1,10 @@
 //! Tension tests with the laws fitted to them.
 
 use super::{caption, some_of};
-use mckibben_core::extremes::{ends, even};
+use mckibben_core::{
+    by_number::SortByNumber,
+    extremes::{ends, even},
+};
 use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
@@ -42,7 +45,7 @@ fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
         .filter(|(i, _)| fit.recommended != Some(*i))
         .map(|o| o.1);
     let mut others: Vec<&FittedLaw> = others.collect();
-    others.sort_by(|a, b| a.quality.aicc.total_cmp(&b.quality.aicc));
+    others.sort_by_number(|a| a.quality.aicc);
     first.into_iter().chain(others).take(LAWS).collect()
 }
 

@@ -8,6 +8,7 @@ use crate::{
 use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
+    by_number::ByNumber,
     joint::{BoundJoint, Turning},
     model::Workspace,
     warning::Warning,
@@ -178,7 +179,7 @@ impl Moved {
         let nearest = balances
             .into_iter()
             .map(|b| b.answer)
-            .min_by(|a, b| far(a.response.contraction).total_cmp(&far(b.response.contraction)))?;
+            .min_by_number(|a| far(a.response.contraction))?;
         Some(EndUncertainty {
             end_contraction_predicted: nearest.predicted,
             end_contraction_predicted_low: nearest.predicted_low,

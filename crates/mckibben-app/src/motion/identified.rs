@@ -14,6 +14,7 @@ use crate::{
     with_error_bar,
 };
 use mckibben_core::{
+    by_number::ByNumber,
     extremes::peak,
     joined,
     progress::Progress,
@@ -139,7 +140,7 @@ impl Moved {
             let mut fitted = fit.fitted(&free, half_s)?;
             let doubtful = (0..fitted.len()).filter(|i| !fitted[*i].identifiable);
             let doubt = |i: &usize| fitted[*i].half_width / fitted[*i].value.abs();
-            let Some(worst) = doubtful.max_by(|a, b| doubt(a).total_cmp(&doubt(b))) else {
+            let Some(worst) = doubtful.max_by_number(doubt) else {
                 parameters.extend(fitted);
                 break;
             };

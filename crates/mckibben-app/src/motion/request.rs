@@ -199,7 +199,7 @@ impl FromStr for MotionSweep {
         let (key, values) = text.split_once('=').ok_or_else(|| {
             let message = format!("\"{text}\" has no = followed by values");
             let hint = "as in 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
-            Problem::new(ProblemKind::Usage, message, hint)
+            Problem::usage(message, hint)
         })?;
         Ok(Self {
             key: key.trim().to_owned(),

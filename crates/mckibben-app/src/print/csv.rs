@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::{Error, Value, to_value};
 
 /// Rows as objects, and the schema of their type.
+#[must_use]
 #[derive(Debug)]
 pub struct Csv {
     pub rows: Result<Vec<Value>, Error>,

@@ -5,6 +5,7 @@ use crate::Scale;
 use std::ops::Deref;
 
 /// Labels with their values, in the order in which they are read.
+#[must_use]
 #[derive(Debug, Default)]
 pub struct Rows(Vec<(String, String)>);
 

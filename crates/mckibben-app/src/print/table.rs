@@ -11,6 +11,7 @@ pub struct Column {
 }
 
 /// A table with a line for each of a list.
+#[must_use]
 #[derive(Debug)]
 pub struct Table<'a, T> {
     list: &'a [T],

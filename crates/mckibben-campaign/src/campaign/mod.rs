@@ -18,12 +18,20 @@ mod warnings;
 mod tests;
 
 pub use error::CampaignError;
-pub use plan::{Inputs, Plan, PlanBuilder, PlanKeys, Sampling, SamplingMethod, Testing};
+pub use plan::{Plan, PlanBuilder, Sampling, SamplingMethod, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{
-    CampaignOutcome, CampaignStatus, Counts, Extent, Failed, Forecast, Merged, Provenance,
-    Recomputed, Rows, RunOptions, Shard, ShardState, ShardStatus, Summary, forecast, merge, read,
-    rows, run, status, summary,
+    CampaignOutcome, CampaignStatus, Forecast, RunOptions, forecast, read, rows, run, status,
 };
-pub use warnings::Warned;
+#[cfg(feature = "store")]
+#[doc(hidden)]
+pub use store::{
+    Counts, Extent, Failed, Merged, Provenance, Recomputed, Rows, Shard, ShardState, ShardStatus,
+    Summary, merge, summary,
+};
+#[doc(hidden)]
+pub use {
+    plan::{Inputs, PlanKeys},
+    warnings::Warned,
+};

@@ -7,11 +7,13 @@ pub mod data;
 mod error;
 #[doc(hidden)]
 pub mod errors;
+#[doc(hidden)]
 pub mod global;
 #[doc(hidden)]
 pub mod held_out;
 mod least_squares;
 mod make;
+#[doc(hidden)]
 pub mod paper_method;
 #[doc(hidden)]
 pub mod results;
@@ -19,9 +21,14 @@ pub mod results;
 pub mod signs;
 #[doc(hidden)]
 pub mod tables;
+#[doc(hidden)]
 pub mod universal;
 
 pub use error::FitError;
-pub use global::{GlobalFit, global};
-pub use make::{FittedFormula, FormulaRequest, MakeOfRows, Method, fitted, make, refitted};
-pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
+pub use make::{FittedFormula, FormulaRequest, MakeOfRows, Method, make};
+#[doc(hidden)]
+pub use {
+    global::{GlobalFit, global},
+    make::{fitted, refitted},
+    paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method},
+};

@@ -11,7 +11,7 @@ use crate::{
 };
 use clap::Subcommand;
 use mckibben_app::{
-    CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest, ProblemKind,
+    CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest,
     campaign_forecast, campaign_merge, campaign_show, campaign_status, words::number,
 };
 use mckibben_campaign::campaign::CampaignOutcome;
@@ -23,11 +23,7 @@ fn no_csv(format: Format) -> Result<(), Problem> {
         return Ok(());
     }
     let message = "--format csv: the table is the Parquet file itself";
-    Err(Problem::new(
-        ProblemKind::Usage,
-        message,
-        "take text or json",
-    ))
+    Err(Problem::usage(message, "take text or json"))
 }
 
 /// A campaign, or what is asked of one.

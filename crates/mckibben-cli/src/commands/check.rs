@@ -2,9 +2,7 @@
 //! measure first; or a formula's file.
 
 use crate::{Format, Output, Problem, cli::examples, emit};
-use mckibben_app::{
-    CheckFormulaRequest, CheckRequest, ProblemKind, TextFile, check, check_formula,
-};
+use mckibben_app::{CheckFormulaRequest, CheckRequest, TextFile, check, check_formula};
 use std::path::Path;
 
 /// What is known of a muscle, or of a formula.
@@ -34,8 +32,7 @@ impl Check {
         }
         if self.latex {
             let message = "--latex is of a formula, not of a muscle";
-            return Err(Problem::new(
-                ProblemKind::Usage,
+            return Err(Problem::usage(
                 message,
                 "`mckibben check formula.json --latex`",
             ));
@@ -46,8 +43,7 @@ impl Check {
 
     fn show_formula(self, formula: CheckFormulaRequest, format: Format) -> Result<u8, Problem> {
         if self.request.pressure_mpa.is_some() {
-            return Err(Problem::new(
-                ProblemKind::Usage,
+            return Err(Problem::usage(
                 "--pressure is of a muscle, not of a formula",
                 "the prototype of the paper is the muscle of `mckibben check` without a name",
             ));

@@ -8,7 +8,6 @@ use crate::{
 use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use mckibben_app::ProblemKind;
 use std::path::PathBuf;
 
 /// Prints the help of a command.
@@ -140,9 +139,5 @@ fn page(command: &Command) -> Result<Vec<u8>, Problem> {
 
 fn unknown(words: &[String]) -> Problem {
     let message = format!("there is no command `{}`", words.join(" "));
-    Problem::new(
-        ProblemKind::Usage,
-        message,
-        "`mckibben help` lists the commands",
-    )
+    Problem::usage(message, "`mckibben help` lists the commands")
 }

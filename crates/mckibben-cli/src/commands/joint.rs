@@ -1,7 +1,7 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
 use crate::{Bar, Format, Output, Plot, Problem, cli::examples, output::form};
-use mckibben_app::{JointFields, JointRequest, ProblemKind, joint};
+use mckibben_app::{JointFields, JointRequest, joint};
 use std::path::PathBuf;
 
 /// A joint.
@@ -35,8 +35,7 @@ impl Joint {
         let mut answer = joint(request, &Bar::new("joint"))?;
         if request.figure.is_some() && answer.figure.is_none() {
             let message = "--plot: a figure of a joint has torques over angles, or a map";
-            return Err(Problem::new(
-                ProblemKind::Usage,
+            return Err(Problem::usage(
                 message,
                 "give --angle with a range, or --map",
             ));

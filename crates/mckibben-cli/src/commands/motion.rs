@@ -1,7 +1,7 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
 use crate::{Bar, Format, Output, Plot, Problem, cli::examples, display_units, exit_code};
-use mckibben_app::{LoadFields, MotionRequest, ProblemKind, TextFile, motion};
+use mckibben_app::{LoadFields, MotionRequest, TextFile, motion};
 use std::path::PathBuf;
 
 /// Motion of a drive.
@@ -42,11 +42,7 @@ impl Motion {
     pub fn run(mut self, format: Format) -> Result<u8, Problem> {
         if self.size.is_none() && self.request.rise_time_s.is_some() {
             let message = "--rise-time is that of a part to size";
-            return Err(Problem::new(
-                ProblemKind::Usage,
-                message,
-                "add --size valve",
-            ));
+            return Err(Problem::usage(message, "add --size valve"));
         }
         if let Some(load) = self
             .request

@@ -58,5 +58,5 @@ fn unbound(port: u16, error: &std::io::Error) -> Problem {
         ErrorKind::AddrInUse => format!("port {port} is in use by another program"),
         _ => format!("cannot listen at port {port}: {error}"),
     };
-    Problem::new(ProblemKind::Usage, message, "--port 0 takes any free port")
+    Problem::usage(message, "--port 0 takes any free port")
 }

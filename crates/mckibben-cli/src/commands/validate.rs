@@ -61,7 +61,7 @@ impl Validate {
         if self.plot.plot.is_some() {
             let message = "--plot draws the measured muscles: it requires --measured";
             let hint = "mckibben validate --measured --plot FILE.svg";
-            return Err(Problem::new(ProblemKind::Usage, message, hint));
+            return Err(Problem::usage(message, hint));
         }
         let mut answer = mckibben_app::validate(&self.request, &Bar::new("groups of cases"))?;
         answer.has_sources = self.output.output.is_none() && width::of_tables() >= WITH_SOURCES;

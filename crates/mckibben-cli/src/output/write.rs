@@ -14,7 +14,7 @@ use std::{
     io::{Error, ErrorKind, Write},
     path::Path,
     sync::{
-        Mutex,
+        Mutex, PoisonError,
         atomic::{AtomicBool, Ordering},
     },
 };
@@ -145,9 +145,7 @@ static BEHIND: Mutex<Vec<String>> = Mutex::new(vec![]);
 
 /// Prints what was left for behind the text.
 pub fn warn_behind() {
-    let mut list = BEHIND
-        .lock()
-        .unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut list = BEHIND.lock().unwrap_or_else(PoisonError::into_inner);
     list.drain(..).for_each(warn);
 }
 
@@ -162,7 +160,7 @@ pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
     }
     BEHIND
         .lock()
-        .unwrap_or_else(std::sync::PoisonError::into_inner)
+        .unwrap_or_else(PoisonError::into_inner)
         .extend(others);
     display_units::sentence(&first.join("\n")) + "\n\n"
 }

@@ -22,6 +22,7 @@ pub struct Options {
 
 impl Options {
     /// The same for a muscle: one that extends pushes, and is not slack where it does.
+    #[must_use]
     pub fn for_muscle(self, muscle: &Muscle) -> Self {
         Self {
             two_sided: self.two_sided || muscle.is_extensile(),

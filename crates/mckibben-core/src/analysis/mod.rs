@@ -17,8 +17,12 @@ pub use burst::{
     QUIET_MPA, RELIEF, SAFETY, Safety, burst, burst_below,
 };
 pub use error::{AnalysisError, Result};
-pub use evaluation::{Evaluation, Options, source_of};
-pub use golden::{Abscissa, golden};
+pub use evaluation::{Evaluation, Options};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
-pub use root::{bisect, find_root};
 pub(crate) use sweep::{Sweep, places};
+#[doc(hidden)]
+pub use {
+    evaluation::source_of,
+    golden::{Abscissa, golden},
+    root::{bisect, find_root},
+};

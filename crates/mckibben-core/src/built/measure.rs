@@ -14,7 +14,10 @@ use super::{
     At, HALF_95, Predictor,
     learnt::{NOISE, Place, SINGLE, cholesky, forward, kernel},
 };
-use crate::muscle::{Constant, Constants};
+use crate::{
+    by_number::SortByNumber,
+    muscle::{Constant, Constants},
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -100,7 +103,7 @@ impl Predictor {
             })
         };
         let mut all: Vec<Left> = Measurement::ALL.into_iter().filter_map(left).collect();
-        all.sort_by(|a, b| a.uncertainty_n.total_cmp(&b.uncertainty_n));
+        all.sort_by_number(|a| a.uncertainty_n);
         all
     }
 

@@ -26,6 +26,7 @@
 //! Range: muscles that contract, of stated or estimated constants; five families of measured
 //! muscles tell the prior, and `mckibben validate` prints what it covers where each is left out.
 
+#[doc(hidden)]
 pub mod learnt;
 mod measure;
 mod parts;
@@ -33,10 +34,14 @@ mod predictor;
 mod prior;
 mod twin;
 
-pub use measure::{Left, Measurement};
-pub use parts::{STIFFNESS_WAY, UncertaintyParts, basis_of, stiffness_uncertainty_n_per_mm};
-pub use predictor::{At, Predictor};
-pub use prior::{Belief, Experience, Prior};
+pub use parts::UncertaintyParts;
+#[doc(hidden)]
+pub use {
+    measure::{Left, Measurement},
+    parts::{STIFFNESS_WAY, basis_of, stiffness_uncertainty_n_per_mm},
+    predictor::{At, Predictor},
+    prior::{Belief, Experience, Prior},
+};
 
 use crate::{
     analysis::{Evaluation, Options},
@@ -68,6 +73,7 @@ pub struct Built {
 
 /// What a muscle that is built pulls more than the model says, in N; below zero where it pulls
 /// less.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct BuiltShift {
     /// By the friction of its braid.

@@ -48,6 +48,7 @@ pub struct Experience {
 
 impl Experience {
     /// The same to four digits, as the file has it.
+    #[must_use]
     pub fn rounded(mut self) -> Self {
         let to_four = |v: &mut f64| *v = format!("{v:.3e}").parse().unwrap_or(*v);
         for belief in [

@@ -74,6 +74,7 @@ impl FormulaError {
         Self::new(format!("`{key}`: {message}"))
     }
     /// The same error, in a file of this name.
+    #[must_use]
     pub fn in_file(mut self, path: &Path) -> Self {
         self.file = Some(path.to_owned());
         self

@@ -21,14 +21,16 @@ mod terms;
 mod universal;
 
 pub use error::FormulaError;
-pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
 pub(crate) use made::alike;
-pub use made::{Made, MadeBraid, MadeRubber, NamedBraid};
-pub use paper::{Coefficients, Section};
-pub use terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
-pub use universal::{
-    Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
-    UniversalTerm,
+pub use paper::Coefficients;
+pub use universal::UniversalFormula;
+#[doc(hidden)]
+pub use {
+    errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors},
+    made::{Made, MadeBraid, MadeRubber, NamedBraid},
+    paper::Section,
+    terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms},
+    universal::{Deficit, Form, UniversalErrors, UniversalRange, UniversalSummary, UniversalTerm},
 };
 
 use file::{File, check::interval};
@@ -36,6 +38,7 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// The terms of a formula.
+#[doc(hidden)]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// The paper's (11).

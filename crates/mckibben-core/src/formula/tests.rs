@@ -257,6 +257,7 @@ fn what_it_was_not_made_for_is_refused() {
 }
 
 #[test]
+#[allow(clippy::too_many_lines)] // a table of cases
 fn wrong_files_are_named_with_their_key() {
     let paper = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();
     let global = global().to_json();

@@ -2,6 +2,7 @@
 
 use super::{BoundJoint, JointError, Rest, Result, ShutStiffness, model::Fixed};
 use crate::{
+    by_number::ByNumber,
     extremes::ends,
     model::{Interval, ModelError, Quantity, Workspace},
     progress::Progress,
@@ -255,11 +256,7 @@ impl BoundJoint {
         let (rests, _) = self.rests_beside_gaps(fixed, 0.0)?;
         let from = near_deg.unwrap_or(0.0);
         let far = |r: &&Rest| (r.angle_deg() - from).abs();
-        let Some(rest) = rests
-            .iter()
-            .filter(|r| r.is_stable())
-            .min_by(|a, b| far(a).total_cmp(&far(b)))
-        else {
+        let Some(rest) = rests.iter().filter(|r| r.is_stable()).min_by_number(far) else {
             return Ok(None);
         };
         if matches!(rest, Rest::Loose { .. }) {

@@ -20,16 +20,23 @@ mod sought;
 #[cfg(test)]
 mod tests;
 mod uncertainty;
+#[doc(hidden)]
 pub mod verification;
 
 pub use error::{JointError, Result};
-pub use file::{JointFile, JointKeys, parse_joint};
-pub use inverse::JointTarget;
-pub use map::{JointMap, MapGap, MapPoint};
+pub use file::parse_joint;
+pub use map::JointMap;
 pub use model::{BoundJoint, JointPoint, MuscleState, Turning};
-pub use path::{Path, Shortening};
+pub use path::Path;
 pub use rest::Rest;
 pub use shut::ShutStiffness;
+#[doc(hidden)]
+pub use {
+    file::{JointFile, JointKeys},
+    inverse::JointTarget,
+    map::{MapGap, MapPoint},
+    path::Shortening,
+};
 
 use crate::{
     extremes::even,

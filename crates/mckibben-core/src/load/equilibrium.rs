@@ -4,6 +4,7 @@ use super::Load;
 use crate::{
     analysis::{AnalysisError, Evaluation, Options, Sweep, straight_strands},
     answer::Answer,
+    by_number::ByNumber,
     model::ModelError,
 };
 use serde::Serialize;
@@ -116,7 +117,7 @@ impl Evaluation<'_> {
             (reach.1 / length, "the table of the load"),
             (0.95, "what any muscle reaches"),
         ];
-        let nearest = ends.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let nearest = ends.into_iter().min_by_number(|a| a.0);
         let (end, limit) = nearest.unwrap_or_default();
         let excess_n = |e: f64| {
             let pull = if Some(e) == free {

@@ -13,7 +13,9 @@ mod table;
 
 pub use cycle::{Cycle, cycle};
 pub use equilibrium::{Balance, LoadError};
-pub use fill::{Fill, FillError, FillState, Filling};
+#[doc(hidden)]
+pub use fill::Filling;
+pub use fill::{Fill, FillError, FillState};
 pub use lever::Lever;
 pub use table::LoadTable;
 
@@ -91,6 +93,7 @@ impl Load {
     }
 
     /// The same load, so many times as heavy.
+    #[must_use]
     pub fn times(&self, factor: f64) -> Self {
         match self {
             Self::Force { force_n } => Self::Force {

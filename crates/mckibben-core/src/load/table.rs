@@ -1,7 +1,7 @@
 //! A load as points.
 
 use super::refused;
-use crate::refused::Refused;
+use crate::{by_number::SortByNumber, refused::Refused};
 
 /// Points (x in mm, F in N), straight lines between them; known from the first to the last x.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +29,7 @@ impl LoadTable {
                 point = i + 1
             )));
         }
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        points.sort_by_number(|a| a.0);
         match points.windows(2).find(|w| w[0].0 == w[1].0) {
             Some(twice) => Err(refused(format!(
                 "the load has two points at a shortening of {}\u{a0}mm",

@@ -36,24 +36,31 @@ mod wall_energy;
 mod wall_mooney;
 mod workspace;
 
-pub use accuracy::{Accuracy, BlockedAt, Reference};
-pub use error::{ModelError, OtherError, Result};
+pub use error::{ModelError, Result};
 pub use festo_sarosi::FestoSarosi;
 pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use info::{ModelEntry, ModelInfo};
-pub use interval::{Interval, Quantity, RangeViolation};
-pub use kind::{ModelKind, unknown_model};
+pub use kind::ModelKind;
 pub use klute_hannaford::KluteHannaford;
 pub use range::ModelRange;
 pub use response::Response;
-pub use seated::{Seated, with_ends};
 pub use thick_wall::ThickWall;
 pub use tondu_lopez::TonduLopez;
-pub use universal::{EndPoint, Universal};
-pub use wall::Wall;
-pub use wall_energy::WallEnergy;
-pub use workspace::{ModelId, Workspace};
+pub use universal::Universal;
+pub use workspace::Workspace;
+#[doc(hidden)]
+pub use {
+    accuracy::{Accuracy, BlockedAt, Reference},
+    error::OtherError,
+    interval::{Interval, Quantity, RangeViolation},
+    kind::unknown_model,
+    seated::{Seated, with_ends},
+    universal::EndPoint,
+    wall::Wall,
+    wall_energy::WallEnergy,
+    workspace::ModelId,
+};
 
 use crate::muscle::Muscle;
 use auto_impl::auto_impl;

@@ -8,6 +8,7 @@ use crate::muscle::Muscle;
 
 /// The box of a model for one muscle: pressures and contractions, the measures it was made for, and
 /// what of the muscle lies outside.
+#[must_use]
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModelRange {
     /// Lowest and highest pressure in MPa.

@@ -71,6 +71,7 @@ impl Bench {
     pub const OWN_POINTS: usize = 20;
 
     /// The same with the checksum of a muscle.
+    #[must_use]
     pub fn sealed(self, muscle: &Muscle) -> Self {
         Self {
             of: self.checksum(muscle),

@@ -26,7 +26,7 @@
 
 use super::Muscle;
 use crate::model::Response;
-use std::borrow::Cow;
+use std::{borrow::Cow, f64::consts::PI};
 
 /// The ends of a muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -127,7 +127,7 @@ impl Ends {
 
     /// π Ri² in mm².
     pub fn bore_mm2(&self) -> f64 {
-        std::f64::consts::PI * self.bore_radius_mm * self.bore_radius_mm
+        PI * self.bore_radius_mm * self.bore_radius_mm
     }
 
     /// N in N at a pressure in MPa and a pull in N.
@@ -207,8 +207,7 @@ impl Ends {
     /// needs ∂F₀/∂La.
     pub fn slope(&self, at: &EndState, name: &str, inner: f64) -> f64 {
         let k = at.stiffness_n_per_mm;
-        let wider =
-            k * self.slip_mm_per_n * at.pressure_mpa * std::f64::consts::PI * self.bore_radius_mm;
+        let wider = k * self.slip_mm_per_n * at.pressure_mpa * PI * self.bore_radius_mm;
         let held = match name {
             "terminals.seating" => -k,
             "terminals.slip" => -k * at.load_n,

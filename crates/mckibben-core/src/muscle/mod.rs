@@ -15,6 +15,7 @@ mod friction;
 mod job;
 mod kind;
 mod lay;
+#[doc(hidden)]
 pub mod measures;
 mod presliding;
 mod reach;
@@ -29,29 +30,36 @@ pub use crate::{
     rubber::{Bulk, Conditioned, Rubber},
     sleeve::NEUTRAL_ANGLE_DEG,
 };
-pub use bench::{Bench, OwnPoint};
-pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
-pub use constant::{Constant, Constants};
-pub use crimp::Crimp;
-pub use derived::BuildSheet;
+pub use bench::Bench;
+pub use braid::{Braid, BraidStiffness, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
 pub use direction::Direction;
-pub use ends::{EndState, Ends};
 pub use error::MuscleError;
 pub use friction::Friction;
 pub use job::{Job, JobPoint};
 pub use kind::{LARGEST_ANGLE_DEG, MuscleKind};
-pub use lay::StrandLay;
-pub use measures::{Measure, Parts};
-pub use presliding::Presliding;
-pub use reach::largest_stretch;
-pub use stated::Stated;
-pub use terminals::{EndFactor, EndsMade, Terminals};
+pub use terminals::{EndsMade, Terminals};
 pub use tube::Tube;
+#[doc(hidden)]
+pub use {
+    bench::OwnPoint,
+    braid::MeasuredStrand,
+    constant::{Constant, Constants},
+    crimp::Crimp,
+    derived::BuildSheet,
+    ends::{EndState, Ends},
+    lay::StrandLay,
+    measures::{Measure, Parts},
+    presliding::Presliding,
+    reach::largest_stretch,
+    stated::Stated,
+    terminals::EndFactor,
+};
 
 use crate::rubber::{RubberLaw, library};
 use std::sync::Arc;
 
 /// A muscle whose parts have been checked against each other.
+#[must_use]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Muscle {
     parts: Parts,

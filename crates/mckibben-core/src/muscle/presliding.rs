@@ -1,5 +1,7 @@
 //! How friction builds up after a reversal.
 
+use crate::by_number::ByNumber;
+
 /// The presliding of a friction, with its memory: elements that stick and slip in parallel, all of
 /// one stiffness, their yields spread evenly from 0 to x_s.
 ///
@@ -91,7 +93,7 @@ impl Presliding {
         };
         loop {
             let bends = elements.windows(3).map(bend).enumerate();
-            match bends.min_by(|a, b| a.1.total_cmp(&b.1)) {
+            match bends.min_by_number(|a| a.1) {
                 Some((i, least)) if least <= STRAIGHT * self.largest || elements.len() > BENDS => {
                     elements.remove(i + 1);
                 }

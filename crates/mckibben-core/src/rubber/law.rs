@@ -155,6 +155,7 @@ impl Law {
 
     /// The same law with its constants passed through `change` (position in [`Law::constants`],
     /// value). The new law is not checked; see [`Law::validated`].
+    #[must_use]
     pub fn with_constants(&self, change: impl Fn(usize, f64) -> f64) -> Law {
         let values: Vec<f64> = self
             .values()
@@ -191,6 +192,7 @@ impl Law {
     }
 
     /// The same law with every modulus multiplied by `factor` (limits and exponents stay).
+    #[must_use]
     pub fn scaled(&self, factor: f64) -> Law {
         let constants = self.kind().constants;
         let is_modulus = |i: usize| constants[i % constants.len()].is_modulus();

@@ -21,19 +21,21 @@ mod written;
 
 pub use check::{LawFault, check_law};
 pub use compound::{Bulk, Conditioned, Rubber};
-pub use constant::{
-    Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, foreign,
-    one_of_all,
-};
+pub use constant::{Constant, ConstantValue, LawConstants, LawKind};
 pub use custom::CustomLaw;
-pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
-pub use law::LawVisitor;
 pub use laws::*;
 pub use library::{LibraryError, RubberEntry, RubberFit};
 pub use stability::{
-    MUSCLE_AXIAL_STRETCH, MUSCLE_HOOP_STRETCH, biaxial_unstable_from, is_stable_at, log_hessian,
-    muscle_states, muscle_unstable_from,
+    MUSCLE_AXIAL_STRETCH, MUSCLE_HOOP_STRETCH, biaxial_unstable_from, is_stable_at,
+    muscle_unstable_from,
+};
+#[doc(hidden)]
+pub use {
+    constant::{HyperelasticCard, NEEDS_ALL, foreign, one_of_all},
+    form::Form,
+    law::LawVisitor,
+    stability::{log_hessian, muscle_states},
 };
 
 /// Energy and derivatives in the three principal stretches taken as independent variables.

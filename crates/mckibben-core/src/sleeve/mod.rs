@@ -21,8 +21,9 @@ pub mod library;
 mod row;
 
 pub use helix::{Helix, NEUTRAL_ANGLE_DEG};
-pub use library::{Material, SleeveEntry};
-pub use row::SleeveRow;
+pub use library::SleeveEntry;
+#[doc(hidden)]
+pub use {library::Material, row::SleeveRow};
 
 use crate::refused::Refused;
 use std::f64::consts::PI;
@@ -41,6 +42,7 @@ pub struct SleeveShape {
 }
 
 /// A sleeve: its shape and its strands, as far as they are known.
+#[must_use]
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Sleeve {
     /// Name, helix, range.

@@ -133,6 +133,23 @@ impl SleeveRow {
         Ok(self.nominal_diameters.iter().map(size).collect())
     }
 
+    /// Strands that weigh what a metre of the sleeve weighs, where that is stated.
+    fn strands_of_mass(
+        &self,
+        sleeve: &Sleeve,
+        material: Option<&Material>,
+    ) -> Result<Option<u32>, &'static str> {
+        let Some(grams) = self.grams_per_metre else {
+            return Ok(None);
+        };
+        let density = material.and_then(|material| material.density_kg_per_m3);
+        let density = density.ok_or("`grams_per_metre` needs a material of known density")?;
+        let counted = sleeve.strands_of_mass(f64::from(grams), density);
+        counted
+            .ok_or("`grams_per_metre` gives no number of strands")
+            .map(Some)
+    }
+
     fn entry(
         &self,
         sources: &Sources,
@@ -207,11 +224,8 @@ impl SleeveRow {
             Some(material) => estimated(stated, material, self.factor.map(f64::from)),
             None => stated,
         };
-        if let (Some(grams), None) = (self.grams_per_metre, strands) {
-            let density = modulus_of.and_then(|material| material.density_kg_per_m3);
-            let density = density.ok_or("`grams_per_metre` needs a material of known density")?;
-            let counted = sleeve.strands_of_mass(f64::from(grams), density);
-            sleeve.strands = Some(counted.ok_or("`grams_per_metre` gives no number of strands")?);
+        if strands.is_none() {
+            sleeve.strands = self.strands_of_mass(&sleeve, modulus_of)?;
         }
         Ok(SleeveEntry {
             modulus_of: modulus_of.filter(|_| self.strand_modulus.is_none()),

@@ -3,6 +3,7 @@
 use super::{AT_POINTS, Limit, pressure::Below};
 use crate::{Build, Objective, OperatingPoint, Spec, choice::size, trial::Trial};
 use mckibben_core::{
+    by_number::ByNumber,
     model::{Response, Result},
     muscle::Muscle,
     units::{Dimension, rounded},
@@ -85,9 +86,7 @@ pub struct Probe {
 impl Probe {
     /// The limit that is missed by most, or met by least.
     pub fn worst(&self) -> Option<&Check> {
-        self.checks
-            .iter()
-            .max_by(|a, b| a.excess().total_cmp(&b.excess()))
+        self.checks.iter().max_by_number(|a| a.excess())
     }
 
     /// The shares by which limits are missed, summed.

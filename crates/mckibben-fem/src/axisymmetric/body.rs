@@ -28,6 +28,7 @@ use crate::{
     },
 };
 use mckibben_core::{extremes::peak, model::ThickWall, muscle::Crimp};
+use std::mem::take;
 use std::sync::Arc;
 
 /// The last station after everything else was condensed.
@@ -180,7 +181,7 @@ impl Body {
     /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as
     /// [`crate::solver::body::Body::force_per_pressure`] has it.
     pub fn by_pressure(&mut self) -> (f64, f64) {
-        let mut rhs = std::mem::take(&mut self.second);
+        let mut rhs = take(&mut self.second);
         rhs.copy_from_slice(&self.assembled.volume);
         let b = self.condense(&mut rhs);
         self.backward(&mut rhs, 0.0);
@@ -316,7 +317,7 @@ impl NewtonSystem for Body {
     }
 
     fn correct(&mut self) -> Result<f64, Stopped> {
-        let mut rhs = std::mem::take(&mut self.step.u);
+        let mut rhs = take(&mut self.step.u);
         for (x, r) in rhs.iter_mut().zip(&self.assembled.residual) {
             *x = -r;
         }
@@ -328,7 +329,7 @@ impl NewtonSystem for Body {
             Control::Force(f) => (f + b) / s,
             Control::Pressure { terminal, force } => {
                 let dw = terminal - self.state.terminal;
-                let mut second = std::mem::take(&mut self.second);
+                let mut second = take(&mut self.second);
                 second.copy_from_slice(&self.assembled.volume);
                 let v = self.condense(&mut second);
                 dp = (s * dw - b - force) / v;

@@ -24,7 +24,7 @@ use crate::{
     element::q2::{GAUSS2, along},
     simulation::Given,
 };
-use mckibben_core::model::Workspace;
+use mckibben_core::{by_number::SortByNumber, model::Workspace};
 use std::f64::consts::PI;
 
 /// Second derivatives of the shape functions of a line element in its coordinate: middle, left,
@@ -72,7 +72,7 @@ impl Axisymmetric {
             .flat_map(|slab| (0..GAUSS2.len()).map(move |g| (slab, g)))
             .map(|at| contact_at(d, &body.state.u, &by, at))
             .collect();
-        places.sort_by(|a, b| a.rest_mm.total_cmp(&b.rest_mm));
+        places.sort_by_number(|a| a.rest_mm);
         // Both halves turn alike.
         let work =
             |p: &ContactPlace| 2.0 * p.pressure_mpa * p.turning_rad_per_mm.abs() * p.area_mm2;

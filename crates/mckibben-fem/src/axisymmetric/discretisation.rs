@@ -13,6 +13,7 @@ use mckibben_core::{
     muscle::{Bulk, Crimp, Parts, StrandLay},
     rubber::{Law, RubberLaw, over_time::OgdenRoxburgh},
 };
+use std::f64::consts::PI;
 
 /// Length ℓ of the layer beside a terminal over the outer radius.
 pub(super) const LAYER: f64 = 1.4;
@@ -192,7 +193,7 @@ impl Discretisation {
             augment,
             augment_strand: 30.0 * shear * (radius - inner),
             radius,
-            section: std::f64::consts::PI * (radius * radius - inner * inner),
+            section: PI * (radius * radius - inner * inner),
             shear,
             memory: None,
             mesh,
@@ -205,7 +206,7 @@ impl Discretisation {
     /// add what rounding leaves of their tension.
     pub fn force_scale(&self, pressure: f64) -> f64 {
         let k = self.problem.braid.and_then(|b| b.stiffness).unwrap_or(0.0);
-        let inside = std::f64::consts::PI * self.radius * self.radius;
+        let inside = PI * self.radius * self.radius;
         pressure.abs() * inside + self.shear * self.section + 1e-4 * k * self.radius
     }
 

@@ -15,7 +15,7 @@ use crate::{
     results::{MuscleBody, ProfilePoint, Sensitivity, StrandState, StretchAt, largest_of_most},
     solver::body::State,
 };
-use mckibben_core::{extremes::peak, muscle::Muscle};
+use mckibben_core::{by_number::SortByNumber, extremes::peak, muscle::Muscle};
 
 impl MuscleBody for Body {
     fn derivatives(&mut self) -> Result<[f64; 3]> {
@@ -163,7 +163,7 @@ pub fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<StrandStat
             }
         })
         .collect();
-    out.sort_by(|a, b| a.rest_mm.total_cmp(&b.rest_mm));
+    out.sort_by_number(|a| a.rest_mm);
     out
 }
 

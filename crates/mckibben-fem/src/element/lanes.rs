@@ -22,14 +22,17 @@ pub trait Real:
     /// The same number in every lane.
     fn splat(x: f64) -> Self;
     /// self · a + b
+    #[must_use]
     fn mul_add(self, a: Self, b: Self) -> Self;
     /// 1/self
+    #[must_use]
     fn recip(self) -> Self;
     /// The number of one lane.
     fn lane(&self, lane: usize) -> f64;
     /// Sets the number of one lane.
     fn set_lane(&mut self, lane: usize, x: f64);
     /// The smaller one, lane by lane.
+    #[must_use]
     fn min(self, other: Self) -> Self;
     /// The first numbers of a slice; zero in lanes behind its end.
     fn load(from: &[f64]) -> Self;

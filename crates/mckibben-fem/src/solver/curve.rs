@@ -9,6 +9,7 @@ use super::{
 };
 use crate::{FemError, Result, results::Sensitivity};
 use mckibben_core::{
+    by_number::SortByNumber,
     cancel::{self, Cancelled},
     model::Response,
 };
@@ -68,7 +69,7 @@ fn follow_trail<B: Body>(c: &mut Continuation<B>, contraction: f64, pressure_mpa
 /// Places of numbers from the largest down.
 pub(crate) fn falling(values: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
+    order.sort_by_number(|&a| -values[a]);
     order
 }
 

@@ -7,7 +7,7 @@
 
 use super::mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter};
 use crate::{FemError, Result};
-use mckibben_core::{muscle::Muscle, size::MAX_ELEMENTS};
+use mckibben_core::{by_number::ByNumber, muscle::Muscle, size::MAX_ELEMENTS};
 
 /// By how much the ideal blocked force of the mesh's angle may differ from that of the braid's.
 const MOST_OFF: f64 = 0.1;
@@ -46,9 +46,7 @@ impl BrickMesh {
             known && bricks.iter().product::<f64>() <= MAX_ELEMENTS
         };
         let off = |around: &usize| (natural(*around) / along as f64).ln().abs();
-        let fewer = (1..=Self::MOST_AROUND)
-            .min_by(|a, b| off(a).total_cmp(&off(b)))
-            .unwrap_or(around);
+        let fewer = (1..=Self::MOST_AROUND).min_by_number(off).unwrap_or(around);
         let rows = natural(around).round() as usize;
         let fits = |&(around, along): &(usize, usize)| {
             affordable(around, along) && represents(meshed(around, along), angle)

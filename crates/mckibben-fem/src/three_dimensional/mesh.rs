@@ -7,7 +7,7 @@
 
 use super::plug::{Plug, PlugGrid, profile};
 use crate::{FemError, Result};
-use mckibben_core::muscle::Muscle;
+use mckibben_core::{by_number::ByNumber, muscle::Muscle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -209,9 +209,7 @@ impl BrickSpec {
             let rows = self.rows(tube, *around);
             (rows - rows.round()).abs()
         };
-        candidates
-            .min_by(|a, b| over(a).total_cmp(&over(b)))
-            .unwrap_or(12)
+        candidates.min_by_number(over).unwrap_or(12)
     }
 }
 

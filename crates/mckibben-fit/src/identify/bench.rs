@@ -7,6 +7,7 @@ use super::{
 use crate::measured::{DataPoint, Quantity, Section};
 use mckibben_core::{
     built::{Experience, Prior},
+    by_number::SortByNumber,
     extremes::ends,
     muscle::{Bench, Constant, Constants, Direction, Muscle, OwnPoint},
 };
@@ -137,7 +138,7 @@ fn spread(mut points: Vec<OwnPoint>) -> Vec<OwnPoint> {
         let by_pressure = (a.0 - b.0) / (APART.1 * highest_mpa);
         by_pressure.hypot((a.1 - b.1) / APART.0).hypot(a.2 - b.2)
     };
-    points.sort_by(|a, b| b.0.total_cmp(&a.0));
+    points.sort_by_number(|a| -a.0);
     let order = farthest_first(points.len(), Bench::OWN_POINTS, |i, k| {
         apart(&points[i], &points[k])
     });

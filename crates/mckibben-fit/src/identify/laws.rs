@@ -14,6 +14,7 @@ use super::{
 use crate::least_squares::aicc;
 use mckibben_core::{
     analysis::find_root,
+    by_number::SortByNumber,
     cancel::Cancelled,
     muscle::{Rubber, Tube},
     rubber::{Law, LawKind, RubberLaw},
@@ -47,7 +48,7 @@ pub fn try_laws(request: &IdentificationRequest<'_>) -> Result<Vec<LawTrial>> {
             trials.push(trial);
         }
     }
-    trials.sort_by(|a, b| a.aicc.total_cmp(&b.aicc));
+    trials.sort_by_number(|a| a.aicc);
     Ok(trials)
 }
 

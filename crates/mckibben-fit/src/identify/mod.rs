@@ -22,21 +22,27 @@ mod run;
 mod signs;
 mod trial_muscle;
 
-pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
+pub use crate::measured::{DataPoint, Quantity, mean_of_data, read_data};
 pub(crate) use bench::farthest_first;
 pub use bench::written as written_bench;
-pub use default_parameters::{default_parameters, identify_default, matters};
+pub use default_parameters::{default_parameters, identify_default};
 pub(crate) use error::Result;
 pub use error::{DataError, IdentifyError};
 pub use laws::{LawTrial, try_laws};
 pub use learn::learn;
-pub use parameter::{Parameter, ParameterError, Target};
+pub use parameter::Target;
 pub use posterior::{Posterior, PosteriorRequest};
-pub use problem::Build;
 pub use result::{Identification, Identified, PointFit, Spread};
 pub use run::{IdentificationRequest, identify};
-pub use signs::doubts;
-pub use trial_muscle::TrialMuscle;
+#[doc(hidden)]
+pub use {
+    crate::measured::Section,
+    default_parameters::matters,
+    parameter::{Parameter, ParameterError},
+    problem::Build,
+    signs::doubts,
+    trial_muscle::TrialMuscle,
+};
 
 #[cfg(test)]
 mod tests;

@@ -33,6 +33,7 @@ use mckibben_core::{
     threads,
 };
 use nalgebra::{DMatrix, DVector};
+use std::array::from_fn;
 
 const CONSTANTS: usize = Constant::ALL.len();
 /// Steps of the search at most; eight are the rule.
@@ -250,7 +251,7 @@ impl PosteriorRequest<'_> {
         let mut is_held = [false; CONSTANTS];
         loop {
             let step = with_held.clone().cholesky()?.solve(&right);
-            let next: Constants = std::array::from_fn(|c| x[c] + step[c]);
+            let next: Constants = from_fn(|c| x[c] + step[c]);
             let within = |c: usize| clamp(next[c], bounds[c]);
             let Some(c) = (0..CONSTANTS).find(|&c| !is_held[c] && within(c) != next[c]) else {
                 return Some((next, a));
@@ -300,7 +301,7 @@ impl PosteriorRequest<'_> {
             }
             // In deviations of the prior.
             let step: [f64; CONSTANTS] =
-                std::array::from_fn(|c| (next[c] - x[c]) / deviation[c].max(f64::MIN_POSITIVE));
+                from_fn(|c| (next[c] - x[c]) / deviation[c].max(f64::MIN_POSITIVE));
             let small = step.iter().all(|s| s.abs() < SMALL);
             if !self.search || small {
                 return Ok(self.found(x, &bounds, &a, &known, rms_before_n));
@@ -313,9 +314,7 @@ impl PosteriorRequest<'_> {
                 .take()
                 .map(|last| dot(&last) / last.iter().map(|s| s * s).sum::<f64>());
             if let Some(share) = share.filter(|share| *share < MOST_STEADY) {
-                x = std::array::from_fn(|c| {
-                    clamp(x[c] + (next[c] - x[c]) / (1.0 - share), bounds[c])
-                });
+                x = from_fn(|c| clamp(x[c] + (next[c] - x[c]) / (1.0 - share), bounds[c]));
             } else {
                 x = next;
                 last = Some(step);
@@ -339,12 +338,10 @@ impl PosteriorRequest<'_> {
     ) -> Option<Posterior> {
         let inverse = a.clone().cholesky()?.inverse();
         Some(Posterior {
-            at_bound: std::array::from_fn(|c| {
-                constants[c] <= bounds[c].0 || constants[c] >= bounds[c].1
-            }),
+            at_bound: from_fn(|c| constants[c] <= bounds[c].0 || constants[c] >= bounds[c].1),
             constants,
             covariance: (0..CONSTANTS)
-                .map(|i| std::array::from_fn(|k| inverse[(i, k)]))
+                .map(|i| from_fn(|k| inverse[(i, k)]))
                 .collect(),
             prior: self.prior.clone(),
             rms_before_n,

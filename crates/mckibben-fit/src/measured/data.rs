@@ -1,5 +1,6 @@
 //! A row of data: the measured quantity, its state, its muscle and its error.
 
+use mckibben_core::by_number::SortByNumber;
 use mckibben_core::muscle::{
     Direction, Measure, Muscle, MuscleError,
     measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL},
@@ -249,7 +250,7 @@ type Indexed = Vec<(usize, MeasuredPoint)>;
 /// Points by the pressure that was held, which a regulator keeps within [`HELD`].
 fn held_pressures(points: &[MeasuredPoint]) -> Vec<Indexed> {
     let mut sorted: Indexed = points.iter().copied().enumerate().collect();
-    sorted.sort_by(|(_, a), (_, b)| a.pressure_mpa.total_cmp(&b.pressure_mpa));
+    sorted.sort_by_number(|(_, at)| at.pressure_mpa);
     let mut out: Vec<Indexed> = vec![];
     for point in sorted {
         let from = |group: &Indexed| group.first().map(|(_, first)| first.pressure_mpa);
@@ -268,7 +269,7 @@ fn branches(points: &Indexed) -> [Indexed; 2] {
     [Direction::Contraction, Direction::Elongation].map(|branch| {
         let of_branch = points.iter().filter(|(_, p)| p.branch == Some(branch));
         let mut list: Indexed = of_branch.copied().collect();
-        list.sort_by(|(_, a), (_, b)| a.contraction.total_cmp(&b.contraction));
+        list.sort_by_number(|(_, at)| at.contraction);
         list
     })
 }

@@ -2,7 +2,7 @@
 //! motion.
 
 use super::data::interpolate;
-use mckibben_core::{extremes::ends, muscle::Direction};
+use mckibben_core::{by_number::*, extremes::ends, muscle::Direction};
 
 /// Pressures over time that another instrument recorded.
 #[derive(Debug, Clone)]
@@ -30,7 +30,7 @@ impl PressureLog {
     /// brought together.
     pub(super) fn pressures_at(&self, times: &[f64], pulls: &[f64]) -> (Vec<Option<f64>>, String) {
         let mut points = self.points.clone();
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        points.sort_by_number(|a| a.0);
         let (offset, how) = match self.offset_s {
             Some(offset) => (offset, "given"),
             None => match offset(&points, times, pulls) {
@@ -69,7 +69,7 @@ fn offset(log: &[(f64, f64)], times: &[f64], pulls: &[f64]) -> Option<f64> {
             .map(|i| middle + width * f64::from(i) / f64::from(SHIFTS))
             .map(|shift| (shift, follows(shift)))
             .filter(|(_, r)| r.is_finite())
-            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .max_by_number(|a| a.1)
     };
     let first = low + half - end;
     let last = high - half - begin;

@@ -18,7 +18,10 @@ use super::{
     problem::{Problem, Raw},
 };
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use mckibben_core::rubber::{Form, Law, RubberLaw, log_hessian, muscle_states};
+use mckibben_core::{
+    by_number::ByNumber,
+    rubber::{Form, Law, RubberLaw, log_hessian, muscle_states},
+};
 
 /// The columns ∂P/∂c over the divisors.
 struct Linear<'a> {
@@ -108,7 +111,7 @@ pub fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch: f64) -
         let worst = states
             .iter()
             .map(|s| deepest(s, &solution.x))
-            .min_by(|a, b| a.0.total_cmp(&b.0));
+            .min_by_number(|a| a.0);
         let Some((depth, g)) = worst else {
             return Err(no_fit(form, "no states"));
         };

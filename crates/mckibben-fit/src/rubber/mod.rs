@@ -29,20 +29,26 @@ mod standing;
 mod warning;
 
 pub use data::{read_tension, read_tests};
-pub use fitted::{FittedLaw, HeldOutError, LawQuality, ModeError, Parameter, StressErrors};
-pub use mckibben_core::rubber::Form;
+pub use fitted::FittedLaw;
 use mckibben_core::{
+    by_number::SortByNumber,
     cancel::{self, Cancelled},
     progress::{Progress, Silent},
     rubber::MUSCLE_HOOP_STRETCH,
 };
 pub use point::{Mode, TensionPoint};
-pub use problem::Measure;
 use problem::Problem;
 use serde::{Deserialize, Serialize};
-pub use standing::{DECIDED_AICC, TensionFit};
+pub use standing::TensionFit;
 use thiserror::Error;
 pub(crate) use warning::MODULI;
+#[doc(hidden)]
+pub use {
+    fitted::{HeldOutError, LawQuality, ModeError, Parameter, StressErrors},
+    mckibben_core::rubber::Form,
+    problem::Measure,
+    standing::DECIDED_AICC,
+};
 
 /// Fits laws to points.
 ///
@@ -105,7 +111,7 @@ pub fn fit_tension_with(
         cancel::check()?;
     }
     // The free and the stable fit of one law are neighbours.
-    laws.sort_by(|a, b| a[0].quality.aicc.total_cmp(&b[0].quality.aicc));
+    laws.sort_by_number(|a| a[0].quality.aicc);
     let mut laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
     for law in &mut laws {
         law.held_out = fitted::errors(&law.law, &held_out, settings.hoop_stretch);

@@ -15,6 +15,7 @@ use super::{
 };
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
 use mckibben_core::{
+    by_number::SortByNumber,
     cancel,
     rubber::{Form, Law, Ogden},
 };
@@ -131,7 +132,7 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
             .sum();
         out.push(Start { squares, terms });
     }
-    out.sort_by(|a, b| a.squares.total_cmp(&b.squares));
+    out.sort_by_number(|a| a.squares);
     out.truncate(FOLLOWED);
     out
 }
@@ -198,7 +199,7 @@ pub fn fit(form: Form, problem: &Problem) -> Result<Raw> {
     // The term that gives most of the modulus first.
     let mut order: Vec<usize> = (0..count).collect();
     let share = |k: &usize| fit.x[2 * k] * fit.x[2 * k + 1];
-    order.sort_by(|a, b| share(b).total_cmp(&share(a)));
+    order.sort_by_number(|a| -share(a));
     let places: Vec<usize> = order.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
     Ok(Raw {
         constants: places.iter().map(|&i| signs[i / 2] * fit.x[i]).collect(),

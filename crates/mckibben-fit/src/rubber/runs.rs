@@ -2,6 +2,7 @@
 
 use super::{Mode, TensionPoint};
 use crate::measured::runs;
+use mckibben_core::by_number::*;
 
 /// A turn back by more than this share of the range of stretches ends a run.
 const TURN: f64 = 0.05;
@@ -37,7 +38,7 @@ pub fn sort(points: &[TensionPoint]) -> Sorted {
         // One run may be listed from its end; points in no order, as collected from several
         // sources, are one run too.
         if ends.len() == 1 || (ends.len() > 2 && ends.len() > pulled.len() / 3) {
-            pulled.sort_by(|a, b| a.stretch.total_cmp(&b.stretch));
+            pulled.sort_by_number(|a| a.stretch);
             ends = vec![pulled.len()];
         }
         let mut from = 0;
@@ -74,7 +75,7 @@ fn before_rupture(run: &[TensionPoint]) -> usize {
     let top = run
         .iter()
         .enumerate()
-        .max_by(|a, b| a.1.nominal_stress_mpa.total_cmp(&b.1.nominal_stress_mpa));
+        .max_by_number(|a| a.1.nominal_stress_mpa);
     let Some((at, top)) = top.filter(|t| t.1.nominal_stress_mpa > 0.0 && t.1.stretch > 1.0) else {
         return run.len();
     };

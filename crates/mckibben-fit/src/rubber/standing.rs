@@ -1,6 +1,7 @@
 //! The law to take, and the laws of equal standing.
 
 use super::{FittedLaw, Mode, TensionFitError, TensionPoint};
+use mckibben_core::by_number::ByNumber;
 
 /// The laws of one set of tests.
 #[derive(Debug)]
@@ -51,7 +52,7 @@ fn candidates(laws: &[FittedLaw], points: &[TensionPoint]) -> Vec<usize> {
 pub fn recommended(laws: &[FittedLaw], points: &[TensionPoint]) -> Option<usize> {
     candidates(laws, points)
         .into_iter()
-        .min_by(|&a, &b| laws[a].quality.aicc.total_cmp(&laws[b].quality.aicc))
+        .min_by_number(|&a| laws[a].quality.aicc)
 }
 
 impl TensionFit {

@@ -7,7 +7,9 @@ mod bar;
 mod fit_prony;
 mod fit_softening;
 
-pub use bar::{Bar, TimePoint, read_history};
+#[doc(hidden)]
+pub use bar::Bar;
+pub use bar::{TimePoint, read_history};
 pub use fit_prony::{BranchFit, PronyFit, fit_prony};
 pub use fit_softening::{SofteningFit, fit_softening};
 

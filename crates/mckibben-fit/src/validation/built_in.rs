@@ -1,13 +1,11 @@
 //! The folders of measured muscles and rubbers that are built in.
 
 use super::case::{CaseError, MeasuredFolder, Measurement, MuscleCase};
+use include_dir::{Dir, include_dir};
 use mckibben_core::cancel::Cancel;
-use rust_embed::Embed;
 use std::sync::LazyLock;
 
-#[derive(Embed)]
-#[folder = "data/measured"]
-struct Folders;
+static FOLDERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/data/measured");
 
 /// The texts of the folders that are built in.
 pub fn built_in() -> Vec<MeasuredFolder> {
@@ -29,14 +27,17 @@ pub const IDENTIFIED: &str = "identified.toml";
 
 /// A file of a folder that is built in.
 pub(super) fn text_of(name: &str, file: &str) -> Option<String> {
-    let file = Folders::get(&format!("{name}/{file}"))?;
-    Some(String::from_utf8_lossy(&file.data).into_owned())
+    let file = FOLDERS.get_file(format!("{name}/{file}"))?;
+    file.contents_utf8().map(str::to_owned)
 }
 
 /// The folders that are built in and hold a file.
 pub(super) fn with_file(file: &str) -> Vec<String> {
-    let folder = |path: &str| Some(path.strip_suffix(file)?.strip_suffix('/')?.to_owned());
-    let mut names: Vec<String> = Folders::iter().filter_map(|path| folder(&path)).collect();
+    let folders = FOLDERS.dirs().map(|folder| folder.path().to_string_lossy());
+    let mut names: Vec<String> = folders
+        .filter(|name| FOLDERS.contains(format!("{name}/{file}")))
+        .map(Into::into)
+        .collect();
     names.sort();
     names
 }

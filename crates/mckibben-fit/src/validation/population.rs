@@ -16,6 +16,7 @@
 
 use mckibben_core::muscle::{Constant, Constants};
 use nalgebra::{SMatrix, SVector};
+use std::array::from_fn;
 
 const N: usize = Constant::ALL.len();
 type Matrix = SMatrix<f64, N, N>;
@@ -54,7 +55,7 @@ impl Population {
     /// Deviations of a further muscle of a further family.
     pub fn deviation(&self) -> Constants {
         let more = 1.0 + 1.0 / (1.0 + self.count as f64);
-        std::array::from_fn(|i| {
+        from_fn(|i| {
             SHARE
                 * (self.families[i].powi(2) * more)
                     .sqrt()
@@ -118,9 +119,9 @@ impl Population {
         }
         let t = t_sum / (WORTH + j);
         let w = w_sum / (WORTH + count);
-        let roots = |v: Vector| std::array::from_fn(|i| v[i].max(0.0).sqrt());
+        let roots = |v: Vector| from_fn(|i| v[i].max(0.0).sqrt());
         Self {
-            centre: std::array::from_fn(|i| m[i]),
+            centre: from_fn(|i| m[i]),
             families: roots(t),
             series: roots(w),
             count: self.count,

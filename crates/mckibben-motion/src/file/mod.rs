@@ -475,6 +475,7 @@ mod tests {
     }
 
     #[test]
+    #[allow(clippy::too_many_lines)] // a table of cases
     fn files_say_where_they_are_wrong() {
         for (text, words) in [
             (format!("[valve]\nname = 'x'\n{TAIL}"), "muscle"),

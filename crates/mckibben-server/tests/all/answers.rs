@@ -4,20 +4,29 @@ use crate::{Client, posted};
 use axum::{body::Body, http::Request};
 use mckibben_app::{ask, ask_packed};
 use mckibben_core::progress::Silent;
+use mckibben_web::{EXAMPLES, EXAMPLES_AT, KIND, PAGE};
+use std::path::Path;
+
+/// All files of a folder and of the folders in it.
+fn files<'d>(
+    folder: &'d include_dir::Dir<'d>,
+) -> Box<dyn Iterator<Item = &'d include_dir::File<'d>> + 'd> {
+    Box::new(folder.files().chain(folder.dirs().flat_map(files)))
+}
 
 #[tokio::test]
 async fn the_page_is_that_of_a_server() {
     let client = Client::usual();
-    for path in mckibben_web::paths().filter(|path| path != mckibben_web::KIND) {
-        let answer = client.get(&format!("/{path}")).await;
-        assert_eq!(answer.status, 200, "{path}");
-        assert!(
-            answer.bytes == *mckibben_web::file(&path).unwrap(),
-            "{path}"
-        );
+    for (at, folder) in [("", &PAGE), (EXAMPLES_AT, &EXAMPLES)] {
+        for file in files(folder).filter(|file| file.path() != Path::new(KIND)) {
+            let path = format!("/{at}{}", file.path().display());
+            let answer = client.get(&path).await;
+            assert_eq!(answer.status, 200, "{path}");
+            assert!(answer.bytes == *file.contents(), "{path}");
+        }
     }
     assert!(client.get("/").await.bytes == *mckibben_web::file("index.html").unwrap());
-    let kind = client.get(&format!("/{}", mckibben_web::KIND)).await;
+    let kind = client.get(&format!("/{}", KIND)).await;
     assert!(kind.bytes == mckibben_web::KIND_OF_SERVER.as_bytes());
     for (path, kind) in [
         ("/", "text/html; charset=utf-8"),

@@ -1,5 +1,7 @@
 //! Stores: the same bytes whatever happens on the way, and nothing that is damaged is believed.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // in what the tests share
+
 mod damage;
 mod rows;
 mod same_bytes;

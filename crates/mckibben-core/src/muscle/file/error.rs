@@ -50,6 +50,7 @@ impl FileError {
     }
 
     /// The same error with its file.
+    #[must_use]
     pub fn in_file(mut self, file: &std::path::Path) -> Self {
         self.file = Some(file.into());
         self

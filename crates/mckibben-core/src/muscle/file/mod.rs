@@ -33,14 +33,19 @@ mod bad_files;
 #[cfg(test)]
 mod tests;
 
-pub use error::{FileError, TextPosition};
-pub use keys::{Keys, schema_of};
-pub use material::named;
-pub use read::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, parse_muscle};
-pub use source::{MAX_BYTES, Source};
-pub use table::Table;
-pub use with::with_keys;
+pub use error::FileError;
+pub use read::parse_muscle;
 pub use write::to_toml;
+#[doc(hidden)]
+pub use {
+    error::TextPosition,
+    keys::{Keys, schema_of},
+    material::named,
+    read::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube},
+    source::{MAX_BYTES, Source},
+    table::Table,
+    with::with_keys,
+};
 
 use super::Muscle;
 use std::{fmt, path::Path, str::FromStr};

@@ -8,7 +8,7 @@ use crate::{
         measures::{STRANDS_FACTOR, STRENGTH_FACTOR, of_section},
     },
     rubber::{
-        library,
+        Law, library,
         over_time::{Branch, OgdenRoxburgh},
     },
     sleeve::{self, Sleeve, SleeveShape},
@@ -105,30 +105,7 @@ impl Text {
             rubber.name.as_deref().map(text),
             "where the constants come from",
         );
-        let kind = rubber.law.kind();
-        let values = rubber.law.values();
-        self.key("law", &text(kind.name), "");
-        for (i, constant) in kind.constants.iter().enumerate() {
-            let one = |v: &f64| {
-                if constant.is_modulus() {
-                    quantity(*v, "MPa")
-                } else {
-                    number(*v)
-                }
-            };
-            let terms: Vec<f64> = values
-                .iter()
-                .skip(i)
-                .step_by(kind.constants.len())
-                .copied()
-                .collect();
-            let value = if kind.is_sum {
-                list(&terms, one)
-            } else {
-                terms.iter().map(one).collect()
-            };
-            self.key(constant.name, &value, constant.doc);
-        }
+        self.law(&rubber.law);
         let bulk = match rubber.bulk {
             Bulk::Incompressible => text("incompressible"),
             Bulk::Modulus(modulus_mpa) => quantity(modulus_mpa, "MPa"),
@@ -178,6 +155,33 @@ impl Text {
             series.map(|series| list(&series.branches, branch)),
             "shares of the stress that relax, and their time constants",
         );
+    }
+
+    fn law(&mut self, law: &Law) {
+        let kind = law.kind();
+        let values = law.values();
+        self.key("law", &text(kind.name), "");
+        for (i, constant) in kind.constants.iter().enumerate() {
+            let one = |v: &f64| {
+                if constant.is_modulus() {
+                    quantity(*v, "MPa")
+                } else {
+                    number(*v)
+                }
+            };
+            let terms: Vec<f64> = values
+                .iter()
+                .skip(i)
+                .step_by(kind.constants.len())
+                .copied()
+                .collect();
+            let value = if kind.is_sum {
+                list(&terms, one)
+            } else {
+                terms.iter().map(one).collect()
+            };
+            self.key(constant.name, &value, constant.doc);
+        }
     }
 
     fn job(&mut self, job: &Job) {

@@ -10,8 +10,10 @@ mod prony;
 mod softening;
 
 pub use erf::{erf, erf_integral};
-pub use prony::{Branch, Held, Prony};
-pub use softening::{OgdenRoxburgh, Softened};
+pub use prony::{Branch, Prony};
+pub use softening::OgdenRoxburgh;
+#[doc(hidden)]
+pub use {prony::Held, softening::Softened};
 
 use crate::refused::Refused;
 

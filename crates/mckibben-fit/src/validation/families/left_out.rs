@@ -12,6 +12,7 @@ use crate::{
 use mckibben_core::{
     analysis::{Evaluation, Options},
     built::{Experience, Predictor, Prior},
+    by_number::SortByNumber,
     extremes::peak,
     model::Workspace,
     muscle::Muscle,
@@ -76,7 +77,7 @@ fn spread(points: &[DataPoint], n: usize) -> Vec<usize> {
     let middle = (0.6, 0.4, 0.0);
     let apart =
         |a: (f64, f64, f64), b: (f64, f64, f64)| (a.0 - b.0).hypot(a.1 - b.1).hypot(a.2 - b.2);
-    order.sort_by(|&i, &k| apart(place(i), middle).total_cmp(&apart(place(k), middle)));
+    order.sort_by_number(|&i| apart(place(i), middle));
     // Of equal ones that farthest from the middle.
     if let Some(rest) = order.get_mut(1..) {
         rest.reverse();

@@ -12,6 +12,7 @@ use crate::{
 };
 use mckibben_core::{
     built::{Experience, Measurement, Predictor, Prior},
+    by_number::ByNumber,
     extremes::peak,
     muscle::Direction,
     progress::Silent,
@@ -28,9 +29,7 @@ fn nearest<'a>(
         let by_pressure = (p.at.pressure_mpa - pressure_mpa) / pressure_mpa;
         by_pressure.abs() + (p.at.contraction - contraction).abs()
     };
-    points
-        .min_by(|a, b| away(a).total_cmp(&away(b)))
-        .filter(|p| away(p) < NEAR)
+    points.min_by_number(|p| away(p)).filter(|p| away(p) < NEAR)
 }
 
 /// The points that a measurement for a pull would have given; none where they were not measured.

@@ -1,33 +1,25 @@
-//! Work side by side, on the threads that the system gives.
-//!
-//! All parallel work of the workspace goes through here. Where threads are refused (a limit of
-//! processes, WebAssembly) the calling thread does the work alone. Results have the order of their
-//! items: they are the same on any number of threads.
+//! Threads of rayon. Where the system refuses them (a limit of processes) the calling thread does
+//! the work alone.
 //!
 //! There are as many threads as cores; `RAYON_NUM_THREADS` in the environment sets another number,
 //! up to 64 or four for each core. Inside of a pool of rayon ([`rayon::ThreadPool::install`]) the
 //! work stays in that pool. The parts of some work have its [flag](Cancel::current), on whichever
 //! thread.
 
+use super::ThreadsError;
 use crate::cancel::Cancel;
 use rayon::{ThreadPool, ThreadPoolBuilder, prelude::*};
 use std::{
     num::NonZero,
     sync::{
-        Mutex, OnceLock, PoisonError,
+        OnceLock,
         mpsc::{RecvTimeoutError, SyncSender, sync_channel},
     },
     time::Duration,
 };
-use thiserror::Error;
 
 /// The caller of [`Threads::for_each`] hears from it this often at least.
 const TICK: Duration = Duration::from_millis(100);
-
-/// Requested threads are not available.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("cannot start threads: {0}")]
-pub struct ThreadsError(String);
 
 /// Threads that work, or none besides the calling one.
 #[derive(Debug, Default)]
@@ -62,22 +54,8 @@ impl Threads {
         }
     }
 
-    /// `f` of every item, in their order.
-    pub fn map<T: Sync, R: Send>(&self, items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
-        // What rayon compiles for each closure is long: it gets one that is the same for all, with
-        // a place for each result.
-        let places: Vec<Mutex<Option<R>>> = items.iter().map(|_| Mutex::new(None)).collect();
-        self.each(items.len(), &|i| {
-            *places[i].lock().unwrap_or_else(PoisonError::into_inner) = Some(f(&items[i]));
-        });
-        places
-            .into_iter()
-            .filter_map(|place| place.into_inner().unwrap_or_else(PoisonError::into_inner))
-            .collect()
-    }
-
     /// Does the work of every place, 0 to `count` − 1.
-    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+    pub(super) fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         let cancel = Cancel::current();
         let side_by_side = || {
             (0..count)
@@ -89,27 +67,6 @@ impl Threads {
             Some(pool) => pool.install(side_by_side),
             None => (0..count).for_each(work),
         }
-    }
-
-    /// Works on the parts of a list, so many places each (the last one may have fewer): `work` gets
-    /// the place where a part begins and the part.
-    pub fn fill<T: Send>(
-        &self,
-        out: &mut [T],
-        places: usize,
-        work: impl Fn(usize, &mut [T]) + Sync,
-    ) {
-        let places = places.max(1);
-        if out.len() <= places {
-            return out.chunks_mut(places).for_each(|part| work(0, part));
-        }
-        let parts: Vec<Mutex<&mut [T]>> = out.chunks_mut(places).map(Mutex::new).collect();
-        self.each(parts.len(), &|i| {
-            work(
-                i * places,
-                &mut parts[i].lock().unwrap_or_else(PoisonError::into_inner),
-            );
-        });
     }
 
     /// Works on every item and hands each result to `take` on the calling thread as it comes, in no
@@ -150,11 +107,6 @@ impl Threads {
             }
         });
     }
-}
-
-/// `f` of every item, in their order, on the threads of the process.
-pub fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    Threads::shared().map(items, f)
 }
 
 /// A sentence where the process has fewer threads than it wanted; `None` also before any work.
