@@ -127,20 +127,17 @@ GIVEN = {
     "rubber": "RubberLike",
     "models": "FormulaLike | Sequence[FormulaLike]",
     "file": "FormulaLike",
-    "terminal": "Mapping[str, Plain]",
     "log": "TableLike",
     "table": "TableLike",
     "campaign": "FileLike",
-    **dict.fromkeys(
-        ("data", "tables", "load_tables"), "TableLike | Sequence[TableLike]"
-    ),
+    **dict.fromkeys(("data", "load_tables"), "TableLike | Sequence[TableLike]"),
     "stiffness": "Number",
 }
-# Numbers that a muscle is asked for, and of which pair.
+# What a muscle is asked for: the name of the answer, and those of both numbers of the question.
 ASKED = {
-    "force": ("pressure_mpa", "contraction"),
-    "pressure": ("force_n", "contraction"),
-    "contraction": ("force_n", "pressure_mpa"),
+    "force": ("force_n", "pressure_mpa", "contraction"),
+    "pressure": ("pressure_mpa", "force_n", "contraction"),
+    "contraction": ("contraction", "force_n", "pressure_mpa"),
 }
 # By function and method, and others.
 TEXTS = dict(
@@ -200,10 +197,10 @@ class Bundle:
         """The arguments of a command: the fields of its request, those of its model one by one."""
         fields = self.properties(self.held[command]["request"])
         # One word for the branch of the hysteresis.
-        both = fields.pop("both", None)
+        fields.pop("both", None)
         named = {"direction": "branch", "branches": "branch"}
         fields = {named.get(n, n): field for n, field in fields.items()}
-        if both and command == "curve":
+        if command == "curve":
             either = [*options(fields["branch"]), {"enum": ["both"]}]
             fields["branch"] = {**fields["branch"], "anyOf": either}
         if reference(fields.get("model")) == "ModelFields":
@@ -212,7 +209,7 @@ class Bundle:
         return fields
 
     def is_record(self, schema: Schema) -> bool:
-        return bool(self.properties(schema)) and not words(self.defined(schema))
+        return bool(self.properties(schema))
 
     def type_of(self, schema: Schema, is_answer: bool) -> str:
         """The type of a schema in the words of Python."""
@@ -224,7 +221,6 @@ class Bundle:
                 "NameOrFile": "FormulaLike",
                 "Choice": "Choice",
                 "Choice2": "Choice",
-                "Stiffness": "Number | str",
             }.get(name)
             if not is_answer and known:
                 return known
@@ -236,6 +232,11 @@ class Bundle:
             return f"Literal[{', '.join(map(json.dumps, choice))}]"
         if alternatives := options(schema):
             return union([self.type_of(option, is_answer) for option in alternatives])
+        many, table, number = (
+            ("list", "dict", "float")
+            if is_answer
+            else ("Sequence", "Mapping", "Number")
+        )
         kind = schema.get("type")
         if isinstance(kind, list):
             return union(
@@ -244,12 +245,12 @@ class Bundle:
         if kind == "array" and "prefixItems" in schema:
             return f"tuple[{', '.join(self.type_of(item, is_answer) for item in schema['prefixItems'])}]"
         if kind == "array":
-            return f"list[{self.type_of(schema.get('items'), is_answer)}]"
+            return f"{many}[{self.type_of(schema.get('items'), is_answer)}]"
         if kind == "object":
-            return f"dict[str, {self.type_of(schema.get('additionalProperties') or None, is_answer)}]"
+            return f"{table}[str, {self.type_of(schema.get('additionalProperties'), is_answer)}]"
         return {
             "string": "str",
-            "number": "float",
+            "number": number,
             "integer": "int",
             "boolean": "bool",
             "null": "None",
@@ -270,30 +271,17 @@ def reference(schema: Schema) -> str | None:
 
 
 def options(schema: Schema) -> list[Schema]:
-    return (
-        [*schema.get("anyOf", []), *schema.get("oneOf", [])]
-        if isinstance(schema, dict)
-        else []
-    )
+    return [*schema.get("anyOf", []), *schema.get("oneOf", [])]
 
 
 def words(schema: Schema) -> list[str]:
     """The words of a schema that is a choice of words, else none."""
     if all(isinstance(word, str) for word in schema.get("enum", [None])):
         return list(schema["enum"])
-    out: list[str] = []
-    for option in options(schema):
-        found = (
-            [option["const"]]
-            if "const" in option
-            else option.get("enum")
-            if option.get("type") == "string"
-            else None
-        )
-        if found is None:
-            return []
-        out += found
-    return out
+    if "const" in schema:
+        return [schema["const"]]
+    found = [words(option) for option in options(schema)]
+    return sum(found, []) if all(found) else []
 
 
 def union(kinds: list[str]) -> str:
@@ -304,7 +292,7 @@ def union(kinds: list[str]) -> str:
 
 def doc(schema: Schema) -> str:
     """The description, as Python has it: Rustdoc's brackets around references and its examples are left out."""
-    text = schema.get("description", "") if isinstance(schema, dict) else ""
+    text = schema.get("description", "")
     text = re.sub(r"```.*?```", "", text, flags=re.DOTALL).strip()
     text = re.sub(r"\\\[([a-z0-9]+)\\\]", r"[\1]", text)
     text = re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text).replace("\\", "\\\\")
@@ -335,85 +323,37 @@ def wrapped(text: str, indent: str = "") -> str:
     )
 
 
-def section(title: str, entries: list[tuple[str, str, str]]) -> str:
+def section(title: str, fields: dict[str, Schema]) -> str:
     """A part of a docstring: names with their units, and what they are."""
-    lines = [
-        name
-        + (f" : {unit}" if unit else "")
-        + "\n"
-        + wrapped(text or "See the documentation.", "    ")
-        for name, unit, text in entries
-    ]
-    return "\n".join([title, "-" * len(title), *lines]) if lines else ""
+    lines = [title, "-" * len(title)]
+    for name, field in fields.items():
+        unit = f" : {field['x-unit']}" if field.get("x-unit") else ""
+        text = wrapped(doc(field) or "See the documentation.", "    ")
+        lines += [named(name) + unit, text]
+    return "\n".join(lines) if fields else ""
 
 
-def described(
-    about: str,
-    parameters: list[tuple[str, str, str]],
-    returns: tuple[str, str, str],
-    example: str,
-) -> list[str]:
-    """The docstring of a function."""
-    return [
-        about,
-        section("Parameters", parameters),
-        section("Returns", [returns]),
-        TEXTS["Raises"],
-        f"Examples\n--------\n>>> import mckibben as mk\n{example.strip()}",
-    ]
-
-
-def class_of(head: str, about: list[str], parts: Iterable[str]) -> str:
-    return "\n".join([f"class {head}:", documented(about, "    "), *parts])
-
-
-def entries_of(fields: dict[str, Schema]) -> list[tuple[str, str, str]]:
-    return [
-        (
-            named(name),
-            field.get("x-unit", "") if isinstance(field, dict) else "",
-            doc(field),
-        )
-        for name, field in fields.items()
-    ]
-
-
-def parameter(
-    bundle: Bundle, name: str, schema: Schema, how: str = ""
-) -> tuple[str, str | None]:
-    """The annotated parameter of a field, and its default; None where it must be given."""
-    kind = bundle.type_of(schema, False)
-    if name in GIVEN and kind not in ("bool", "int"):
-        kind = GIVEN[name]
-    kind = re.sub(r"^list\[list\[.*?\]\]", "Sequence[Numbers]", kind)
-    kind = (
-        re.sub(r"^list\[float\]", "Numbers", kind)
-        .replace("list[", "Sequence[")
-        .replace("dict[", "Mapping[")
-    )
-    kind = re.sub(r"\bfloat\b", "Number", kind).removesuffix(" | None")
-    if how:
-        return f"{named(name)}: {kind}", json.dumps(how[1:]) if how != "!" else None
-    if kind == "bool":
-        return f"{named(name)}: bool", repr(schema.get("default") is True)
-    return f"{named(name)}: {kind} | None", "None"
-
-
-def signature(
-    me: list[str],
-    parameters: list[tuple[str, str | None]],
-    keywords: list[tuple[str, str | None]],
+def class_of(
+    head: str, about: str, parts: Iterable[str], fields: dict[str, Schema] = {}
 ) -> str:
-    def one(p: tuple[str, str | None]) -> str:
-        return p[0] if p[1] is None else f"{p[0]} = {p[1]}"
+    """A class with what its fields are."""
+    text = documented([about, section("Attributes", fields)], "    ")
+    return "\n".join([f"class {head}:", text, *parts])
 
-    return ", ".join(
-        [
-            *me,
-            *map(one, parameters),
-            *(["*", *map(one, keywords)] if keywords else []),
-        ]
-    )
+
+def parameter(bundle: Bundle, name: str, schema: Schema, how: str = "") -> str:
+    """The annotated parameter of a field with its default, but where it must be given."""
+    kind = bundle.type_of(schema, False)
+    if name in GIVEN and kind != "bool":
+        kind = GIVEN[name]
+    kind = kind.replace("Sequence[Number]", "Numbers").removesuffix(" | None")
+    if how:
+        default = "" if how == "!" else f" = {json.dumps(how[1:])}"
+    elif kind == "bool":
+        default = f" = {schema.get('default') is True}"
+    else:
+        default = " | None = None"
+    return f"{named(name)}: {kind}{default}"
 
 
 def function(bundle: Bundle, command: str, owner: str) -> str:
@@ -422,26 +362,25 @@ def function(bundle: Bundle, command: str, owner: str) -> str:
     title = held["answer"]["title"]
     answer = NAMES.get(title, title)
     fields = bundle.request(command)
-    left_out = ["figure", *OWN.get(owner, "").split()]
+    figure, own = fields.pop("figure", None), OWN.get(owner, "").split()
     order = dict.fromkeys([*first, *fields])
-    fields = {n: fields[n] for n in order if n not in left_out}
+    fields = {n: fields[n] for n in order if n not in own}
     made = {
         n: parameter(bundle, n, field, first.get(n, "")) for n, field in fields.items()
     }
     keywords = [made[n] for n in fields if n not in first]
-    listed = entries_of(fields)
+    listed = dict(fields)
     if held["long"] or command == "curve":
-        keywords.append(("progress: Progress", "None"))
-        listed.append(("progress", "", TEXTS["Progress"]))
+        keywords.append("progress: Progress = None")
+        listed["progress"] = {"description": TEXTS["Progress"]}
     given = "locals()"
     if reference(fields.get("muscle")) == "MuscleFields":
-        keywords.append(("**measures: Unpack[Measures]", None))
-        listed.append(("measures", "", TEXTS["Measures"]))
+        keywords.append("**measures: Unpack[Measures]")
+        listed["measures"] = {"description": TEXTS["Measures"]}
         given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
     if reference(bundle.properties(held["request"]).get("model")) == "ModelFields":
         given = f'modelled({given}, "{command}")'
     indent = "    " if owner else ""
-    figure = bundle.request(command).get("figure")
     # A curve is drawn when it is wanted.
     drawn = (
         ""
@@ -450,27 +389,31 @@ def function(bundle: Bundle, command: str, owner: str) -> str:
         if figure.get("type") == "boolean"
         else ', "MPa"'
     )
-    about = described(
-        wrapped(doc(held["request"]) or f"The command `{command}`."),
-        listed,
-        (answer, "", doc(held["answer"]) or "The answer."),
-        TEXTS[".".join(filter(None, [owner, name]))],
-    )
-    me = ["self"] if owner else []
+    example = TEXTS[f"{owner}.{name}".strip(".")].strip()
+    about = [
+        wrapped(doc(held["request"])),
+        section("Parameters", listed),
+        section("Returns", {answer: held["answer"]}),
+        TEXTS["Raises"],
+        f"Examples\n--------\n>>> import mckibben as mk\n{example}",
+    ]
+    parameters = [*(["self"] if owner else []), *(made[n] for n in first)]
+    if keywords:
+        parameters += ["*", *keywords]
     old = f"{indent}@renamed\n" if "branch" in fields else ""
-    return f'{old}{indent}def {name}({signature(me, [made[n] for n in first], keywords)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
+    return f'{old}{indent}def {name}({", ".join(parameters)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
 
 
 def asked(name: str) -> str:
     """A number of a muscle, as a method for numbers and arrays, with and without derivatives."""
-    first, second = ASKED[name]
+    _, first, second = ASKED[name]
     about, slopes, example = TEXTS[f"MuscleNumbers.{name}"].split("\n\n", 2)
     text = TEXTS["MuscleNumbers"].format(**locals()).strip()
 
-    def head(kind: str, jac: str, options: str, answer: str) -> str:
+    def head(kind: str, jac: str, options: str, answer: str, me: str = "self") -> str:
         rest = " = 0.0" if second == "contraction" else ""
         note = "  # type: ignore[overload-overlap]\n" if answer == "float" else ""
-        return f"    def {name}({note}self, {first}: {kind}, {second}: {kind}{rest}, *, jac: {jac}, **options: {options}) -> {answer}:"
+        return f"    def {name}({note}{me}, {first}: {kind}, {second}: {kind}{rest}, *, jac: {jac}, **options: {options}) -> {answer}:"
 
     array, given = "NDArray[np.float64]", "Unpack[Asking]"
     overloads = [
@@ -481,7 +424,7 @@ def asked(name: str) -> str:
     return "\n".join(
         [
             *(f"    @overload\n{overload} ..." for overload in overloads),
-            head("Any", "bool | Sequence[str] = False", "Any", "Any"),
+            head("Any", "bool | Sequence[str] = False", "Any", "Any", "self: Any"),
             documented([text], "        "),
             f'        return self._asked("{name}", {first}, {second}, jac, options)',
         ]
@@ -510,11 +453,10 @@ def fields_class(bundle: Bundle) -> str:
     fields = bundle.muscle()
     always = ("outer_diameter_mm", "wall_mm", "length_mm")
     made = {n: parameter(bundle, n, field) for n, field in fields.items()}
-    needed = {n: (made[n][0].removesuffix(" | None"), None) for n in always}
-    me, out = ["self: Any"], []
-    out.append(
-        f'    def __init__({signature(me, [], list((made | needed).values()))}) -> None:\n{documented([section("Parameters", entries_of(fields)), TEXTS["MuscleFields"]], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
-    )
+    made |= {n: made[n].removesuffix(" | None = None") for n in always}
+    out = [
+        f'    def __init__({", ".join(["self: Any", "*", *made.values()])}) -> None:\n{documented([section("Parameters", fields), TEXTS["MuscleFields"]], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
+    ]
     for name, field in fields.items():
         if name not in ("rubber", "braid"):
             kind = "float | str" if name == "stiffness" else "float"
@@ -523,7 +465,7 @@ def fields_class(bundle: Bundle) -> str:
                 f'    @property\n    def {name}(self: Any) -> {kind}:\n{documented([wrapped(doc(field))], "        ")}\n        found: {kind} = self._field("{name}")\n        return found\n'
             )
     about = "What makes a muscle, and its measures; None where it does not have one."
-    return class_of("MuscleFields", [about], out)
+    return class_of("MuscleFields", about, out)
 
 
 def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
@@ -534,23 +476,13 @@ def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
         kind = bundle.type_of(value, True)
         optional = field not in always
-        kind = (
-            f"{kind} | None"
-            if optional and not kind.endswith("None") and kind != "Any"
-            else kind
-        )
+        if optional and not kind.endswith("None"):
+            kind += " | None"
         lines.append(f"    {named(field)}: {kind}" + (" = None" if optional else ""))
     if rows:
         lines.append(columns(bundle, fields[rows.split()[0]]))
     about = wrapped(doc(schema) or name)
-    return with_fields(f"{name}({base})", about, fields, lines)
-
-
-def with_fields(
-    head: str, about: str, fields: dict[str, Schema], lines: Iterable[str]
-) -> str:
-    """A class with what its fields are."""
-    return class_of(head, [about, section("Attributes", entries_of(fields))], lines)
+    return class_of(f"{name}({base})", about, lines, fields)
 
 
 def solution(bundle: Bundle) -> str:
@@ -564,7 +496,7 @@ def solution(bundle: Bundle) -> str:
         "Points of a muscle as arrays of one shape; NaN where a point does not have it."
     )
     lines = (f"    {n}: NDArray[np.float64]" for n in fields)
-    return with_fields("Solution(_record.Points)", about, fields, lines)
+    return class_of("Solution(_record.Points)", about, lines, fields)
 
 
 def state(bundle: Bundle) -> str:
@@ -573,13 +505,14 @@ def state(bundle: Bundle) -> str:
     about = "Where a simulation is; None what it is not."
     # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
     lines = (f"    {n}: float" for n in fields)
-    return with_fields("State(Record)", about, fields, lines)
+    return class_of("State(Record)", about, lines, fields)
 
 
 def keywords(bundle: Bundle, name: str, about: str, fields: dict[str, Schema]) -> str:
     """Fields as keywords of one type."""
-    lines = (f"    {parameter(bundle, n, f)[0]}" for n, f in fields.items())
-    return with_fields(f"{name}(TypedDict, total=False)", about, fields, lines)
+    made = (parameter(bundle, n, f).split(" = ")[0] for n, f in fields.items())
+    lines = (f"    {one}" for one in made)
+    return class_of(f"{name}(TypedDict, total=False)", about, lines, fields)
 
 
 def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
@@ -587,24 +520,12 @@ def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
     asked = [command for names in COMMANDS.values() for command in names]
     out: dict[str, tuple[Schema, str | None]] = {}
 
-    def reach(schema: Any) -> None:
-        parts: Any = (
-            schema.values()
-            if isinstance(schema, dict)
-            else schema
-            if isinstance(schema, list)
-            else ()
-        )
-        for part in parts:
-            reach(part)
-        name = reference(schema)
-        if (
-            name is not None
-            and NAMES.get(name, name) not in out
-            and bundle.is_record(schema)
-        ):
-            out[NAMES.get(name, name)] = bundle.defs[name], None
-            reach(bundle.defs[name])
+    def reach(schema: Schema) -> None:
+        for name in re.findall(r"#/\$defs/(\w+)", json.dumps(schema)):
+            held, called = bundle.defs[name], NAMES.get(name, name)
+            if called not in out and bundle.is_record(held):
+                out[called] = held, None
+                reach(held)
 
     for command in asked:
         schema = bundle.held[command]["answer"]
@@ -618,7 +539,7 @@ def api(bundle: Bundle) -> str:
     keys = {n: f["x-key"] for n, f in bundle.muscle().items() if "x-key" in f}
     parts = [
         HEAD,
-        f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}",
+        f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}\n# Numbers of a muscle, and of which pair.\nNUMBERS = {ASKED!r}",
     ]
     parts += [record(bundle, name, *held) for name, held in made.items()]
     own = ("pressure_mpa", "contraction", "muscle")
@@ -632,36 +553,23 @@ def api(bundle: Bundle) -> str:
     parts.append(
         class_of(
             "MuscleNumbers",
-            ["Numbers that a muscle is asked for."],
-            [
-                "    def _asked(self, wanted: str, a: Any, b: Any, jac: bool | Sequence[str], options: dict[str, Any]) -> Any:\n        raise NotImplementedError",
-                *map(asked, ASKED),
-            ],
+            "Numbers that a muscle is asked for.",
+            map(asked, ASKED),
         )
     )
     for owner, commands in COMMANDS.items():
         made_of = [function(bundle, command, owner) for command in commands]
-        what = ["What the program answers of it, by command."]
+        what = "What the program answers of it, by command."
         parts += [class_of(owner, what, made_of)] if owner else made_of
-    return formatted("\n\n\n".join(parts) + "\n")
+    formatter = sys.executable, "-m", "ruff", "format", "--isolated", "-"
+    return said(*formatter, given="\n\n\n".join(parts) + "\n")
 
 
-def formatted(code: str) -> str:
-    """Code as ruff formats all of Python."""
-    command = [sys.executable, "-m", "ruff", "format", "--isolated", "-"]
+def said(*command: str, given: str = "") -> str:
+    """What a program says."""
     return subprocess.run(
-        command, input=code, capture_output=True, text=True, check=True
+        command, input=given, capture_output=True, text=True, check=True
     ).stdout
-
-
-def program() -> Schema:
-    """A schema of the program."""
-    tool = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
-    return json.loads(
-        subprocess.run(
-            [tool, "schema"], capture_output=True, text=True, check=True
-        ).stdout
-    )
 
 
 def reference_page() -> str:
@@ -685,7 +593,9 @@ def main(what: str, place: str = str(PACKAGE / "_api.py")) -> None:
     if what == "reference":
         Path(place).write_text(reference_page(), "utf-8")
         return
-    text, held = api(Bundle(program())), (PACKAGE / "_api.py").read_text("utf-8")
+    tool = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
+    schema = json.loads(said(tool, "schema"))
+    text, held = api(Bundle(schema)), (PACKAGE / "_api.py").read_text("utf-8")
     if place != "--check":
         Path(place).write_text(text, "utf-8")
     elif text != held:

@@ -200,6 +200,12 @@ KEYS = {
     "friction_presliding_mm": "friction.presliding",
     "stiffness": "braid.stiffness",
 }
+# Numbers of a muscle, and of which pair.
+NUMBERS = {
+    "force": ("force_n", "pressure_mpa", "contraction"),
+    "pressure": ("pressure_mpa", "force_n", "contraction"),
+    "contraction": ("contraction", "force_n", "pressure_mpa"),
+}
 
 
 class Axis(Record):
@@ -1670,7 +1676,7 @@ class DemandAnswer(Record):
         Radius of the pulley, mm.
     """
 
-    kind: str
+    kind: Literal["points"]
     points: list[OperatingPoint] | None = None
     stroke_mm: float | None = None
     contraction: float | None = None
@@ -4948,7 +4954,7 @@ class Relaxation(Record):
         Each of them.
     """
 
-    relax: str
+    relax: Literal["max_pressure"]
     pressure_mpa: float | None = None
     extrapolated: bool | None = None
     share: float | None = None
@@ -5008,7 +5014,7 @@ class RelaxationAnswer(Record):
     """
 
     text: str
-    relax: str
+    relax: Literal["max_pressure"]
     pressure_mpa: float | None = None
     extrapolated: bool | None = None
     share: float | None = None
@@ -7249,16 +7255,6 @@ class MuscleFields:
 class MuscleNumbers:
     """Numbers that a muscle is asked for."""
 
-    def _asked(
-        self,
-        wanted: str,
-        a: Any,
-        b: Any,
-        jac: bool | Sequence[str],
-        options: dict[str, Any],
-    ) -> Any:
-        raise NotImplementedError
-
     @overload
     def force(  # type: ignore[overload-overlap]
         self,
@@ -7287,7 +7283,7 @@ class MuscleNumbers:
         **options: Unpack[Asking],
     ) -> tuple[Any, NDArray[np.float64]]: ...
     def force(
-        self,
+        self: Any,
         pressure_mpa: Any,
         contraction: Any = 0.0,
         *,
@@ -7361,7 +7357,7 @@ class MuscleNumbers:
         **options: Unpack[Asking],
     ) -> tuple[Any, NDArray[np.float64]]: ...
     def pressure(
-        self,
+        self: Any,
         force_n: Any,
         contraction: Any = 0.0,
         *,
@@ -7435,7 +7431,7 @@ class MuscleNumbers:
         **options: Unpack[Asking],
     ) -> tuple[Any, NDArray[np.float64]]: ...
     def contraction(
-        self,
+        self: Any,
         force_n: Any,
         pressure_mpa: Any,
         *,

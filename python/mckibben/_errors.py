@@ -102,6 +102,9 @@ KINDS: dict[str, type[MckibbenError]] = {
     ),
 }
 
+# Arguments that have another name since.
+RENAMED = {"direction": "branch", "branches": "branch", "both": 'branch="both"'}
+
 # What keywords make is no file, and is named by what it is.
 _TEXTS = ("muscle", "rubber", "joint", "drive")
 
@@ -115,7 +118,7 @@ def of(values: dict[str, Any]) -> MckibbenError:
         )
         found = found.replace("`parts list`", "`mk.parts(…)`")
         values[name] = found.replace("`direction`", "`branch`")
-    if values.get("field") in ("direction", "branches", "both"):
+    if values.get("field") in RENAMED:
         values["field"] = "branch"
     kind, message = KINDS.get(values["kind"], InputError), values["message"]
     unknown = re.match(r"there is no (command|model|part)\b", message)

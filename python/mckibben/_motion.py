@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from math import pi
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from . import _api, _native
 from ._api import State
@@ -13,26 +13,25 @@ from ._errors import InputError, wrong_type
 from ._muscle import Muscle
 from ._request import (
     Fixed,
-    array,
+    arrays,
     fields,
     heard,
     is_nan,
     known,
-    labels,
     modelled,
     number,
+    numpy as np,
     plain,
     put,
     table,
 )
 
 if TYPE_CHECKING:
-    import numpy as np
     import pandas
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Self, Unpack
 
-    from ._request import Floats, Number, Numbers, Progress, TableLike
+    from ._request import Array, Errors, Floats, Number, Numbers, Progress, TableLike
 
     # What a key of a joint or drive file may hold.
     Key = Number | Numbers | bool | Sequence[Sequence[Number]]
@@ -52,19 +51,17 @@ def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for name, value in (given or {}).items():
         unit, words = _native.unit_of(name), name.split("_")
+        if value is None:
+            continue
         # The unit is the shortest end of the name that is one by itself.
-        ends = [
-            i
-            for i in range(1, len(words))
-            if unit and _native.unit_of("_".join(["x", *words[i:]])) == unit
-        ]
+        for end in range(len(words) - 1, 0, -1):
+            if unit and _native.unit_of("_".join(["x", *words[end:]])) == unit:
+                words = words[:end]
+                break
 
-        def said(number: Any) -> Any:
-            return (
-                f"{number!r} {unit}"
-                if unit and type(number) in (int, float)
-                else number
-            )
+        def said(held: Any) -> Any:
+            is_number = type(held) in (int, float)
+            return f"{held!r} {unit}" if unit and is_number else held
 
         found = plain(name, value)
         if isinstance(value, tuple) and len(value) == 2 and unit:
@@ -74,36 +71,29 @@ def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
                 [item[0], said(item[1])] if isinstance(item, list) else said(item)
                 for item in found
             ]
-        if value is not None:
-            out["_".join(words[: ends[-1]] if ends else words)] = said(found)
+        out["_".join(words)] = said(found)
     return out
 
 
 def _tables(given: Mapping[str, Any]) -> dict[str, Any]:
     """Tables by their names, which are those of a kind of file; a part of the library stands for its table."""
-    return {
-        n: value
-        if n == "name"
-        else {"name": value}
-        if isinstance(value, str)
-        else _table(value)
-        for n, value in given.items()
-    }
+    named = {n: v if n == "name" else {"name": v} for n, v in given.items()}
+    tables = {n: _table(v) for n, v in given.items() if not isinstance(v, str)}
+    return {**named, **tables}
 
 
 class Linear(NamedTuple):
     """A linear system about a state: ẋ = A x + B u, y = C x + D u. ``control.ss(*linear)`` and ``scipy.signal.StateSpace(*linear)`` take it."""
 
-    a: NDArray[np.float64]
-    b: NDArray[np.float64]
-    c: NDArray[np.float64]
-    d: NDArray[np.float64]
+    a: Array
+    b: Array
+    c: Array
+    d: Array
 
 
 class _File(Fixed):
     """A file and those that it names, each as name and text, as a request has them."""
 
-    __slots__ = ("_held",)
     _kind: ClassVar[str]
     _held: dict[str, Any]
 
@@ -114,16 +104,9 @@ class _File(Fixed):
     @classmethod
     def _written(cls, given: Mapping[str, Any], **others: Any) -> dict[str, Any]:
         """Tables as the text of a file, which names its schema for editors, and other files."""
-        text = _native.toml_text(
-            {name: value for name, value in given.items() if value not in (None, {})}
-        )
-        return {
-            cls._kind: {
-                "name": cls._kind,
-                "text": f"#:schema {cls._kind}.schema.json\n\n{text}",
-            },
-            **others,
-        }
+        tables = {n: value for n, value in given.items() if value not in (None, {})}
+        text = f"#:schema {cls._kind}.schema.json\n\n{_native.toml_text(tables)}"
+        return {cls._kind: {"name": cls._kind, "text": text}, **others}
 
     def _files(self, command: str) -> dict[str, Any]:
         return self._held
@@ -133,12 +116,11 @@ class _File(Fixed):
 
     def _beside(self) -> dict[str, str]:
         """The texts of the other files by their names."""
-        held = [of for name, of in self._held.items() if of and name != self._kind]
-        return {
-            of["name"]: of["text"]
-            for some in held
-            for of in (some if isinstance(some, list) else [some])
-        }
+        files: list[Any] = []
+        for kind, held in self._held.items():
+            if kind != self._kind and held:
+                files += held if isinstance(held, list) else [held]
+        return {of["name"]: of["text"] for of in files}
 
     def to_toml(self) -> str:
         """The text of its file."""
@@ -152,17 +134,11 @@ class _File(Fixed):
         """Writes its file, and beside it the files that it names. Other files that are there are replaced only with ``overwrite``."""
         folder = os.path.dirname(path)
         # A muscle of the library has no text.
-        put(
-            {
-                **{
-                    os.path.join(folder, name): text
-                    for name, text in self._beside().items()
-                    if text
-                },
-                path: self.to_toml(),
-            },
-            overwrite,
-        )
+        files: Any = {path: self.to_toml()}
+        for name, text in self._beside().items():
+            if text:
+                files[os.path.join(folder, name)] = text
+        put(files, overwrite)
 
     def _key(self) -> Any:
         return self.to_toml(), tuple(sorted(self._beside().items()))
@@ -171,7 +147,8 @@ class _File(Fixed):
         return type(self)._of, (self._held,)
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {', '.join(f'{name}={value!r}' for name, value in self._tables().items())}>"
+        held = (f"{name}={value!r}" for name, value in self._tables().items())
+        return f"<{type(self).__name__}: {', '.join(held)}>"
 
 
 class Joint(_api.JointCommands, _File):
@@ -205,9 +182,7 @@ class Joint(_api.JointCommands, _File):
     7.78
     """
 
-    __slots__ = ("_made",)
     _kind = "joint"
-    _made: tuple[_native.Joint, list[Muscle]]
 
     def __init__(
         self,
@@ -242,26 +217,20 @@ class Joint(_api.JointCommands, _File):
             if not isinstance(muscle, Muscle):
                 raise wrong_type(f"muscle_{side}", "a Muscle", muscle)
             place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
-            muscles[place] = {"name": place, "text": muscle.to_toml()}
+            muscles[place] = plain(place, muscle)
             neutral = {"contraction_at_neutral": contraction_at_neutral}
             keys = _table({**neutral, **(geometry or {})})
             made[f"muscle_{side}"] = {"file": place, **keys}
         self._hold(_held=self._written(made, muscles=list(muscles.values())))
-        self._parts()
+        # Keys that make no joint are an error at once.
+        self._parts
 
+    @cached_property
     def _parts(self) -> tuple[_native.Joint, list[Muscle]]:
-        """How it turns its muscles, and these; kept for the next question."""
-        try:
-            return self._made
-        except AttributeError:
-            native, tables, held = (
-                _native.Joint(self._held),
-                self._tables(),
-                self.muscles,
-            )
-            files = [tables[n]["file"] for n in ("muscle_1", "muscle_2") if n in tables]
-            self._hold(_made=(native, [held[name] for name in files]))
-            return self._made
+        """How it turns its muscles, and these."""
+        tables, held = self._tables(), self.muscles
+        sides = [tables[n] for n in ("muscle_1", "muscle_2") if n in tables]
+        return _native.Joint(self._held), [held[side["file"]] for side in sides]
 
     def _turned(
         self,
@@ -272,33 +241,23 @@ class Joint(_api.JointCommands, _File):
         options: Mapping[str, Any],
     ) -> tuple[Any, Any, Callable[[str, Any], Any]]:
         """The torque, its derivatives by pressures and angle in rad, and what puts the labels on both."""
-        import numpy as np
-
-        native, muscles = self._parts()
-        names = [f"pressure_{i + 1}_mpa" for i in range(len(muscles))]
-        if len(pressures_mpa) != len(names):
+        native, muscles = self._parts
+        if len(pressures_mpa) != len(muscles):
             raise InputError(
                 "one for each muscle, each a number or an array",
                 field="pressures_mpa",
             )
-        given, labelled = labels(
-            {"angle_deg": angle_deg, **dict(zip(names, pressures_mpa))}
-        )
-        kinds = ["angle_deg", *["pressure_mpa"] * len(names)]
-        angles, *pressures = map(array, kinds, given)
+        given = [("pressure_mpa", pressure) for pressure in pressures_mpa]
+        (angles, *pressures), labelled = arrays(("angle_deg", angle_deg), *given)
         rows = [native.levers(angle, is_nan(errors)) for angle in angles.flat]
         levers = np.reshape(np.transpose(rows), (-1, *angles.shape))
         torque, slope, *held = np.broadcast_arrays(*levers, *pressures)
         by_pressure = []
         for i, muscle in enumerate(muscles):
             contraction, arm, arm_slope = held[3 * i : 3 * i + 3]
-            pull = muscle._asked(
-                "force",
-                held[i - len(muscles)],
-                contraction,
-                slopes,
-                {"branch": "mean", "errors": errors, **options},
-            )
+            how = {"branch": "mean", "errors": errors, **options}
+            point = held[i - len(muscles)], contraction
+            pull = muscle._asked("force", *point, slopes, how)
             pull, rates = pull if slopes else (pull, np.zeros(2))
             torque = torque + 1e-3 * arm * pull
             by_pressure.append(1e-3 * arm * rates[..., 0])
@@ -312,7 +271,7 @@ class Joint(_api.JointCommands, _File):
         angle_deg: Floats,
         *,
         jac: bool = False,
-        errors: Literal["raise", "nan"] = "raise",
+        errors: Errors = "raise",
         **options: Unpack[_api.Options],
     ) -> Any:
         """τ(P, φ): torque of muscles, spring and weight towards +, in N m, between both branches of friction.
@@ -345,10 +304,9 @@ class Joint(_api.JointCommands, _File):
         >>> elbow.torque(["3 bar", "1 bar"], [0, 20], model="universal").round(2)
         array([7.78, 4.38])
         """
-        torque, rates, labelled = self._turned(
-            pressures_mpa, angle_deg, jac, errors, options
-        )
-        rates[..., -1] *= pi / 180
+        asked = pressures_mpa, angle_deg, jac, errors, options
+        torque, rates, labelled = self._turned(*asked)
+        rates[..., -1] *= np.pi / 180
         found = labelled("torque_nm", torque)
         return (found, labelled("torque_nm", rates)) if jac else found
 
@@ -357,13 +315,12 @@ class Joint(_api.JointCommands, _File):
         pressures_mpa: Sequence[Floats],
         angle_deg: Floats,
         *,
-        errors: Literal["raise", "nan"] = "raise",
+        errors: Errors = "raise",
         **options: Unpack[_api.Options],
     ) -> Any:
         """-∂τ/∂φ at these pressures, in N m/rad; arguments and exceptions are those of :meth:`torque`."""
-        _, rates, labelled = self._turned(
-            pressures_mpa, angle_deg, True, errors, options
-        )
+        asked = pressures_mpa, angle_deg, True, errors, options
+        _, rates, labelled = self._turned(*asked)
         return labelled("stiffness_nm_per_rad", -rates[..., -1])
 
     def linearise(
@@ -392,9 +349,7 @@ class Joint(_api.JointCommands, _File):
         >>> [m.shape for m in elbow.linearise(["2 bar", "2 bar"], 0, model="universal")]
         [(2, 2), (2, 3), (1, 2), (1, 3)]
         """
-        import numpy as np
-
-        inertia, damping = self._parts()[0].link
+        inertia, damping = self._parts[0].link
         by = self._turned(pressures_mpa, angle_deg, True, "raise", options)[1]
         *pressures, slope = by / inertia
         a = np.array([[0.0, 1.0], [slope, -damping / inertia]])
@@ -404,20 +359,19 @@ class Joint(_api.JointCommands, _File):
     @property
     def muscles(self) -> dict[str, Muscle]:
         """Its muscles by the names of their files."""
-        return {held["name"]: muscle_of(held) for held in self._held["muscles"]}
+        return {held["name"]: Muscle._of(held) for held in self._held["muscles"]}
 
     def replace(
         self, *, muscle_1: Muscle | None = None, muscle_2: Muscle | None = None
     ) -> Joint:
         """The same with other muscles."""
-        tables, (_, held) = self._tables(), self._parts()
+        tables, (_, held) = self._tables(), self._parts
         if muscle_2 is not None and len(held) == 1:
             raise TypeError("the joint has no muscle_2")
         files = []
         for i, (own, given) in enumerate(zip(held, (muscle_1, muscle_2)), 1):
-            name, text = f"muscle_{i}.toml", (given or own).to_toml()
-            tables[f"muscle_{i}"]["file"] = name
-            files.append({"name": name, "text": text})
+            name = tables[f"muscle_{i}"]["file"] = f"muscle_{i}.toml"
+            files.append(plain(name, given or own))
         return Joint._of(Joint._written(tables, muscles=files))
 
 
@@ -449,7 +403,6 @@ class Drive(_api.DriveCommands, _File):
     True
     """
 
-    __slots__ = ()
     _kind = "drive"
 
     def __init__(
@@ -462,15 +415,9 @@ class Drive(_api.DriveCommands, _File):
     ) -> None:
         if not isinstance(of, (Muscle, Joint)):
             raise wrong_type("of", "a Muscle or a Joint", of)
-        place, named = (
-            f"{of._kind}.toml",
-            [{**table(data), "name": name} for name, data in (tables or {}).items()],
-        )
-        made = {
-            of._kind: place,
-            **_tables(others),
-            "command": _table(command),
-        }
+        place = f"{of._kind}.toml"
+        named = [{**table(data), "name": n} for n, data in (tables or {}).items()]
+        made = {of._kind: place, **_tables(others), "command": _table(command)}
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
 
     def linearise(self, **options: Unpack[_api.Options]) -> Linear:
@@ -497,8 +444,6 @@ class Drive(_api.DriveCommands, _File):
         >>> [m.shape for m in lift.linearise(model="universal")]
         [(4, 4), (4, 1), (1, 4), (1, 1)]
         """
-        import numpy as np
-
         simulation = Simulation(self, 1e-3, **options)
         *numbers, gain = simulation._native.linear()
         size, count = int(len(numbers) ** 0.5), simulation._commands[1]
@@ -513,11 +458,9 @@ class Drive(_api.DriveCommands, _File):
     def of(self) -> Muscle | Joint:
         """The muscle or joint that it moves."""
         held = self._held
-        return (
-            Joint._of({name: held[name] for name in ("joint", "muscles")})
-            if held.get("joint")
-            else muscle_of(held["muscle"])
-        )
+        if held.get("joint"):
+            return Joint._of({name: held[name] for name in ("joint", "muscles")})
+        return Muscle._of(held["muscle"])
 
     def replace(self, of: Muscle | Joint) -> Drive:
         """The same drive of another muscle or joint."""
@@ -529,11 +472,6 @@ class Drive(_api.DriveCommands, _File):
 def _moved(of: Muscle | Joint, name: str) -> dict[str, Any]:
     """What a drive moves, under a name."""
     return {**of._files(""), of._kind: {"name": name, "text": of.to_toml()}}
-
-
-def muscle_of(held: Mapping[str, str]) -> Muscle:
-    """The muscle of a file, or of the library."""
-    return object.__new__(Muscle)._of(_native.Muscle({"muscle": {"file": held}}))
 
 
 class Simulation:
@@ -565,8 +503,6 @@ class Simulation:
     0.01
     """
 
-    __slots__ = ("_commands", "_joint", "_made", "_names", "_native")
-
     def __init__(
         self,
         drive: Drive | str | os.PathLike[str],
@@ -578,11 +514,8 @@ class Simulation:
         if not (dt_s := number("dt_s", dt_s)) > 0.0:
             raise InputError("a step takes some time", field="dt_s")
         held = drive._held if isinstance(drive, Drive) else _native.read(drive, "drive")
-        self._hold(
-            fields({**held, **modelled(known(options, _api.Options))}),
-            dt_s,
-            record,
-        )
+        asked = fields({**held, **modelled(known(options, _api.Options))})
+        self._hold(asked, dt_s, record)
 
     def _hold(
         self,
@@ -638,25 +571,21 @@ class Simulation:
             raise TypeError("torque_nm is for a joint, force_n for a muscle")
         name = "torque_nm" if self._joint else "force_n"
         outside = number(name, torque_nm or force_n)
+        unit = _COMMANDS[kind]
         values = [
-            value
-            if type(value) is float and value <= 1.0
-            else number(_COMMANDS[kind], value)
-            for value in given
+            v if type(v) is float and v <= 1.0 else number(unit, v) for v in given
         ]
         return self._state(self._native.step(values, outside))
 
     def _state(self, values: Sequence[float]) -> State:
-        made = object.__new__(State)
-        made.__dict__.update(zip(self._names, values), _asked=None)
-        return made
+        return State(**dict(zip(self._names, values)))
 
     @property
     def state(self) -> State:
         """Where it is."""
         return self._state(self._native.last())
 
-    def get_state(self) -> NDArray[np.float64]:
+    def get_state(self) -> Array:
         """Where it is as an array: of it :meth:`set_state` goes on, in any simulation of the same drive."""
         return self._native.numbers()
 
@@ -668,8 +597,6 @@ class Simulation:
         MckibbenError
             The array is not a state of this drive.
         """
-        import numpy as np
-
         self._native.restore(np.asarray(state, dtype=np.float64).tolist())
         return self.state
 
@@ -717,9 +644,9 @@ def rollout(
     simulation: Simulation,
     commands: ArrayLike,
     *,
-    errors: Literal["raise", "nan"] = "raise",
+    errors: Errors = "raise",
     progress: Progress = None,
-) -> dict[str, NDArray[np.float64]]:
+) -> dict[str, Array]:
     """Copies of a simulation side by side, each under its own commands, from where the simulation is; it stays there. Arrays of shape (copies, steps + 1),
     the start and the end of each step, by the names of :class:`State`.
 
@@ -748,26 +675,18 @@ def rollout(
     >>> ends["contraction"].shape
     (2, 6)
     """
-    import numpy as np
-
     kind, count = simulation._commands
     given = np.asarray(commands, dtype=np.float64)
     given = given[..., None] if given.ndim == 2 and count == 1 else given
     if given.ndim != 3 or given.shape[2] != count:
-        raise ValueError(
-            f"commands: an array of shape (copies, steps, {count}), not {given.shape}"
-        )
+        said = f"an array of shape (copies, steps, {count}), not {given.shape}"
+        raise InputError(said, field="commands")
     if kind == "pressure" and given.size:
         number("pressure_mpa", float(given.max()))
-    out = np.empty((given.shape[0], given.shape[1] + 1, len(simulation._names)))
+    copies, steps, _ = given.shape
+    out = np.empty((copies, steps + 1, len(simulation._names)))
     if given.size:
         rows = np.ascontiguousarray(given).reshape(-1, count)
-        _native.rollout(
-            simulation._native,
-            given.shape[1],
-            rows,
-            out.reshape(-1),
-            is_nan(errors),
-            heard(progress, "rollout"),
-        )
+        how = is_nan(errors), heard(progress, "rollout")
+        _native.rollout(simulation._native, steps, rows, out.reshape(-1), *how)
     return {name: out[:, :, i] for i, name in enumerate(simulation._names)}

@@ -7,45 +7,47 @@ import os
 import re
 from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, Literal
+from difflib import get_close_matches
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from . import _api, _native
-from ._errors import InputError, MckibbenError, MuscleWarning, warned, wrong_type
+from ._errors import (
+    InputError,
+    MckibbenError,
+    MuscleWarning,
+    WrongTypeError,
+    warned,
+    wrong_type,
+)
 from ._record import of_rows
 from ._request import (
     Saved,
-    array,
+    arrays,
     fields,
     heard,
     is_nan,
     known,
-    labels,
     modelled,
     number,
+    plain,
+    numpy as np,
     put,
 )
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-    from typing_extensions import Unpack
+    from typing_extensions import Self, Unpack
 
     from ._parts import Rubber
-    from ._request import Floats, Number, Progress
+    from ._request import Array, Errors, Floats, Number, Progress
 
-    Array = NDArray[np.float64]
-    Errors = Literal["raise", "nan"]
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
-# The name of what is wanted, and those of both numbers of the question.
-PAIRS = {
-    "force": ("force_n", "pressure_mpa", "contraction"),
-    "pressure": ("pressure_mpa", "force_n", "contraction"),
-    "contraction": ("contraction", "force_n", "pressure_mpa"),
-}
 # A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
 _LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
+# Types of a single number.
+_ONE = (float, int)
 # Contractions at which a muscle is looked at for what is to be said of it, and of how many points of an array, those of the highest pressures.
 _PROBED, _MOST = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35), 64
 
@@ -53,11 +55,8 @@ _PROBED, _MOST = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35), 64
 class Bound:
     """A model that is bound to a muscle, and up to which pressure nothing is to be said of its points."""
 
-    __slots__ = ("muscle", "native", "quiet")
-
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         made = muscle._held.model
-        self.muscle = muscle
         self.native = made(fields(modelled(known(given, _api.Options))))
         (_, allowed), _ = self.native.bounds()
         highest = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
@@ -95,6 +94,8 @@ class Bound:
 
 def _plain(value: Any) -> Any:
     """A number of NumPy, or an array of no dimension, as one of Python."""
+    if isinstance(value, float):
+        return float(value)
     is_one = type(value).__module__ == "numpy" and getattr(value, "shape", 0) == ()
     return value.item() if is_one else value
 
@@ -112,23 +113,23 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     Muscle(outer_diameter_mm=50.0, wall_mm=1.0, length_mm=285.0, angle_deg=28.0, stiffness='paper', rubber='paper')
     """
 
-    __slots__ = ("_held", "_models", "_own")
     _kind = "muscle"
     _held: _native.Muscle
     _models: dict[Any, Bound]
-    _own: dict[str, Any] | None
 
-    def _of(self, native: _native.Muscle) -> Muscle:
-        return self._hold(_held=native, _models={}, _own=None)
+    def _take(self, native: _native.Muscle) -> Self:
+        return self._hold(_held=native, _models={})
 
-    def _make(self, given: dict[str, Any], base: Muscle | None = None) -> Muscle:
-        missing = [n for n in MEASURES[:3] if not base and given.get(n, 0) is None]
-        if missing:
-            raise wrong_type(missing[0], 'a length such as 30 or "30 mm"', None)
-        return self._of(_native.Muscle({"muscle": fields({**given, "file": base})}))
+    def _make(self, given: dict[str, Any]) -> Self:
+        for name in () if "file" in given else MEASURES[:3]:
+            if given[name] is None:
+                raise wrong_type(name, 'a length such as 30 or "30 mm"', None)
+        return self._take(_native.Muscle({"muscle": fields(given)}))
 
-    def _changed(self, given: dict[str, Any]) -> Muscle:
-        return object.__new__(Muscle)._make(given, self)
+    @classmethod
+    def _of(cls, file: Any = None, **given: Any) -> Self:
+        """The muscle of a file, or another muscle, with what is given besides."""
+        return object.__new__(cls)._make({"file": file, **given})
 
     def replace(self, **measures: Unpack[_api.Measures]) -> Muscle:
         """The same with other values, named as in :class:`Muscle`.
@@ -144,27 +145,27 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         >>> mk.Muscle.prototype().replace(wall_mm="2 mm").wall_mm
         2.0
         """
-        return self._changed(dict(known(measures, _api.Measures)))
+        return self._of(self, **known(measures, _api.Measures))
 
     def _files(self, command: str) -> dict[str, Any]:
-        return {"muscle": {"file": {"name": "muscle", "text": self.to_toml()}}}
+        return {"muscle": {"file": plain("muscle", self)}}
+
+    @cached_property
+    def _own(self) -> dict[str, Any]:
+        return self._held.fields()
 
     def _field(self, name: str) -> Any:
-        if self._own is None:
-            self._hold(_own=self._held.fields())
-        return (self._own or {}).get(name)
+        return self._own.get(name)
 
     @classmethod
     def prototype(cls) -> Muscle:
         """The paper's prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``."""
-        return object.__new__(cls)._make({})
+        return cls._of()
 
     @classmethod
     def from_toml(cls, text: str) -> Muscle:
         """The muscle of a muscle file's text."""
-        return object.__new__(cls)._of(
-            _native.Muscle({"muscle": {"file": {"name": "muscle", "text": text}}})
-        )
+        return cls._of({"name": "muscle", "text": text})
 
     def to_toml(self) -> str:
         """The text of its muscle file; reading it gives the same muscle to the last bit."""
@@ -188,18 +189,12 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             out["rubber"] = self.rubber
         if "braid.name" in stated:
             out["braid"] = self._field("braid")
-        try:
-            whole = Muscle(**out) == self
-        except (InputError, TypeError):
-            whole = False
-        return (
-            {
-                name: value.to_dict() if hasattr(value, "to_dict") else value
-                for name, value in out.items()
-            }
-            if whole
-            else {"toml": self.to_toml()}
-        )
+        with suppress(InputError, TypeError):
+            if Muscle(**out) == self:
+                rubber: Any = out.get("rubber")
+                held = {"rubber": rubber.to_dict()} if hasattr(rubber, "law") else {}
+                return {**out, **held}
+        return {"toml": self.to_toml()}
 
     def _bound(self, given: Mapping[str, Any]) -> Bound:
         """The model that is asked, kept for the next question."""
@@ -224,15 +219,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         nan = is_nan(options.pop("errors", "raise"))
         progress = options.pop("progress", None)
         bound = self._bound(options)
-        numbers = (float, int)
-        a = a if type(a) in numbers else _plain(a)
-        b = b if type(b) in numbers else _plain(b)
-        if (
-            jac is False
-            and progress is None
-            and type(a) in numbers
-            and type(b) in numbers
-        ):
+        a = a if type(a) in _ONE else _plain(a)
+        b = b if type(b) in _ONE else _plain(b)
+        if jac is False and progress is None and type(a) in _ONE and type(b) in _ONE:
             stated = {"force": a, "contraction": b}.get(wanted, 0.0)
             if stated > _LIKELY_MPA:
                 number("pressure_mpa", stated)
@@ -249,7 +238,56 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             if found == found and not bound.is_quiet(p, e):
                 bound.look([p], [e])
             return found
-        return _arrays(bound, wanted, a, b, jac, nan, progress)
+        return self._arrays(bound, wanted, a, b, jac, nan, progress)
+
+    def _arrays(
+        self,
+        bound: Bound,
+        wanted: str,
+        a: Any,
+        b: Any,
+        jac: bool | Sequence[str],
+        nan: bool,
+        progress: Progress,
+    ) -> Any:
+        """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
+        name, *pair = _api.NUMBERS[wanted]
+        (a, b), labelled = arrays(*zip(pair, (a, b)))
+        mask: Any = None
+        if np.ma.isMA(a) or np.ma.isMA(b):
+            mask = np.ma.getmaskarray(a) | np.ma.getmaskarray(b)
+            # What is masked is asked as the muscle at rest, which every model answers, and its answer is masked.
+            a, b = (np.where(mask, 0.0, np.ma.getdata(v)) for v in (a, b))
+        flag = isinstance(jac, (bool, np.bool_))
+        names: Any = [] if flag else [jac] if isinstance(jac, str) else jac
+        if not isinstance(names, Collection) or not all(
+            isinstance(n, str) for n in names
+        ):
+            said = f"True, or names of constants and measures, not {jac!r}"
+            raise WrongTypeError(said, field="jac")
+        first, second = np.broadcast_arrays(a, b)
+        how = first, second, nan, heard(progress, wanted)
+        try:
+            chain = self._chain(list(names)) if (jac if flag else names) else None
+            out: Any = filled(bound.native, wanted, chain, *how)
+        except InputError as error:
+            if error.kind == "parameter":
+                self._refuse(names, "jac")
+                error.field = "jac"
+            raise
+        found = out if chain is None else out[..., 0]
+        pairs = {"force": (first, second), "pressure": (found, second)}
+        p, e = map(np.ravel, pairs.get(wanted, (second, found)))
+        loud = np.flatnonzero(~bound.is_quiet(p, e) & np.isfinite(p) & np.isfinite(e))
+        if loud.size:
+            loud = loud[np.argsort(p[loud], kind="stable")[-_MOST:]]
+            bound.look(p[loud].tolist(), e[loud].tolist())
+        if mask is not None:
+            out = np.ma.array(out, mask=False)
+            out[mask] = np.ma.masked
+        if chain is None:
+            return labelled(name, out)
+        return labelled(name, out[..., 0]), labelled(name, out[..., 1:])
 
     def solve(
         self,
@@ -275,13 +313,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         >>> points.force_n.shape, bool((points.uncertainty_n > 0).all())
         ((2,), True)
         """
-        import numpy as np
-
         bound = self._bound(options)
-        (p, e), labelled = labels(
-            {"pressure_mpa": pressure_mpa, "contraction": contraction}
-        )
-        p, e = np.broadcast_arrays(array("pressure_mpa", p), array("contraction", e))
+        given = ("pressure_mpa", pressure_mpa), ("contraction", contraction)
+        held, labelled = arrays(*given)
+        p, e = np.broadcast_arrays(*held)
         rows = bound.native.solve(
             p.ravel().tolist(),
             e.ravel().tolist(),
@@ -296,11 +331,17 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             row |= {f"uncertainty_{name}_n": part for name, part in parts}
             said = set(row.pop("warnings", ()))
             row["warned"] = sum(1 << texts.index(text) for text in said)
-        columns = of_rows([{**usual, **row} for row in rows])
-        held = {n: v for n, v in columns.items() if n in usual or hasattr(v, "dtype")}
-        at = {"pressure_mpa": p, "contraction": e}
-        about = {"model": bound.native.name, "warnings": texts}
-        made = _api.Solution._read({**dict.fromkeys(usual, ()), **held, **at, **about})
+            row.pop("predicted_direction", None)
+        made = _api.Solution._read(
+            {
+                **dict.fromkeys(usual, ()),
+                **of_rows([{**usual, **row} for row in rows]),
+                "pressure_mpa": p,
+                "contraction": e,
+                "model": bound.native.name,
+                "warnings": texts,
+            }
+        )
         if p.ndim and not isinstance(labelled("", p), np.ndarray):
             made.__dict__["_labels"] = labelled
         return made
@@ -325,26 +366,38 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """How the parameters change with a measure of :meth:`replace`: by central differences of smooth formulas."""
         value = self._field(measure)
         if not isinstance(value, float):
-            raise ValueError(
-                f"{measure}: no derivative by {value!r}; use jac=['braid.stiffness']"
+            raise InputError(
+                f"{measure}: no derivative by {value!r}; use ['braid.stiffness']",
+                kind="parameter",
             )
         step = 1e-4 * abs(value)
         high, low = (
-            self._changed({measure: value + sign * step}).parameters for sign in (1, -1)
+            self._of(self, **{measure: value + sign * step}).parameters
+            for sign in (1, -1)
         )
         rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
         return {
             name: rate
             for name, rate in rates.items()
-            if abs(rate) * abs(value) > 1e-10 * abs(high[name])
+            if abs(rate * value) > 1e-10 * abs(high[name])
         }
+
+    def _refuse(self, names: Collection[str], field: str) -> None:
+        """Refuses names by which there are no derivatives."""
+        there = [*MEASURES, *self.parameters]
+        for name in names:
+            if name not in there:
+                near = get_close_matches(name, there, 1)
+                raise InputError(
+                    f"no derivative by {name!r}; there is {', '.join(there)}",
+                    field=field,
+                    hint=f"did you mean {near[0]}?" if near else "",
+                )
 
     def _chain(
         self, names: Sequence[str], held: Collection[str] = ()
     ) -> tuple[list[str], Array]:
         """The parameters that change with constants and measures, but for those that are held, and by how much: a column for each name."""
-        import numpy as np
-
         rows = [
             {n: v for n, v in self._follows(name).items() if n not in held}
             if name in MEASURES
@@ -352,17 +405,15 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             for name in names
         ]
         own = list(dict.fromkeys(parameter for row in rows for parameter in row))
-        return own, np.array(
-            [[row.get(parameter, 0.0) for row in rows] for parameter in own]
-        ).reshape(len(own), len(rows))
+        by = [row.get(parameter, 0.0) for parameter in own for row in rows]
+        return own, np.reshape(by, (len(own), len(rows)))
 
     def with_parameters(self, values: Mapping[str, float]) -> Muscle:
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
         """
-        return object.__new__(Muscle)._of(
-            self._held.changed([(n, float(v)) for n, v in values.items()])
-        )
+        changes = [(n, float(v)) for n, v in values.items()]
+        return object.__new__(Muscle)._take(self._held.changed(changes))
 
     @property
     def rubber(self) -> str | Rubber:
@@ -370,18 +421,15 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         from ._parts import Rubber
 
         tube = _native.toml("muscle", self.to_toml()).get("tube", {})
-        return (
-            Rubber.from_toml(self.to_toml())
-            if "material" in tube
-            else str(tube.get("rubber", "paper"))
-        )
+        if "material" in tube:
+            return Rubber.from_toml(self.to_toml())
+        return str(tube.get("rubber", "paper"))
 
     @property
     def braid(self) -> str:
         """The braid: its name, its stiffness or its strands."""
-        return str(
-            _native.ask("check", {**self._files("check"), "only_data": True})["braid"]
-        )
+        asked = {**self._files("check"), "only_data": True}
+        return str(_native.ask("check", asked)["braid"])
 
     def report(
         self,
@@ -396,16 +444,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. Another file that is there is replaced only
         with ``overwrite``.
         """
-        request = fields(
-            {
-                **self._files("build"),
-                "report": True,
-                "pressure_mpa": pressure_mpa,
-                "contraction": contraction,
-                "units": units,
-            }
-        )
-        page = _native.page_html("build", request, heard(progress, "build"))
+        point = {"pressure_mpa": pressure_mpa, "contraction": contraction}
+        asked = {**self._files("build"), **fields(point), "units": units}
+        hear = heard(progress, "build")
+        page = _native.page_html("build", {**asked, "report": True}, hear)
         if path is not None:
             put({path: page}, overwrite)
         return page
@@ -444,11 +486,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         given = self.to_dict()
         if "toml" in given:
             return f"Muscle.from_toml({given['toml']!r})"
-        if isinstance(given.get("rubber"), dict):
+        if "rubber" in given:
             given["rubber"] = self.rubber
-        return (
-            f"Muscle({', '.join(f'{name}={value!r}' for name, value in given.items())})"
-        )
+        return f"Muscle({', '.join(f'{n}={value!r}' for n, value in given.items())})"
 
     def _repr_html_(self) -> str:
         from html import escape
@@ -456,67 +496,21 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return f"<p>{escape(repr(self))}</p>{self.shape(0.0, 0.0)._frame()}"
 
 
-def _arrays(
-    bound: Bound,
+def filled(
+    native: _native.Model,
     wanted: str,
-    a: Any,
-    b: Any,
-    jac: bool | Sequence[str],
+    chain: tuple[list[str], Array] | None,
+    first: Array,
+    second: Array,
     nan: bool,
-    progress: Progress,
-) -> Any:
-    """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
-    import numpy as np
-
-    name, *pair = PAIRS[wanted]
-    given, labelled = labels(dict(zip(pair, (a, b))))
-    a, b = map(array, pair, given)
-    mask: Any = (
-        np.ma.getmaskarray(a) | np.ma.getmaskarray(b)
-        if isinstance(a, np.ma.MaskedArray) or isinstance(b, np.ma.MaskedArray)
-        else None
-    )
-    shape = np.broadcast_shapes(a.shape, b.shape)
-    # What is masked is asked as the muscle at rest, which every model answers, and its answer is masked.
-    first, second = (
-        np.broadcast_to(
-            v if mask is None else np.where(mask, 0.0, np.ma.getdata(v)), shape
-        ).ravel()
-        for v in (a, b)
-    )
-    names = (
-        []
-        if isinstance(jac, (bool, np.bool_))
-        else [jac]
-        if isinstance(jac, str)
-        else list(jac)
-    )
-    # All parameters that follow a measure change with it.
-    own, by = (
-        bound.muscle._chain(names)
-        if any(name in MEASURES for name in names)
-        else (names, None)
-    )
-    slopes = bool(names) or bool(jac)
-    out = np.empty((*shape, 3 + len(own)) if slopes else shape)
-    value, rates = (out[..., 0], out[..., 1:]) if slopes else (out, None)
-    how = slopes, own, nan, heard(progress, wanted)
-    bound.native.fill(wanted, first, second, out.reshape(-1), *how)
-    found = value.ravel()
-    pairs = {"force": (first, second), "pressure": (found, second)}
-    p, e = pairs.get(wanted, (second, found))
-    loud = np.flatnonzero(~bound.is_quiet(p, e) & np.isfinite(p) & np.isfinite(e))
-    if loud.size:
-        loud = loud[np.argsort(p[loud], kind="stable")[-_MOST:]]
-        bound.look(p[loud].tolist(), e[loud].tolist())
-    if by is not None:
-        rates = np.concatenate([out[..., 1:3], out[..., 3:] @ by], axis=-1)
-    if mask is not None:
-        value = np.ma.array(value, mask=mask)
-        rates = (
-            rates
-            if rates is None
-            else np.ma.array(rates, mask=np.broadcast_to(mask[..., None], rates.shape))
-        )
-    found = labelled(name, value)
-    return found if rates is None else (found, labelled(name, rates))
+    progress: Any = None,
+) -> Array:
+    """Answers to a pair of arrays of one shape; with a chain of parameters, which may be of none, an axis more at the end: answer, slopes by the pair, and those by
+    what is named.
+    """
+    names, by = chain or ([], np.empty(0))
+    out = np.empty(first.shape if chain is None else (*first.shape, 3 + len(names)))
+    a, b = (np.ascontiguousarray(v).reshape(-1) for v in (first, second))
+    slopes = chain is not None
+    native.fill(wanted, a, b, out.reshape(-1), slopes, names, nan, progress)
+    return np.concatenate([out[..., :3], out[..., 3:] @ by], -1) if slopes else out

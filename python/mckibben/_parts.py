@@ -5,26 +5,21 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 
 from . import _api, _native
-from ._motion import Drive, Joint, muscle_of
+from ._motion import Drive, Joint
+from ._muscle import Muscle
 from ._errors import FileError, InputError
 from ._record import Record
-from ._request import Saved, array, bare, is_nan
+from ._request import Saved, arrays, bare, is_nan, numpy as np
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    from ._request import Floats, Number, Plain
+    from ._request import Array, Errors, Floats, Number, Plain
 
-    Errors = Literal["raise", "nan"]
     Kind = TypeVar("Kind")
-
-
-_compiled = lru_cache(_native.Formula)
 
 
 class Rubber(Saved):
@@ -51,7 +46,6 @@ class Rubber(Saved):
     Rubber('mooney-rivlin', c10=0.12, c01=0.0)
     """
 
-    __slots__ = ("_held", "_text", "constants", "law")
     law: str
     constants: dict[str, Any]
     _held: _native.Muscle
@@ -64,24 +58,15 @@ class Rubber(Saved):
         bulk_modulus_mpa: Number | Literal["incompressible"] | None = None,
         **constants: Plain,
     ) -> None:
-        stated = {**constants, "bulk_modulus_mpa": bulk_modulus_mpa}
-        if bulk_modulus_mpa == "incompressible":
-            del stated["bulk_modulus_mpa"]
-        given = {n: _constant(v) for n, v in stated.items() if v is not None}
+        given = {n: _constant(v) for n, v in constants.items() if v is not None}
         material = {"law": law, **given}
-        if "bulk_modulus_mpa" in given:
-            bulk = material.pop("bulk_modulus_mpa")
+        if bulk_modulus_mpa not in (None, "incompressible"):
+            given["bulk_modulus_mpa"] = bulk = _constant(bulk_modulus_mpa)
             material["bulk_modulus"] = f"{bulk!r} MPa"
         text = _native.toml_text({"tube": {"material": material}})
         # A muscle of nothing else says what is wrong with it.
-        self._hold(
-            _held=_native.Muscle(
-                {"muscle": {"file": {"name": "rubber", "text": text}}}
-            ),
-            _text=text,
-            law=law,
-            constants=given,
-        )
+        native = _native.Muscle({"muscle": {"file": {"name": "rubber", "text": text}}})
+        self._hold(_held=native, _text=text, law=law, constants=given)
 
     @classmethod
     def from_toml(cls, text: str) -> Rubber:
@@ -93,12 +78,8 @@ class Rubber(Saved):
                 kind="rubber",
                 field="text",
             )
-        return cls(
-            **{
-                "bulk_modulus_mpa" if name == "bulk_modulus" else name: value
-                for name, value in held["material"].items()
-            }
-        )
+        material = held["material"]
+        return cls(bulk_modulus_mpa=material.pop("bulk_modulus", None), **material)
 
     def to_toml(self) -> str:
         """The table as in a muscle file."""
@@ -115,19 +96,17 @@ class Rubber(Saved):
 
     def stress(
         self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike
-    ) -> NDArray[np.float64]:
+    ) -> Array:
         """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest)."""
-        import numpy as np
-
         stretches = np.asarray(stretch, dtype=np.float64)
-        return np.array(self._held.stress(mode, stretches.ravel().tolist())).reshape(
-            stretches.shape
-        )
+        found = self._held.stress(mode, stretches.ravel().tolist())
+        return np.reshape(found, stretches.shape)
 
     _key = to_toml
 
     def __repr__(self) -> str:
-        return f"Rubber({self.law!r}, {', '.join(f'{name}={value!r}' for name, value in self.constants.items())})"
+        held = (f"{name}={value!r}" for name, value in self.constants.items())
+        return f"Rubber({', '.join([repr(self.law), *held])})"
 
 
 def _constant(value: Any) -> Any:
@@ -165,15 +144,13 @@ class Formula(Saved):
         The text is not that of a formula.
     """
 
-    __slots__ = ("_text", "name")
     name: str
+    _held: _native.Formula
     _text: str
 
     def __init__(self, text: str, name: str | None = None) -> None:
-        shown = _native.ask(
-            "check-formula", {"file": {"name": name or "the formula", "text": text}}
-        )
-        self._hold(_text=text, name=name or str(shown["name"]))
+        native = _native.Formula(name or "the formula", text)
+        self._hold(_held=native, _text=text, name=name or json.loads(text)["name"])
 
     @overload
     def __call__(  # type: ignore[overload-overlap]
@@ -198,7 +175,7 @@ class Formula(Saved):
         two_sided: bool = ...,
         extrapolate: bool = ...,
         errors: Errors = ...,
-    ) -> NDArray[np.float64]: ...
+    ) -> Array: ...
 
     def __call__(
         self,
@@ -216,7 +193,8 @@ class Formula(Saved):
         Parameters
         ----------
         pressure_mpa, contraction, wall_mm, outer_diameter_mm : MPa, ratio, mm, mm
-            Gauge pressures, contraction ratios and tubes: numbers, a text with its unit, or quantities of pint; broadcast as NumPy does it.
+            Gauge pressures, contraction ratios and tubes: numbers, a text with its unit, or quantities of pint; broadcast as NumPy does it,
+            or by their labels, which the answer has too (xarray, pandas).
         two_sided
             Negative pulls instead of slack.
         extrapolate, errors
@@ -227,26 +205,22 @@ class Formula(Saved):
         OutOfRangeError
             A point lies outside of its range.
         """
-        import numpy as np
-
-        given = {
-            "pressure_mpa": pressure_mpa,
-            "contraction": contraction,
-            "wall_mm": wall_mm,
-            "outer_diameter_mm": outer_diameter_mm,
-        }
-        points = np.broadcast_arrays(
-            *(array(name, value) for name, value in given.items())
+        given, labelled = arrays(
+            ("pressure_mpa", pressure_mpa),
+            ("contraction", contraction),
+            ("wall_mm", wall_mm),
+            ("outer_diameter_mm", outer_diameter_mm),
         )
-        out = np.empty(points[0].size)
-        _compiled(self.name, self._text).fill(
-            np.stack([values.ravel() for values in points], axis=-1),
-            out,
+        points = np.stack(np.broadcast_arrays(*given), axis=-1)
+        out = np.empty(points.shape[:-1])
+        self._held.fill(
+            points.reshape(-1, 4),
+            out.reshape(-1),
             extrapolate,
             two_sided,
             is_nan(errors),
         )
-        return out.reshape(points[0].shape) if points[0].shape else float(out[0])
+        return labelled("force_n", out)
 
     def check(self, *, latex: bool = False) -> _api.FormulaCheck:
         """What it was made for, its range and its errors; with `latex` the equation as well."""
@@ -298,29 +272,22 @@ def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
     >>> mk.load("lib:dmsp-20-300", mk.Muscle).length_mm
     300.0
     """
-    found = _loaded(path)
+    is_named = str(path).lower().startswith("lib:")
+    held = _native.read(path, "muscle" if is_named else "table")
+    text = held["text"]
+    found: Any
+    if text.lstrip().startswith("{"):
+        answer = json.loads(text)
+        made: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
+        found = Formula(text) if made is Record else made._load(answer)
+    elif text.startswith("[tube.material]"):
+        # A muscle that was saved begins with a comment.
+        found = Rubber.from_toml(text)
+    else:
+        tables = _native.toml(held["name"], text)
+        of = Drive if "command" in tables else Joint if "joint" in tables else None
+        found = of._of(_native.read(path, of._kind)) if of else Muscle._of(held)
     if not isinstance(found, kind):
         said = f"{path} holds a {type(found).__name__}, not a {kind.__name__}"
         raise FileError(said, field="kind")
     return found
-
-
-def _loaded(path: str | os.PathLike[str]) -> Any:
-    held = _native.read(
-        path, "muscle" if str(path).lower().startswith("lib:") else "table"
-    )
-    text = held["text"]
-    if not text.lstrip().startswith("{"):
-        tables = _native.toml(held["name"], text)
-        if "command" in tables or "joint" in tables:
-            of = Drive if "command" in tables else Joint
-            return of._of(_native.read(path, of._kind))
-        # A rubber that was saved begins with its table, a muscle with a comment.
-        return (
-            Rubber.from_toml(text)
-            if text.startswith("[tube.material]")
-            else muscle_of(held)
-        )
-    answer = json.loads(text)
-    kind: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
-    return Formula(text) if kind is Record else kind._load(answer)

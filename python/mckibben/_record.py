@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native
 from ._errors import NoAnswerError, of as problem
-from ._request import Fixed, column, put
+from ._request import Fixed, column, numpy as np, put
 
 if TYPE_CHECKING:
-    import numpy as np
     import pandas
     import xarray
     from pathlib import Path
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
 
     from ._muscle import Muscle
     from ._parts import Formula, Rubber
+    from ._request import Array
 else:
 
     def dataclass_transform(**_: Any) -> Any:
@@ -54,6 +54,8 @@ class Record(Fixed):
     """
 
     _rows: ClassVar[str | None] = None
+    # Which question it answers.
+    _asked: ClassVar[Any] = None
     if not TYPE_CHECKING:
 
         def __init__(self, **fields: Any) -> None:
@@ -62,35 +64,22 @@ class Record(Fixed):
     @classmethod
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
         """The answer of JSON, and of which question it is."""
-        made, kinds = object.__new__(cls), cls._nested()
-        made.__dict__.update(
-            {
-                name + "_" if name in ("from", "import") else name: _wrapped(
-                    kinds.get(name), value
-                )
-                for name, value in data.items()
-            }
-        )
-        made.__dict__["_asked"] = asked
+        made, kinds = cls(**{"_asked": asked}), cls._nested()
+        for name, value in data.items():
+            field = name + "_" if name in ("from", "import") else name
+            made.__dict__[field] = _wrapped(kinds.get(name), value)
         return made
 
     @classmethod
     @cache
     def _nested(cls) -> dict[str, type[Record]]:
         """The records that its fields hold, by the names in their annotations."""
-        found = {
-            name.rstrip("_"): re.search(r"\b[A-Z]\w+", kind)
-            for name, kind in cls.__annotations__.items()
-        }
-        kinds = {
-            name: vars(sys.modules[cls.__module__]).get(word[0])
-            for name, word in found.items()
-            if word
-        }
+        there = vars(sys.modules[cls.__module__])
         return {
-            name: kind
-            for name, kind in kinds.items()
-            if isinstance(kind, type) and issubclass(kind, Record)
+            name.rstrip("_"): there[word]
+            for name, kind in cls.__annotations__.items()
+            for word in re.findall(r"\b[A-Z]\w+", kind)
+            if isinstance(there.get(word), type) and issubclass(there[word], Record)
         }
 
     def _fields(self) -> dict[str, Any]:
@@ -114,13 +103,10 @@ class Record(Fixed):
             raise TypeError(f"{type(self).__name__} holds no table")
         lists = (self.__dict__.get(name) for name in self._rows.split())
         held: Any = next(filter(None, lists), [])
-        if isinstance(held, Record):
-            return {
-                name: column(values)
-                for name, values in held._fields().items()
-                if isinstance(values, list)
-            }
-        return of_rows([_unwrapped(row) for row in held])
+        if isinstance(held, list):
+            return of_rows(_unwrapped(held))
+        lines = held._fields().items()
+        return {name: column(line) for name, line in lines if isinstance(line, list)}
 
     def __getitem__(self, name: str, /) -> Any:
         return self.to_columns()[name]
@@ -133,26 +119,14 @@ class Record(Fixed):
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Writes it as JSON, from which :func:`load` reads the same again. Another file that is there is replaced only with ``overwrite``."""
-        put(
-            {
-                path: json.dumps(
-                    {"mckibben": type(self).__name__, **self._state()},
-                    ensure_ascii=False,
-                )
-            },
-            overwrite,
-        )
+        held = {"mckibben": type(self).__name__, **self._state()}
+        put({path: json.dumps(held, ensure_ascii=False)}, overwrite)
 
     def _state(self) -> dict[str, Any]:
-        figure = (
-            {"figure": self.__dict__["figure"].to_dict()}
-            if self.__dict__.get("figure")
-            else {}
-        )
-        return {
-            "data": {**self.to_dict(), **figure},
-            "asked": self.__dict__.get("_asked"),
-        }
+        data, figure = self.to_dict(), getattr(self, "figure", None)
+        if figure:
+            data["figure"] = figure.to_dict()
+        return {"data": data, "asked": self._asked}
 
     @classmethod
     def _load(cls, state: Mapping[str, Any]) -> Self:
@@ -166,7 +140,8 @@ class Record(Fixed):
         return json.dumps(self.to_dict(), sort_keys=True)
 
     def __repr__(self) -> str:
-        text = f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._fields().items() if name != 'figure')})"
+        held = (f"{n}={v!r}" for n, v in self._fields().items() if n != "figure")
+        text = f"{type(self).__name__}({', '.join(held)})"
         # Not more than a screen.
         return text if len(text) <= 1000 else text[:999] + "…"
 
@@ -174,11 +149,9 @@ class Record(Fixed):
         from html import escape
         from importlib.util import find_spec
 
-        return f"<pre>{escape(str(self))}</pre>" + (
-            self.to_pandas().to_html(max_rows=20)
-            if self._rows and find_spec("pandas")
-            else ""
-        )
+        has_table = self._rows and find_spec("pandas")
+        table = self.to_pandas().to_html(max_rows=20) if has_table else ""
+        return f"<pre>{escape(str(self))}</pre>{table}"
 
     def plot(
         self, *, units: str | None = None, ax: Axes | Sequence[Axes] | None = None
@@ -192,18 +165,14 @@ class Record(Fixed):
         ax
             Axes to draw on, or a list of them, one for each panel; new ones where they are left out.
         """
-        figure: Any = self.__dict__.get("figure")
-        asked: Any = self.__dict__.get("_asked")
-        if asked is None and figure is None or not hasattr(type(self), "figure"):
+        figure = getattr(self, "figure", None)
+        if not hasattr(self, "figure") or not (figure or self._asked):
             raise TypeError(f"{type(self).__name__} has no figure")
-        return drawn(
-            figure.to_dict()
-            if figure and units is None
-            else _native.ask(asked[0], {**asked[1], "figure": units or "MPa"})[
-                "figure"
-            ],
-            ax,
-        )
+        if figure and units is None:
+            return drawn(figure.to_dict(), ax)
+        command, request = self._asked
+        asked = {**request, "figure": units or "MPa"}
+        return drawn(_native.ask(command, asked)["figure"], ax)
 
 
 def _wrapped(kind: type[Record] | None, value: Any) -> Any:
@@ -212,26 +181,17 @@ def _wrapped(kind: type[Record] | None, value: Any) -> Any:
     if isinstance(value, list):
         return [_wrapped(kind, item) for item in value]
     # A map of names to records is no record itself.
-    is_map = value and not {name.rstrip("_") for name in kind.__annotations__} & set(
-        value
-    )
-    return (
-        {name: _wrapped(kind, item) for name, item in value.items()}
-        if is_map
-        else kind._read(value)
-    )
+    if value and not {n.rstrip("_") for n in kind.__annotations__} & set(value):
+        return {name: _wrapped(kind, item) for name, item in value.items()}
+    return kind._read(value)
 
 
 def _unwrapped(value: Any) -> Any:
     if isinstance(value, dict):
         return {name: _unwrapped(item) for name, item in value.items()}
-    return (
-        value.to_dict()
-        if isinstance(value, Record)
-        else [_unwrapped(item) for item in value]
-        if isinstance(value, list)
-        else value
-    )
+    if isinstance(value, list):
+        return [_unwrapped(item) for item in value]
+    return value.to_dict() if isinstance(value, Record) else value
 
 
 def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -247,15 +207,9 @@ def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
 
 def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
     """One line, row of points, or band."""
-    import numpy as np
-
-    colour = (
-        "#808080"
-        if series.get("neutral")
-        else ramp(number)
-        if ramp
-        else _COLOURS[number % len(_COLOURS)]
-    )
+    colour = ramp(number) if ramp else _COLOURS[number % len(_COLOURS)]
+    if series.get("neutral"):
+        colour = "#808080"
     # A text that the program writes at the end of a line is in the legend here.
     label = series.get("label") or series.get("end_label")
     x, y = np.array(series["points"], dtype=np.float64).reshape(-1, 2).T
@@ -278,7 +232,6 @@ def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
 def drawn(figure: dict[str, Any], ax: Any) -> Any:
     """The axes with the figure on them."""
     import matplotlib.pyplot as plt
-    import numpy as np
     from matplotlib.colors import LinearSegmentedColormap
 
     panels = figure["panels"]
@@ -313,31 +266,20 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
         for series, number in zip(panel["series"], numbers):
             _series(axis, series, number, ramp)
         for mark in panel.get("marks", []):
-            axis.plot(
-                [mark["x"]],
-                [mark["y"]],
-                "o",
-                color="black",
-                markerfacecolor="white",
-                zorder=5,
-            )
-            axis.annotate(
-                mark["label"],
-                (mark["x"], mark["y"]),
-                textcoords="offset points",
-                xytext=(6, 6),
-            )
+            at = mark["x"], mark["y"]
+            axis.plot(*at, "ko", markerfacecolor="white", zorder=5)
+            axis.annotate(mark["label"], at, (6, 6), textcoords="offset points")
         axis.set(
             xlabel=panel["x"]["label"],
             ylabel=panel["y"]["label"],
             title=panel["title"] or (figure["title"] if is_one else ""),
         )
-        for name, fit in (("x", axis.set_xlim), ("y", axis.set_ylim)):
-            if panel[name].get("range"):
-                fit(*panel[name]["range"])
-            elif panel[name].get("from_zero"):
-                low, high = getattr(axis, f"get_{name}lim")()
-                fit(min(0.0, low), max(0.0, high))
+        for name in ("x", "y"):
+            ends = panel[name].get("range")
+            if panel[name].get("from_zero") and not ends:
+                ends = np.array([*getattr(axis, f"get_{name}lim")(), 0.0])
+            if ends is not None:
+                axis.set(**{f"{name}lim": (min(ends), max(ends))})
         axis.grid(visible=True, alpha=0.3)
         if axis.get_legend_handles_labels()[1]:
             axis.legend(fontsize="small")
@@ -351,6 +293,8 @@ class Points(Record):
     """
 
     _rows: ClassVar[str | None] = "force_n"
+    # What puts the labels of pressures and contractions on an array.
+    _labels: ClassVar[Any] = None
     model: str
     warnings: list[str]
     slack: NDArray[np.bool_]
@@ -360,105 +304,73 @@ class Points(Record):
 
     @classmethod
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
-        import numpy as np
-
-        kinds: dict[str, Any] = {
-            "slack": np.bool_,
-            "warned": np.int64,
-            "status": np.str_,
-            "cause": object,
-        }
+        kinds: Any = {"slack": bool, "warned": np.int64, "status": str, "cause": object}
         shape = np.shape(data["pressure_mpa"])
-        columns = {
-            name: np.array(values, dtype=kinds.get(name, np.float64)).reshape(shape)
-            for name, values in data.items()
-            if name not in ("model", "warnings")
-        }
-        made = object.__new__(cls)
-        for name in dict.fromkeys([*cls.__annotations__, *columns]):
-            made.__dict__[name] = values = columns.get(name, np.full(shape, np.nan))
-            values.flags.writeable = False
-        made.__dict__.update(model=data["model"], warnings=data["warnings"])
+        made = cls(**{name: data[name] for name in ("model", "warnings")})
+        for name in dict.fromkeys([*cls.__annotations__, *data]):
+            if name not in made.__dict__:
+                values = data.get(name, np.full(shape, np.nan))
+                own = np.array(values, kinds.get(name, np.float64)).reshape(shape)
+                own.flags.writeable = False
+                made.__dict__[name] = own
         return made
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
         """The arrays that hold something."""
-        held = {
+        return {
             name: values
             for name, values in self._fields().items()
             if name not in ("model", "warnings")
-        }
-        return {
-            name: values
-            for name, values in held.items()
-            if values.dtype.kind != "f" or values.size == 0 or (values == values).any()
+            and (
+                values.dtype.kind != "f"
+                or not (values != values).all()
+                or not values.size
+            )
         }
 
     @property
     def shape(self) -> tuple[int, ...]:
         """That of each array."""
-        shape: tuple[int, ...] = self.__dict__["pressure_mpa"].shape
-        return shape
+        return self.slack.shape
 
     def __getitem__(self, name: str, /) -> NDArray[Any]:
         return self._arrays()[name]
 
     def to_dict(self) -> dict[str, Any]:
         """Plain lists by name; None where a point does not have a number."""
-        import numpy as np
-
         none: Any = None
-        # Zeros without a sign.
-        arrays = {
-            name: np.where(values == values, values + 0.0, none)
-            if values.dtype.kind == "f"
-            else values
-            for name, values in self._arrays().items()
-        }
-        return {
-            "model": self.model,
-            "warnings": self.warnings,
-            **{name: values.tolist() for name, values in arrays.items()},
-        }
+        out: dict[str, Any] = {"model": self.model, "warnings": self.warnings}
+        for name, values in self._arrays().items():
+            if values.dtype.kind == "f":
+                # Zeros without a sign.
+                values = np.where(values == values, values + 0.0, none)
+            out[name] = values.tolist()
+        return out
 
     def to_columns(self) -> dict[str, Any]:
         """A row for each point, in the order of the last index."""
-        return {
-            name: values.ravel()
-            if values.dtype.kind in "fib"
-            else values.ravel().tolist()
-            for name, values in self._arrays().items()
-        }
+        rows = {name: values.ravel() for name, values in self._arrays().items()}
+        return {n: v if v.dtype.kind in "fib" else v.tolist() for n, v in rows.items()}
 
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
-        import numpy as np
         import xarray as xr
 
         arrays = self._arrays()
-        if labelled := self.__dict__.get("_labels"):
-            held = {name: labelled(name, values) for name, values in arrays.items()}
-            return xr.Dataset(held, attrs={"model": self.model})
         p, e = arrays["pressure_mpa"], arrays["contraction"]
-        dims: list[str] = [f"dim_{axis}" for axis in range(p.ndim)]
-        coords: dict[str, Any] = {}
-        for name, own, other in (("pressure_mpa", p, e), ("contraction", e, p)):
+        whole: Any = xr.DataArray(self._labels("", p) if self._labels else p)
+        dims, coords = list(whole.dims), dict(whole.coords)
+        pairs = () if self._labels else (("pressure_mpa", p, e), ("contraction", e, p))
+        for name, own, other in pairs:
             axes = [axis for axis in range(p.ndim) if np.diff(own, axis=axis).any()]
             if len(axes) == 1 and not np.diff(other, axis=axes[0]).any():
                 dims[axes[0]] = name
                 coords[name] = np.moveaxis(own, axes[0], -1)[(0,) * (p.ndim - 1)]
-        out = xr.Dataset(
-            {
-                name: (dims, values)
-                for name, values in arrays.items()
-                if name not in coords
-            },
-            coords,
-            {"model": self.model},
-        )
-        for column in out.variables:
-            if unit := _native.unit_of(str(column)):
-                out[column].attrs["units"] = unit
+        held = {n: (dims, v) for n, v in arrays.items() if n not in coords}
+        out = xr.Dataset(held, coords, {"model": self.model})
+        for key in out.variables:
+            if unit := _native.unit_of(str(key)):
+                out[key].attrs["units"] = unit
         return out
 
     def __str__(self) -> str:
@@ -486,22 +398,16 @@ class Curves(Record):
         """The points, curve after curve, with what is ``fixed`` on each; a point without an answer is NaN, and its ``status`` and ``cause`` say why."""
         held = self.to_dict()
         rows, fixed = held["points"], held["fixed"]
-        return of_rows(
-            [
-                {"fixed": fixed[i * len(fixed) // len(rows)]}
-                | row
-                | {"slack": row.get("slack", False), "model": []}
-                for i, row in enumerate(rows)
-            ]
-        )
+        of_curve = len(rows) // max(len(fixed), 1)
+        for i, row in enumerate(rows):
+            slack = row.get("slack", False)
+            rows[i] = {"fixed": fixed[i // of_curve], **row, "slack": slack}
+            rows[i].pop("model", None)
+        return of_rows(rows)
 
-    def grid(self, column: str) -> NDArray[np.float64]:
+    def grid(self: Any, column: str) -> Array:
         """A column with one row for each curve."""
-        import numpy as np
-
-        return np.asarray(self.to_columns()[column], dtype=np.float64).reshape(
-            len(self.__dict__["fixed"]), -1
-        )
+        return np.array(self[column], np.float64).reshape(len(self.fixed), -1)
 
 
 class Fitting(Record):
@@ -512,84 +418,68 @@ class Fitting(Record):
         """The formula, which is a model and a file."""
         from ._parts import Formula
 
-        held = {
-            n: v for n, v in self.to_dict().items() if n not in ("tables", "figures")
-        }
-        return Formula(
-            json.dumps(held, ensure_ascii=False, indent=2) + "\n", held["name"]
-        )
+        held = self.to_dict()
+        for name in {"tables", "figures"} & set(held):
+            del held[name]
+        text = json.dumps(held, ensure_ascii=False, indent=2) + "\n"
+        return Formula(text, held["name"])
 
 
 class Identified(Record):
     """Constants found in measured points, with their errors: ``found["name"]``, ``found["value"]``, ``found["standard_error"]`` are arrays of them."""
 
     @property
-    def cov(self) -> NDArray[np.float64]:
+    def cov(self: Any) -> Array:
         """Their covariance, in the units of the values."""
-        import numpy as np
-
-        errors = self["standard_error"]
-        return np.array(self.__dict__["correlation"], dtype=np.float64).reshape(
-            len(errors), len(errors)
-        ) * np.outer(errors, errors)
+        by = np.outer(self["standard_error"], self["standard_error"])
+        return np.array(self.correlation, np.float64).reshape(by.shape) * by
 
     @property
-    def residuals(self) -> NDArray[np.float64]:
+    def residuals(self: Any) -> Array:
         """Model less measurement of each point, in N."""
-        import numpy as np
-
-        return np.array(
-            [point.residual_n for point in self.__dict__["points"]], dtype=np.float64
-        )
+        return np.array([point.residual_n for point in self.points], np.float64)
 
     @property
-    def identified(self) -> Muscle:
+    def identified(self: Any) -> Muscle:
         """The muscle with the values found."""
         from ._muscle import Muscle
 
-        return Muscle.from_toml(self.__dict__["muscle_file"])
+        return Muscle.from_toml(self.muscle_file)
 
-    def summary(self) -> str:
+    def summary(self: Any) -> str:
         """What was found, in lines for reading."""
-        me: Any = self
         words = [
-            f"  {p.name} {p.value:.5g}"
-            + ("" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}")
-            + (f" {p.unit}" if p.unit else "")
-            for p in me.parameters
+            f"{self.model}: {len(self.points)} points, rms {self.rms_n:.3g} N (before {self.rms_before_n:.3g} N), largest {self.max_n:.3g} N"
         ]
-        head = f"{me.model}: {len(me.points)} points, rms {me.rms_n:.3g} N (before {me.rms_before_n:.3g} N), largest {me.max_n:.3g} N"
-        errors = "± half width of 95 %, " + (
-            "by the stated errors" if me.errors_stated else "by the residuals"
-        )
-        return "\n".join(
-            [head, *words, errors, *(f"note: {text}" for text in me.warnings)]
-        )
+        for p in self.parameters:
+            half = "" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}"
+            words.append(f"  {p.name} {p.value:.5g}{half} {p.unit}".rstrip())
+        by = "stated errors" if self.errors_stated else "residuals"
+        words.append(f"± half width of 95 %, by the {by}")
+        return "\n".join([*words, *(f"note: {text}" for text in self.warnings)])
 
 
 class FittedLaws(Record):
     """Laws fitted to tests of a rubber; ``parameters`` are those of the recommended one."""
 
-    def rubber(self, law: str | None = None) -> Rubber:
+    def rubber(self: Any, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""
         from ._parts import Rubber
 
-        name = law or self.__dict__["recommended"]
+        name = law or self.recommended
         if name is None:
             raise NoAnswerError(
                 "no law is stable in a muscle", kind="no_answer", hint="name one"
             )
-        found = next(
-            (of for of in self.__dict__["laws"] if name in (of.name, of.law)), None
-        )
+        found = next((of for of in self.laws if name in (of.name, of.law)), None)
         if found is None:
             raise KeyError(name)
         constants: dict[str, Any] = {p.name: p.value for p in found.parameters}
         if found.law == "ogden":
             # Its terms are in lists: mu1, mu2 are mu = […].
             constants = {
-                name: [p.value for p in found.parameters if p.name.startswith(name)]
-                for name in ("mu", "alpha")
+                kind: [v for name, v in constants.items() if name.startswith(kind)]
+                for kind in ("mu", "alpha")
             }
         return Rubber(found.law, **constants)
 
@@ -598,41 +488,41 @@ class Designed(Record):
     """Ranked muscles, and why others fail."""
 
     @property
-    def muscles(self) -> list[Muscle]:
+    def muscles(self: Any) -> list[Muscle]:
         """The candidates as muscles, best first."""
         from ._muscle import Muscle
 
-        return [
-            Muscle.from_toml(file.text)
-            for file in self.__dict__.get("muscle_files") or []
-        ]
+        return [Muscle.from_toml(file.text) for file in self.muscle_files or []]
 
     @property
-    def best(self) -> Muscle:
+    def best(self: Any) -> Muscle:
         """The first of them."""
-        bundle = self.__dict__.get("bundle")
-        if bundle and not self.__dict__["_asked"][1].get("count"):
+        bundle, muscles = self.bundle, self.muscles
+        if bundle and not self._asked[1].get("count"):
             raise NoAnswerError(
                 f"one muscle is not enough: {bundle.muscles} side by side are",
                 kind="no_answer",
                 hint="count=… allows a bundle",
             )
-        if not self.muscles:
+        if not muscles:
             raise NoAnswerError(
                 "no muscle fits",
                 kind="no_answer",
                 hint="`closest` and `rejected` say why",
             )
-        return self.muscles[0]
+        found: Muscle = muscles[0]
+        return found
 
-    def __str__(self) -> str:
-        return "\n".join(self.__dict__.get("decision") or []) or super().__str__()
+    def __str__(self: Any) -> str:
+        return "\n".join(self.decision or []) or repr(self)
 
 
 class Files(Record):
     """An answer of files."""
 
-    def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+    def write(
+        self: Any, folder: str | os.PathLike[str], *, overwrite: bool = False
+    ) -> Path:
         """Writes the files into a folder, and gives the one to begin with. Another file that is there is replaced only with ``overwrite``."""
         from base64 import b64decode
         from pathlib import Path
@@ -640,7 +530,7 @@ class Files(Record):
         place = Path(folder)
         contents: dict[str | os.PathLike[str], str | bytes] = {
             place / f.name: b64decode(f.base64) if f.base64 is not None else str(f.text)
-            for f in self.__dict__["files"]
+            for f in self.files
         }
         place.mkdir(parents=True, exist_ok=True)
         put(contents, overwrite)
@@ -650,21 +540,15 @@ class Files(Record):
 class Shaped(Record):
     """The deformed muscle. In a notebook it is shown in space."""
 
-    def array(self, name: str) -> NDArray[np.float64]:
+    def array(self: Any, name: str) -> Array:
         """What there is at the nodes, as an array of stations and nodes through the wall; of the strands, one number for each station."""
-        import numpy as np
-
-        me: Any = self
-        values = np.asarray(me.arrays[name], dtype=np.float64)
-        return (
-            values.reshape(me.stations, -1)
-            if values.size == me.stations * me.across
-            else values
-        )
+        values = np.array(self.arrays[name], np.float64)
+        at_nodes = values.size == self.stations * self.across
+        return values.reshape(self.stations, -1) if at_nodes else values
 
     def to_html(self) -> str:
         """A page with the muscle in space, to rotate with the mouse, for use offline."""
-        return _native.page_html("shape", self.__dict__["_asked"][1])
+        return _native.page_html("shape", self._asked[1])
 
     def _frame(self) -> str:
         from html import escape

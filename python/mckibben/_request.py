@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union, cast
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar, Union, cast
 
 from . import _native
 from ._errors import (
+    RENAMED,
     ExistingFileError,
     InputError,
     WrongTypeError,
@@ -19,7 +21,8 @@ from ._errors import (
 )
 
 if TYPE_CHECKING:
-    import numpy as np
+    # Twice: other modules take it from here under its own name.
+    import numpy as np, numpy as numpy
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Self
 
@@ -62,12 +65,25 @@ if TYPE_CHECKING:
     RubberLike = Union[FileLike, Rubber]
     # True for a line on standard error, or a function that is called with (done, total).
     Progress = Union[bool, Callable[[int, int], object], None]
+    Array = NDArray[np.float64]
+    # Whether a point without an answer is an exception, or NaN.
+    Errors = Literal["raise", "nan"]
+else:
+
+    class _NumPy:
+        """NumPy, which is imported with the first array, not with the package."""
+
+        def __getattr__(self, name: str) -> Any:
+            import numpy
+
+            found = self.__dict__[name] = getattr(numpy, name)
+            return found
+
+    np = numpy = _NumPy()
 
 # Fields that are tables, those of a model by their arguments, and those that a design searches through.
 TABLES = ("data", "log", "table", "tables", "load_tables")
 MODEL = {"model": "name", "mesh": "mesh", "match": "match", "terminal": "terminal"}
-# Arguments that have another name since.
-RENAMED = {"direction": "branch", "branches": "branch", "both": 'branch="both"'}
 _NUMBERS = "numbers, a text with its unit or quantities of pint"
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
 
@@ -75,22 +91,15 @@ CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm"
 class Fixed:
     """An object that does not change; two are equal where they are of one class and have one key."""
 
-    __slots__ = ()
-
     def _hold(self, **values: Any) -> Self:
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
+        self.__dict__.update(values)
         return self
 
     def _key(self) -> Any:
         raise NotImplementedError
 
-    def __eq__(self, other: object) -> bool:
-        return (
-            type(self) is type(other)
-            and isinstance(other, Fixed)
-            and bool(self._key() == other._key())
-        )
+    def __eq__(self, other: Any) -> bool:
+        return type(self) is type(other) and bool(self._key() == other._key())
 
     def __hash__(self) -> int:
         return hash((type(self).__name__, self._key()))
@@ -105,26 +114,18 @@ class Fixed:
 class Saved(Fixed):
     """An object whose key is the text of its file."""
 
-    __slots__ = ()
-
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Writes its file, from which :func:`load` reads it again. Another file that is there is replaced only with ``overwrite``."""
         put({path: self._key()}, overwrite)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        me: Any = self
-        return type(me).from_toml, (self._key(),)
+    def __reduce__(self: Any) -> tuple[Any, ...]:
+        return type(self).from_toml, (self._key(),)
 
 
 def unit_for_pint(name: str) -> str:
     """The unit of a name as pint writes it."""
-    unit = (
-        (_native.unit_of(name) or "dimensionless").replace("²", "2").replace("³", "3")
-    )
-    return "".join(
-        f"**{c}" if c in "23" and unit[i - 1].isalpha() else c
-        for i, c in enumerate(unit)
-    )
+    unit = _native.unit_of(name) or "dimensionless"
+    return re.sub(r"(?<=[a-z])[23]", r"**\g<0>", unit)
 
 
 def bare(name: str, value: Any) -> Any:
@@ -157,6 +158,10 @@ def plain(name: str, value: Any) -> Any:
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, Mapping):
+        # What is a muscle, a model or another object by its name or file.
+        for key in {"name", "file"} & set(value):
+            if isinstance(value[key], (int, float, list, tuple)):
+                raise wrong_type(name, "a name, a path or an object", value[key])
         return {
             str(key): plain(str(key) if _native.unit_of(str(key)) else name, item)
             for key, item in value.items()
@@ -186,10 +191,8 @@ def number(name: str, value: Any) -> float:
     return out
 
 
-def array(name: str, value: Any) -> NDArray[np.float64]:
+def array(name: str, value: Any) -> Array:
     """Numbers in the unit of a name, without a copy where they are such already; masked ones stay masked."""
-    import numpy as np
-
     if isinstance(value, str):
         several = ".." in value or "," in value
         return np.asarray(
@@ -206,55 +209,51 @@ def array(name: str, value: Any) -> NDArray[np.float64]:
         isinstance(v, str) or hasattr(v, "magnitude") for v in items
     ):
         value = [number(name, item) for item in items]
-    given: Any = (
-        np.asanyarray(value)
-        if isinstance(value, np.ma.MaskedArray)
-        else np.asarray(value)
-    )
+    given: Any = (np.asanyarray if np.ma.isMA(value) else np.asarray)(value)
     if given.dtype.kind not in "fiu":
         raise wrong_type(name, _NUMBERS, value)
-    out: NDArray[np.float64] = given.astype(np.float64, copy=not given.flags.aligned)
+    out: Array = given.astype(np.float64, copy=not given.flags.aligned)
     highest = float(np.nanmax(np.ma.filled(out, 0.0), initial=0.0))
     if value is own and (said := _native.unlikely(name, highest)):
         warned(said)
     return out
 
 
-def labels(
-    given: Mapping[str, Any],
-) -> tuple[list[Any], Callable[[str, Any], Any]]:
-    """Values without their labels, and what puts these on an answer of a name: dimensions and coordinates of xarray, by which values are broadcast, or the index of
+def arrays(
+    *given: tuple[str, Any],
+) -> tuple[list[Array], Callable[[str, Any], Any]]:
+    """Arrays of named values, and what puts their labels on an answer of a name: dimensions and coordinates of xarray, by which values are broadcast, or the index of
     pandas; both are to be the same. An answer without a dimension is a number.
     """
-    values = list(given.values())
-    if any(hasattr(value, "dims") for value in values):
+    if any(hasattr(value, "dims") for _, value in given):
         import xarray as xr
 
-        arrays = [
+        held = [
             bare(name, value)
             if hasattr(value, "dims")
             else xr.DataArray(number(name, value))
-            for name, value in given.items()
+            for name, value in given
         ]
         try:
-            aligned = xr.align(*arrays, join="exact")
+            values: Any = xr.broadcast(*xr.align(*held, join="exact"))
         except ValueError as error:
-            raise InputError(str(error), field=next(iter(given))) from None
-        values = list(xr.broadcast(*aligned))
-        own: Any = values[0]
+            raise InputError(str(error), field=given[0][0]) from None
+        own = values[0]
 
         def labelled(name: str, found: Any) -> Any:
             dims = [*own.dims, "derivative"][: found.ndim]
             units = {"units": u} if (u := _native.unit_of(name)) else {}
             return xr.DataArray(found, own.coords, dims, name, units)
 
-        return [value.values for value in values], labelled
+        return [array(n, v.values) for (n, _), v in zip(given, values)], labelled
     # An index of pandas has no index.
-    series = {
-        n: v for n, v in given.items() if hasattr(v, "to_frame") and hasattr(v, "index")
-    }
-    first: Any = next(iter(series.values()), None)
-    for name, value in series.items():
+    series = [
+        (name, value)
+        for name, value in given
+        if hasattr(value, "to_frame") and hasattr(value, "index")
+    ]
+    first: Any = series[0][1] if series else None
+    for name, value in series:
         if not value.index.equals(first.index):
             raise InputError("another index", field=name)
 
@@ -265,7 +264,7 @@ def labels(
             return found
         return type(first)(found, first.index, name=name)
 
-    return values, indexed
+    return [array(name, value) for name, value in given], indexed
 
 
 def ask(
@@ -309,22 +308,18 @@ def answered(
     me = given.pop("self", None)
     own = me._files(command) if me else {}
     request = _native.given(command, fields({**own, **given}))
-    return kind._read(
-        _native.ask(
-            command,
-            request if figure is None else {**request, "figure": figure},
-            progress,
-        ),
-        (command, request),
-    )
+    drawn = {} if figure is None else {"figure": figure}
+    found = _native.ask(command, {**request, **drawn}, progress)
+    return kind._read(found, (command, request))
 
 
 def fields(given: Mapping[str, Any]) -> dict[str, Any]:
     """Arguments as the fields of a request; what is not given is left to the program."""
     out: dict[str, Any] = {}
-    for name, value in (
-        (name.rstrip("_"), value) for name, value in given.items() if value is not None
-    ):
+    for argument, value in given.items():
+        name = argument.rstrip("_")
+        if value is None:
+            continue
         if name in TABLES and not isinstance(value, (bool, int)):
             items = value if isinstance(value, (list, tuple)) else [value]
             # The program takes one for a list of one.
@@ -384,7 +379,7 @@ def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
 def is_nan(errors: str) -> bool:
     """Whether a point without an answer is NaN; else it raises."""
     if errors not in ("raise", "nan"):
-        raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+        raise InputError(f'"raise" or "nan", not {errors!r}', field="errors")
     return errors == "nan"
 
 
@@ -409,9 +404,8 @@ def put(
         for path, content in files.items()
     }
     for path, content in contents.items():
-        if overwrite or not os.path.isfile(path):
-            continue
-        if Path(path).read_bytes() not in (b"", content):
+        is_other = not overwrite and os.path.isfile(path)
+        if is_other and Path(path).read_bytes() not in (b"", content):
             raise ExistingFileError(
                 f"{path} is another file and would be overwritten",
                 kind="output",
@@ -435,8 +429,6 @@ def table(value: Any) -> dict[str, str]:
 
 def column(values: Sequence[Any]) -> Any:
     """A column: an array of float64, int64 or bool, or a list of texts. Missing numbers are NaN."""
-    import numpy as np
-
     given = np.array([v for v in values if v is not None])
     kind, is_whole = given.dtype.kind, len(given) == len(values)
     if kind in "if" or (kind == "b" and is_whole):
@@ -455,9 +447,7 @@ def to_csv(data: Any) -> str:
         return str(data.write_csv())
     if hasattr(data, "to_csv"):
         # An index with a name is a column.
-        return str(
-            data.to_csv(index=any(name is not None for name in data.index.names))
-        )
+        return str(data.to_csv(index=set(data.index.names) != {None}))
     if names := getattr(getattr(data, "dtype", None), "names", None):
         data = {name: data[name] for name in names}
     elif hasattr(data, "__arrow_c_stream__"):
@@ -467,25 +457,15 @@ def to_csv(data: Any) -> str:
     if not isinstance(data, Mapping):
         raise wrong_type("data", "a path, a data frame or columns by name", data)
     given = {str(name): plain(str(name), values) for name, values in data.items()}
-    several = {
-        name: len(values) for name, values in given.items() if isinstance(values, list)
-    }
+    several = {n: len(held) for n, held in given.items() if isinstance(held, list)}
     if len(set(several.values())) > 1:
-        raise ValueError(f"columns of different length: {several}")
+        raise InputError(f"columns of different length: {several}", field="data")
     rows = max(several.values(), default=1)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(given)
     columns = (v if name in several else [v] * rows for name, v in given.items())
     for row in zip(*columns):
-        writer.writerow(
-            [
-                ""
-                if v is None or v != v
-                else str(v).lower()
-                if isinstance(v, bool)
-                else v
-                for v in row
-            ]
-        )
+        words = (str(v).lower() if isinstance(v, bool) else v for v in row)
+        writer.writerow("" if v != v else v for v in words)
     return out.getvalue()

@@ -11,19 +11,15 @@ import numpy as np
 
 from ._errors import InputError, MckibbenError
 from ._motion import Joint
-from ._muscle import MEASURES
+from ._muscle import MEASURES, filled
 from ._request import fields, is_nan, modelled
 
 if TYPE_CHECKING:
-    from typing import TypeAlias
-
-    from numpy.typing import NDArray
     from typing_extensions import Unpack
 
     from ._api import Asking
     from ._muscle import Muscle
-
-    Array: TypeAlias = NDArray[np.float64]
+    from ._request import Array
 
 # Places and weights of differences of fourth order, about a point and from a point on.
 _PLACES = np.array([[-2, 0], [-1, 1], [0, 2], [1, 3], [2, 4]])
@@ -44,72 +40,63 @@ class _Asked:
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         self.options = options = dict(given)
         self.nan = is_nan(options.pop("errors", "raise"))
+        self.request = fields(modelled(options))
         # Which model it is, and whether there is one.
         self.has_second = not muscle._bound(options).native.is_elements
         # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
-        self.width = width = len(self.usual) + len(self.names)
-        self.widths: Any = (), (1 + width,), (width**2,)
+        width = len(self.usual) + len(self.names)
+        self.widths: Any = (), (1 + width,), (width, width)
 
     def numbers(
-        self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
+        self, points: Array, theta: Array, slopes: bool, more: Mapping[str, Any]
     ) -> Array:
-        """Values, or with an axis more at the end their slopes."""
+        """Values at points, the numbers of the question along their last axis, with more options; or with an axis more at the end their slopes."""
         raise NotImplementedError
 
-    def second(self, given: list[Array], theta: Array) -> Array:
+    def second(self, points: Array, theta: Array) -> Array:
         """Second derivatives at one θ: differences of slopes, which closed forms have to their last digits. Slack muscles have none."""
-        options = {**self.options, "extrapolate": True, "two_sided": True}
-        values: list[Any] = [*np.broadcast_arrays(*given), *theta]
-        count = len(given)
+        beyond = {"extrapolate": True, "two_sided": True}
+        count = len(self.usual)
         rows: list[Array] = []
-        for i, (value, usual) in enumerate(zip(values, (*self.usual, *abs(theta)))):
+        for i, usual in enumerate((*self.usual, *abs(theta))):
+            value = points[..., i] if i < count else theta[i - count]
             h = _STEP * (np.maximum(abs(value), usual) if usual else 1.0)
             # Not below zero: no gauge pressure is, and no pull.
             about = (value >= 2 * h) | (i >= count) | (i == self.signed)
             row: Any = 0.0
             for at, by in zip(_PLACES, _WEIGHTS):
-                moved = [
-                    *values[:i],
-                    value + np.where(about, *at) * h,
-                    *values[i + 1 :],
-                ]
-                slopes = self.numbers(
-                    moved[:count], np.array(moved[count:]), True, options
-                )
+                moved = points.copy(), theta.copy()
+                moved[i >= count][..., i - count] += np.where(about, *at) * h
+                slopes = self.numbers(*moved, True, beyond)
                 row = row + (np.where(about, *by) / h)[..., None] * slopes[..., 1:]
             rows.append(row)
         out = np.stack(rows, axis=-1)
         # What is equal differs by rounding alone.
-        out = 0.5 * (out + out.swapaxes(-1, -2))
-        return out.reshape(*values[0].shape, -1)
+        return 0.5 * (out + out.swapaxes(-1, -2))
 
-    def one(self, given: list[Array], theta: Array, order: int) -> Array:
-        """The values, or with an axis more at the end derivatives of an order, at one θ."""
+    def one(self, points: Array, theta: Array, order: int) -> Array:
+        """The values, or with axes more at the end derivatives of an order, at one θ."""
         try:
             if order == 2:
-                return self.second(given, theta)
-            return self.numbers(given, theta, order == 1, self.options)
+                return self.second(points, theta)
+            return self.numbers(points, theta, order == 1, {})
         except MckibbenError:
             # A muscle that cannot be.
             if not self.nan:
                 raise
-            shape = np.broadcast_shapes(*(v.shape for v in given))
-            return np.full((*shape, *self.widths[order]), np.nan)
+            return np.full((*points.shape[:-1], *self.widths[order]), np.nan)
 
-    def many(self, *numbers: Any, order: int) -> Array:
-        """The same where all may have axes of a batch in front, as many as θ has more than one."""
-        *given, theta = (np.asarray(v, dtype=np.float64) for v in numbers)
+    def many(self, points: Any, theta: Any = (), *, order: int) -> Array:
+        """The same where both may have axes of a batch in front, as many as θ has more than one."""
+        points, theta = (np.asarray(v, dtype=np.float64) for v in (points, theta))
         if theta.size == theta.shape[-1]:
-            return self.one(given, theta.reshape(-1), order)
+            return self.one(points, theta.reshape(-1), order)
         deep = theta.ndim - 1
-        axes = np.broadcast_shapes(*(v.shape[:deep] for v in (*given, theta)))
-        given, theta = (
-            [np.broadcast_to(v, axes + v.shape[deep:]) for v in given],
-            np.broadcast_to(theta, axes + theta.shape[deep:]),
+        axes = np.broadcast_shapes(points.shape[:deep], theta.shape[:deep])
+        points, theta = (
+            np.broadcast_to(v, axes + v.shape[deep:]) for v in (points, theta)
         )
-        parts = [
-            self.one([v[i] for v in given], theta[i], order) for i in np.ndindex(axes)
-        ]
+        parts = [self.one(points[i], theta[i], order) for i in np.ndindex(axes)]
         return np.stack(parts).reshape(axes + parts[0].shape)
 
 
@@ -123,42 +110,35 @@ class _OfMuscle(_Asked):
         names: Sequence[str],
         given: Mapping[str, Any],
     ) -> None:
-        there = [*MEASURES, *muscle.parameters]
-        if unknown := [name for name in names if name not in there]:
-            raise InputError(f"there is {', '.join(there)}", field=unknown[0])
+        muscle._refuse(names, "wrt")
         self.muscle, self.wanted, self.names = muscle, wanted, names
         self.usual = _USUAL[wanted]
         self.signed = None if wanted == "contraction" else 1
         super().__init__(muscle, given)
 
     def numbers(
-        self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
+        self, points: Array, theta: Array, slopes: bool, more: Mapping[str, Any]
     ) -> Array:
         values = dict(zip(self.names, theta.tolist()))
         measures = {name: value for name, value in values.items() if name in MEASURES}
         own = {name: value for name, value in values.items() if name not in MEASURES}
-        muscle = self.muscle._changed(measures) if measures else self.muscle
+        muscle = self.muscle._of(self.muscle, **measures) if measures else self.muscle
         # One that is a value itself follows no measure.
-        names, by = muscle._chain(self.names, own) if slopes else ([], None)
+        chain = muscle._chain(self.names, own) if slopes else None
         muscle = muscle.with_parameters(own) if own else muscle
         # Nothing is said of points: a sampler asks many. The model of the muscle itself is kept.
         native = (
-            muscle._held.model(fields(modelled(options)))
+            muscle._held.model({**self.request, **more})
             if values
-            else muscle._bound(options).native
+            else muscle._bound({**self.options, **more}).native
         )
-        pair = np.broadcast_arrays(*given)
-        out = np.empty((*pair[0].shape, 3 + len(names)) if slopes else pair[0].shape)
-        first, second = (np.ascontiguousarray(v).reshape(-1) for v in pair)
-        native.fill(
-            self.wanted, first, second, out.reshape(-1), slopes, names, self.nan
-        )
-        return np.concatenate([out[..., :3], out[..., 3:] @ by], -1) if slopes else out
+        pair = points[..., 0], points[..., 1]
+        return filled(native, self.wanted, chain, *pair, self.nan)
 
-    def second(self, given: list[Array], theta: Array) -> Array:
-        out = super().second(given, theta)
+    def second(self, points: Array, theta: Array) -> Array:
+        out = super().second(points, theta)
         if self.wanted == "force" and not self.options.get("two_sided"):
-            out = np.where((self.one(given, theta, 0) == 0)[..., None], 0.0, out)
+            out[self.one(points, theta, 0) == 0] = 0.0
         return out
 
 
@@ -166,17 +146,17 @@ class _OfJoint(_Asked):
     """The torque of a joint."""
 
     def __init__(self, joint: Joint, given: Mapping[str, Any]) -> None:
-        muscles = joint._parts()[1]
+        muscles = joint._parts[1]
         self.joint, self.signed = joint, len(muscles)
         self.usual = *[0.1] * len(muscles), 20.0
         super().__init__(muscles[0], given)
 
     def numbers(
-        self, given: list[Array], theta: Array, slopes: bool, options: Mapping[str, Any]
+        self, points: Array, theta: Array, slopes: bool, more: Mapping[str, Any]
     ) -> Array:
-        errors = "nan" if self.nan else "raise"
-        *pressures, angle = given
-        torque, rates, _ = self.joint._turned(pressures, angle, slopes, errors, options)
+        how = "nan" if self.nan else "raise", {**self.options, **more}
+        *pressures, angle = np.moveaxis(points, -1, 0)
+        torque, rates, _ = self.joint._turned(pressures, angle, slopes, *how)
         rates[..., -1] *= np.pi / 180
         return np.concatenate([torque[..., None], rates], -1) if slopes else torque
 
@@ -233,28 +213,17 @@ def torque(joint: Joint, **options: Unpack[Asking]) -> Callable[..., jax.Array]:
 
 
 def _function(asked: _Asked) -> Callable[..., jax.Array]:
-    count, width = len(asked.names), asked.width
+    count = len(asked.usual)
 
     def of_order(order: int) -> jax.custom_jvp[Any]:
-        def call(*numbers: Any) -> Any:
-            *given, theta = numbers
-            shape, kind = (
-                jnp.broadcast_shapes(*(jnp.shape(v) for v in given)),
-                jnp.result_type(float),
-            )
-            # As many axes each, so that those of a batch come in front of all.
-            given = [
-                jnp.reshape(v, (1,) * (len(shape) - jnp.ndim(v)) + jnp.shape(v))
-                for v in given
-            ]
+        def call(points: Any, theta: Any) -> Any:
             struct: Any = jax.ShapeDtypeStruct
+            shape = *points.shape[:-1], *asked.widths[order]
+            # Each array that is handed over takes its time.
             return jax.pure_callback(
-                lambda *numbers: np.asarray(
-                    asked.many(*numbers, order=order), dtype=kind
-                ),
-                struct((*shape, *asked.widths[order]), kind),
-                *given,
-                theta,
+                lambda *at: asked.many(*at, order=order).astype(points.dtype),
+                struct(shape, points.dtype),
+                *((points, theta) if asked.names else (points,)),
                 vmap_method="expand_dims",
             )
 
@@ -262,15 +231,14 @@ def _function(asked: _Asked) -> Callable[..., jax.Array]:
 
     value, slopes, curvatures = map(of_order, range(3))
 
-    def along(rates: Any, by: Any) -> Any:
+    def along(rates: Any, points: Any, theta: Any) -> Any:
         """How what has these rates changes along a direction."""
-        of_theta = rates[..., width - count :] @ by[-1] if count else 0.0
-        return sum(rates[..., i] * v for i, v in enumerate(by[:-1])) + of_theta
+        return (rates[..., :count] * points).sum(-1) + rates[..., count:] @ theta
 
     @value.defjvp
     def first(at: Any, by: Any) -> Any:
         found = slopes(*at)
-        return found[..., 0], along(found[..., 1:], by)
+        return found[..., 0], along(found[..., 1:], *by)
 
     @slopes.defjvp
     def second(at: Any, by: Any) -> Any:
@@ -278,12 +246,10 @@ def _function(asked: _Asked) -> Callable[..., jax.Array]:
             raise NotImplementedError(
                 "finite elements have first derivatives only: take universal"
             )
-        found, rates = slopes(*at), curvatures(*at)
-        rows = [
-            along(found[..., 1:], by),
-            *(along(rates[..., i * width : (i + 1) * width], by) for i in range(width)),
-        ]
-        return found, jnp.stack(rows, axis=-1)
+        found, (points, theta) = slopes(*at), by
+        rows = along(curvatures(*at), points[..., None, :], theta)
+        value = along(found[..., 1:], points, theta)
+        return found, jnp.concatenate([value[..., None], rows], axis=-1)
 
     @curvatures.defjvp
     def third(at: Any, by: Any) -> Any:
@@ -292,14 +258,12 @@ def _function(asked: _Asked) -> Callable[..., jax.Array]:
     def outer(first: Any, second: Any = 0.0, theta: Any = ()) -> jax.Array:
         if isinstance(theta, Mapping):
             theta = jnp.stack([jnp.asarray(theta[name]) for name in asked.names])
-        first = [first] if isinstance(asked, _OfMuscle) else first
-        numbers = [
-            jnp.asarray(v, dtype=jnp.result_type(float))
-            for v in (*first, second, theta)
-        ]
-        if numbers[-1].shape != (count,):
+        given = [first] if isinstance(asked, _OfMuscle) else first
+        *given, theta = (jnp.asarray(v, dtype=float) for v in (*given, second, theta))
+        if theta.shape != (len(asked.names),):
             raise InputError(f"the values of {[*asked.names]}", field="theta")
-        found: jax.Array = value(*numbers)
+        points = jnp.stack(jnp.broadcast_arrays(*given), axis=-1)
+        found: jax.Array = value(points, theta)
         return found
 
     return outer

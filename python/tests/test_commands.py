@@ -12,7 +12,7 @@ import sys
 from collections.abc import Callable
 from decimal import Decimal
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import pandas as pd
@@ -748,6 +748,8 @@ def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
     """Whatever it is, and whichever way it goes in; hints are in the words of Python, and a single number is no point of a list."""
     number: Any = Decimal("0.2")
     none: Any = None
+    three: Any = 3
+    several: Any = [3]
     muscle = mk.Muscle.prototype()
     of: Any = str(root / "examples/biceps.toml")
     calls: dict[str, list[Callable[[], Any]]] = {
@@ -766,7 +768,23 @@ def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
         "of": [lambda: mk.Drive(of, command={"pressure_mpa": 0.1})],
         "command": [lambda: mk.ask("")],
         "name": [lambda: mk.part("no such part")],
-        "model": [lambda: muscle.force(0.2, 0.1, model="no such model")],
+        "model": [
+            lambda: muscle.force(0.2, 0.1, model="no such model"),
+            lambda: muscle.force(0.2, 0.1, model=three),
+            lambda: muscle.solve(0.2, 0.1, model=several),
+            lambda: mk.design(force_n=100, contraction=0.1, model=three),
+        ],
+        "muscle": [
+            lambda: mk.identify(three, {}),
+            lambda: mk.identify(several, {}),
+        ],
+        "jac": [
+            lambda: muscle.force(0.2, 0.1, jac=["typo"]),
+            lambda: muscle.force(0.2, 0.1, jac=["stiffness"]),
+            lambda: muscle.force([0.2], 0.1, jac=[three]),
+            lambda: muscle.pressure(100, 0.1, jac=three),
+        ],
+        "errors": [lambda: muscle.force(0.2, 0.1, errors=three)],
         "dt_s": [lambda: mk.Simulation(root / "examples/elbow-drive.toml", -1)],
     }
     for field, works in calls.items():
@@ -780,6 +798,27 @@ def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
         mk.load("lib:nobody")
     assert 'mk.parts("muscles")' in str(caught.value)
     assert not isinstance(caught.value, OSError)
+
+
+def test_an_error_of_a_name_says_what_there_is() -> None:
+    """And the nearest name; of what is no name at all which kind of thing is wanted."""
+    muscle, three = mk.Muscle.prototype(), cast(Any, 3)
+    asks: list[tuple[Callable[[], Any], str]] = [
+        (lambda: muscle.force(0.2, 0.1, jac=["wall_mn"]), "did you mean wall_mm?"),
+        (
+            lambda: muscle.force([0.2], 0.1, jac="tube.materiel.c10"),
+            "did you mean tube.material.c10?",
+        ),
+        (lambda: muscle.force(0.2, 0.1, jac=["typo"]), "there is outer_diameter_mm, "),
+        (lambda: muscle.force(0.2, 0.1, jac=["stiffness"]), "'braid.stiffness'"),
+        (lambda: muscle.force(0.2, 0.1, jac=three), "names of constants and measures"),
+        (lambda: muscle.force(0.2, 0.1, model=three), "a name, a path or an object"),
+        (lambda: mk.identify(three, {}), "a name, a path or an object"),
+    ]
+    for ask, helps in asks:
+        with pytest.raises(mk.InputError) as caught:
+            ask()
+        assert helps in str(caught.value)
 
 
 def test_sources_are_whole_references() -> None:

@@ -75,7 +75,7 @@ def test_derivatives_are_differences_of_the_torque(
 ) -> None:
     """∂τ/∂P of each muscle and ∂τ/∂φ by central differences; the stiffness is -∂τ/∂φ per radian."""
     joint = request.getfixturevalue(name)
-    count = len(joint._parts()[1])
+    count = len(joint._parts[1])
     at = [0.2, 0.12][:count] + [12.0]
 
     def torque(x: list[float]) -> float:
@@ -187,7 +187,7 @@ def test_monte_carlo_the_parts_of_two_opposed_muscles(elbow: mk.Joint) -> None:
     row = elbow.solve(pressures_mpa=[at], angles_deg=[angle], model="universal").points[
         0
     ]
-    native, muscles = elbow._parts()
+    native, muscles = elbow._parts
     levers = native.levers(angle, False)
     parts = []
     for i, muscle in enumerate(muscles):

@@ -87,6 +87,17 @@ def test_a_series_keeps_its_index(muscle: mk.Muscle) -> None:
     assert muscle.force(p.iloc[1], 0.1, **OPTIONS) == pull.iloc[1]
 
 
+def test_a_formula_takes_labels(root: Any) -> None:
+    xr, pd = pytest.importorskip("xarray"), pytest.importorskip("pandas")
+    formula: Any = mk.fit(root / "data/campaign/paper.csv").formula
+    walls = xr.DataArray([1.0, 2.0], dims="wall", coords={"wall": ["thin", "thick"]})
+    pull = formula(0.2, xr.DataArray([0.0, 0.1], dims="e"), walls, 40)
+    assert pull.dims == ("e", "wall") and pull.attrs["units"] == "N"
+    assert pull.sel(e=1, wall="thick").item() == formula(0.2, 0.1, 2.0, 40)
+    row = formula(pd.Series([0.1, 0.2], ["a", "b"]), 0.1, 2.0, 40)
+    assert row["b"] == formula(0.2, 0.1, 2.0, 40) and row.name == "force_n"
+
+
 def test_a_joint_takes_labels(root: Any) -> None:
     xr = pytest.importorskip("xarray")
     elbow = mk.load(root / "examples/elbow.toml")

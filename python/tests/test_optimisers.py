@@ -215,6 +215,33 @@ def test_second_derivatives_of_models_measures_and_inverses(jax: Any) -> None:
         jax.hessian(lambda x: elements(x[0], 0.1))(np.array([0.2]))
 
 
+def test_jax_names_what_is_no_parameter(jax: Any) -> None:
+    with pytest.raises(
+        mk.InputError, match=r"did you mean tube\.material\.c10"
+    ) as caught:
+        force(mk.Muscle.prototype(), ["tube.materiel.c10"])
+    assert caught.value.field == "wrt"
+
+
+def test_jax_second_derivatives_by_more_parameters_than_numbers(jax: Any) -> None:
+    """An identity: those of each parameter alone; the mixed ones are differences of the slopes."""
+    muscle = mk.Muscle.prototype()
+    names = ["outer_diameter_mm", "wall_mm", "angle_deg", "tube.material.c10"]
+    measures = muscle.outer_diameter_mm, muscle.wall_mm, muscle.angle_deg
+    values = np.array([*measures, muscle.parameters[names[-1]]])
+    pull = force(muscle, names, model="thick-wall")
+    found = np.array(jax.hessian(lambda t: pull(0.2, 0.1, t))(values))
+    assert found == pytest.approx(found.T, rel=1e-9)
+    slopes = jax.grad(lambda t: pull(0.2, 0.1, t))
+    for i, value in enumerate(values):
+        h = 1e-4 * value
+        step = h * np.eye(len(values))[i]
+        row = (np.array(slopes(values + step)) - np.array(slopes(values - step))) / (
+            2 * h
+        )
+        assert found[i] == pytest.approx(row, rel=1e-3, abs=1e-4 * abs(found[i]).max())
+
+
 def test_jax_has_no_third_derivatives(jax: Any) -> None:
     with pytest.raises(NotImplementedError, match="first and second"):
         jax.grad(jax.grad(jax.grad(force(mk.Muscle.prototype(), model="universal"))))(
