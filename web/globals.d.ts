@@ -5,7 +5,7 @@ declare global {
   type Commands = All;
   type Problem = import("./page/js/engine/problem.js").Problem;
   type Store = import("./page/js/bench/store.js").Store;
-  type View = import("./page/js/view3d.js").View;
+  type View = ReturnType<typeof import("./page/js/view3d.js").viewOf>;
 
   /** A page: what it shows, by the words of its address. */
   type Mount = (main: HTMLElement) => {

@@ -278,7 +278,7 @@ export async function go(page, where, timeout = 20_000) {
 }
 /** What stands behind the sign ⋯ of a chart: its table, or a file of it. @param {import("playwright-core").Page | import("playwright-core").Locator} of the page for its first chart, or a region @param {string} what */
 export async function ofChart(of, what) {
-  const menu = of.locator(".chart .menu, .menu").first(),
+  const menu = of.locator(":not(.muscle-bar) > .menu").first(),
     one = menu.getByRole("button", { name: what, exact: true });
   if (!(await one.isVisible())) await menu.locator("summary").click();
   await one.click();

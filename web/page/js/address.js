@@ -1,5 +1,4 @@
 // The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it.
-import { pack, packed, unpack } from "./deflate.js";
 import { signal } from "./life.js";
 import { pageOf } from "./pages.js";
 
@@ -40,15 +39,7 @@ export async function read() {
 
 /** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */
 const readable = (params) =>
-  [
-    ["%2C", ","],
-    ["%3A", ":"],
-    ["%2F", "/"],
-    ["%40", "@"],
-  ].reduce(
-    (all, [escape, sign]) => all.replaceAll(escape, sign),
-    params.toString(),
-  );
+  params.toString().replace(/%(2C|3A|2F|40)/g, decodeURIComponent);
 
 /** Words as the query of an address. @param {Record<string, string | undefined>} params */
 export function query(params) {
@@ -78,4 +69,70 @@ export function write(to) {
   if (to === location.hash) return;
   history.replaceState(null, "", to);
   written.tell();
+}
+
+// Long texts, compressed: `z:` and base64url of raw deflate. A text that begins so is no muscle file.
+const MARK = "z:";
+/** So long a text is at most that a link may hold, in bytes. */
+const MOST = 4_000_000;
+/** Texts as they stand in an address. @type {Map<string, string>} */ const known =
+  new Map();
+
+/** Base64 that an address may hold as it is. */
+const ALPHABET = /** @type {const} */ ({
+  alphabet: "base64url",
+  omitPadding: true,
+});
+
+/** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
+/**
+ * @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through @param {number} [most]
+ * @returns {Promise<Uint8Array>}
+ */
+export async function piped(bytes, through, most = MOST) {
+  const reader = new Blob([bytes])
+    .stream()
+    .pipeThrough(/** @type {Pair} */ (through))
+    .getReader();
+  /** @type {Uint8Array<ArrayBuffer>[]} */ const parts = [];
+  for (let size = 0; ;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    size += value.length;
+    if (size > most) {
+      reader.cancel().catch(() => {});
+      throw new Error("too long");
+    }
+    parts.push(value);
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
+
+/** Makes a text ready for an address; a short one stays as it is. @param {string} text */
+export async function pack(text) {
+  if (known.has(text) || text.length < 120) return;
+  const packed =
+    MARK +
+    (
+      await piped(
+        new TextEncoder().encode(text),
+        new CompressionStream("deflate-raw"),
+      )
+    ).toBase64(ALPHABET);
+  if (packed.length < encodeURIComponent(text).length) known.set(text, packed);
+}
+
+/** As it stands in an address. @param {string} text */
+export const packed = (text) => known.get(text) ?? text;
+
+/** What stands in an address, as a text. @param {string} word @returns {Promise<string>} */
+export async function unpack(word) {
+  if (!word.startsWith(MARK)) return word;
+  const bytes = await piped(
+    Uint8Array.fromBase64(word.slice(MARK.length), ALPHABET),
+    new DecompressionStream("deflate-raw"),
+  );
+  const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  known.set(text, word);
+  return text;
 }

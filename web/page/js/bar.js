@@ -1,20 +1,24 @@
 // The muscle of all pages, above them: its picture and name, undo and redo, save, open, share, project, print.
 import { isLocal } from "./address.js";
-import { button, download, el } from "./dom.js";
+import {
+  button,
+  byId,
+  download,
+  el,
+  menu,
+  notice,
+  noticeProblem,
+  textField,
+} from "./dom.js";
 import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
-import { notice, noticeProblem } from "./notice.js";
 import { openDialog } from "./open.js";
 import { thumbnail } from "./thumbnail.js";
 import { names } from "./steps.js";
 
 async function save() {
   try {
-    download(
-      fileName(muscle.name, ".toml"),
-      await muscle.toml(),
-      "application/toml",
-    );
+    download(fileName(muscle.name, ".toml"), await muscle.toml());
   } catch (problem) {
     noticeProblem(problem, "The muscle cannot be saved.");
   }
@@ -22,11 +26,9 @@ async function save() {
 
 /** The name as a field: it is part of the link, and of the file that is saved. @param {() => void} renamed */
 function nameField(renamed) {
-  const field = el("input", {
-    type: "text",
-    "aria-label": "Name of the muscle",
+  const field = textField({
+    ariaLabel: "Name of the muscle",
     maxlength: 80,
-    autocomplete: "off",
     onchange() {
       muscle.rename(field.value.trim());
       renamed();
@@ -60,25 +62,40 @@ function shareButton() {
   );
 }
 
-/** @param {(by: -1 | 1) => void} walk to the step before or after @param {() => void} renamed */
-export function muscleBar(walk, renamed) {
+/**
+ * @param {(by: -1 | 1) => void} walk to the step before or after @param {() => void} renamed
+ * @param {HTMLElement[]} tools of the frame: on a phone they are behind the sign of the bar
+ */
+export function muscleBar(walk, renamed, tools) {
   const picture = el("span"),
     field = nameField(renamed),
     line = el("span", { class: "small soft measures" });
   const undo = button("Undo", () => walk(-1)),
     redo = button("Redo", () => walk(1));
+  const more = menu(
+      button("Open", openDialog),
+      button("Save", save, { title: "Save the muscle as a file (TOML)" }),
+      shareButton(),
+      button("Print", () => print()),
+    ),
+    acts = /** @type {HTMLElement} */ (more.lastElementChild);
   const element = el(
     "div",
-    { class: "muscle-bar", role: "group", "aria-label": "The muscle" },
+    { class: "muscle-bar", role: "group", ariaLabel: "The muscle" },
     picture,
     el("span", { class: "name" }, field, line),
     undo,
     redo,
-    button("Open", openDialog),
-    button("Save", save, { title: "Save the muscle as a file (TOML)" }),
-    shareButton(),
-    button("Print", () => print()),
+    more,
   );
+  const narrow = matchMedia("(max-width: 699px)");
+  const fold = () => {
+    more.open = !narrow.matches;
+    (narrow.matches ? acts : byId("tools")).append(...tools);
+  };
+  narrow.addEventListener("change", fold);
+  acts.addEventListener("click", fold);
+  fold();
   /** @type {string | undefined} */ let drawn = "";
   return {
     element,

@@ -2,7 +2,7 @@
 import { atEnd } from "./life.js";
 import { block, button, csv, download, el, menu } from "./dom.js";
 import { table } from "./form.js";
-import { Lines } from "./lines.js";
+import { linesOf } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { VIRIDIS } from "./shaders.js";
 import { isDark, onTheme } from "./theme.js";
@@ -26,76 +26,59 @@ export const shade = (share) =>
   isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share);
 /** The colour of a pressure: the same in every chart of a page. @param {number} pressure @param {number} top */
 export const pressureColour = (pressure, top) => shade(pressure / top);
-export class Chart extends Lines {
-  /**
-   * @param {string} name of its files
-   * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => unknown }} [options]
-   */
-  constructor(name, { tools, tall, drag } = {}) {
-    super(block("plot"), name, drag);
-    this.name = name;
-    this.table = el("div", { class: "scroll", hidden: true, tabindex: 0 });
-    this.asTable = button("Table", () => this.flip(), {
-      "aria-pressed": false,
-    });
-    const save = (/** @type {"csv" | "svg" | "png"} */ kind) =>
-      button(kind.toUpperCase(), () => this.save(kind));
-    const bar = block(
+/** @typedef {ReturnType<typeof chartOf>} Chart */
+/**
+ * @param {string} name of its files
+ * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => unknown }} [options]
+ */
+export function chartOf(name, { tools, tall, drag } = {}) {
+  const lines = linesOf(name, drag),
+    { host } = lines,
+    cells = el("div", { class: "scroll", hidden: true, tabindex: 0 });
+  const asTable = button("Table", flip, { ariaPressed: false });
+  const saved = /** @type {const} */ (["csv", "svg", "png"]).map((kind) =>
+    button(kind.toUpperCase(), () => save(kind)),
+  );
+  const element = el(
+    "section",
+    {
+      class: tall ? "chart tall" : "chart",
+      ariaLabel: name.replaceAll("-", " "),
+    },
+    block(
       "row",
       tools ?? null,
       el("span", { class: "grow" }),
-      menu(this.asTable, save("csv"), save("svg"), save("png")),
-    );
-    this.element = el(
-      "section",
-      {
-        class: tall ? "chart tall" : "chart",
-        "aria-label": name.replaceAll("-", " "),
-      },
-      bar,
-      this.host,
-      this.table,
-    );
-    const sized = new ResizeObserver(
-      () => this.host.offsetWidth && this.draw(),
-    );
-    sized.observe(this.host);
-    onTheme(() => this.draw());
-    // An answer that comes after the page was left has nothing to draw on.
-    atEnd(() => {
-      sized.disconnect();
-      this.element.remove();
-    });
+      menu(asTable, ...saved),
+    ),
+    host,
+    cells,
+  );
+  const sized = new ResizeObserver(() => host.offsetWidth && lines.draw());
+  sized.observe(host);
+  onTheme(lines.draw);
+  // An answer that comes after the page was left has nothing to draw on.
+  atEnd(() => {
+    sized.disconnect();
+    element.remove();
+  });
+
+  function flip() {
+    const on = cells.hidden;
+    asTable.ariaPressed = String(on);
+    cells.hidden = !on;
+    host.hidden = on;
+    if (on) tabulate();
+    else lines.draw();
   }
 
-  flip() {
-    const on = this.asTable.getAttribute("aria-pressed") !== "true";
-    this.asTable.ariaPressed = String(on);
-    this.table.hidden = !on;
-    this.host.hidden = on;
-    if (on) this.tabulate();
-    else this.draw();
-  }
-
-  /** @param {Spec} spec */
-  show(spec) {
-    this.spec = spec;
-    if (!this.table.hidden) this.tabulate();
-    this.draw();
-  }
-
-  /** What the columns of the table are. */
-  head() {
-    const spec = /** @type {Spec} */ (this.spec);
-    return ["curve", spec.x, spec.y, ...(spec.z ? [spec.z] : [])];
-  }
-
+  /** What the columns of the table are. @param {Spec} spec */
+  const head = ({ x, y, z }) => ["curve", x, y, ...(z ? [z] : [])];
   /**
    * Rows of all series: name, x, y, and the third number where there is one.
-   * @returns {(string | number | null)[][]}
+   * @param {Spec} spec @returns {(string | number | null)[][]}
    */
-  rows() {
-    const { series = [], rows, z: third } = this.spec ?? {};
+  function rowsOf({ series, rows, z: third }) {
     const more = (/** @type {Series} */ s, /** @type {number} */ i) =>
       third ? [s.z?.[i] ?? null] : [];
     const line = (/** @type {Series} */ s) =>
@@ -103,28 +86,41 @@ export class Chart extends Lines {
     return rows ?? series.filter((s) => !s.silent).flatMap(line);
   }
 
-  tabulate() {
-    const rows = this.rows().map((row) =>
+  function tabulate() {
+    const { spec } = lines;
+    if (!spec) return;
+    const rows = rowsOf(spec).map((row) =>
       row.map((v) => (typeof v === "string" ? v : number(v))),
     );
-    this.table.replaceChildren(
-      table(this.head(), rows).firstElementChild ?? "",
-    );
+    cells.replaceChildren(table(head(spec), rows).firstElementChild ?? "");
   }
 
   /** @param {"csv" | "svg" | "png"} kind */
-  async save(kind) {
-    if (!this.spec) return;
-    const [width, height] = [
-      Math.max(640, this.host.clientWidth),
-      Math.max(400, this.host.clientHeight),
-    ];
+  async function save(kind) {
+    const { spec } = lines;
+    if (!spec) return;
     const content =
       kind === "csv"
-        ? csv([this.head(), ...this.rows()])
-        : await this[kind](width, height);
-    download(`${this.name}.${kind}`, content);
+        ? csv([head(spec), ...rowsOf(spec)])
+        : await lines[kind](
+            Math.max(640, host.clientWidth),
+            Math.max(400, host.clientHeight),
+          );
+    download(`${name}.${kind}`, content);
   }
+  return {
+    element,
+    mark: lines.mark,
+    get spec() {
+      return lines.spec;
+    },
+    /** @param {Spec} spec */
+    show(spec) {
+      lines.spec = spec;
+      if (!cells.hidden) tabulate();
+      lines.draw();
+    },
+  };
 }
 
 /**

@@ -1,5 +1,5 @@
 // Tables of measured points: their cells, what columns were read as, and a grid to type in.
-import { block, el, folded } from "./dom.js";
+import { block, el, folded, textField } from "./dom.js";
 
 /** Lines that a grid shows at most: those behind them stay as they are; and empty ones to type in. */
 const SHOWN = 200,
@@ -35,7 +35,8 @@ export const headings = (text) =>
 export const columnLine = (list) =>
   list
     .map((c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`)
-    .join(", ");
+    .join(", ")
+    .replaceAll("_", " ");
 
 /**
  * A table to type in; cells that are pasted fill it from the one that has the focus.
@@ -53,9 +54,10 @@ export function grid(usual, changed) {
   const put = (i, j, text) => {
     (table.rows[i] ??= [])[j] = text.trim();
   };
+  const widest = () => Math.max(...table.rows.map((row) => row.length));
   function tell() {
     const { remarks, rows } = table,
-      wide = Math.max(...rows.map((row) => row.length));
+      wide = widest();
     const lines = rows
       .filter((row) => row.some(Boolean))
       .map((row) => Array.from({ length: wide }, (_, j) => row[j]).join("\t"));
@@ -64,10 +66,9 @@ export function grid(usual, changed) {
   }
   /** @param {number} i @param {number} j */
   function cell(i, j) {
-    const field = el("input", {
-      type: "text",
+    const field = textField({
       value: table.rows[i]?.[j] ?? "",
-      "aria-label": `line ${i + 1}, column ${j + 1}`,
+      ariaLabel: `line ${i + 1}, column ${j + 1}`,
       onchange() {
         put(i, j, field.value);
         tell();
@@ -83,14 +84,14 @@ export function grid(usual, changed) {
         tell();
       },
     });
-    return el("td", {}, field);
+    return el("td", field);
   }
   function paint() {
     const { rows } = table,
-      wide = Math.max(...rows.map((row) => row.length));
+      wide = widest();
     body.replaceChildren(
       ...Array.from({ length: Math.min(SHOWN, rows.length + FREE) }, (_, i) =>
-        el("tr", {}, ...Array.from({ length: wide }, (__, j) => cell(i, j))),
+        el("tr", ...Array.from({ length: wide }, (__, j) => cell(i, j))),
       ),
     );
   }

@@ -1,11 +1,21 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
 import { understood } from "./ask.js";
-import { addOptions, block, button, capital, el, optionsOf } from "./dom.js";
+import {
+  addOptions,
+  block,
+  button,
+  capital,
+  el,
+  noticeProblem,
+  optionsOf,
+  textField,
+} from "./dom.js";
 import {
   changeUnit,
   clamp,
   expectation,
   hasChoice,
+  inWords,
   inside,
   meant,
   number,
@@ -15,8 +25,6 @@ import {
   unitName,
 } from "./units.js";
 import { sketched } from "./sketch.js";
-import { noticeProblem } from "./notice.js";
-import { inWords } from "./words.js";
 
 let count = 0;
 /** Steps of keys, in steps of a slider. @type {Record<string, number>} */
@@ -48,267 +56,142 @@ export const saying =
     field.ariaInvalid = wrong && text ? "true" : null;
   };
 
-/** A field with a slider, where that has ends. */
-class Quantity {
-  /** @type {number | undefined} */ #now;
+/** A field with a slider, where that has ends. @param {Spec} spec */
+export function quantity(spec) {
+  const { key, field: name, label, symbol, about, kind, around } = spec,
+    id = `q${++count}`;
+  let { value: now, low = NaN, high = NaN } = spec;
   /**
    * The value as the page wrote it into the field; nothing where the value changed under a text of somebody.
    * @type {string | undefined}
    */
-  #painted = "";
+  let painted = "";
   /** Counts what was typed or dragged. */
-  #turn = 0;
-  /** @type {number} */ #low;
-  /** @type {number} */ #high;
-
-  /** @param {Spec} spec */
-  constructor(spec) {
-    const {
-        key,
-        field,
-        label,
-        symbol,
-        about,
-        kind,
-        low = NaN,
-        high = NaN,
-      } = spec,
-      id = `q${++count}`;
-    this.spec = spec;
-    this.#now = spec.value;
-    [this.#low, this.#high] = [low, high];
-    this.slider = el("input", {
-      type: "range",
-      min: 0,
-      max: 1000,
-      step: "any",
-      "aria-label": label,
-    });
-    this.field = el("input", {
-      type: "text",
-      id,
-      autocomplete: "off",
-      "aria-describedby": `${id}w`,
-    });
-    this.unit = hasChoice(kind)
-      ? button("", () => changeUnit(kind), {
-          class: "bare",
-          title: "Change the unit everywhere",
-        })
-      : el("span", { class: "soft" });
-    const below = el("p", { id: `${id}w`, hidden: true, role: "status" });
-    this.say = saying(this.field, below);
-    const name = el(
+  let turn = 0;
+  const slider = el("input", {
+    type: "range",
+    min: 0,
+    max: 1000,
+    step: "any",
+    ariaLabel: label,
+  });
+  const field = textField({ id, "aria-describedby": `${id}w` });
+  const unit = hasChoice(kind)
+    ? button("", () => changeUnit(kind), {
+        class: "bare",
+        title: "Change the unit everywhere",
+      })
+    : el("span", { class: "soft" });
+  const below = el("p", { id: `${id}w`, hidden: true, role: "status" });
+  const tell = saying(field, below);
+  const element = block(
+    "quantity",
+    el(
       "label",
       { for: id },
       label,
       symbol ? " " : "",
       symbol ? el("i", { class: "soft" }, symbol) : null,
-    );
-    this.element = block(
-      "quantity",
-      name,
-      this.field,
-      this.unit,
-      Number.isNaN(low) ? null : this.slider,
-      below,
-    );
-    sketched(this.element, key, field);
-    if (about) this.element.dataset.about = about;
-    this.#listen();
-    onAnyUnits(() => this.#paint());
-    this.#paint();
-  }
-
-  get value() {
-    return this.#now;
-  }
-  /** @param {number | undefined} v */
-  set(v) {
-    if (v === this.#now) return;
-    this.#now = v;
-    this.say();
-    const fieldToo = !this.#typing();
-    if (!fieldToo) this.#painted = undefined;
-    this.#paint(fieldToo);
-  }
-  /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
-  mark(message) {
-    if (message) return this.say(message, true);
-    if (!this.field.getAttribute("aria-invalid")) return;
-    this.say();
-    this.#paint(!this.#typing());
-  }
-  /** @param {number} low @param {number} high */
-  reach(low, high) {
-    [this.#low, this.#high] = [low, high];
-    this.#paint(!this.#typing());
-  }
-  /** Ends from 0.3 to 3 times its value, within limits. @param {number} [least] @param {number} [most] */
-  anchor(least = 0, most = Infinity) {
-    const {
-      spec: { around },
-      value,
-    } = this;
-    if (around && value)
-      this.reach(Math.max(least, 0.3 * value), Math.min(most, 3 * value));
-  }
-  /** @param {boolean} on */
-  enable(on) {
-    this.slider.disabled = !on;
-    this.field.disabled = !on;
-  }
+    ),
+    field,
+    unit,
+    Number.isNaN(low) ? null : slider,
+    below,
+  );
+  sketched(element, key, name);
+  if (about) element.dataset.about = about;
 
   /** Whether somebody is typing. */
-  #typing() {
-    return (
-      document.activeElement === this.field &&
-      this.field.value !== this.#painted
-    );
-  }
-  /**
-   * A value as it stands in the field; with its sign where it is in %, so that it can be read again.
-   * @param {number} v
-   */
-  #asText(v) {
-    const { kind } = this.spec;
-    return number(outside(kind, v), 6) + (kind === "ratio" ? " %" : "");
-  }
+  const typing = () =>
+    document.activeElement === field && field.value !== painted;
+  /** A value as it stands in the field; with its sign where it is in %, so that it can be read again. @param {number} v */
+  const asText = (v) =>
+    number(outside(kind, v), 6) + (kind === "ratio" ? " %" : "");
   /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
-  #step() {
-    const { kind } = this.spec;
-    return (
-      10 **
-      Math.floor(
-        Math.log10(
-          Math.abs(outside(kind, this.#high) - outside(kind, this.#low)) / 100,
-        ),
-      )
+  const step = () =>
+    10 **
+    Math.floor(
+      Math.log10(Math.abs(outside(kind, high) - outside(kind, low)) / 100),
     );
-  }
   /** By its logarithm where its ends are around a value. */
-  #fromSlider() {
-    const { kind, around } = this.spec,
-      share = Number(this.slider.value) / 1000,
-      [low, high] = [this.#low, this.#high];
+  function fromSlider() {
+    const share = Number(slider.value) / 1000;
     const v = outside(
       kind,
       around ? low * (high / low) ** share : low + share * (high - low),
     );
     // A round value may lie beyond its ends.
-    const within = (/** @type {number} */ round) =>
-      clamp(inside(kind, round), low, high);
     if (around)
-      return within(
-        Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2)),
+      return clamp(
+        inside(
+          kind,
+          Number(
+            v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2),
+          ),
+        ),
+        low,
+        high,
       );
-    const step = this.#step();
-    return inside(kind, Number((Math.round(v / step) * step).toPrecision(12)));
-  }
-  #share(/** @type {number} */ now) {
-    const [low, high] = [this.#low, this.#high];
-    return this.spec.around
-      ? Math.log(Math.max(now, 1e-12) / low) / Math.log(high / low)
-      : (now - low) / (high - low);
-  }
-
-  #listen() {
-    const {
-      slider,
-      field,
-      spec: { kind },
-    } = this;
-    slider.addEventListener("input", () =>
-      this.#take(this.#fromSlider(), false),
+    return inside(
+      kind,
+      Number((Math.round(v / step()) * step()).toPrecision(12)),
     );
-    slider.addEventListener("change", () => this.spec.change(this.#now, true));
-    slider.addEventListener("keydown", (event) => {
-      const by = STEPS[event.key];
-      if (by === undefined) return;
-      event.preventDefault();
-      const now = outside(kind, this.#now ?? this.#low),
-        step = this.spec.around
-          ? 10 ** Math.floor(Math.log10(now / 20))
-          : this.#step();
-      const next = Number((now + by * step).toPrecision(12));
-      this.#take(clamp(inside(kind, next), this.#low, this.#high), true);
-    });
-    field.addEventListener("change", () => {
-      this.#read().catch((problem) => this.say(problem.message, true));
-    });
-    field.addEventListener("keydown", (event) => {
-      if (event.key !== "Enter") return;
-      event.preventDefault();
-      this.#read().catch(() => {});
-    });
   }
+  const share = (/** @type {number} */ v) =>
+    around
+      ? Math.log(Math.max(v, 1e-12) / low) / Math.log(high / low)
+      : (v - low) / (high - low);
 
   /**
    * A new value; the field shows it, unless somebody types on.
    * @param {number | undefined} value @param {boolean} settled @param {string} [note]
    */
-  #take(value, settled, note, fieldToo = true) {
-    this.#turn++;
-    this.#now = value;
-    this.say(note);
-    if (!fieldToo) this.#painted = undefined;
-    this.#paint(fieldToo);
-    this.spec.change(value, settled);
+  function take(value, settled, note, fieldToo = true) {
+    turn++;
+    now = value;
+    tell(note);
+    if (!fieldToo) painted = undefined;
+    paint(fieldToo);
+    spec.change(value, settled);
   }
 
   /** What was typed. */
-  async #read() {
-    const {
-        field,
-        spec: { kind, clears },
-      } = this,
-      text = field.value.trim();
+  async function read() {
+    const text = field.value.trim();
     // What the page wrote is not read again: it may have fewer digits than the value. What is being read is given up.
-    if (
-      text === this.#painted &&
-      (this.#now === undefined || !field.hasAttribute("aria-invalid"))
-    ) {
-      this.#turn++;
+    if (text === painted && (now === undefined || !field.ariaInvalid)) {
+      turn++;
       return;
     }
-    if (!text && clears) return this.#take(undefined, true);
+    if (!text && spec.clears) return take(undefined, true);
     const { text: asked, value, note } = meant(kind, text),
-      turn = ++this.#turn;
+      mine = ++turn;
     const reading =
       value === undefined
         ? (await understood([{ text: asked, kind }]))[0]
         : { value };
     // A later text or a drag counts, whichever is read first.
-    if (turn !== this.#turn) return;
-    if (reading.problem) return this.say(reading.problem.message, true);
-    this.#take(reading.value, true, note, field.value.trim() === text);
+    if (mine !== turn) return;
+    if (reading.problem) return tell(reading.problem.message, true);
+    take(reading.value, true, note, field.value.trim() === text);
   }
 
-  #paint(fieldToo = true) {
-    const {
-        slider,
-        unit,
-        spec: { kind, unit: own },
-      } = this,
-      now = this.#now;
+  function paint(fieldToo = true) {
     // Without a value there is nothing to change a little.
     slider.hidden = now === undefined;
-    slider.value = now === undefined ? "0" : String(1000 * this.#share(now));
-    if (fieldToo) this.#write(now === undefined ? "" : this.#asText(now));
-    unit.textContent = kind === "ratio" ? "" : (own ?? unitName(kind));
-    slider.setAttribute(
-      "aria-valuetext",
+    slider.value = now === undefined ? "0" : String(1000 * share(now));
+    if (fieldToo) write(now === undefined ? "" : asText(now));
+    unit.textContent = kind === "ratio" ? "" : (spec.unit ?? unitName(kind));
+    slider.ariaValueText =
       now === undefined
         ? "not given"
-        : `${number(outside(kind, now))} ${unitName(kind)}`,
-    );
-    this.#hint();
+        : `${number(outside(kind, now))} ${unitName(kind)}`;
+    hint();
   }
 
   /** Writes into the field; a selection of all of it stays, so that typing replaces it. @param {string} text */
-  #write(text) {
-    const { field } = this,
-      { selectionStart, selectionEnd, value } = field;
+  function write(text) {
+    const { selectionStart, selectionEnd, value } = field;
     const whole =
       document.activeElement === field &&
       selectionStart === 0 &&
@@ -317,12 +200,12 @@ class Quantity {
       field.value = text;
       if (whole) field.select();
     }
-    this.#painted = text;
+    painted = text;
   }
 
   /** What may be typed. */
-  #hint() {
-    const { about, kind, above, minimum, maximum, usual } = this.spec;
+  function hint() {
+    const { above, minimum, maximum, usual } = spec;
     const bounds = [
       above === undefined ? "" : `above ${show(kind, above)}`,
       minimum === undefined ? "" : `from ${show(kind, minimum)}`,
@@ -331,14 +214,67 @@ class Quantity {
     const words = capital(
       [expectation(kind), ...bounds].filter(Boolean).join(", "),
     );
-    this.field.title = [about, words].filter(Boolean).join(" ");
-    this.field.placeholder =
-      usual !== undefined ? this.#asText(usual) : kind === "ratio" ? "%" : "";
+    field.title = [about, words].filter(Boolean).join(" ");
+    field.placeholder =
+      usual !== undefined ? asText(usual) : kind === "ratio" ? "%" : "";
   }
-}
 
-/** A field with a slider. @param {Spec} spec */
-export const quantity = (spec) => new Quantity(spec);
+  slider.addEventListener("input", () => take(fromSlider(), false));
+  slider.addEventListener("change", () => spec.change(now, true));
+  slider.addEventListener("keydown", (event) => {
+    const by = STEPS[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    const at = outside(kind, now ?? low),
+      one = around ? 10 ** Math.floor(Math.log10(at / 20)) : step();
+    const next = Number((at + by * one).toPrecision(12));
+    take(clamp(inside(kind, next), low, high), true);
+  });
+  field.addEventListener("change", () => {
+    read().catch((problem) => tell(problem.message, true));
+  });
+  field.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter") return;
+    event.preventDefault();
+    read().catch(() => {});
+  });
+  /** @param {number} least @param {number} most */
+  const reach = (least, most) => {
+    [low, high] = [least, most];
+    paint(!typing());
+  };
+  onAnyUnits(() => paint());
+  paint();
+  return {
+    element,
+    reach,
+    /** @param {number | undefined} v */
+    set(v) {
+      if (v === now) return;
+      now = v;
+      tell();
+      const fieldToo = !typing();
+      if (!fieldToo) painted = undefined;
+      paint(fieldToo);
+    },
+    /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
+    mark(message) {
+      if (message) return tell(message, true);
+      if (!field.ariaInvalid) return;
+      tell();
+      paint(!typing());
+    },
+    /** Ends from 0.3 to 3 times its value, within limits. @param {number} [least] @param {number} [most] */
+    anchor(least = 0, most = Infinity) {
+      if (around && now)
+        reach(Math.max(least, 0.3 * now), Math.min(most, 3 * now));
+    },
+    /** @param {boolean} on */
+    enable(on) {
+      slider.disabled = field.disabled = !on;
+    },
+  };
+}
 
 /**
  * A list to choose from.
@@ -352,12 +288,7 @@ export function choice(label, options, value, change) {
     ...optionsOf(options),
   );
   select.value = value;
-  const element = el(
-    "label",
-    { class: "choice" },
-    el("span", {}, label),
-    select,
-  );
+  const element = el("label", { class: "choice" }, el("span", label), select);
   return {
     element,
     /** @param {string} v */
@@ -400,6 +331,26 @@ export const TABLES = ".csv,.txt,.tsv,.xlsx,.ods";
 export const boxes = new WeakMap();
 
 /**
+ * What opens the browser's window of files; a button stands for it.
+ * @param {string} label @param {string} accept @param {(files: File[]) => void} take
+ */
+export function fileInput(label, accept, take, multiple = false) {
+  const input = el("input", {
+    type: "file",
+    accept,
+    multiple,
+    class: "unseen",
+    ariaLabel: label,
+    tabindex: -1,
+    onchange() {
+      take([...(input.files ?? [])]);
+      input.value = "";
+    },
+  });
+  return input;
+}
+
+/**
  * A field for text that the engine reads: a file's text. Drops of files are taken too.
  * @param {string} label @param {string} accept @param {(name: string, text: string) => void} take
  */
@@ -411,17 +362,7 @@ export function fileField(label, accept, take) {
       noticeProblem(problem);
     }
   };
-  const input = el("input", {
-    type: "file",
-    accept,
-    class: "unseen",
-    "aria-label": label,
-    tabindex: -1,
-    onchange() {
-      read(input.files?.[0]);
-      input.value = "";
-    },
-  });
+  const input = fileInput(label, accept, ([file]) => read(file));
   const box = block(
     "drop",
     button(label, () => input.click()),

@@ -2,7 +2,7 @@
 // limit that others miss.
 import { Slot } from "./ask.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
-import { Chart, KINDS, viridisAt } from "./chart.js";
+import { chartOf, KINDS, viridisAt } from "./chart.js";
 import { el, heading } from "./dom.js";
 import {
   corners,
@@ -10,7 +10,9 @@ import {
   picture,
   pieces,
   sampled,
+  span,
   valueBetween,
+  whole,
 } from "./map.js";
 import { muscle } from "./muscle.js";
 import { token } from "./theme.js";
@@ -44,7 +46,7 @@ export function designMap(linked) {
   const tools = heading(
     "Feasible region over diameter and wall (first estimate: universal)",
   );
-  const feasible = new Chart("design-map", {
+  const feasible = chartOf("design-map", {
     tools,
     tall: true,
     drag: (x, y, settled) => settled && pick(x, y),
@@ -140,7 +142,7 @@ const nearest = (list, v) =>
  */
 function asked(of, best, across = ACROSS, up = UP) {
   const { figure, ...rest } = of;
-  const span = (
+  const list = (
     /** @type {number} */ low,
     /** @type {number} */ high,
     /** @type {number} */ n,
@@ -149,8 +151,8 @@ function asked(of, best, across = ACROSS, up = UP) {
   const range = muscle.sleeves.find((s) => s.name === best.sleeve),
     middle = best.outer_diameter_mm;
   const wall = Math.max(best.wall_mm, 1.5),
-    S = span(0.2 * wall, 2.6 * wall, up);
-  const D = span(
+    S = list(0.2 * wall, 2.6 * wall, up);
+  const D = list(
     Math.max(0.5 * middle, range?.least_diameter_mm ?? 0),
     Math.min(1.9 * middle, range?.largest_diameter_mm ?? Infinity),
     across,
@@ -240,9 +242,7 @@ function spec({ D, S, fits, nodes, limits }, best, finer) {
   const field = sampled(x, y, finer, (px, py) =>
     inside(edge, px, py + 1e-9) ? valueBetween(grid, px, py) : null,
   );
-  const known = field.values.flat().filter((v) => v !== null),
-    low = Math.min(...known);
-  const span = Math.max(...known) - low || 1,
+  const [low, high] = span(field.values),
     tints = limits.map((_, i) => rgb(KINDS[(i + 1) % KINDS.length]));
   /** The limit that most of the cell around a place misses. @param {number} px @param {number} py */
   const missed = (px, py) => {
@@ -255,7 +255,10 @@ function spec({ D, S, fits, nodes, limits }, best, finer) {
   const image = picture(field, (value, px, py) => {
     if (value === null)
       return limits.length ? [...tints[missed(px, py)], 90] : [0, 0, 0, 0];
-    return [...viridisAt(0.5 + (0.5 * (value - low)) / span, 1), 255];
+    return [
+      ...viridisAt(0.5 + (0.5 * (value - low)) / (high - low || 1), 1),
+      255,
+    ];
   });
   const { series, notes } = levels(field, unitName("pressure"));
   const [misses, needs] = [true, false].map((out) =>
@@ -272,8 +275,8 @@ function spec({ D, S, fits, nodes, limits }, best, finer) {
     x: `outer diameter D0 [${unitName("length")}]`,
     y: `wall s [${unitName("length")}]`,
     z: `required pressure [${unitName("pressure")}], or missed limit`,
-    xaxis: { range: [x[0], x[x.length - 1]] },
-    yaxis: { range: [y[0], y[y.length - 1]] },
+    xaxis: whole(x),
+    yaxis: whole(y),
     series: [...series, pieces(edge, { colour: token("--ink"), width: 2.5 })],
     picture: image,
     rows: [...misses, ...needs],

@@ -1,6 +1,6 @@
 // The target of a design, to drag: a pull at a contraction, over what the best muscle gives at the supply.
 import { Slot } from "./ask.js";
-import { Chart, KINDS, isobars } from "./chart.js";
+import { chartOf, KINDS, isobars } from "./chart.js";
 import { el, heading, remark } from "./dom.js";
 import { candidate, fields } from "./state.js";
 import {
@@ -22,7 +22,7 @@ const digits = (/** @type {number} */ v, /** @type {number} */ n) =>
  */
 export function designTarget(act) {
   const words = el("span", { class: "small soft" });
-  const chart = new Chart("design-target", {
+  const chart = chartOf("design-target", {
     tools: heading("Target"),
     drag: (x, y, settled) => drag(x, y, settled),
   });
@@ -111,7 +111,6 @@ export function designTarget(act) {
           );
           draw();
         },
-        () => {},
       );
     },
   };

@@ -1,7 +1,6 @@
 // The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
-import { address } from "./address.js";
+import { address, pack } from "./address.js";
 import { picture } from "./body.js";
-import { pack } from "./deflate.js";
 import {
   button,
   capital,
@@ -19,6 +18,7 @@ import { muscle } from "./muscle.js";
 import { prototype } from "./state.js";
 import {
   asBuilt,
+  inWords,
   number,
   outside,
   show,
@@ -28,7 +28,6 @@ import {
   showRatio,
   unitName,
 } from "./units.js";
-import { inWords } from "./words.js";
 
 /** Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string, string>} Prices */
 
@@ -164,7 +163,7 @@ export const decisionView = ({ decision = [] }) =>
     { class: "decision" },
     ...decision.map((line) => {
       const [, about, rest] = /^(\S+)(.*)$/.exec(inWords(line)) ?? [];
-      return el("li", {}, el("b", {}, about), rest);
+      return el("li", el("b", about), rest);
     }),
   );
 
@@ -264,8 +263,7 @@ export function foundView(answer, prices) {
   const text = list.flatMap(([name], i) =>
     ["tube", "sleeve", "rubber", "price"].includes(name) ? [i + 1] : [],
   );
-  const save = () =>
-    download("design.csv", csv(rowsOf(candidates, prices)), "text/csv");
+  const save = () => download("design.csv", csv(rowsOf(candidates, prices)));
   const words =
     `${answer.fitting} of ${answer.looked_at} muscles fit. ` +
     `Click one to show it. 95 % certain at: pull minus ± meets the requirement.`;
@@ -292,7 +290,7 @@ export function foundView(answer, prices) {
         el(
           "ul",
           { class: "small" },
-          ...assumptions.map((line) => el("li", {}, capital(inWords(line)))),
+          ...assumptions.map((line) => el("li", capital(inWords(line)))),
         ),
       ),
   ]);
@@ -325,11 +323,7 @@ export function closestView(answer) {
     c?.hint ? paragraph(capital(inWords(c.hint))) : null,
     boughtView(answer),
     c &&
-      el(
-        "ul",
-        {},
-        ...c.relaxations.map((r) => el("li", {}, capital(inWords(r.text)))),
-      ),
+      el("ul", ...c.relaxations.map((r) => el("li", capital(inWords(r.text))))),
   ]);
 }
 

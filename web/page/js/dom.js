@@ -1,63 +1,74 @@
 // Elements in one call, and what every page needs of the document.
 import { problemOf } from "./engine/problem.js";
-import { inWords } from "./words.js";
+import { inWords } from "./units.js";
 
+/** What may stand in an element. @typedef {Node | string | null | undefined | false} Child */
 /**
- * An element: attributes by name, listeners as `onclick` functions, children as nodes or texts.
- * @template {keyof HTMLElementTagNameMap} K @param {K} tag @param {Record<string, unknown>} [attributes]
- * @param {...(Node | string | null | undefined | false)} children @returns {HTMLElementTagNameMap[K]}
+ * An element: attributes by name, where it has any, those of accessibility as `ariaLabel`, listeners as `onclick`
+ * functions; children as nodes or texts.
+ * @template {keyof HTMLElementTagNameMap} K @param {K} tag
+ * @param {[attributes: Record<string, unknown>, ...Child[]] | Child[]} rest @returns {HTMLElementTagNameMap[K]}
  */
-export function el(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
+export function el(tag, ...rest) {
+  const element = document.createElement(tag),
+    attributes = rest[0]?.constructor === Object ? rest.shift() : {};
+  for (const [name, value] of Object.entries(
+    /** @type {object} */ (attributes),
+  )) {
     if (value == null || value === false) continue;
     if (typeof value === "function")
       element.addEventListener(
         name.slice(2),
         /** @type {EventListener} */ (value),
       );
+    else if (/^aria\w/.test(name)) Object.assign(element, { [name]: value });
     else if (name === "style") element.style.cssText = String(value);
     else if (name === "value")
       /** @type {HTMLInputElement} */ (element).value = String(value);
     else element.setAttribute(name, value === true ? "" : String(value));
   }
   element.append(
-    ...children.filter((child) => child != null && child !== false),
+    .../** @type {Child[]} */ (rest).filter(
+      (child) => child != null && child !== false,
+    ),
   );
   return element;
 }
 
-/** What may stand in an element. @typedef {Node | string | null | undefined | false} Child */
-/** A heading of a part of a page. @param {Child[]} children */
-export const heading = (...children) => el("h2", {}, ...children);
-/** @param {Child[]} children */
-export const paragraph = (...children) => el("p", {}, ...children);
-/** What is said beside the matter. @param {Child[]} children */
-export const remark = (...children) =>
-  el("p", { class: "small soft" }, ...children);
-/** @param {Child[]} children */
-export const smallPrint = (...children) =>
-  el("p", { class: "small" }, ...children);
-/** What is said where there is nothing yet. @param {Child[]} children */
-export const faded = (...children) => el("p", { class: "soft" }, ...children);
+/**
+ * Elements of a kind with these children.
+ * @template {keyof HTMLElementTagNameMap} K @param {K} tag @param {string} [classes]
+ */
+const part =
+  (tag, classes) =>
+  (/** @type {Child[]} */ ...children) =>
+    el(tag, { class: classes }, ...children);
+/** A heading of a part of a page. */
+export const heading = part("h2");
+export const paragraph = part("p");
+/** What is said beside the matter. */
+export const remark = part("p", "small soft");
+export const smallPrint = part("p", "small");
+/** What is said where there is nothing yet. */
+export const faded = part("p", "soft");
+/** Buttons, fields and words in a row. */
+export const rowOf = part("p", "row");
 /** Things that belong together. @param {string} [classes] @param {Child[]} children */
 export const block = (classes, ...children) =>
   el("div", { class: classes }, ...children);
-/** Buttons, fields and words in a row. @param {Child[]} children */
-export const rowOf = (...children) => el("p", { class: "row" }, ...children);
 /** Names and what they have. @param {Child[][]} rows */
 export const termsOf = (rows) =>
-  rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]);
+  rows.flatMap(([name, value]) => [el("dt", name), el("dd", value)]);
 /** What is shown once somebody opens it. @param {Child} summary @param {Child[]} children */
 export const folded = (summary, ...children) =>
-  el("details", {}, el("summary", {}, summary), ...children);
+  el("details", el("summary", summary), ...children);
 
 /** What is seldom needed, behind one sign; it closes after a click. @param {Child[]} children */
 export function menu(...children) {
   const box = el(
     "details",
     { class: "menu" },
-    el("summary", { "aria-label": "More" }, "⋯"),
+    el("summary", { ariaLabel: "More" }, "⋯"),
     el("div", { class: "row", onclick: () => (box.open = false) }, ...children),
   );
   return box;
@@ -69,6 +80,10 @@ export function menu(...children) {
  */
 export const button = (text, act, more) =>
   el("button", { type: "button", onclick: act, ...more }, text);
+
+/** A field for a line of text. @param {Record<string, unknown>} more attributes */
+export const textField = (more) =>
+  el("input", { type: "text", autocomplete: "off", ...more });
 
 /** The one that matters most. @param {string} text @param {(event: MouseEvent) => unknown} act */
 export const mainButton = (text, act) => button(text, act, { class: "main" });
@@ -109,7 +124,7 @@ export function problemBox(thrown) {
   return el(
     "div",
     { class: "problem", role: "alert" },
-    el("p", {}, capital(inWords(problem.message))),
+    el("p", capital(inWords(problem.message))),
     hint,
   );
 }
@@ -124,9 +139,9 @@ export const dim = (parts, on) =>
 /** @param {string} text */
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** Hands a file to the browser's downloads. @param {string} name @param {BlobPart} content @param {string} [type] */
-export function download(name, content, type) {
-  const url = URL.createObjectURL(new Blob([content], { type }));
+/** Hands a file to the browser's downloads. @param {string} name @param {BlobPart} content */
+export function download(name, content) {
+  const url = URL.createObjectURL(new Blob([content]));
   const link = el("a", { href: url, download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
@@ -159,9 +174,10 @@ export function dragging(element, act) {
 
 /** Rows as CSV. @param {readonly (readonly (string | number | null | undefined)[])[]} rows */
 export function csv(rows) {
+  const special = /[",\n]/;
   const quoted = (/** @type {string | number | null | undefined} */ v) => {
     if (typeof v === "string")
-      return /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v;
+      return special.test(v) ? `"${v.replaceAll('"', '""')}"` : v;
     // A gap is no number.
     return Number.isFinite(v) ? v : "";
   };
@@ -183,7 +199,7 @@ export function tabs(label, tabs, chosen, choose) {
       { role: "tab", "data-name": name },
     ),
   );
-  const list = el("div", { role: "tablist", "aria-label": label }, ...buttons);
+  const list = el("div", { role: "tablist", ariaLabel: label }, ...buttons);
   function set(/** @type {string} */ name) {
     for (const one of buttons) {
       const on = one.dataset.name === name;
@@ -201,4 +217,50 @@ export function tabs(label, tabs, chosen, choose) {
     next.click();
   });
   return { list, set };
+}
+
+// One line above the page: what was done with a file, and what a link has lost.
+/** @param {string} text @param {(Node | string)[]} more */
+export function notice(text, ...more) {
+  const box = byId("notice");
+  const close = button(
+    "Close",
+    () => {
+      box.hidden = true;
+    },
+    { class: "bare", ariaLabel: "Close this message" },
+  );
+  box.replaceChildren(el("span", text), ...more, close);
+  box.hidden = false;
+}
+
+/** A problem in the same place. @param {unknown} thrown @param {string} [what] */
+export function noticeProblem(thrown, what = "") {
+  const { message, hint } = problemOf(thrown);
+  notice([what, inWords(message), inWords(hint)].filter(Boolean).join(" "));
+}
+
+// A window over the page, as the browser has it: Escape closes it, and the focus returns to where it was.
+let windows = 0;
+/** @param {string} title @param {(close: () => void) => (Node | string | null)[]} inside */
+export function dialog(title, inside) {
+  const id = `dialog-${++windows}`;
+  const box = el("dialog", { "aria-labelledby": id });
+  const close = () => box.close();
+  box.addEventListener("close", () => box.remove());
+  // A click beside it closes it too.
+  box.addEventListener("click", (event) => {
+    if (event.target === box) close();
+  });
+  const head = block(
+    "row head",
+    el("h2", { id }, title),
+    button("Close", close),
+  );
+  box.append(
+    block("inside", head, ...inside(close).filter((part) => part !== null)),
+  );
+  document.body.append(box);
+  box.showModal();
+  return box;
 }

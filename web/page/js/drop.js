@@ -3,12 +3,10 @@
 import { boxes, textOf } from "./controls.js";
 import { headings } from "./columns.js";
 import { ofFile } from "./joint-words.js";
-import { keepFile } from "./kept.js";
-import { measured } from "./measured.js";
-import { muscle } from "./muscle.js";
-import { notice, noticeProblem } from "./notice.js";
+import { keepFile, measured } from "./kept.js";
+import { muscle, visit } from "./muscle.js";
 import { stated } from "./toml.js";
-import { visit } from "./visit.js";
+import { notice, noticeProblem } from "./dom.js";
 
 /** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind */
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */

@@ -1,5 +1,5 @@
 // Figures of the engine (data: panels, axes, series, marks) as charts.
-import { Chart, KINDS, shade } from "./chart.js";
+import { chartOf, KINDS, shade } from "./chart.js";
 import { block, capital, el, remark } from "./dom.js";
 import { token } from "./theme.js";
 
@@ -12,7 +12,7 @@ export class Figures {
   /** @param {string} name of the files */
   constructor(name) {
     this.name = name;
-    /** @type {Chart[]} */ this.charts = [];
+    /** @type {import("./chart.js").Chart[]} */ this.charts = [];
     this.caption = remark();
     this.grid = block("charts");
     this.element = block("", this.grid, this.caption);
@@ -25,7 +25,7 @@ export class Figures {
     if (!figure) return;
     while (this.charts.length < figure.panels.length) {
       const title = el("h3", { class: "grow" });
-      const chart = new Chart(`${this.name}-${this.charts.length + 1}`, {
+      const chart = chartOf(`${this.name}-${this.charts.length + 1}`, {
         tools: title,
       });
       this.charts.push(chart);

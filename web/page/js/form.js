@@ -13,13 +13,13 @@ import {
   problemBox,
   optionsOf,
   tabs,
+  textField,
 } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
-import { expectation, meant, withUnit } from "./units.js";
+import { expectation, inWords, meant, withUnit } from "./units.js";
 import { sketched } from "./sketch.js";
-import { inWords } from "./words.js";
 
 /**
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
@@ -42,10 +42,8 @@ function fieldRow(f, submit) {
     { kind } = f;
   const input = f.options
     ? el("select", { id }, ...optionsOf(f.options))
-    : el("input", {
-        type: "text",
+    : textField({
         id,
-        autocomplete: "off",
         placeholder: f.hint ?? "",
         "aria-describedby": `${id}w`,
       });
@@ -249,8 +247,8 @@ class Form {
 }
 
 /**
- * Fields: key, name in the request, label, kind, and the usual text or all else.
- * @param {[key: string, field: string, label: string, kind?: Kind, more?: string | Partial<Field>][]} rows
+ * Fields: key, name in the request, label, kind where it is a quantity, and the usual text or all else.
+ * @param {[key: string, field: string, label: string, kind?: Kind | Partial<Field>, more?: string | Partial<Field>][]} rows
  * @returns {Field[]}
  */
 export const fieldsOf = (rows) =>
@@ -258,7 +256,7 @@ export const fieldsOf = (rows) =>
     key,
     field,
     label,
-    kind,
+    ...(typeof kind === "object" ? kind : { kind }),
     ...(typeof more === "string" ? { value: more } : more),
   }));
 
@@ -311,7 +309,7 @@ export function job(
   const stop = button("Cancel", () => ends?.abort(), { hidden: true });
   const bar = el("progress", {
     hidden: true,
-    "aria-label": `${label}: progress`,
+    ariaLabel: `${label}: progress`,
   });
   const words = el("span", { class: "small soft" });
   const said = block();
@@ -403,17 +401,12 @@ export function table(head, rows, { text = [0], pick, label } = {}) {
       class: "scroll",
       tabindex: pick ? undefined : 0,
       role: "region",
-      "aria-label": label ?? "table",
+      ariaLabel: label ?? "table",
     },
     el(
       "table",
-      {},
-      el(
-        "thead",
-        {},
-        el("tr", {}, ...head.map((h, i) => cell(h ? "th" : "td", h, i))),
-      ),
-      el("tbody", {}, ...body),
+      el("thead", el("tr", ...head.map((h, i) => cell(h ? "th" : "td", h, i)))),
+      el("tbody", ...body),
     ),
   );
 }
@@ -423,16 +416,16 @@ export const warnings = (list) =>
   el(
     "ul",
     { class: "warnings" },
-    ...(list ?? []).map((w) => el("li", {}, capital(inWords(w)))),
+    ...(list ?? []).map((w) => el("li", capital(inWords(w)))),
   );
+
+/** Inputs in one column. @param {string} label @param {import("./dom.js").Child[]} children */
+export const inputs = (label, ...children) =>
+  el("section", { class: "controls", ariaLabel: label }, ...children);
 
 /**
  * A page of controls, and what they lead to beside them.
  * @param {string} label @param {(Node | string | null)[]} controls @param {Node[]} middle
  */
 export const bench = (label, controls, middle) =>
-  block(
-    "bench two",
-    el("section", { class: "controls", "aria-label": label }, ...controls),
-    block("middle", ...middle),
-  );
+  block("bench two", inputs(label, ...controls), block("middle", ...middle));

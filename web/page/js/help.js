@@ -1,7 +1,6 @@
 // Help: what a page is for, how it is used, and the page of the book that says more.
 import { address } from "./address.js";
-import { dialog } from "./dialog.js";
-import { button, el, paragraph, remark } from "./dom.js";
+import { button, dialog, el, paragraph, remark } from "./dom.js";
 import { DOCUMENTATION } from "./kind.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
@@ -29,7 +28,7 @@ export function helpLink() {
   const open = () =>
     dialog(`Help: ${pageOf(page).text}`, (close) => [
       paragraph(pageOf(page).about),
-      el("ul", {}, ...(HOW[page] ?? []).map((text) => el("li", {}, text))),
+      el("ul", ...(HOW[page] ?? []).map((text) => el("li", text))),
       paragraph(
         "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your " +
           "gestures.",
@@ -50,7 +49,7 @@ export function helpLink() {
           })
         : remark(
             "The book comes with the program: ",
-            el("code", {}, `docs/${pageOf(page).help.split("#")[0]}.md`),
+            el("code", `docs/${pageOf(page).help.split("#")[0]}.md`),
           ),
     ]);
   const element = button("Help", open);

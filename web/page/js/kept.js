@@ -77,3 +77,52 @@ export function replaceAll({ words, files }) {
   Object.assign(kept, structuredClone({ words, files }));
   save();
 }
+
+// The table of measured points that pages share: opened on the page Data, or dropped anywhere.
+/** @typedef {{ pressure_mpa: number, contraction: number, force_n: number, branch?: "contraction" | "mean" | "elongation" | null }} Point */
+
+const newPoints = signal();
+export const onMeasured = newPoints.on;
+
+export const measured = {
+  /** As it is used: a long one is thinned. @returns {TextFile | undefined} */
+  get file() {
+    return fileOf("data");
+  },
+  /** What to say of a table that was thinned. @returns {string} */
+  get said() {
+    return fileOf("data-said") ?? "";
+  },
+
+  /** @param {TextFile | undefined} file */
+  set(file) {
+    if (file !== this.file) {
+      const { text, said } = thinned(file?.text ?? "");
+      keepFile("data-said", said || undefined);
+      keepFile("data", file && { name: file.name, text });
+    }
+    newPoints.tell();
+  },
+};
+
+// Tables that are longer than what models are computed at: every n-th row, and a sentence that says so.
+const MOST_ROWS = 20_000;
+
+/** @param {string} text */
+export function thinned(text, most = MOST_ROWS) {
+  const lines = text.split(/\r?\n/);
+  const isRow = (/** @type {string} */ line) => /^[\s"]*[-+.\d]/.test(line);
+  const rows = lines.filter(isRow).length,
+    step = Math.ceil(rows / most);
+  if (step < 2) return { text, said: "" };
+  let at = 0;
+  const some = lines.filter((line) => !isRow(line) || at++ % step === 0);
+  const [all, few, used] = [rows, most, Math.ceil(rows / step)].map((n) =>
+    n.toLocaleString("en"),
+  );
+  const which = step === 2 ? "second" : step === 3 ? "third" : `${step}th`;
+  return {
+    text: some.join("\n"),
+    said: `The table has ${all} rows, more than ${few}: every ${which} one is used, ${used} points.`,
+  };
+}

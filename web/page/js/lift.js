@@ -1,7 +1,7 @@
 // A muscle that hangs from a bar and lifts a weight, to scale beside a coin.
 import { body, contracted } from "./body.js";
 import { block } from "./dom.js";
-import { playing } from "./play.js";
+import { isStill, playing } from "./play.js";
 import { clamp, showForce, showLength } from "./units.js";
 
 /** Diameter of a coin of one euro. */
@@ -62,7 +62,7 @@ function drawn(c, share) {
 /** It moves by itself, unless motion is not wanted. */
 export function liftView() {
   const box = block("lift"),
-    still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    still = isStill();
   /** @type {Lifting | undefined} */ let one;
   let shown = NaN;
   const draw = (/** @type {number} */ share) => {

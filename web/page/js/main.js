@@ -2,13 +2,12 @@
 import { engine, loadUnits } from "./ask.js";
 import { address, onWritten, read, write } from "./address.js";
 import { muscleBar } from "./bar.js";
-import { byId, el, mainButton, paragraph, problemBox } from "./dom.js";
+import { byId, el, mainButton, notice, paragraph, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
 import { helpLink } from "./help.js";
 import { keepWords, keeping, onKept, wordsOf } from "./kept.js";
 import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
-import { notice } from "./notice.js";
 import { offline } from "./offline.js";
 import { PLACES, pageOf, viewsOf } from "./pages.js";
 // The first screen comes with the frame.
@@ -46,8 +45,8 @@ const places = PLACES.map(([place, text, short]) =>
   el(
     "a",
     { href: `#${place}`, "data-place": place },
-    el("span", {}, text),
-    el("span", { class: "short", "aria-hidden": true }, short),
+    el("span", text),
+    el("span", { class: "short", ariaHidden: true }, short),
   ),
 );
 byId("pages").append(...places);
@@ -84,8 +83,7 @@ const help = helpLink();
 const bar = muscleBar(walk, () => {
   write(linked(shown?.name ?? "muscle"));
   muscle.tell();
-});
-byId("tools").append(help.element, themeButton());
+}, [help.element, themeButton()]);
 byId("bar").append(bar.element);
 
 /** Steps that are being gone back to: the muscle on the way there is none. */
@@ -124,7 +122,7 @@ function frame(name) {
             {
               "data-name": view.name,
               href: `#${view.name}`,
-              "aria-current": view.name === name && "page",
+              ariaCurrent: view.name === name && "page",
             },
             view.text,
           ),

@@ -126,16 +126,27 @@ export const pieces = (list, look) =>
     ...look,
   });
 
+/** An axis from the first to the last of a list. @param {number[]} list @returns {Axis} */
+export const whole = (list) => ({ range: [list[0], list[list.length - 1]] });
+
+/** The least and the largest of what is known. @param {(number | null)[][]} values */
+export function span(values) {
+  const known = values.flat().filter((v) => v !== null);
+  return /** @type {[number, number]} */ ([
+    Math.min(...known),
+    Math.max(...known),
+  ]);
+}
+
 /**
  * Lines of equal values at round ones, and their names in the middle of each.
  * @param {Field} field @param {string} unit
  */
 export function levels(field, unit) {
-  const known = field.values.flat().filter((v) => v !== null);
-  if (!known.length) return { series: [], notes: [] };
-  const all = ticks([Math.min(...known), Math.max(...known)], 7).map(
-    ({ value }) => ({ value, list: levelLine(field, value) }),
-  );
+  const all = ticks(span(field.values), 7).map(({ value }) => ({
+    value,
+    list: levelLine(field, value),
+  }));
   // Not where they would lie on the axis.
   const [least, most] = [0.07, 0.93].map(
     (share) => field.x[Math.round(share * (field.x.length - 1))],

@@ -1,7 +1,6 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
-import { address, query, write } from "./address.js";
-import { pack } from "./deflate.js";
+import { address, pack, query, write } from "./address.js";
 import { signal } from "./life.js";
 import {
   canonical,
@@ -20,13 +19,16 @@ import {
 } from "./state.js";
 import { nameIn, named } from "./toml.js";
 import {
+  braidName,
+  learn,
+  partName,
   show,
   showLength,
   typed,
   unitsFromAddress,
   unitsInAddress,
 } from "./units.js";
-import { braidName, learn, partName } from "./words.js";
+import { wordsOf } from "./kept.js";
 
 const measure = (/** @type {string} */ key) =>
   MEASURES.find((m) => m.key === key);
@@ -274,3 +276,17 @@ export class MuscleState {
   }
 }
 export const muscle = new MuscleState();
+
+/**
+ * Goes to a page with words over the kept ones; the muscle goes along.
+ * @param {string} page @param {Record<string, string | undefined>} words
+ */
+export async function visit(page, words) {
+  await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
+  const to = address(page, { ...wordsOf(page), ...words, ...muscle.params() });
+  if (to === location.hash)
+    window.dispatchEvent(
+      new PopStateEvent("popstate", { state: history.state }),
+    );
+  else location.hash = to;
+}

@@ -1,10 +1,8 @@
 // Open: a file of any kind, a muscle of the gallery, of the library, or of the project.
-import { dialog } from "./dialog.js";
-import { TABLES } from "./controls.js";
-import { block, el, mainButton, problemBox, rowOf } from "./dom.js";
+import { TABLES, fileInput } from "./controls.js";
+import { block, dialog, el, mainButton, problemBox, rowOf } from "./dom.js";
 import { takeFiles } from "./drop.js";
-import { gallery } from "./gallery.js";
-import { library } from "./library.js";
+import { gallery, library } from "./gallery.js";
 import { shelf } from "./project.js";
 
 export function openDialog() {
@@ -12,19 +10,11 @@ export function openDialog() {
     const said = block();
     const fail = (/** @type {unknown} */ problem) =>
       said.replaceChildren(problemBox(problem));
-    const input = el("input", {
-      type: "file",
-      multiple: true,
-      accept: `.toml,.json,${TABLES}`,
-      class: "unseen",
-      "aria-label": "Files",
-      tabindex: -1,
-    });
-    input.addEventListener("change", () => {
-      const files = [...(input.files ?? [])];
+    const open = (/** @type {File[]} */ files) => {
       close();
       takeFiles(files);
-    });
+    };
+    const input = fileInput("Files", `.toml,.json,${TABLES}`, open, true);
     return [
       rowOf(
         mainButton("Choose files", () => input.click()),

@@ -2,6 +2,10 @@
 import { button } from "./dom.js";
 import { atEnd } from "./life.js";
 
+/** Whether motion is not wanted. */
+export const isStill = () =>
+  matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 /**
  * `at` is told the share of the time; only three of them where motion is not wanted.
  * @param {string} text of the button @param {(share: number) => void} at @param {() => number} long in milliseconds
@@ -12,7 +16,7 @@ export function playing(text, at, long, title) {
   const one = button(text, () => (running ? stop() : start()), { title });
   function start() {
     const began = performance.now(),
-      still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+      still = isStill();
     const step = () => {
       const share = Math.min(1, (performance.now() - began) / long());
       at(still ? Math.ceil(3 * share) / 3 : share);

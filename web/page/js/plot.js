@@ -1,6 +1,5 @@
 // Spec and points as SVG: the same drawing on the page and in files. Nothing here asks the document anything.
-import { niceUp } from "./bench/round.js";
-import { clamp, number } from "./units.js";
+import { clamp, niceUp, number } from "./units.js";
 
 /** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
 export const KINDS = [
@@ -50,7 +49,7 @@ export function reachOf(spec) {
   };
   let points = false;
   for (const s of spec.series) {
-    points ||= Boolean(s.mode?.includes("markers"));
+    points ||= s.mode === "markers";
     s.x.forEach((v, i) => {
       const value = s.y[i];
       if (!finite(v) || !finite(value)) return;
@@ -459,7 +458,7 @@ export function nearest(spec, at, x, y) {
   const value = at.x(x);
   spec.series.forEach((s, which) => {
     if (s.band || s.silent) return;
-    if (s.mode?.includes("markers"))
+    if (s.mode === "markers")
       s.x.forEach((vx, i) => {
         const vy = s.y[i];
         if (finite(vx) && typeof vy === "number") take(which, vx, vy);

@@ -65,11 +65,11 @@ function sheet() {
   const notes = document.querySelector("main .warnings")?.cloneNode(true);
   return el(
     "section",
-    { class: "sheet", "aria-label": "Sheet" },
+    { class: "sheet", ariaLabel: "Sheet" },
     block(
       "row",
       muscle.shown && thumbnail(muscle.shown, "The muscle"),
-      block("grow", el("h1", {}, muscle.name), paragraph(muscle.line())),
+      block("grow", el("h1", muscle.name), paragraph(muscle.line())),
       smallPrint(
         `${pageOf(document.body.dataset.page ?? "").text}, ${new Date().toISOString().slice(0, 10)}`,
         el("br"),
@@ -79,7 +79,7 @@ function sheet() {
     picture(),
     block(
       "columns",
-      block("", heading("Inputs"), el("dl", {}, ...termsOf(inputs()))),
+      block("", heading("Inputs"), el("dl", ...termsOf(inputs()))),
       block("", heading("Numbers"), .../** @type {Node[]} */ (numbers)),
     ),
     notes ?? null,

@@ -1,11 +1,9 @@
 // A project: several muscles, measured points, joint and drive in one file, and in this tab until it is closed.
-import { address } from "./address.js";
-import { block, button, download, el, remark, rowOf } from "./dom.js";
+import { address, pack } from "./address.js";
+import { block, button, download, el, notice, remark, rowOf } from "./dom.js";
 import { everything, fileOf, keepFile, replaceAll } from "./kept.js";
-import { pack } from "./deflate.js";
 import { muscle } from "./muscle.js";
 import { fileName, nameIn } from "./toml.js";
-import { notice } from "./notice.js";
 
 const FORMAT = "mckibben-project";
 /**
@@ -126,7 +124,7 @@ export function shelf(fail, close) {
           fail(problem);
         }
       },
-      { "aria-label": title },
+      { ariaLabel: title },
     );
   const open = async (/** @type {KeptMuscle} */ one) => {
     await show(one);
@@ -156,7 +154,7 @@ export function shelf(fail, close) {
   paint();
   return block(
     "",
-    el("h3", {}, "Project"),
+    el("h3", "Project"),
     remark(
       "Several muscles with their measured points, joint and drive. It lasts until this tab is closed; save it as a file.",
     ),
@@ -164,11 +162,7 @@ export function shelf(fail, close) {
     rowOf(
       act("Add this muscle", add),
       act("Save the project", async () =>
-        download(
-          fileName(muscle.name, ".mckibben.json"),
-          await saved(),
-          "application/json",
-        ),
+        download(fileName(muscle.name, ".mckibben.json"), await saved()),
       ),
     ),
   );

@@ -1,7 +1,7 @@
 // The muscle of a report, to turn: the page's own view. A report has this script with its
 // imports in one piece (crate mckibben-web, and report.js of the page).
 import { el } from "./dom.js";
-import { View } from "./view3d.js";
+import { viewOf } from "./view3d.js";
 
 for (const box of /** @type {NodeListOf<HTMLElement>} */ (
   document.querySelectorAll(".body")
@@ -10,8 +10,8 @@ for (const box of /** @type {NodeListOf<HTMLElement>} */ (
   if (!data) continue;
   const shape = JSON.parse(data);
   box.classList.add("live");
-  const view = new View(box);
-  if (!view.gl) {
+  const view = viewOf(box);
+  if (!view.turns) {
     box.classList.remove("live");
     continue;
   }

@@ -1,6 +1,6 @@
 // A drawing of what a symbol measures: shown while its name is pointed at, or its field has the focus.
 import { el, smallPrint } from "./dom.js";
-import { MEASURES, POINT } from "./state.js";
+import { measured } from "./state.js";
 
 // The muscle in section, at rest: tube from 40 to 200, its axis at y = 60.
 const BODY =
@@ -125,9 +125,7 @@ const SAME = {
 export const drawing = (key = "") =>
   DRAWINGS[key] ??
   DRAWINGS[
-    SAME[key] ??
-      [...MEASURES, ...POINT].find(({ field }) => field === key)?.key ??
-      ""
+    SAME[key] ?? measured().find(({ field }) => field === key)?.key ?? ""
   ];
 
 /** Marks the row of a field as one with a drawing. @param {HTMLElement} row @param {...(string | undefined)} keys */

@@ -102,14 +102,13 @@ export const LOAD = /** @type {const} @satisfies {Measure} */ ({
   high: 1000,
 });
 
-/** @type {readonly Measure[]} */
-export const POINT = [PRESSURE, CONTRACTION, LOAD];
+/** What is measured: all of the muscle, and its point. @returns {Measure[]} */
+export const measured = () => [...MEASURES, PRESSURE, CONTRACTION, LOAD];
 /** Parts by name; words of the address that are no quantities: those, and which way the muscle moves. */
 const NAMES = ["rubber", "braid"],
   WORDS = [...NAMES, "branch"];
 /** Stiffnesses that have a name. */
 export const STIFFNESS_NAMES = ["inextensible", "paper"];
-export const FILE = "file";
 
 /** The prototype at its usual point. @returns {State} */
 export const prototype = () => ({
@@ -200,8 +199,7 @@ export function about({ field, message }) {
   const named = MEASURES.filter((m) => at(m) >= 0).sort(
     (a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length,
   );
-  return ([...MEASURES, ...POINT].find((m) => m.field === field) ?? named[0])
-    ?.key;
+  return (measured().find((m) => m.field === field) ?? named[0])?.key;
 }
 
 /** Where it is asked. @param {State} state */
@@ -283,13 +281,13 @@ export function words({ file, said, p, e, F }, typed) {
   out.p = typed("pressure", p);
   if (F === undefined) out.e = typed("ratio", e);
   else out.F = typed("force", F);
-  if (file) out[FILE] = file;
+  if (file) out.file = file;
   return out;
 }
 
 /** Texts of an address that the engine has to read. @param {URLSearchParams} params */
 export function texts(params) {
-  const list = [...MEASURES, ...POINT].map(({ key, kind }) => ({
+  const list = measured().map(({ key, kind }) => ({
     key,
     kind,
     text: params.get(key) ?? "",
@@ -325,12 +323,14 @@ export function fromWords(params, readings) {
   if (STIFFNESS_NAMES.includes(stiffness)) said.k = stiffness;
   for (const key of WORDS)
     if (params.get(key)) said[key] = params.get(key) ?? "";
-  return { state: { file: params.get(FILE) ?? "", said, ...at }, wrong };
+  return { state: { file: params.get("file") ?? "", said, ...at }, wrong };
 }
 
 /** Keys of the address that are the muscle's. */
 export const keys = () =>
-  [...MEASURES, ...POINT].map(({ key }) => key).concat(WORDS, FILE);
+  measured()
+    .map(({ key }) => key)
+    .concat(WORDS, "file");
 
 /** A joint of two muscles; a link where it has a mass. @param {boolean} hasMass */
 const template = (hasMass) =>

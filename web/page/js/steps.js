@@ -1,7 +1,7 @@
 // Steps of the muscle, to take back and to do again; each has the name of what changed. Pages are apart: they are the
 // browser's history.
 import { muscle } from "./muscle.js";
-import { MEASURES, POINT } from "./state.js";
+import { measured } from "./state.js";
 import { show } from "./units.js";
 
 /**
@@ -16,7 +16,7 @@ function nameOf(before, now) {
   const [key, other] = [
     ...new Set([...Object.keys(before), ...Object.keys(now)]),
   ].filter((k) => before[k] !== now[k]);
-  const measure = [...MEASURES, ...POINT].find((m) => m.key === key),
+  const measure = measured().find((m) => m.key === key),
     value = muscle.value(key);
   if (other || key === "file") return `another muscle: ${muscle.name}`;
   if (!measure) return key === "name" ? "the name" : key;

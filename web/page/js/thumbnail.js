@@ -2,7 +2,6 @@
 import { body } from "./body.js";
 import { el } from "./dom.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 const WIDTH = 96,
   HEIGHT = 40;
 
@@ -29,7 +28,7 @@ export function card(act, picture, title, about) {
     "button",
     { type: "button", class: "card", onclick: act },
     picture,
-    el("b", {}, title),
+    el("b", title),
     el("span", { class: "small soft" }, about),
   );
 }
@@ -40,17 +39,12 @@ export function card(act, picture, title, about) {
 export function thumbnail(of, label) {
   const box = el("span", {
     class: "thumbnail",
-    "aria-hidden": label ? undefined : "true",
+    ariaHidden: label ? undefined : "true",
     role: label ? "img" : undefined,
-    "aria-label": label,
+    ariaLabel: label,
   });
-  const svg = document.createElementNS(SVG, "svg");
-  svg.setAttribute("viewBox", `0 0 ${WIDTH} ${HEIGHT}`);
-  if (
-    of &&
-    [of.outer_diameter_mm, of.wall_mm, of.length_mm].every((x) => x > 0)
-  )
-    svg.innerHTML = drawing(of);
-  box.append(svg);
+  const isThere =
+    of && [of.outer_diameter_mm, of.wall_mm, of.length_mm].every((x) => x > 0);
+  box.innerHTML = `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}">${isThere ? drawing(of) : ""}</svg>`;
   return box;
 }

@@ -62,6 +62,26 @@ function program(gl, vertex) {
   return made;
 }
 
+/**
+ * Texels of a texture.
+ * @param {WebGL2RenderingContext} gl @param {WebGLTexture | null} texture @param {number} width
+ * @param {number} height @param {Float32Array} texels
+ */
+function fill(gl, texture, width, height, texels) {
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(
+    gl.TEXTURE_2D,
+    0,
+    gl.RGBA32F,
+    width,
+    height,
+    0,
+    gl.RGBA,
+    gl.FLOAT,
+    texels,
+  );
+}
+
 /** A texture whose texels are read as they are. @param {WebGL2RenderingContext} gl */
 function table(gl) {
   const texture = gl.createTexture();
@@ -100,83 +120,54 @@ export function reach(list) {
 }
 
 /**
- * What colours the muscle and between which values; its length and radius at rest.
- * @typedef {{ field: string, low: number, high: number, restLength: number, restRadius: number }} Show
+ * What colours the muscle and between which values, whether it is cut open; its length and radius at rest.
+ * @typedef {{ field: string, low: number, high: number, cut?: boolean, restLength: number, restRadius: number }} Show
  * What is drawn of an answer of `shape`.
  * @typedef {{ stations: number, across: number, arrays: Record<string, number[] | Float32Array>, length_mm: number,
  *   strands?: number | null }} Shape
  * @typedef {{ array: WebGLVertexArrayObject, count: number }} Piece
  */
 
-export class View {
-  /**
-   * @param {HTMLElement} stage
-   * @param {{ contract?: (share: number, settled: boolean) => void, drawn?: () => void }} handlers
-   *   share: of the rest length, that the dragged end moves; drawn: after each picture
-   */
-  constructor(stage, { contract, drawn } = {}) {
-    this.stage = stage;
-    this.turn = [...TURN];
-    this.zoom = 1;
-    this.contract = contract;
-    this.drawn = drawn;
-    this.cut = false;
-    /** @type {Shape | undefined} */ this.shape = undefined;
-    /** @type {Show} */
-    this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
-    /** @type {WebGLTexture | null} */ this.plugTexture = null;
-    /** Parts of the mesh. @type {Map<string, Piece>} */
-    this.pieces = new Map();
-    this.canvas = el("canvas", {
-      role: "img",
-      "aria-label": "The deformed muscle",
-    });
-    const gl = this.canvas.getContext("webgl2", {
-      antialias: !software(),
-      alpha: true,
-    });
-    this.gl = gl;
-    if (gl) {
-      this.prepare(gl);
-      stage.prepend(this.canvas);
-      this.listen();
-      pictures.set(this.canvas, () => {
-        this.draw(true);
-        return this.canvas.toDataURL();
-      });
-      this.canvas.addEventListener("webglcontextlost", (event) =>
-        event.preventDefault(),
-      );
-      this.canvas.addEventListener("webglcontextrestored", () => {
-        this.prepare(gl);
-        this.upload();
-        this.draw();
-      });
-    }
-    /** Of the stage, in pixels of the page; asking for it every time would lay the page out anew. */
-    this.width = stage.clientWidth;
-    this.height = stage.clientHeight;
-    this.rest = 0;
-    this.sized = new ResizeObserver(() => {
-      // On paper the stage has no place, and its picture is made.
-      if (!stage.clientWidth) return;
-      this.width = stage.clientWidth;
-      this.height = stage.clientHeight;
-      this.draw(true);
-    });
-    this.sized.observe(stage);
-    atEnd(() => this.#destroy());
-  }
+/**
+ * @param {HTMLElement} stage
+ * @param {{ contract?: (share: number, settled: boolean) => void, drawn?: () => void }} handlers
+ *   share: of the rest length, that the dragged end moves; drawn: after each picture
+ */
+export function viewOf(stage, { contract, drawn } = {}) {
+  let turn = [...TURN],
+    zoom = 1;
+  /** @type {Shape | undefined} */ let shape;
+  /** @type {Show} */
+  let show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
+  /** @type {WebGLProgram} */ let painter;
+  /** Where its uniforms are, once they are asked for. @type {Record<string, WebGLUniformLocation | null>} */
+  let places = {};
+  /** @type {WebGLTexture | null} */ let texture = null;
+  /** @type {WebGLTexture | null} */ let plugTexture = null;
+  /** Parts of the mesh. @type {Map<string, Piece>} */ let pieces = new Map();
+  let matrix = new Float32Array(16);
+  /** Half of what is seen, in mm. */
+  let half = 1,
+    rest = 0;
+  /** Of the stage, in pixels of the page; asking for it every time would lay the page out anew. */
+  let { clientWidth: width, clientHeight: height } = stage;
+  const canvas = el("canvas", {
+    role: "img",
+    ariaLabel: "The deformed muscle",
+  });
+  const gl = canvas.getContext("webgl2", {
+    antialias: !software(),
+    alpha: true,
+  });
 
   /** @param {WebGL2RenderingContext} gl */
-  prepare(gl) {
-    this.surface = program(gl, SURFACE);
-    /** Where its uniforms are, once they are asked for. @type {Record<string, WebGLUniformLocation | null>} */
-    this.places = {};
-    this.texture = table(gl);
-    this.plugTexture = table(gl);
+  function prepare(gl) {
+    painter = program(gl, SURFACE);
+    places = {};
+    texture = table(gl);
+    plugTexture = table(gl);
     gl.enable(gl.DEPTH_TEST);
-    this.pieces = new Map();
+    pieces = new Map();
   }
 
   /**
@@ -184,12 +175,11 @@ export class View {
    * once for a name.
    * @param {string} name @param {number[]} along @param {number[][]} columns @returns {Piece}
    */
-  piece(name, along, columns) {
+  function piece(name, along, columns) {
     const key = `${name} ${along.length}`,
-      known = this.pieces.get(key);
+      known = pieces.get(key);
     if (known) return known;
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl),
-      program = /** @type {WebGLProgram} */ (this.surface);
+    const of = /** @type {WebGL2RenderingContext} */ (gl);
     const data = columns.flatMap(([angle, row]) =>
         along.flatMap((t) => [t, angle, row]),
       ),
@@ -201,55 +191,54 @@ export class View {
         return [a, b, a + 1, b, b + 1, a + 1];
       }),
     );
-    const array = gl.createVertexArray();
-    gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(data), gl.STATIC_DRAW);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(
-      gl.ELEMENT_ARRAY_BUFFER,
+    const array = of.createVertexArray();
+    of.bindVertexArray(array);
+    of.bindBuffer(of.ARRAY_BUFFER, of.createBuffer());
+    of.bufferData(of.ARRAY_BUFFER, new Float32Array(data), of.STATIC_DRAW);
+    of.bindBuffer(of.ELEMENT_ARRAY_BUFFER, of.createBuffer());
+    of.bufferData(
+      of.ELEMENT_ARRAY_BUFFER,
       new Uint32Array(index),
-      gl.STATIC_DRAW,
+      of.STATIC_DRAW,
     );
     ["station", "angle", "row"].forEach((name, i) => {
-      const at = gl.getAttribLocation(program, name);
+      const at = of.getAttribLocation(painter, name);
       if (at < 0) return;
-      gl.enableVertexAttribArray(at);
-      gl.vertexAttribPointer(at, 1, gl.FLOAT, false, 12, 4 * i);
+      of.enableVertexAttribArray(at);
+      of.vertexAttribPointer(at, 1, of.FLOAT, false, 12, 4 * i);
     });
     const made = { array, count: index.length };
-    this.pieces.set(key, made);
+    pieces.set(key, made);
     return made;
   }
 
   /**
    * A new shape: the answer of `shape`; what colours it and between which values.
-   * @param {Shape & { muscle: MuscleMeasures }} shape @param {Omit<Show, "restLength" | "restRadius">} show
+   * @param {Shape & { muscle: MuscleMeasures }} next @param {Omit<Show, "restLength" | "restRadius">} look
    */
-  set(shape, show) {
-    this.shape = shape;
-    const { length_mm: restLength, outer_diameter_mm: diameter } = shape.muscle;
-    this.show = { ...show, restLength, restRadius: diameter / 2 };
-    if (this.gl) {
-      this.upload();
-      this.draw();
-    } else this.section();
+  function set(next, look) {
+    shape = next;
+    const { length_mm: restLength, outer_diameter_mm: diameter } = next.muscle;
+    show = { ...look, restLength, restRadius: diameter / 2 };
+    if (gl) {
+      upload();
+      draw();
+    } else section();
   }
 
   /**
    * A shape by its largest stretch.
-   * @param {Shape & { muscle: MuscleMeasures }} shape
+   * @param {Shape & { muscle: MuscleMeasures }} next
    */
-  stretched(shape) {
-    this.set(shape, {
+  function stretched(next) {
+    set(next, {
       field: "max_stretch",
       low: 1,
-      high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]),
+      high: Math.max(1.2, reach(next.arrays.max_stretch)[1]),
     });
   }
 
-  upload() {
-    const { gl, shape, show } = this;
+  function upload() {
     if (!gl || !shape) return;
     const { stations, across, arrays } = shape;
     const strand = show.field.startsWith("strand_");
@@ -267,35 +256,20 @@ export class View {
       texels[to + 1] = arrays.strand_angle_deg[j];
       texels[to + 2] = field && strand ? field[j] : 0;
     }
-    gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
-    gl.texImage2D(
-      gl.TEXTURE_2D,
-      0,
-      gl.RGBA32F,
-      stations,
-      across + 1,
-      0,
-      gl.RGBA,
-      gl.FLOAT,
-      texels,
-    );
+    fill(gl, texture, stations, across + 1, texels);
   }
 
   /** @param {boolean} [sharp] */
-  draw(sharp = false) {
-    const { gl, shape, canvas } = this;
+  function draw(sharp = false) {
     if (!gl || !shape) return;
     // Without a graphics processor a moving muscle is drawn coarser, and sharp when it rests.
     const coarse = software() && !sharp;
     if (coarse) {
-      clearTimeout(this.rest);
-      this.rest = window.setTimeout(() => this.draw(true), 200);
+      clearTimeout(rest);
+      rest = window.setTimeout(() => draw(true), 200);
     }
     const ratio = coarse ? 0.6 : Math.min(2, devicePixelRatio || 1);
-    const [w, h] = [
-      Math.round(this.width * ratio),
-      Math.round(this.height * ratio),
-    ];
+    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (!w || !h) return;
     if (canvas.width !== w || canvas.height !== h) {
       canvas.width = w;
@@ -304,33 +278,33 @@ export class View {
     gl.viewport(0, 0, w, h);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const { camera, eye } = this.camera(w / h);
-    const strand = this.show.field.startsWith("strand_");
-    const program = /** @type {WebGLProgram} */ (this.surface),
-      { places = {} } = this;
-    gl.useProgram(program);
+    const eye = look(w / h),
+      strand = show.field.startsWith("strand_");
+    gl.useProgram(painter);
     const at = (/** @type {string} */ name) =>
-      (places[name] ??= gl.getUniformLocation(program, name));
-    gl.uniformMatrix4fv(at("camera"), false, camera);
+      (places[name] ??= gl.getUniformLocation(painter, name));
+    const put = (/** @type {string} */ name, /** @type {number} */ value) =>
+      gl.uniform1f(at(name), value);
+    gl.uniformMatrix4fv(at("camera"), false, matrix);
     gl.uniform3fv(at("eye"), eye);
-    gl.uniform1f(at("outer"), shape.across - 1);
-    gl.uniform1f(at("cut"), this.cut ? 1 : 0);
-    gl.uniform2f(at("reach"), this.show.low, this.show.high);
+    put("outer", shape.across - 1);
+    put("cut", show.cut ? 1 : 0);
+    gl.uniform2f(at("reach"), show.low, show.high);
     // A power of two: with the measures of the muscle the number of its stations changes to and fro.
     const { stations, across } = shape,
       sharpest = [AROUND, 2 ** Math.ceil(Math.log2(stations))];
-    const [around, half] = coarse ? COARSE : sharpest,
-      along = shares(half);
-    gl.uniform1f(at("last"), stations - 1);
-    const draw = (/** @type {Piece} */ part) => {
+    const [around, rows] = coarse ? COARSE : sharpest,
+      along = shares(rows);
+    put("last", stations - 1);
+    const drawPart = (/** @type {Piece} */ part) => {
       gl.bindVertexArray(part.array);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0);
     };
     const surface = (/** @type {number} */ row) =>
-      draw(this.piece(`${row} of ${around}`, along, round(row, around)));
+      drawPart(piece(`${row} of ${around}`, along, round(row, around)));
     const family = shape.strands ? shape.strands / 2 : DRAWN,
       each = family > MOST ? Math.ceil(family / DRAWN) : 1;
-    gl.uniform1f(at("filaments"), each);
+    put("filaments", each);
     gl.uniform3fv(at("map[0]"), VIRIDIS.flat());
     /** What colours a part: the field (1), that of the strands (2), or nothing. */
     const paint = (
@@ -338,24 +312,24 @@ export class View {
       /** @type {number[]} */ plain,
       strands = 0,
     ) => {
-      gl.uniform1f(at("mapped"), mapped);
+      put("mapped", mapped);
       gl.uniform3fv(at("plain"), plain);
-      gl.uniform1f(at("strands"), strands);
+      put("strands", strands);
     };
-    gl.uniform1f(at("flat_normal"), 0);
+    put("flat_normal", 0);
     paint(strand ? 2 : 1, [0.5, 0.48, 0.46], Math.round(family / each));
     // Of a muscle that is whole only the front is seen.
-    if (!this.cut) gl.enable(gl.CULL_FACE);
+    if (!show.cut) gl.enable(gl.CULL_FACE);
     surface(across - 1);
     gl.disable(gl.CULL_FACE);
-    if (this.cut) {
+    if (show.cut) {
       paint(strand ? 0 : 1, [0.55, 0.52, 0.5]);
       surface(0);
-      gl.uniform1f(at("flat_normal"), 1);
-      gl.uniform1f(at("cut"), 0);
+      put("flat_normal", 1);
+      put("cut", 0);
       for (const angle of [0, Math.PI / 2])
-        draw(
-          this.piece(
+        drawPart(
+          piece(
             `${across} wall ${angle}`,
             along,
             Array.from({ length: across }, (_, i) => [angle, i]),
@@ -363,21 +337,20 @@ export class View {
         );
     }
     paint(0, [0.56, 0.58, 0.61]);
-    gl.uniform1f(at("shine"), 0.35);
-    this.plugs(at, draw, around);
-    gl.uniform1f(at("shine"), 0);
+    put("shine", 0.35);
+    plugs(put, drawPart, around);
+    put("shine", 0);
     // It is drawn while the page does the rest.
     gl.flush();
-    this.drawn?.();
+    drawn?.();
   }
 
   /**
    * The fittings at both ends, each with its port.
-   * @param {(name: string) => WebGLUniformLocation | null} at @param {(part: Piece) => void} draw
+   * @param {(name: string, value: number) => void} put @param {(part: Piece) => void} drawPart
    * @param {number} around
    */
-  plugs(at, draw, around) {
-    const { gl, shape } = this;
+  function plugs(put, drawPart, around) {
     if (!gl || !shape) return;
     const last = shape.arrays.z_mm.length - 1,
       end = shape.arrays.z_mm[last],
@@ -385,45 +358,31 @@ export class View {
     const profile = FITTING.map(([a, z]) => [a * r, end + z * r]);
     // The first and the last texel only give the others neighbours.
     const all = [profile[0], ...profile, profile[profile.length - 1]];
-    gl.bindTexture(gl.TEXTURE_2D, this.plugTexture);
     const texels = new Float32Array(all.flatMap(([a, z]) => [a, z, 0, 0]));
-    gl.texImage2D(
-      gl.TEXTURE_2D,
-      0,
-      gl.RGBA32F,
-      all.length,
-      1,
-      0,
-      gl.RGBA,
-      gl.FLOAT,
-      texels,
-    );
-    gl.uniform1f(at("flat_normal"), 0);
-    gl.uniform1f(at("cut"), 0);
-    gl.uniform1f(at("last"), profile.length);
+    fill(gl, plugTexture, all.length, 1, texels);
+    put("flat_normal", 0);
+    put("cut", 0);
+    put("last", profile.length);
     for (const sign of [1, -1])
-      draw(
-        this.piece(
+      drawPart(
+        piece(
           `plug ${sign} of ${around}`,
           profile.map((_, j) => (sign * (j + 1)) / profile.length),
           round(0, around),
         ),
       );
-    gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
   }
 
-  /** The left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */
-  camera(aspect) {
-    const { restLength, restRadius } = this.show;
-    const now = this.shape?.length_mm ?? this.show.restLength;
+  /** Where one looks from: the left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */
+  function look(aspect) {
+    const { restLength, restRadius } = show;
+    const now = shape?.length_mm ?? restLength;
     const wide = 0.5 * restLength + 2 * restRadius;
-    const half =
-      Math.max(
-        wide,
-        Math.max(2.4 * restRadius, 1.15 * this.largest()) * aspect,
-      ) / this.zoom;
-    this.half = half;
-    const [pitch, yaw] = this.turn;
+    half =
+      Math.max(wide, Math.max(2.4 * restRadius, 1.15 * largest()) * aspect) /
+      zoom;
+    const [pitch, yaw] = turn;
     const [cp, sp, cy, sy] = [
       Math.cos(pitch),
       Math.sin(pitch),
@@ -443,61 +402,49 @@ export class View {
       for (let r = 0; r < 3; r++) m[4 * c + r] = rows[r][c] * scale[r];
     for (let r = 0; r < 3; r++) m[12 + r] = rows[r][0] * shift * scale[r];
     m[15] = 1;
-    this.matrix = m;
-    return { camera: m, eye: rows[2] };
+    matrix = m;
+    return rows[2];
   }
 
   /**
    * Where a point of the muscle is seen, in pixels of the stage: along its axis from its middle, up, and to the front.
    * @param {number} x @param {number} y @param {number} z
    */
-  project(x, y, z) {
-    const m = this.matrix;
-    if (!m) return [0, 0];
+  function project(x, y, z) {
+    const m = matrix;
+    if (!m[15]) return [0, 0];
     const at = (/** @type {number} */ r) =>
       m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
-    return [0.5 * (1 + at(0)) * this.width, 0.5 * (1 - at(1)) * this.height];
+    return [0.5 * (1 + at(0)) * width, 0.5 * (1 - at(1)) * height];
   }
 
   /** @param {number} by */
-  zoomBy(by) {
-    this.zoom = Math.max(ZOOM[0], Math.min(ZOOM[1], this.zoom * by));
-    this.draw();
+  function zoomBy(by) {
+    zoom = Math.max(ZOOM[0], Math.min(ZOOM[1], zoom * by));
+    draw();
   }
 
   /** @param {number} pitch @param {number} yaw */
-  turnTo(pitch, yaw) {
-    this.turn = [Math.max(-1.5, Math.min(1.5, pitch)), yaw];
-    this.draw();
+  function turnTo(pitch, yaw) {
+    turn = [Math.max(-1.5, Math.min(1.5, pitch)), yaw];
+    draw();
   }
 
-  reset() {
-    this.zoom = 1;
-    this.turnTo(TURN[0], TURN[1]);
+  function reset() {
+    zoom = 1;
+    turnTo(TURN[0], TURN[1]);
   }
 
-  largest() {
+  function largest() {
     let most = 0;
-    for (const r of this.shape?.arrays.r_mm ?? []) most = Math.max(most, r);
+    for (const r of shape?.arrays.r_mm ?? []) most = Math.max(most, r);
     return most;
   }
 
-  /** For a scale bar. */
-  get millimetresPerPixel() {
-    return (2 * (this.half ?? 1)) / Math.max(1, this.width);
-  }
+  const perPixel = () => (2 * half) / Math.max(1, width);
 
-  /** Nothing of it is kept. */
-  #destroy() {
-    clearTimeout(this.rest);
-    this.sized.disconnect();
-    this.gl?.getExtension("WEBGL_lose_context")?.loseContext();
-    this.canvas.remove();
-  }
-
-  listen() {
-    this.listenToPointers();
-    const { canvas } = this;
+  function listen() {
+    listenToPointers();
     canvas.addEventListener(
       "wheel",
       (event) => {
@@ -508,7 +455,7 @@ export class View {
         )
           return;
         event.preventDefault();
-        this.zoomBy(Math.exp(-0.001 * event.deltaY));
+        zoomBy(Math.exp(-0.001 * event.deltaY));
       },
       { passive: false },
     );
@@ -521,35 +468,29 @@ export class View {
         ArrowDown: [0.1, 0],
       }[event.key];
       if (event.key === "+" || event.key === "-")
-        this.zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
-      else if (event.key === "0" || event.key === "Home") this.reset();
-      else if (step)
-        this.turnTo(this.turn[0] + step[0], this.turn[1] + step[1]);
+        zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
+      else if (event.key === "0" || event.key === "Home") reset();
+      else if (step) turnTo(turn[0] + step[0], turn[1] + step[1]);
       else return;
       event.preventDefault();
     });
-    canvas.addEventListener("dblclick", () => this.reset());
+    canvas.addEventListener("dblclick", reset);
   }
 
   /**
    * Whether a place, as a share of the width, is at the right end of the muscle: its last tenth and what lies beyond.
    * @param {number} share
    */
-  #isAtEnd(share) {
-    const { restLength } = this.show;
-    const now = this.shape?.length_mm ?? restLength;
+  function isAtEnd(share) {
+    const { restLength } = show;
+    const now = shape?.length_mm ?? restLength;
     const place =
-      0.5 +
-      ((now - 0.5 * restLength) * Math.cos(this.turn[1])) /
-        (2 * (this.half ?? 1));
-    return (
-      Boolean(this.contract) && share > place - 0.06 && share < place + 0.08
-    );
+      0.5 + ((now - 0.5 * restLength) * Math.cos(turn[1])) / (2 * half);
+    return Boolean(contract) && share > place - 0.06 && share < place + 0.08;
   }
 
   /** One pointer turns, or drags the end; two zoom. */
-  listenToPointers() {
-    const { canvas } = this;
+  function listenToPointers() {
     /** @type {Map<number, PointerEvent>} */
     const down = new Map();
     /** @type {{ x: number, y: number, turn: number[], end: boolean } | undefined} */ let from;
@@ -565,16 +506,12 @@ export class View {
       if (!from) return;
       const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
       if (!from.end)
-        return this.turnTo(
-          from.turn[0] + 0.008 * dy,
-          from.turn[1] + 0.008 * dx,
-        );
-      const along =
-        (dx * this.millimetresPerPixel) / Math.max(0.3, Math.cos(this.turn[1]));
-      this.contract?.(-along / this.show.restLength, settled);
+        return turnTo(from.turn[0] + 0.008 * dy, from.turn[1] + 0.008 * dx);
+      const along = (dx * perPixel()) / Math.max(0.3, Math.cos(turn[1]));
+      contract?.(-along / show.restLength, settled);
     };
     canvas.addEventListener("pointerdown", (event) => {
-      if (!this.shape) return;
+      if (!shape) return;
       down.set(event.pointerId, event);
       canvas.setPointerCapture(event.pointerId);
       if (down.size > 1) {
@@ -583,8 +520,8 @@ export class View {
         return;
       }
       const box = canvas.getBoundingClientRect(),
-        end = this.#isAtEnd((event.clientX - box.left) / box.width);
-      from = { x: event.clientX, y: event.clientY, turn: [...this.turn], end };
+        end = isAtEnd((event.clientX - box.left) / box.width);
+      from = { x: event.clientX, y: event.clientY, turn: [...turn], end };
       canvas.style.cursor = end ? "ew-resize" : "grabbing";
     });
     canvas.addEventListener("pointermove", (event) => {
@@ -592,7 +529,7 @@ export class View {
       down.set(event.pointerId, event);
       if (down.size < 2) return moved(event, false);
       const now = distance();
-      if (apart > 0 && now > 0) this.zoomBy(now / apart);
+      if (apart > 0 && now > 0) zoomBy(now / apart);
       apart = now;
     });
     const up = (/** @type {PointerEvent} */ event) => {
@@ -606,34 +543,80 @@ export class View {
   }
 
   /** Without WebGL: the muscle from the side. */
-  section() {
-    const {
-      shape,
-      show: { restLength, restRadius },
-    } = this;
+  function section() {
+    const { restLength, restRadius } = show;
     if (!shape) return;
-    const most = Math.max(1.3 * this.largest(), 10),
+    const most = Math.max(1.3 * largest(), 10),
       angle = shape.arrays.strand_angle_deg[0];
     const muscle = body({
       length: shape.length_mm,
       diameter: 2 * restRadius,
-      bulged: 2 * this.largest(),
+      bulged: 2 * largest(),
       angle,
     });
-    this.stage.querySelector("svg.section")?.remove();
+    stage.querySelector("svg.section")?.remove();
     const box = `${-0.1 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
-    this.stage.insertAdjacentHTML(
+    stage.insertAdjacentHTML(
       "afterbegin",
       `<svg class="section" xmlns="http://www.w3.org/2000/svg" role="img" ` +
         `aria-label="The deformed muscle" viewBox="${box}">${muscle}</svg>`,
     );
     // Of a box that is fitted into the stage whole.
-    this.half =
+    half =
       0.5 *
-      Math.max(
-        1.2 * restLength,
-        (2 * most * this.width) / Math.max(1, this.height),
-      );
-    this.drawn?.();
+      Math.max(1.2 * restLength, (2 * most * width) / Math.max(1, height));
+    drawn?.();
   }
+  if (gl) {
+    prepare(gl);
+    stage.prepend(canvas);
+    listen();
+    pictures.set(canvas, () => {
+      draw(true);
+      return canvas.toDataURL();
+    });
+    canvas.addEventListener("webglcontextlost", (event) =>
+      event.preventDefault(),
+    );
+    canvas.addEventListener("webglcontextrestored", () => {
+      prepare(gl);
+      upload();
+      draw();
+    });
+  }
+  const sized = new ResizeObserver(() => {
+    // On paper the stage has no place, and its picture is made.
+    if (!stage.clientWidth) return;
+    ({ clientWidth: width, clientHeight: height } = stage);
+    draw(true);
+  });
+  sized.observe(stage);
+  // Nothing of it is kept.
+  atEnd(() => {
+    clearTimeout(rest);
+    sized.disconnect();
+    gl?.getExtension("WEBGL_lose_context")?.loseContext();
+    canvas.remove();
+  });
+  return {
+    /** Whether it is in space. */
+    turns: Boolean(gl),
+    set,
+    stretched,
+    project,
+    largest,
+    /** For a scale bar. */
+    get millimetresPerPixel() {
+      return perPixel();
+    },
+    get show() {
+      return show;
+    },
+    get width() {
+      return width;
+    },
+    get height() {
+      return height;
+    },
+  };
 }

@@ -1,6 +1,6 @@
 // A sheet of a workbook (.xlsx, .ods) as the text of a table: rows are lines, tabs are between cells. As on the command
 // line, the first sheet with numbers is read (crates/mckibben-io/src/table/workbook.rs).
-import { piped } from "./deflate.js";
+import { piped } from "./address.js";
 
 /** Most bytes of a part, and as often a cell is repeated. */
 const MOST = 60_000_000,

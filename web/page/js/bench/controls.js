@@ -2,6 +2,7 @@
 import { engine } from "../ask.js";
 import { choice, quantity } from "../controls.js";
 import { block, capital, el, folded } from "../dom.js";
+import { inputs } from "../form.js";
 import { muscle } from "../muscle.js";
 import {
   CONTRACTION,
@@ -14,8 +15,7 @@ import {
   STRANDS,
   about,
 } from "../state.js";
-import { braidName, partName } from "../words.js";
-import { niceUp } from "./round.js";
+import { braidName, niceUp, partName } from "../units.js";
 
 /** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
 const GROUPS = {
@@ -143,11 +143,10 @@ function section(make, { rubber, braid, strands, held, branch }, needed) {
     make(STIFFNESS),
     needed,
   ];
-  return el(
-    "section",
-    { class: "controls", "aria-label": "Muscle" },
-    el("fieldset", { class: "state" }, el("legend", {}, "State"), ...state),
-    el("fieldset", {}, el("legend", {}, "Tube and braid"), ...tube),
+  return inputs(
+    "Muscle",
+    el("fieldset", { class: "state" }, el("legend", "State"), ...state),
+    el("fieldset", el("legend", "Tube and braid"), ...tube),
     folded("Ends", ...ENDS.map(make)),
     moreMeasures(make),
   );
@@ -163,13 +162,11 @@ function choices(store) {
     ["paper", "braid (Antonelli 2018)"],
     ["k", "Custom stiffness"],
   ]);
+  const put = (/** @type {string} */ key) => (/** @type {string} */ name) =>
+    store.changed(key, name, true);
   return {
-    rubber: choice("Rubber", [["", ""]], "", (name) =>
-      store.changed("rubber", name, true),
-    ),
-    braid: choice("Braid", [["", ""]], "", (name) =>
-      store.changed("braid", name, true),
-    ),
+    rubber: choice("Rubber", [["", ""]], "", put("rubber")),
+    braid: choice("Braid", [["", ""]], "", put("braid")),
     strands: choice("Strands", names, "", (name) =>
       store.changed("k", name === "k" ? stiffness() : name, true),
     ),
@@ -182,7 +179,7 @@ function choices(store) {
         ["elongation", "while it lengthens"],
       ],
       "",
-      (way) => store.changed("branch", way, true),
+      put("branch"),
     ),
     held: choice(
       "Hold",
@@ -204,8 +201,7 @@ function moreMeasures(make) {
   const box = (/** @type {string} */ group) =>
     el(
       "fieldset",
-      {},
-      el("legend", {}, GROUPS[group] ?? capital(group)),
+      el("legend", GROUPS[group] ?? capital(group)),
       ...MORE.filter((m) => m.group === group).map((m) => block("", make(m))),
     );
   return folded("More properties", ...groups.map(box));

@@ -5,7 +5,6 @@ import { muscle } from "../muscle.js";
 import { clamp, evenly, showLength } from "../units.js";
 
 /** @typedef {[number, number]} Place */
-const SVG = "http://www.w3.org/2000/svg";
 /** Pixels between the muscle and a dimension line, and between two handles at least; fingers need more. */
 const GAP = matchMedia("(pointer: coarse)").matches ? 26 : 14;
 /** What the handles change, and to how many parts of a unit it is rounded. @type {Record<string, [string, number]>} */
@@ -21,13 +20,16 @@ const at = (/** @type {Place} */ [x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 
 /** @param {HTMLElement} stage @param {Store} store @param {() => View} view */
 export function dimensions(stage, store, view) {
-  const svg = document.createElementNS(SVG, "svg"),
-    lines = document.createElementNS(SVG, "g");
-  svg.setAttribute("class", "dimensions");
-  svg.ariaHidden = "true";
-  const handles = Object.keys(HANDLES).map(handle);
-  svg.append(lines, ...handles);
-  stage.append(svg);
+  const circles = Object.values(HANDLES).map(
+    ([name]) =>
+      `<circle r="5"><title>Drag to change the ${name}</title></circle>`,
+  );
+  stage.insertAdjacentHTML(
+    "beforeend",
+    `<svg class="dimensions" aria-hidden="true"><g></g>${circles.join("")}</svg>`,
+  );
+  const svg = /** @type {SVGSVGElement} */ (stage.lastElementChild),
+    [lines, ...handles] = /** @type {Iterable<SVGElement>} */ (svg.children);
   let on = true;
 
   function paint() {
@@ -41,7 +43,7 @@ export function dimensions(stage, store, view) {
     // A named sleeve has its angle.
     const turns =
       wide &&
-      !seen.cut &&
+      !seen.show.cut &&
       (!(said.braid ?? muscle.shown?.sleeve) || said.angle !== undefined);
     lines.innerHTML = drawing(places, shape, seen, turns);
     const {
@@ -64,16 +66,9 @@ export function dimensions(stage, store, view) {
     });
   }
 
-  /** @param {string} key */
-  function handle(key) {
-    const circle = document.createElementNS(SVG, "circle"),
-      words = document.createElementNS(SVG, "title");
-    const [name, parts] = HANDLES[key];
-    circle.setAttribute("r", "5");
-    words.textContent = `Drag to change the ${name}`;
-    circle.append(words);
+  Object.entries(HANDLES).forEach(([key, [, parts]], i) => {
     let from = { x: 0, y: 0, value: 0 };
-    dragging(circle, (event, settled, begins) => {
+    dragging(handles[i], (event, settled, begins) => {
       if (begins) {
         from = {
           x: event.clientX,
@@ -111,8 +106,7 @@ export function dimensions(stage, store, view) {
       };
       store.changed(key, Math.round(parts * next[key]()) / parts, settled);
     });
-    return circle;
-  }
+  });
   return {
     paint,
     /** @param {boolean} shown */

@@ -9,8 +9,15 @@ import {
   withBuilt,
 } from "../chart.js";
 import { muscle } from "../muscle.js";
-import { evenly, inside, outside, show, showPressure } from "../units.js";
-import { niceUp, twoDigits } from "./round.js";
+import {
+  evenly,
+  inside,
+  niceUp,
+  outside,
+  show,
+  showPressure,
+  unitName,
+} from "../units.js";
 
 /** @typedef {CurveAnswer["points"][number]} Point */
 /** Which way a muscle moves, behind a name. @type {Record<string, string>} */
@@ -24,9 +31,8 @@ export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 export const FAMILY = 13,
   FINE = 21;
 /** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
-const steps = (count, end) => {
-  return evenly(0, 1, count).map((t) => end * t * (0.4 + 0.6 * t));
-};
+const steps = (count, end) =>
+  evenly(0, 1, count).map((t) => end * t * (0.4 + 0.6 * t));
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
 export function reachOf(store, count) {
@@ -71,7 +77,7 @@ export function familyOf(store, measured) {
     };
   const blocked = store.facts.characteristics?.blocked_force_n ?? 500;
   const forces = [0.1, 0.3, 0.5, 0.7].map((x) =>
-    Math.max(1, twoDigits(x * blocked)),
+    Math.max(1, Number((x * blocked).toPrecision(2))),
   );
   return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
 }
@@ -232,4 +238,49 @@ export function overlay(answer) {
     smooth: true,
     ...isobar(answer.points),
   });
+}
+
+// Radii and strand angle along the muscle.
+/** @param {NonNullable<Store["shape"]>} shape @returns {Spec} */
+export function along({ arrays, stations, across }) {
+  /** Of the half muscle, that of the whole. @param {(j: number) => number} at @param {number} sign */
+  const mirror = (at, sign) => {
+    const half = Array.from({ length: stations }, (_, j) => at(j));
+    return [
+      ...half
+        .slice(1)
+        .reverse()
+        .map((x) => sign * x),
+      ...half,
+    ];
+  };
+  const radius = (/** @type {number} */ i) =>
+    mirror((j) => outside("length", arrays.r_mm[j * across + i]), 1);
+  const x = mirror(
+      (j) => outside("length", arrays.z_mm[j * across + across - 1]),
+      -1,
+    ),
+    unit = unitName("length");
+  return {
+    x: `z from the middle [${unit}]`,
+    y: `radius [${unit}], strand angle [°]`,
+    series: [
+      {
+        name: "outer radius",
+        end: "outer",
+        x,
+        y: radius(across - 1),
+        colour: KINDS[0],
+      },
+      { name: "inner radius", end: "inner", x, y: radius(0), colour: KINDS[4] },
+      {
+        name: "strand angle",
+        end: "angle",
+        x,
+        y: mirror((j) => arrays.strand_angle_deg[j], 1),
+        colour: KINDS[1],
+        dash: "dot",
+      },
+    ],
+  };
 }

@@ -4,6 +4,7 @@ import { muscle } from "../muscle.js";
 import {
   asBuilt,
   clamp,
+  inWords,
   interval,
   modelPull,
   number,
@@ -13,14 +14,11 @@ import {
   showPressure,
   showRatio,
 } from "../units.js";
-import { inWords } from "../words.js";
-import { partsView } from "./parts.js";
-import { solveView } from "./solve.js";
-import { tornadoView } from "./tornado.js";
+import { solveView, tornadoView } from "./what-if.js";
 
 /** @param {Store} store */
 export function numbersView(store) {
-  const element = el("section", { class: "numbers", "aria-label": "Numbers" });
+  const element = el("section", { class: "numbers", ariaLabel: "Numbers" });
   const meters = block(),
     notes = el("ul", { class: "warnings" });
   const parts = partsView(store),
@@ -34,7 +32,7 @@ export function numbersView(store) {
       parts.element.hidden = !parts.element.hidden;
       built.ariaExpanded = String(!parts.element.hidden);
     },
-    { class: "bare", "aria-expanded": "false", title: "What the ± is made of" },
+    { class: "bare", ariaExpanded: "false", title: "What the ± is made of" },
   );
 
   function paint() {
@@ -44,18 +42,18 @@ export function numbersView(store) {
     if (!values.length) {
       const lines = list.flatMap(([name]) => {
         /** @type {[HTMLElement, HTMLElement]} */ const line = [
-          el("dt", {}, name),
+          el("dt", name),
           el("dd"),
         ];
         values.push(line);
         return line;
       });
       const head = [
-        el("dt", {}, "Pull as built"),
+        el("dt", "Pull as built"),
         el("dd", { class: "head" }, built),
       ];
       element.replaceChildren(
-        el("dl", {}, ...head, ...lines),
+        el("dl", ...head, ...lines),
         parts.element,
         meters,
         notes,
@@ -73,7 +71,7 @@ export function numbersView(store) {
     const said = warned(store, point);
     if (said.join() === noted) return;
     noted = said.join();
-    notes.replaceChildren(...said.map((w) => el("li", {}, w)));
+    notes.replaceChildren(...said.map((w) => el("li", w)));
   }
   store.on("answer", paint);
   store.on("facts", paint);
@@ -147,15 +145,14 @@ function meter(name, value, limit, text, from = 0) {
     width = clamp(100 * share, 0, 100).toFixed(1);
   const words = el(
     "span",
-    {},
     name,
-    el("span", {}, `${text(value)} of ${text(limit)}`),
+    el("span", `${text(value)} of ${text(limit)}`),
   );
   return el(
     "div",
     { class: share > 1 ? "meter over" : "meter" },
     words,
-    el("i", {}, el("b", { style: `width:${width}%` })),
+    el("i", el("b", { style: `width:${width}%` })),
   );
 }
 
@@ -170,4 +167,71 @@ function warned({ facts }, point) {
     unknown && `Not understood in the address: ${unknown}`,
   ]);
   return [...list].filter(Boolean).map((w) => capital(inWords(w)));
+}
+
+// What a muscle that is built will pull, the parts of the ±, and what to measure.
+/** Names of the parts that are no words yet. @type {Record<string, string>} */
+const PARTS = {
+  pull_factor: "muscle to muscle",
+  take_up: "take-up",
+  braid: "stiffness of the braid",
+  fit: "own points",
+  measured: "model against tests",
+};
+
+/** @param {Store} store */
+export function partsView(store) {
+  const list = el("dl", { class: "parts" }),
+    note = remark();
+  const element = el(
+    "div",
+    {
+      class: "breakdown",
+      role: "region",
+      ariaLabel: "Parts of the ±",
+      hidden: true,
+    },
+    list,
+    note,
+  );
+  let key = "";
+  function paint() {
+    const { point, facts } = store;
+    const parts = Object.entries(point?.uncertainty_parts_n ?? {})
+      .filter((pair) => typeof pair[1] === "number")
+      .sort((a, b) => b[1] - a[1]);
+    const words =
+      facts.said?.state === muscle.state ? facts.said.words : undefined;
+    const said = [
+      words?.built && `As built ${words.built}.`,
+      "95 % half-widths; they add as squares.",
+      words?.bench && `To measure: ${words.bench}.`,
+    ].filter(Boolean);
+    const next = JSON.stringify([
+      parts.map(([name, value]) => [name, showForce(value, 2)]),
+      said,
+    ]);
+    if (next === key) return;
+    key = next;
+    const most = Math.max(...parts.map(([, value]) => value));
+    list.replaceChildren(
+      ...parts.flatMap(([name, value]) => row(name, value, most)),
+    );
+    note.textContent = inWords(said.join(" "));
+  }
+  store.on("answer", paint);
+  store.on("facts", paint);
+  return { element };
+}
+
+/** @param {string} name @param {number} value @param {number} most */
+function row(name, value, most) {
+  const bar = el("i", {
+    style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%`,
+  });
+  return [
+    el("dt", PARTS[name] ?? name),
+    el("dd", `± ${showForce(value, 2)}`),
+    el("dd", { class: "wide" }, bar),
+  ];
 }

@@ -3,123 +3,121 @@ import { Slot } from "../ask.js";
 import { pressureColour } from "../chart.js";
 import { block, button, el, problemBox } from "../dom.js";
 import { job } from "../form.js";
-import { measured, onMeasured } from "../measured.js";
 import { muscle } from "../muscle.js";
 import { evenly, outside, showForce, showPressure } from "../units.js";
 import { MOVES } from "./family.js";
+import { measured, onMeasured } from "../kept.js";
 
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;
 
-export class Points {
-  /** @param {Store} store @param {() => void} changed */
-  constructor(store, changed) {
-    this.store = store;
-    this.changed = changed;
-    this.slots = { read: new Slot(), compare: new Slot() };
-    /** @type {import("../measured.js").Point[]} */ this.list = [];
-    this.key = "";
-    this.words = el("span");
-    this.said = block();
-    // The shear modulus that fits them best becomes the muscle's.
-    const fit = job(
-      "Fit the rubber",
-      "identify",
-      async () => measured.file && this.request(measured.file),
-      async ({ muscle_file: file }) => {
-        await muscle.take(file);
-        store.tell("sync");
-        store.ask();
-        store.follow();
-        store.settle();
-      },
-    );
-    const remove = button("Remove the points", () => measured.set(undefined));
-    this.line = el(
-      "div",
-      { class: "row small", hidden: true },
-      this.words,
-      fit.element,
-      remove,
-    );
-    this.element = block("points", this.line, this.said);
-    onMeasured(() => this.read());
-  }
-
-  /** The question of an identification. @param {{ name: string, text: string }} table */
-  request(table) {
-    return {
-      muscle: muscle.fields(),
-      data: [table],
-      free: ["modulus"],
-    };
-  }
+/** @param {Store} store @param {() => void} changed */
+export function pointsView(store, changed) {
+  const slots = { read: new Slot(), compare: new Slot() };
+  /** @type {import("../kept.js").Point[]} */ let list = [];
+  let key = "";
+  const words = el("span"),
+    said = block();
+  /** The question of an identification. @param {TextFile} table */
+  const request = (table) => ({
+    muscle: muscle.fields(),
+    data: [table],
+    free: ["modulus"],
+  });
+  // The shear modulus that fits them best becomes the muscle's.
+  const fit = job(
+    "Fit the rubber",
+    "identify",
+    async () => measured.file && request(measured.file),
+    async ({ muscle_file: file }) => {
+      await muscle.take(file);
+      store.tell("sync");
+      store.ask();
+      store.follow();
+      store.settle();
+    },
+  );
+  const remove = button("Remove the points", () => measured.set(undefined));
+  const line = el(
+    "div",
+    { class: "row small", hidden: true },
+    words,
+    fit.element,
+    remove,
+  );
+  const show = (/** @type {typeof list} */ next) => {
+    list = next;
+    changed();
+  };
+  const fail = (/** @type {Problem} */ problem) =>
+    said.replaceChildren(problemBox(problem));
 
   /** The points themselves, once for a table. */
-  read() {
+  function read() {
     const of = measured.file;
-    this.key = "";
-    this.said.replaceChildren();
-    this.line.hidden = !of;
-    const take = (/** @type {import("../measured.js").Point[]} */ list) => {
-      this.list = list;
-      this.changed();
-    };
-    if (!of) return take([]);
-    this.slots.read.ask(
+    key = "";
+    said.replaceChildren();
+    line.hidden = !of;
+    if (!of) return show([]);
+    slots.read.ask(
       "identify",
-      this.request(of),
-      ({ points }) => {
-        take(points.filter((q) => q.measured === "force"));
-      },
+      request(of),
+      ({ points }) => show(points.filter((q) => q.measured === "force")),
       (problem) => {
-        this.said.replaceChildren(problemBox(problem));
-        take([]);
+        fail(problem);
+        show([]);
       },
     );
   }
+  onMeasured(read);
+  return {
+    element: block("points", line, said),
+    read,
+    /** As series. @param {number} top the pressure that has the last colour */
+    series: (top) => pointSeries(list, top),
 
-  /** How far the muscle is from them now. */
-  ask() {
-    const data = measured.file;
-    if (!data) return;
-    const request = {
-      muscle: muscle.fields(),
-      data: [data],
-      models: ["fe"],
-      extrapolate: true,
-    };
-    const next = JSON.stringify(request);
-    if (next === this.key) return;
-    this.key = next;
-    this.slots.compare.ask(
-      "compare",
-      request,
-      ({ models: [m], points: count }) => {
-        if (!m || m.rms_n == null) return;
-        const residuals = `${showForce(m.rms_n, 3)} rms, ${showForce(m.max_n, 3)} the largest`;
-        this.words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
-      },
-      (problem) => {
-        this.key = "";
-        this.said.replaceChildren(problemBox(problem));
-      },
-    );
-  }
+    /** How far the muscle is from them now. */
+    ask() {
+      const data = measured.file;
+      if (!data) return;
+      const asked = {
+        muscle: muscle.fields(),
+        data: [data],
+        models: ["fe"],
+        extrapolate: true,
+      };
+      const next = JSON.stringify(asked);
+      if (next === key) return;
+      key = next;
+      slots.compare.ask(
+        "compare",
+        asked,
+        ({ models: [m], points: count }) => {
+          if (!m || m.rms_n == null) return;
+          const residuals = `${showForce(m.rms_n, 3)} rms, ${showForce(m.max_n, 3)} the largest`;
+          words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
+        },
+        (problem) => {
+          key = "";
+          fail(problem);
+        },
+      );
+    },
 
-  /** Pressures of the isobars to draw: some of them, where the points have too many. */
-  pressures() {
-    const all = [...new Set(this.list.map((q) => q.pressure_mpa))]
-      .sort((a, b) => a - b)
-      .filter((p) => p > 0);
-    if (all.length <= MOST) return all;
-    return evenly(0, all.length - 1, MOST).map((i) => all[Math.round(i)]);
-  }
+    /** Pressures of the isobars to draw: some of them, where the points have too many. */
+    pressures() {
+      const all = [...new Set(list.map((q) => q.pressure_mpa))]
+        .sort((a, b) => a - b)
+        .filter((p) => p > 0);
+      if (all.length <= MOST) return all;
+      return evenly(0, all.length - 1, MOST).map((i) => all[Math.round(i)]);
+    },
+  };
 }
 
 /**
  * Measured points as series: a colour for each pressure, a sign for each branch.
- * @param {import("../measured.js").Point[]} list @param {number} top the pressure that has the last colour @returns {Series[]}
+ * @param {import("../kept.js").Point[]} list @param {number} top the pressure that has the last colour @returns {Series[]}
  */
 export function pointSeries(list, top) {
   const kinds = [...new Set(list.map((q) => q.branch ?? "mean"))];

@@ -1,8 +1,7 @@
 // The muscle in space with what belongs to its picture: the pull, a scale, the colours, the gauge.
 import { choice } from "../controls.js";
 import { viridis } from "../chart.js";
-import { block, button, el } from "../dom.js";
-import { gauge } from "../gauge.js";
+import { block, button, dragging, el } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { PRESSURE } from "../state.js";
@@ -11,16 +10,17 @@ import {
   clamp,
   evenly,
   modelPull,
+  niceUp,
   number,
+  outside,
   show,
   showLength,
   showPressure,
   showRatio,
 } from "../units.js";
-import { View, reach } from "../view3d.js";
+import { reach, viewOf } from "../view3d.js";
 import { dimensions } from "./dimensions.js";
 import { MOVES } from "./family.js";
-import { niceUp } from "./round.js";
 
 /** What colours the muscle: field, name, kind of its unit. */
 const SHOWN = /** @type {[string, string, string][]} */ ([
@@ -59,7 +59,7 @@ export function stageView(store, busy) {
     paintScale();
     measures.paint();
   };
-  const view = new View(stage, { drawn, contract: contracting(store) });
+  const view = viewOf(stage, { drawn, contract: contracting(store) });
   const measures = dimensions(stage, store, () => view);
   const colour = choice(
     "Colour",
@@ -70,7 +70,7 @@ export function stageView(store, busy) {
   const cut = button(
     "Cut open",
     () => store.look({ cut: store.wanted.cut ? "" : "1" }),
-    { "aria-pressed": false },
+    { ariaPressed: false },
   );
   const pump = pumping(store),
     present = button("Present", () => stage.requestFullscreen(), {
@@ -83,7 +83,7 @@ export function stageView(store, busy) {
       measure.ariaPressed = String(on);
       measures.show(on);
     },
-    { "aria-pressed": "true" },
+    { ariaPressed: "true" },
   );
 
   function paint() {
@@ -94,9 +94,9 @@ export function stageView(store, busy) {
       SHOWN[0];
     const [low, high] = store.ranges?.[name] ?? reach(shape.arrays[name]);
     colour.set(name);
-    view.cut = Boolean(store.wanted.cut);
-    cut.ariaPressed = String(view.cut);
-    view.set(shape, { field: name, low, high });
+    const isCut = Boolean(store.wanted.cut);
+    cut.ariaPressed = String(isCut);
+    view.set(shape, { field: name, low, high, cut: isCut });
     if (!point) return;
     paintLegend(words, kind, low, high);
     said.replaceChildren(...sentence(shape, point));
@@ -119,9 +119,9 @@ export function stageView(store, busy) {
       .join(",");
     const bar = el("i", { style: `background:linear-gradient(90deg,${ramp})` });
     legend.replaceChildren(
-      el("span", {}, words),
+      el("span", words),
       bar,
-      el("span", {}, el("b", {}, end(low)), el("b", {}, end(high))),
+      el("span", el("b", end(low)), el("b", end(high))),
     );
   }
 
@@ -146,13 +146,13 @@ export function stageView(store, busy) {
 function sentence(shape, point) {
   if (point.slack)
     return [
-      el("b", {}, "Slack"),
+      el("b", "Slack"),
       el("br"),
       `The muscle is slack: contracted by ${showRatio(shape.shape_contraction, 3)}, no pull.`,
     ];
   const at = `at ${showPressure(point.pressure_mpa, 3)} and ${showRatio(point.contraction, 3)}`;
   return [
-    el("b", {}, asBuilt(point)),
+    el("b", asBuilt(point)),
     el("br"),
     `as built${MOVES[point.predicted_direction ?? ""] ?? ""}; ${modelPull(point)}`,
     el("br"),
@@ -191,3 +191,57 @@ const pumping = (store) =>
     () => 4500,
     "Fills it, lets it shorten, and lets go",
   );
+
+// The pressure gauge: dragged about its centre. The slider says the same to keyboards and screen readers.
+/** From straight down, clockwise: where the dial begins, and how far it goes, in degrees. */
+const FROM = 45,
+  REACH = 270;
+const point = (/** @type {number} */ share, /** @type {number} */ r) => {
+  const a = ((FROM + REACH * share + 90) * Math.PI) / 180;
+  return [r * Math.cos(a), r * Math.sin(a)].map((x) => x.toFixed(2));
+};
+
+/** @param {HTMLElement} stage @param {(pressure: number, settled: boolean) => void} turn */
+export function gauge(stage, turn) {
+  const [[x0, y0], [x1, y1]] = [point(0, 40), point(1, 40)];
+  const tick = (/** @type {number} */ i) =>
+    `M${point(i / 10, i % 5 ? 36 : 33).join(" ")}L${point(i / 10, 40).join(" ")}`;
+  const ticks = Array.from({ length: 11 }, (_, i) => tick(i)).join("");
+  stage.insertAdjacentHTML(
+    "beforeend",
+    `<svg class="gauge" viewBox="-50 -50 100 100" aria-hidden="true">` +
+      `<circle r="48" class="face"/><path d="M${x0} ${y0}A40 40 0 1 1 ${x1} ${y1}${ticks}" class="dial"/>` +
+      `<text x="-24" y="46">0</text><text x="24" y="46" class="top"></text>` +
+      `<path d="M0 8L-2.5 0L0 -36L2.5 0z" class="needle"/><circle r="4" class="hub"/></svg>`,
+  );
+  const svg = /** @type {SVGSVGElement} */ (stage.lastElementChild);
+  const part = (/** @type {string} */ name) =>
+    /** @type {SVGElement} */ (svg.querySelector(name));
+  const needle = part(".needle"),
+    label = part(".top");
+  let top = 1;
+  const at = (
+    /** @type {PointerEvent} */ event,
+    /** @type {boolean} */ settled,
+  ) => {
+    const box = svg.getBoundingClientRect();
+    const [x, y] = [
+      event.clientX - box.left - box.width / 2,
+      event.clientY - box.top - box.height / 2,
+    ];
+    // Clockwise from straight down.
+    const angle = ((Math.atan2(y, x) * 180) / Math.PI + 270) % 360;
+    const share = clamp((angle - FROM) / REACH, 0, 1);
+    turn(Math.round(share * top * 1000) / 1000, settled);
+  };
+  dragging(svg, at);
+  return {
+    /** @param {number} pressure @param {number} highest what the end of the dial stands for */
+    set(pressure, highest) {
+      top = highest;
+      const text = number(outside("pressure", top), 2);
+      if (label.textContent !== text) label.textContent = text;
+      needle.style.transform = `rotate(${FROM + REACH * Math.min(1, pressure / top) - 180}deg)`;
+    },
+  };
+}

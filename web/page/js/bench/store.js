@@ -5,7 +5,7 @@ import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { PRESSURE, point as pointOf } from "../state.js";
 import { reach } from "../view3d.js";
-import { niceUp } from "./round.js";
+import { niceUp } from "../units.js";
 
 /** Keys of the address that are the page's own. */
 export const OWN = ["test", "show", "cut", "over"];
@@ -37,8 +37,6 @@ export class Store {
      */
     this.ranges = undefined;
     this.rangesKey = "";
-    /** The last problem, until there is an answer. @type {Problem | undefined} */ this.problem =
-      undefined;
     /** @type {Map<Event, ((more: never) => void)[]>} */ this.listeners =
       new Map();
     this.slots = {
@@ -102,12 +100,10 @@ export class Store {
       request,
       (answer) => {
         this.shape = this.point = /** @type {Shape} */ (answer);
-        this.problem = undefined;
         if (muscle.state === state) this.take(state, this.point);
         this.tell("answer", shown !== undefined);
       },
       (problem) => {
-        this.problem = problem;
         this.point = undefined;
         this.tell("problem", { problem, state });
       },
@@ -144,7 +140,6 @@ export class Store {
         this.tell("facts");
         this.range();
       },
-      () => {},
     );
     // Of a load the contraction is known with its shape.
     if (state.F === undefined) this.starts();

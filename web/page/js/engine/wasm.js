@@ -67,10 +67,15 @@ class Lane {
           request: first.request,
         });
     } catch (problem) {
-      this.open
-        .splice(0)
-        .forEach((asked) => this.close(asked, () => asked.reject(problem)));
+      this.refuse(problem);
     }
+  }
+
+  /** No question that is open has an answer. @param {unknown} problem */
+  refuse(problem) {
+    this.open
+      .splice(0)
+      .forEach((asked) => this.close(asked, () => asked.reject(problem)));
   }
 
   /** @param {Asked} asked @param {() => void} act */
@@ -100,9 +105,7 @@ class Lane {
   end(why) {
     this.worker?.terminate();
     this.worker = undefined;
-    this.open
-      .splice(0)
-      .forEach((asked) => this.close(asked, () => asked.reject(gone(why))));
+    this.refuse(gone(why));
   }
 
   /** @param {string} command @param {object} request @param {How} how */

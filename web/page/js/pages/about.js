@@ -108,7 +108,7 @@ export const mount = (main) => {
             c.ok ? "holds" : "fails",
           ]);
           return [
-            el("h3", {}, title),
+            el("h3", title),
             table(["case", "source", ...head, ""], rows, {
               text: [0, 1, head.length + 2],
               label: title,

@@ -1,9 +1,8 @@
 // The muscle beside another one, or beside another model of it: B is the same muscle, or that of a file, with what is
 // said over it.
 import { Slot } from "../ask.js";
-import { Chart, KINDS, isobars } from "../chart.js";
+import { chartOf, KINDS, isobars } from "../chart.js";
 import { fileField } from "../controls.js";
-import { pack } from "../deflate.js";
 import {
   block,
   button,
@@ -28,9 +27,11 @@ import {
 } from "../state.js";
 import {
   asBuilt,
+  braidName,
   forceAxis,
   number,
   onUnits,
+  partName,
   ratioAxis,
   show,
   showForce,
@@ -38,8 +39,8 @@ import {
   showPressure,
   showRatio,
 } from "../units.js";
-import { View } from "../view3d.js";
-import { braidName, partName } from "../words.js";
+import { viewOf } from "../view3d.js";
+import { pack } from "../address.js";
 
 const MODELS = /** @type {[string, string][]} */ (
   [
@@ -65,7 +66,7 @@ function sideForm(name, ask) {
       `${name}model`,
       "model",
       "Model",
-      undefined,
+
       { options: MODELS, value: name === "b" ? "thick-wall" : "fe" },
     ],
     [`${name}rubber`, "rubber", "Rubber"],
@@ -98,7 +99,7 @@ function sideOf(name, { ask, paint }) {
     stage = el("div", { class: "stage", style: "height:220px" }),
     which = remark(),
     said = block();
-  const view = new View(stage);
+  const view = viewOf(stage);
   const point = new Slot(),
     shape = new Slot({ lane: "state" }),
     curve = new Slot({ lane: "curves" });
@@ -119,7 +120,7 @@ function sideOf(name, { ask, paint }) {
     );
   const element = el(
     "section",
-    { "aria-label": name.toUpperCase() },
+    { ariaLabel: name.toUpperCase() },
     heading(name === "a" ? "A: the muscle" : "B: with changes"),
     stage,
     said,
@@ -164,12 +165,7 @@ function sideOf(name, { ask, paint }) {
           paint();
         },
       );
-      shape.ask(
-        "shape",
-        at,
-        (answer) => view.stretched(answer),
-        () => {},
-      );
+      shape.ask("shape", at, (answer) => view.stretched(answer));
       const drawn = (/** @type {typeof side.family} */ answer) => {
         side.family = answer;
         paint();
@@ -235,7 +231,7 @@ export const mount = (main) => {
       sideOf(name, { ask: () => ask(), paint: () => paint() }),
     ),
     [, b] = sides;
-  const chart = new Chart("compare", {
+  const chart = chartOf("compare", {
       tools: heading("Pull over contraction"),
     }),
     numbers = block();

@@ -18,13 +18,18 @@ import {
 } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
-import { GALLERY, gallery } from "../gallery.js";
-import { fileOf, keepFile } from "../kept.js";
-import { library, muscleButtons } from "../library.js";
-import { measured } from "../measured.js";
+import { GALLERY, gallery, library, muscleButtons } from "../gallery.js";
+import { fileOf, keepFile, measured } from "../kept.js";
 import { muscle } from "../muscle.js";
-import { number, onUnits, ratioAxis, showForce, unitName } from "../units.js";
-import { keyed, worded } from "../words.js";
+import {
+  keyed,
+  number,
+  onUnits,
+  ratioAxis,
+  showForce,
+  unitName,
+  worded,
+} from "../units.js";
 
 const CONSTANTS = "constants";
 
@@ -75,189 +80,142 @@ const errorTable = (models) => {
 
 /** What is asked of the table. @type {Field[]} */
 export const FIELDS = fieldsOf([
-  [
-    "free",
-    "free",
-    "Free constants",
-    undefined,
-    { words: true, hint: "shear modulus" },
-  ],
+  ["free", "free", "Free constants", { words: true, hint: "shear modulus" }],
   [
     "models",
     "models",
     "Models",
-    undefined,
+
     { words: true, value: "fe, thick-wall, ideal" },
   ],
 ]);
-class DataPage {
-  /** @type {Commands["compare"]["answer"] | undefined} */ #compared;
-  /** @type {Commands["identify"]["answer"] | undefined} */ #known;
-  #looking = new Slot();
-  #reading = new Slot();
 
-  /** @param {HTMLElement} main */
-  constructor(main) {
-    this.data = measured.file;
-    this.what = form(FIELDS, () => this.#look());
-    this.table = grid(
+/** @type {Mount} */
+export const mount = (main) => {
+  /** @type {Commands["compare"]["answer"] | undefined} */ let compared;
+  /** @type {Commands["identify"]["answer"] | undefined} */ let known;
+  let data = measured.file;
+  const looking = new Slot(),
+    reading = new Slot();
+  const what = form(FIELDS, look),
+    cells = grid(
       ["pressure [bar]", "contraction [%]", "pull [N]", "branch"],
-      (text) => this.#take(this.data?.name ?? "typed.csv", text),
+      (text) => take(data?.name ?? "typed.csv", text),
     );
-    this.understood = block(
-      "",
-      ...(this.data
-        ? []
-        : [
-            faded(
-              "Drop a table of measured points, paste its cells, or type them into Table.",
-            ),
-            this.#begins(),
-          ]),
-    );
-    this.errors = block();
-    this.found = block();
-    this.figures = new Figures("data");
-    this.fitted = new Figures("identified");
-    this.identify = job(
-      "Identify",
-      "identify",
-      () => this.#request(),
-      (answer) => this.#identified(answer),
-      { shown: [this.found, this.fitted.element] },
-    );
-    main.replaceChildren(
-      bench("Data", this.#controls(), [
-        this.understood,
-        this.errors,
-        this.figures.element,
-        this.found,
-        this.fitted.element,
-      ]),
-    );
-    // Figures are drawn by the engine in the units that are asked for.
-    onUnits(() => {
-      this.#paint();
-      this.#place();
-      if (this.#compared) this.#look();
-    });
-  }
-
-  #controls() {
-    return [
-      heading("Measured points"),
-      fileField("Open a table (CSV, XLSX, ODS)", TABLES, (name, text) =>
-        this.#take(name, text),
+  const understood = block(),
+    errors = block(),
+    found = block(),
+    figures = new Figures("data"),
+    fitted = new Figures("identified");
+  const fail = (/** @type {unknown} */ why) =>
+    understood.replaceChildren(problemBox(why));
+  const place = () => muscle.place("data", what.texts());
+  /** What is shown of the comparison belongs to an older table. @param {boolean} on */
+  const stale = (on) => dim([errors, figures.element], on);
+  // What there is to begin with: an example, and muscles that were measured.
+  if (!data)
+    understood.append(
+      faded(
+        "Drop a table of measured points, paste its cells, or type them into Table.",
       ),
-      remark(
-        "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.",
-      ),
-      this.table.element,
-      folded(
-        "Advanced",
-        this.what.element,
-        rowOf(button("Compare", () => this.#look())),
-      ),
-      this.identify.element,
-    ];
-  }
-
-  /** What there is to begin with: an example, and muscles that were measured. */
-  #begins() {
-    const fail = (/** @type {unknown} */ why) => this.#fail(why);
-    return block(
-      "",
       gallery(
         fail,
         undefined,
-        GALLERY.filter(([, , , { data }]) => data),
+        GALLERY.filter(([, , , of]) => of.data),
       ),
-      library(fail, () => {}),
+      library(fail),
     );
-  }
-
-  async #request() {
-    const read = await this.what.read();
-    if (!this.data || !read) {
-      this.found.replaceChildren(faded("Open a table first."));
-      return undefined;
-    }
-    return {
-      muscle: muscle.fields(),
-      data: [this.data],
-      free: (read.free ?? []).map(keyed),
-      figure: unitName("pressure"),
-    };
-  }
-
-  /** @param {Commands["identify"]["answer"]} answer */
-  #identified(answer) {
-    this.#known = answer;
-    keepFile(CONSTANTS, true);
-    this.#paint();
-    this.fitted.show(answer.figure);
-  }
-
-  /** @param {unknown} why */
-  #fail(why) {
-    this.understood.replaceChildren(problemBox(why));
-  }
-  #place() {
-    muscle.place("data", this.what.texts());
-  }
+  const identify = job(
+    "Identify",
+    "identify",
+    async () => {
+      const read = await what.read();
+      if (data && read)
+        return {
+          muscle: muscle.fields(),
+          data: [data],
+          free: (read.free ?? []).map(keyed),
+          figure: unitName("pressure"),
+        };
+      found.replaceChildren(faded("Open a table first."));
+    },
+    (answer) => {
+      known = answer;
+      keepFile(CONSTANTS, true);
+      paint();
+      fitted.show(answer.figure);
+    },
+    { shown: [found, fitted.element] },
+  );
+  main.replaceChildren(
+    bench(
+      "Data",
+      [
+        heading("Measured points"),
+        fileField("Open a table (CSV, XLSX, ODS)", TABLES, take),
+        remark(
+          "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.",
+        ),
+        cells.element,
+        folded("Advanced", what.element, rowOf(button("Compare", look))),
+        identify.element,
+      ],
+      [understood, errors, figures.element, found, fitted.element],
+    ),
+  );
 
   /** @param {string} name @param {string} text */
-  async #take(name, text) {
+  async function take(name, text) {
     measured.set({ name, text });
-    this.data = measured.file;
+    data = measured.file;
     keepFile(CONSTANTS, undefined);
-    [this.#compared, this.#known] = [undefined, undefined];
-    this.#begin();
-    this.found.replaceChildren();
-    this.fitted.show(undefined);
-    await this.#look();
+    compared = known = undefined;
+    begin();
+    found.replaceChildren();
+    fitted.show(undefined);
+    await look();
   }
-  #begin() {
-    if (this.data) this.table.show(this.data.text);
+  function begin() {
+    if (data) cells.show(data.text);
   }
 
-  async #look() {
-    const read = await this.what.read(),
-      { data } = this;
-    if (!data || !read || !this.understood.isConnected) return;
-    this.#place();
-    this.#looking.ask(
+  async function look() {
+    const read = await what.read(),
+      of = data;
+    if (!of || !read || !understood.isConnected) return;
+    place();
+    looking.ask(
       "compare",
       {
         muscle: muscle.fields(),
-        data: [data],
+        data: [of],
         models: read.models,
         extrapolate: true,
         figure: unitName("pressure"),
       },
       (answer) => {
-        this.#compared = answer;
-        this.#paint();
-        dim([this.errors, this.figures.element], false);
-        this.figures.show(answer.figure);
-        this.#colour(data);
+        compared = answer;
+        paint();
+        stale(false);
+        figures.show(answer.figure);
+        colour(of);
       },
       (why) => {
-        this.#fail(why);
-        if (why.kind === "data") this.table.element.open = true;
-        dim([this.errors, this.figures.element], true);
+        fail(why);
+        if (why.kind === "data") cells.element.open = true;
+        stale(true);
       },
     );
   }
 
-  /** Pulls over contraction have the colour of their pressure and the sign of their branch. @param {TextFile} data */
-  #colour(data) {
-    const [chart] = this.figures.charts,
+  /** Pulls over contraction have the colour of their pressure and the sign of their branch. @param {TextFile} of */
+  function colour(of) {
+    const [chart] = figures.charts,
       spec = chart?.spec;
     if (spec?.x !== ratioAxis) return;
-    this.#reading.ask(
+    reading.ask(
       "identify",
-      { muscle: muscle.fields(), data: [data], free: ["modulus"] },
+      { muscle: muscle.fields(), data: [of], free: ["modulus"] },
       ({ points }) => {
         const list = points.filter((q) => q.measured === "force"),
           top = Math.max(...list.map((q) => q.pressure_mpa));
@@ -269,37 +227,37 @@ class DataPage {
           ],
         });
       },
-      () => {},
     );
   }
 
-  #paint() {
-    const compared = this.#compared,
-      known = this.#known;
-    if (compared && this.data) {
+  function paint() {
+    if (compared && data) {
       const u = compared.understood?.[0] ?? compared.understood;
       const said = [
         ...(measured.said ? [measured.said] : []),
         ...(compared.warnings ?? []),
       ];
-      const line = `${this.data.name}: ${compared.points} points. ${columnLine(u?.columns ?? [])}`;
-      this.understood.replaceChildren(paragraph(line), warnings(said));
-      this.errors.replaceChildren(errorTable(compared.models));
+      const line = `${data.name}: ${compared.points} points. ${columnLine(u?.columns ?? [])}`;
+      understood.replaceChildren(paragraph(line), warnings(said));
+      errors.replaceChildren(errorTable(compared.models));
     }
-    if (known) this.found.replaceChildren(...identifiedView(known));
+    if (known) found.replaceChildren(...identifiedView(known));
   }
-
-  /** @param {URLSearchParams} params */
-  async load(params) {
-    await muscle.read(params, this.what.keys);
-    this.what.set(params);
-    this.data = measured.file;
-    this.#begin();
-    if (this.data) await this.#look();
-    // What was identified before is there again.
-    if (this.data && fileOf(CONSTANTS)) this.identify.run();
-  }
-}
-
-/** @type {Mount} */
-export const mount = (main) => new DataPage(main);
+  // Figures are drawn by the engine in the units that are asked for.
+  onUnits(() => {
+    paint();
+    place();
+    if (compared) look();
+  });
+  return {
+    async load(params) {
+      await muscle.read(params, what.keys);
+      what.set(params);
+      data = measured.file;
+      begin();
+      if (data) await look();
+      // What was identified before is there again.
+      if (data && fileOf(CONSTANTS)) identify.run();
+    },
+  };
+};

@@ -10,9 +10,9 @@ import {
   headView,
   rejectedView,
 } from "../design-view.js";
-import { block, el, folded, heading } from "../dom.js";
+import { block, folded, heading } from "../dom.js";
 import { Figures } from "../figure.js";
-import { fieldsOf, form, job, kindsOf } from "../form.js";
+import { fieldsOf, form, inputs, job, kindsOf } from "../form.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
 import { onUnits, typed, unitName } from "../units.js";
@@ -33,7 +33,7 @@ export const WANTED = fieldsOf([
     "at",
     "points",
     "Pulls",
-    undefined,
+
     {
       pair: [
         ["force", "force_n"],
@@ -46,7 +46,7 @@ export const WANTED = fieldsOf([
     "joint",
     "torques",
     "Torques",
-    undefined,
+
     {
       pair: [
         ["torque", "torque_nm"],
@@ -55,7 +55,7 @@ export const WANTED = fieldsOf([
       hint: "8 N m at 45°",
     },
   ],
-  ["load", "load", "Load", undefined, { hint: "20 kg" }],
+  ["load", "load", "Load", { hint: "20 kg" }],
   ["stroke", "stroke_mm", "Stroke", "length", { hint: "40 mm" }],
   ["pmax", "max_pressure_mpa", "Pressure of the supply", "pressure", "2.5 bar"],
   [
@@ -70,7 +70,7 @@ export const WANTED = fieldsOf([
     "for",
     "objective",
     "Rank by",
-    undefined,
+
     { options: OBJECTIVES, value: "bulged-diameter" },
   ],
 ]);
@@ -104,14 +104,14 @@ export const choices = () =>
       "rubber",
       "rubbers",
       "Rubbers",
-      undefined,
+
       { words: true, hint: "paper, ecoflex-00-30" },
     ],
     [
       "braid",
       "braids",
       "Sleeves as sold",
-      undefined,
+
       { words: true, hint: "names of the list" },
     ],
     [
@@ -146,7 +146,7 @@ export const choices = () =>
       "liquid",
       "liquid",
       "Liquid in the place of air",
-      undefined,
+
       { hint: "water, oil or glycol" },
     ],
     [
@@ -332,9 +332,8 @@ export const mount = (main) => {
   main.replaceChildren(
     block(
       "bench",
-      el(
-        "section",
-        { class: "controls", "aria-label": "Specification" },
+      inputs(
+        "Specification",
         heading("Specification"),
         ...spec.elements,
         search.element,

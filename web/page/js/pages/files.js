@@ -3,6 +3,7 @@
 import { engine } from "../ask.js";
 import {
   block,
+  button,
   download,
   el,
   faded,
@@ -11,7 +12,6 @@ import {
   paragraph,
   remark,
 } from "../dom.js";
-import { filesView } from "../files-view.js";
 import { fieldsOf, form, job, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
 import { fileName, named } from "../toml.js";
@@ -25,6 +25,7 @@ import {
   showRatio,
   unitName,
 } from "../units.js";
+import { zip } from "../zip.js";
 
 /** @typedef {Commands["export-list"]["answer"]["targets"][number]} Target */
 /** What a report states of itself; the name is that of the muscle. @type {Field[]} */
@@ -36,13 +37,7 @@ export const TITLE = fieldsOf([
 ]);
 /** Where a form for controllers is fitted. @type {Field[]} */
 export const BOX = fieldsOf([
-  [
-    "target",
-    "target",
-    "Target",
-    undefined,
-    { value: "c", options: [["c", "c"]] },
-  ],
+  ["target", "target", "Target", { value: "c", options: [["c", "c"]] }],
   ["supply", "pressure_mpa", "Pressure of the supply", "pressure"],
   ["elow", "contraction_low", "Contraction from", "ratio", { hint: "−5 %" }],
   [
@@ -59,7 +54,7 @@ export const ELEMENTS = fieldsOf([
     "elements",
     "model",
     "Model",
-    undefined,
+
     {
       value: "fe",
       options: [
@@ -95,7 +90,7 @@ function card(title, about, fields, [label, command], request, shown) {
     form: asked,
     element: el(
       "section",
-      { class: "card-of-files", "aria-label": title },
+      { class: "card-of-files", ariaLabel: title },
       heading(title),
       faded(about),
       asked.element,
@@ -133,7 +128,7 @@ const report = () =>
         answer.files.find(({ name }) => name === "report.html")?.text ?? "",
       );
       const name = fileName(muscle.name, "-report.html"),
-        save = () => download(name, html, "text/html");
+        save = () => download(name, html);
       return [
         warnings(answer.warnings),
         paragraph(
@@ -302,3 +297,44 @@ export const mount = (main) => {
     },
   };
 };
+
+// Files that the engine made: each as a download, and all of them in one archive.
+/** @typedef {Commands["build"]["answer"]["files"][number]} File */
+
+/** @param {File} file @returns {Uint8Array<ArrayBuffer>} */
+const bytesOf = ({ text, base64 }) =>
+  typeof text === "string"
+    ? new TextEncoder().encode(text)
+    : Uint8Array.from(atob(base64 ?? ""), (c) => c.charCodeAt(0));
+
+/** @param {number} bytes */
+const size = (bytes) =>
+  bytes < 1000
+    ? `${bytes} B`
+    : bytes < 1e6
+      ? `${number(bytes / 1e3, 3)} kB`
+      : `${number(bytes / 1e6, 3)} MB`;
+
+/** @param {readonly File[]} files @param {string} archive its name without the ending */
+export function filesView(files, archive) {
+  const all = files.map((file) => ({
+    name: file.name,
+    about: file.about,
+    bytes: bytesOf(file),
+  }));
+  const rows = all.map(({ name, about, bytes }) =>
+    el(
+      "li",
+      button(name, () => download(name, bytes)),
+      ` ${about} `,
+      el("span", { class: "soft" }, size(bytes.length)),
+    ),
+  );
+  const every = () => download(`${archive}.zip`, zip(all));
+  return block(
+    "files",
+    el("ul", { class: "plain" }, ...rows),
+    files.length > 1 &&
+      paragraph(mainButton(`All files (${archive}.zip)`, every)),
+  );
+}

@@ -1,8 +1,7 @@
 // A joint with two of this muscle against each other: pressures by dragging the arm, torques, and what it reaches.
 import { Slot } from "../ask.js";
-import { Chart } from "../chart.js";
+import { chartOf } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
-import { pack } from "../deflate.js";
 import {
   block,
   button,
@@ -14,20 +13,26 @@ import {
   problemBox,
   remark,
 } from "../dom.js";
-import { job, warnings } from "../form.js";
-import { jointDrawing } from "../joint-drawing.js";
+import { inputs, job, warnings } from "../form.js";
 import {
   angleAt,
+  jointDrawing,
   numbersView,
   reachChart,
   torqueChart,
 } from "../joint-view.js";
-import { FILES, JointWords, KEYS, KINDS_OF } from "../joint-words.js";
+import {
+  FILES,
+  JointWords,
+  KEYS,
+  KINDS_OF,
+  angles,
+  drive,
+} from "../joint-words.js";
 import { atEnd } from "../life.js";
-import { muscle } from "../muscle.js";
-import { angles, drive } from "../trajectory.js";
+import { muscle, visit } from "../muscle.js";
 import { clamp, evenly, onUnits } from "../units.js";
-import { visit } from "../visit.js";
+import { pack } from "../address.js";
 
 /** @typedef {Commands["joint"]["request"]} Request */
 /** @typedef {import("../joint-words.js").Key} Key */
@@ -77,7 +82,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     el(
       "fieldset",
       { class: name === "Required" && "state" },
-      el("legend", {}, name),
+      el("legend", name),
       ...list.map(([key, label, low, high, symbol]) => {
         controls[key] = quantity({
           key,
@@ -103,9 +108,8 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
   const leave = button("Close the joint file", () => takeJoint(""), {
     hidden: true,
   });
-  const element = el(
-    "section",
-    { class: "controls", "aria-label": "Joint" },
+  const element = inputs(
+    "Joint",
     ...groups,
     folded(
       "Different second muscle",
@@ -205,16 +209,13 @@ function questions({ take, fail, family }) {
     ask(request, v, settled) {
       const mine = ++asking,
         at = wanted(v, [v.phi]);
-      point.ask(
-        "joint",
-        { ...request, ...at },
-        (answer) => {
-          if (decided !== mine) take(answer);
-        },
-        (problem) => {
-          if (decided !== mine) fail(problem);
-        },
-      );
+      /** @template T @param {(said: T) => void} act @param {boolean} [last] what decides */
+      const unless = (act, last) => (/** @type {T} */ said) => {
+        if (last) decided = mine;
+        else if (decided === mine) return;
+        act(said);
+      };
+      point.ask("joint", { ...request, ...at }, unless(take), unless(fail));
       // What stays is what finite elements say.
       clearTimeout(settling);
       elements.end();
@@ -222,14 +223,8 @@ function questions({ take, fail, family }) {
         elements.ask(
           "joint",
           { ...request, model: { name: "fe" }, extrapolate: false, ...at },
-          (answer) => {
-            decided = mine;
-            take(answer);
-          },
-          (problem) => {
-            decided = mine;
-            fail(problem);
-          },
+          unless(take, true),
+          unless(fail, true),
         );
       if (settled) settling = window.setTimeout(last, 50);
       const angles = evenly(v.low, v.high, 25);
@@ -244,207 +239,173 @@ function questions({ take, fail, family }) {
         "joint",
         { ...request, pressures_mpa: pairs, angles_deg: angles },
         (answer) => family({ answer, angles, pairs }),
-        () => {},
       );
     },
   };
 }
 
-class JointPage {
-  joint = new JointWords();
-  /** @type {JointPoint | undefined} */ #point;
-  /** @type {Family | undefined} */ #family;
-  /** @type {JointAnswer["map"]} */ #reached;
+/** @type {Mount} */
+export const mount = (main) => {
+  const joint = new JointWords(),
+    { v, files } = joint;
+  /** @type {JointPoint | undefined} */ let point;
+  /** @type {Family | undefined} */ let family;
+  /** @type {JointAnswer["map"]} */ let reached;
   /** The file that says what the muscle of the page Muscle is. */
-  #first = "";
-
-  /** @param {HTMLElement} main */
-  constructor(main) {
-    this.arm = el("div", {
+  let first = "";
+  const arm = el("div", {
       class: "stage",
       role: "img",
-      "aria-label": "The joint",
-    });
-    this.numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
-    this.said = block();
-    this.notes = block();
-    this.bench = controlsOf(this.joint.v, {
-      changed: (key, settled) => {
-        this.joint.over.add(key);
-        this.#ask(settled);
-      },
-      takeSecond: (text) => this.#takeSecond(text),
-      takeJoint: (text) => this.#takeJoint(text),
-    });
-    this.torque = new Chart("joint-torque", {
+      ariaLabel: "The joint",
+    }),
+    numbers = el("section", { class: "numbers", ariaLabel: "Numbers" }),
+    said = block(),
+    notes = block();
+  const { element, controls, show } = controlsOf(v, {
+    changed(key, settled) {
+      joint.over.add(key);
+      ask(settled);
+    },
+    async takeSecond(text) {
+      await pack(text);
+      files.file2 = text;
+      show(files);
+      ask(true);
+    },
+    async takeJoint(text) {
+      await pack(text);
+      files.joint = text;
+      joint.over = new Set();
+      await joint.fromFile();
+      set();
+      show(files);
+      ask(true);
+      map.run();
+    },
+  });
+  const torque = chartOf("joint-torque", {
       tools: heading("Torque over the angle"),
-      drag: (x, _, settled) => this.#turned(x, settled),
-    });
-    this.reach = new Chart("joint-map", {
-      tools: heading("Reachable stiffness"),
-    });
-    const question = async () => ({
-      ...this.#request(),
-      map: 25,
-      max_pressure_mpa: this.joint.v.pmax,
-    });
-    this.map = job(
-      "Map of the reachable states",
-      "joint",
-      question,
-      ({ map }) => this.#mapped(map),
-    );
-    this.asks = questions({
-      take: (answer) => this.#take(answer),
-      fail: (problem) => this.#fail(problem),
-      family: (family) => {
-        this.#family = family;
-        this.torque.show(torqueChart(family, this.#point));
-      },
-    });
-    const { v } = this.joint;
-    this.move = moveBox(v, (list) => ({
-      ...this.joint.request(this.#first),
-      ...wanted(v, list),
-    }));
-    this.bench.element.append(this.move.element);
-    const charts = block("charts", this.torque.element, this.reach.element);
-    main.replaceChildren(
+      drag: (x, _, settled) => turned(x, settled),
+    }),
+    reach = chartOf("joint-map", { tools: heading("Reachable stiffness") });
+  const map = job(
+    "Map of the reachable states",
+    "joint",
+    async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }),
+    (answer) => mapped(answer.map),
+  );
+  const asks = questions({
+    take(answer) {
+      stale(false);
+      said.replaceChildren();
+      notes.replaceChildren(warnings(answer.warnings));
+      point = {
+        ...answer.points[0],
+        model: answer.model,
+        words: answer.uncertainty_text,
+      };
+      paint();
+    },
+    fail(problem) {
+      said.replaceChildren(problemBox(problem));
+      if (point) stale(true);
+      else drawArm();
+    },
+    family(found) {
+      family = found;
+      torque.show(torqueChart(family, point));
+    },
+  });
+  const move = moveBox(v, (list) => ({
+    ...joint.request(first),
+    ...wanted(v, list),
+  }));
+  element.append(move.element);
+  main.replaceChildren(
+    block(
+      "bench",
+      element,
       block(
-        "bench",
-        this.bench.element,
-        block("middle", this.arm, charts, this.map.element),
-        block("side", this.said, this.numbers, this.notes),
+        "middle",
+        arm,
+        block("charts", torque.element, reach.element),
+        map.element,
       ),
-    );
-    dragging(this.arm, (event, settled) => {
-      const angle = angleAt(this.arm, event);
-      if (angle !== undefined) this.#turned(angle, settled);
-    });
-    onUnits(() => {
-      this.#paint();
-      this.#mapped(this.#reached);
-      this.#place();
-    });
-  }
+      block("side", said, numbers, notes),
+    ),
+  );
+  dragging(arm, (event, settled) => {
+    const angle = angleAt(arm, event);
+    if (angle !== undefined) turned(angle, settled);
+  });
 
-  /** @param {string} text a muscle file */
-  async #takeSecond(text) {
-    await pack(text);
-    this.joint.files.file2 = text;
-    this.bench.show(this.joint.files);
-    this.#ask(true);
-  }
-  /** @param {string} text a joint file */
-  async #takeJoint(text) {
-    await pack(text);
-    this.joint.files.joint = text;
-    this.joint.over = new Set();
-    await this.joint.fromFile();
-    this.#set();
-    this.bench.show(this.joint.files);
-    this.#ask(true);
-    this.map.run();
-  }
   /** @param {number} angle @param {boolean} settled */
-  #turned(angle, settled) {
-    const { v } = this.joint;
+  function turned(angle, settled) {
     v.phi = clamp(Math.round(angle), v.low, v.high);
-    this.bench.controls.phi.set(v.phi);
-    this.#ask(settled);
+    controls.phi.set(v.phi);
+    ask(settled);
   }
-
-  #request() {
-    return {
-      ...this.joint.request(this.#first),
-      model: { name: "universal" },
-      extrapolate: true,
-    };
-  }
+  const request = () => ({
+    ...joint.request(first),
+    model: { name: "universal" },
+    extrapolate: true,
+  });
   /** @param {boolean} settled */
-  #ask(settled) {
-    const { v } = this.joint;
-    this.bench.controls.phi.reach(v.low, v.high);
-    this.asks.ask(this.#request(), v, settled);
-    if (settled) this.#place();
+  function ask(settled) {
+    controls.phi.reach(v.low, v.high);
+    asks.ask(request(), v, settled);
+    if (settled) place();
   }
-  #place() {
-    muscle.place("joint", this.joint.words());
+  const place = () => muscle.place("joint", joint.words());
+  /** @param {JointAnswer["map"]} found */
+  function mapped(found) {
+    reached = found;
+    if (found) reach.show(reachChart(found));
   }
-
-  /** @param {JointAnswer} answer */
-  #take(answer) {
-    this.#stale(false);
-    this.said.replaceChildren();
-    this.notes.replaceChildren(warnings(answer.warnings));
-    this.#point = {
-      ...answer.points[0],
-      model: answer.model,
-      words: answer.uncertainty_text,
-    };
-    this.#paint();
-  }
-  /** @param {Problem} problem */
-  #fail(problem) {
-    this.said.replaceChildren(problemBox(problem));
-    if (this.#point) this.#stale(true);
-    else this.#drawArm();
-  }
-  /** @param {JointAnswer["map"]} map */
-  #mapped(map) {
-    this.#reached = map;
-    if (map) this.reach.show(reachChart(map));
-  }
-  /** @param {boolean} on */
-  #stale(on) {
-    dim([this.arm, this.numbers], on);
-  }
-  #drawArm() {
+  const stale = (/** @type {boolean} */ on) => dim([arm, numbers], on);
+  function drawArm() {
     const {
       length_mm: length = 285,
       outer_diameter_mm: diameter = 30,
       angle_deg: angle = 28,
     } = muscle.shown ?? {};
-    const { v } = this.joint,
-      point = this.#point;
-    const drawing = jointDrawing(point, point?.angle_deg ?? v.phi, v.pmax, {
+    arm.innerHTML = jointDrawing(point, point?.angle_deg ?? v.phi, v.pmax, {
       ...v,
       length,
       diameter,
       angle,
     });
-    this.arm.innerHTML = drawing;
   }
-  #paint() {
-    const point = this.#point;
-    const which = this.joint.files.file2
+  function paint() {
+    const which = files.file2
       ? "Muscle 2 is that of its file."
       : "Both muscles are the one above.";
-    this.#drawArm();
-    if (this.#family) this.torque.show(torqueChart(this.#family, point));
-    this.numbers.replaceChildren(...(point ? numbersView(point, which) : []));
+    drawArm();
+    if (family) torque.show(torqueChart(family, point));
+    numbers.replaceChildren(...(point ? numbersView(point, which) : []));
   }
-
-  #set() {
-    for (const key of KEYS) this.bench.controls[key].set(this.joint.v[key]);
+  function set() {
+    for (const key of KEYS) controls[key].set(v[key]);
   }
-
-  /** @param {URLSearchParams} params */
-  async load(params) {
-    await this.joint.read(params);
-    await muscle.read(params, [...KEYS, ...FILES, "range"]);
-    this.#set();
-    this.bench.show(this.joint.files);
-    try {
-      this.#first = await muscle.file();
-    } catch (problem) {
-      this.#stale(true);
-      return void this.said.replaceChildren(problemBox(problem));
-    }
-    this.#ask(true);
-    this.map.run();
-  }
-}
-
-/** @type {Mount} */
-export const mount = (main) => new JointPage(main);
+  onUnits(() => {
+    paint();
+    mapped(reached);
+    place();
+  });
+  return {
+    async load(params) {
+      await joint.read(params);
+      await muscle.read(params, [...KEYS, ...FILES, "range"]);
+      set();
+      show(files);
+      try {
+        first = await muscle.file();
+      } catch (problem) {
+        stale(true);
+        return void said.replaceChildren(problemBox(problem));
+      }
+      ask(true);
+      map.run();
+    },
+  };
+};

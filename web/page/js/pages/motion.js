@@ -1,8 +1,7 @@
 // A step on a valve, or the commands of a drive file, with the muscle moving.
 import { Slot } from "../ask.js";
-import { Chart } from "../chart.js";
+import { chartOf, KINDS } from "../chart.js";
 import { fileField } from "../controls.js";
-import { pack } from "../deflate.js";
 import {
   block,
   button,
@@ -12,38 +11,39 @@ import {
   problemBox,
   remark,
 } from "../dom.js";
-import { bench, fieldsOf, form, job, warnings } from "../form.js";
+import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { wordsOf } from "../kept.js";
-import {
-  figures,
-  isJoint,
-  pressureChart,
-  stateAt,
-  stateLine,
-  wayChart,
-} from "../motion-view.js";
 import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { motion } from "../state.js";
 import { stated } from "../toml.js";
-import { onUnits } from "../units.js";
-import { View } from "../view3d.js";
+import {
+  number,
+  onUnits,
+  outside,
+  ratioAxis,
+  showPressure,
+  showRatio,
+  unitName,
+} from "../units.js";
+import { viewOf } from "../view3d.js";
+import { pack } from "../address.js";
 
 /** @type {Field[]} */
 export const STEP = fieldsOf([
   ["to", "pressure_mpa", "Step to", "pressure", "3 bar"],
   ["supply", "supply_mpa", "Supply", "pressure", "6 bar"],
-  ["valve", "valve", "Valve", undefined, "0.5 L/(s bar)"],
-  ["load", "load", "Load", undefined, "10 kg"],
+  ["valve", "valve", "Valve", { value: "0.5 L/(s bar)" }],
+  ["load", "load", "Load", { value: "10 kg" }],
   ["damping", "damping_n_s_per_m", "Damping", "damping", "200 N s/m"],
   ["until", "until_s", "Until", "time", "2 s"],
   [
     "model",
     "model",
     "Model",
-    undefined,
+
     {
       options: [
         ["fe", "fe"],
@@ -77,7 +77,7 @@ function player() {
   const stage = block("stage"),
     clock = el("p", { class: "say" });
   stage.append(clock);
-  const view = new View(stage),
+  const view = viewOf(stage),
     slot = new Slot({ lane: "state" });
   /** @type {Run | undefined} */ let run;
   const slider = el("input", {
@@ -85,7 +85,7 @@ function player() {
     min: 0,
     max: 1000,
     value: 0,
-    "aria-label": "Time",
+    ariaLabel: "Time",
     oninput: () => {
       play.stop();
       at(Number(slider.value) / 1000);
@@ -103,9 +103,9 @@ function player() {
     const times = run.series.time_s,
       i = Math.min(times.length - 1, Math.round(share * (times.length - 1)));
     slider.value = String(1000 * share);
-    slider.setAttribute("aria-valuetext", `${times[i].toFixed(2)} s`);
+    slider.ariaValueText = `${times[i].toFixed(2)} s`;
     clock.replaceChildren(
-      el("b", {}, `${times[i].toFixed(2)} s`),
+      el("b", `${times[i].toFixed(2)} s`),
       el("br"),
       stateLine(run, i),
     );
@@ -113,7 +113,6 @@ function player() {
       "shape",
       { muscle: muscle.fields(), ...stateAt(run, i) },
       (shape) => view.stretched(shape),
-      () => {},
     );
   }
   return {
@@ -168,11 +167,11 @@ function driveBox(take) {
 
 /** Pressure and way over time. */
 function chartsOf() {
-  const pressure = new Chart("motion-pressure", {
+  const pressure = chartOf("motion-pressure", {
     tools: heading("Pressure over time"),
   });
   const title = el("h2"),
-    way = new Chart("motion-contraction", { tools: title });
+    way = chartOf("motion-contraction", { tools: title });
   return {
     element: block("charts", pressure.element, way.element),
     /** @param {Run} run */
@@ -182,6 +181,117 @@ function chartsOf() {
       way.show(wayChart(run));
     },
   };
+}
+
+// A motion as people see it: pressures, the way of muscle or joint over time, and its figures.
+/** Whether it is a joint's. @param {Run} run */
+const isJoint = (run) => Boolean(run.series.angle_deg);
+/** Series of pressures of a muscle or of a joint: what each is called, and its colour; commands are dotted. */
+const PRESSURES = /** @type {const} */ ([
+  ["pressure_mpa", "muscle", 0],
+  ["command", "command", 6],
+  ["pressure_1_mpa", "muscle 1", 0],
+  ["command_1", "command 1", 6],
+  ["pressure_2_mpa", "muscle 2", 1],
+  ["command_2", "command 2", 6],
+]);
+
+/** @param {Run} run @returns {Spec} */
+const pressureChart = ({ series: s }) => ({
+  x: "time [s]",
+  y: `pressure [${unitName("pressure")}]`,
+  series: PRESSURES.flatMap(([key, name, colour]) =>
+    s[key]
+      ? [
+          {
+            name,
+            x: s.time_s,
+            y: s[key].map((p) => outside("pressure", p)),
+            colour: KINDS[colour],
+            end: name,
+            dash: colour === 6 ? "dot" : undefined,
+          },
+        ]
+      : [],
+  ),
+});
+
+/** @param {Run} run @returns {Spec} */
+function wayChart(run) {
+  const { series: s } = run;
+  if (isJoint(run))
+    return {
+      x: "time [s]",
+      y: "angle φ [°]",
+      yaxis: {},
+      series: [
+        { name: "angle", x: s.time_s, y: s.angle_deg ?? [], colour: KINDS[1] },
+      ],
+    };
+  return {
+    x: "time [s]",
+    y: ratioAxis,
+    series: [
+      {
+        name: "contraction",
+        x: s.time_s,
+        y: (s.contraction ?? []).map((e) => 100 * e),
+        colour: KINDS[1],
+      },
+    ],
+  };
+}
+
+/** Largest speed, of the motion itself. @param {Run} run */
+function speed(run) {
+  if (isJoint(run))
+    return `${number(run.largest_velocity_deg_per_s ?? 0, 3)} °/s`;
+  const inside = run.largest_velocity_mm_per_s ?? 0;
+  return `${number(outside("length", inside), 3)} ${unitName("length")}/s`;
+}
+
+/** @param {Run} run */
+function figures(run) {
+  const time = (/** @type {number | null | undefined} */ x) =>
+    x == null ? "–" : `${number(x, 3)} s`;
+  return table(
+    ["", ""],
+    [
+      ["Rise time, 10–90 %", time(run.rise_time_s)],
+      ["Settling time, 2 %", time(run.settling_time_s)],
+      ["Overshoot", showRatio(run.overshoot, 3)],
+      ["Filled within 2 % after", time(run.fill_time_s)],
+      run.liquid_volume_mm3 == null
+        ? [
+            "Air from the supply",
+            `${number(run.air_normal_litres, 3)} normal L`,
+          ]
+        : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
+      ["Largest speed", speed(run)],
+      ["Largest power", `${number(run.largest_power_w, 3)} W`],
+    ],
+    { label: "figures of the step" },
+  );
+}
+
+/** The state at a place of the record, in a line. @param {Run} run @param {number} i */
+function stateLine(run, i) {
+  const { series: s } = run;
+  const both = [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) =>
+    p ? [showPressure(p[i], 3)] : [],
+  );
+  if (isJoint(run))
+    return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
+  return `${showPressure(s.pressure_mpa?.[i], 3)}, ${showRatio(s.contraction?.[i], 3)}`;
+}
+
+/** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */
+function stateAt({ series: s }, i) {
+  const [p, e] = [
+    s.pressure_mpa ?? s.pressure_1_mpa ?? [],
+    s.contraction ?? s.contraction_1 ?? [],
+  ];
+  return { pressure_mpa: Math.max(0, p[i]), contraction: e[i] };
 }
 
 /** @type {Mount} */

@@ -1,6 +1,6 @@
 // The muscle, alive: its measures as sliders, the deformed body, curves, and numbers.
 import { controlsView } from "../bench/controls.js";
-import { Curves } from "../bench/curves.js";
+import { curvesView } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
 import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
@@ -15,7 +15,7 @@ export const mount = (main) => {
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
   const stage = stageView(store, busy),
-    curves = new Curves(store),
+    curves = curvesView(store),
     numbers = numbersView(store);
   main.replaceChildren(
     block(
@@ -25,7 +25,7 @@ export const mount = (main) => {
         "middle",
         stage.stage,
         stage.tools,
-        curves.chart.element,
+        curves.element,
         curves.points.element,
         curves.advanced,
       ),
@@ -34,8 +34,7 @@ export const mount = (main) => {
   );
 
   /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */
-  const stale = (on) =>
-    dim([stage.stage, numbers.element, curves.chart.element], on);
+  const stale = (on) => dim([stage.stage, numbers.element, curves.element], on);
   store.on("answer", (pumped) => {
     said.replaceChildren();
     stale(false);

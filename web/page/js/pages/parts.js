@@ -2,12 +2,21 @@
 import { engine } from "../ask.js";
 import { address } from "../address.js";
 import { choice } from "../controls.js";
-import { block, button, capital, el, folded, problemBox } from "../dom.js";
-import { table } from "../form.js";
-import { library } from "../library.js";
-import { muscle } from "../muscle.js";
-import { notice, noticeProblem } from "../notice.js";
 import {
+  block,
+  button,
+  capital,
+  el,
+  folded,
+  notice,
+  noticeProblem,
+  problemBox,
+  textField,
+} from "../dom.js";
+import { table } from "../form.js";
+import { muscle } from "../muscle.js";
+import {
+  inWords,
   number,
   onUnits,
   show,
@@ -15,7 +24,7 @@ import {
   showPressure,
   showRatio,
 } from "../units.js";
-import { inWords } from "../words.js";
+import { library } from "../gallery.js";
 
 /** @typedef {Commands["parts-list"]["answer"]} Parts */
 /** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
@@ -197,10 +206,8 @@ export const mount = (main) => {
     state.kind = name;
     changed();
   });
-  const find = el("input", {
-    type: "text",
+  const find = textField({
     id: "parts-find",
-    autocomplete: "off",
     placeholder: "latex, silicone, 10 mm",
     oninput: () => {
       state.find = find.value.trim();
@@ -215,8 +222,7 @@ export const mount = (main) => {
   const line = block(
     "parts-filter",
     kind.element,
-    filter,
-    find,
+    block("choice", filter, find),
     fits.row,
     cast.row,
   );
@@ -248,10 +254,7 @@ export const mount = (main) => {
       count.textContent =
         "Muscles whose pulls were measured. Open one: it becomes the muscle.";
       return list.replaceChildren(
-        library(
-          (problem) => list.replaceChildren(problemBox(problem)),
-          () => {},
-        ),
+        library((problem) => list.replaceChildren(problemBox(problem))),
       );
     }
     const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)],
@@ -260,7 +263,7 @@ export const mount = (main) => {
     count.textContent = `${shown.length} of ${all.length} ${state.kind}. Values missing from data sheets are marked "estimated".`;
     const use = `Use this ${state.kind.slice(0, -1)}`;
     const put = (/** @type {Row} */ row) =>
-      button(use, () => take(row), { "aria-label": `${use}: ${row.name}` });
+      button(use, () => take(row), { ariaLabel: `${use}: ${row.name}` });
     const cells = shown.map((row) => [row.name, put(row), ...row.cells]);
     list.replaceChildren(table(head, cells, { text, label: state.kind }));
   }

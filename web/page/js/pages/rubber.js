@@ -1,12 +1,11 @@
 // Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
-import { block, button, faded, folded, heading, rowOf } from "../dom.js";
+import { block, folded, heading, paragraph, remark } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
-import { example } from "../gallery.js";
+import { example, muscleButtons } from "../gallery.js";
 import { fileOf, keepFile } from "../kept.js";
-import { muscleButtons } from "../library.js";
 import { muscle } from "../muscle.js";
 import { number, onUnits, show } from "../units.js";
 
@@ -14,13 +13,13 @@ import { number, onUnits, show } from "../units.js";
 /** @typedef {Answer["laws"][number]} Law */
 /** @type {Field[]} */
 export const FIELDS = fieldsOf([
-  ["laws", "laws", "Laws", undefined, { words: true, hint: "all" }],
+  ["laws", "laws", "Laws", { words: true, hint: "all" }],
   [
     "set",
     "set",
     "Constants of the table",
-    undefined,
-    { words: true, hint: "area=8 mm2" },
+
+    { words: true, hint: "area 8 mm², gauge length 25 mm" },
   ],
   [
     "upto",
@@ -33,7 +32,7 @@ export const FIELDS = fieldsOf([
     "stable",
     "stable",
     "In a muscle",
-    undefined,
+
     {
       value: "",
       options: [
@@ -42,17 +41,12 @@ export const FIELDS = fieldsOf([
       ],
     },
   ],
-  [
-    "called",
-    "name",
-    "Name of the rubber",
-    undefined,
-    { hint: "that of the table" },
-  ],
+  ["called", "name", "Name of the rubber", { hint: "that of the table" }],
 ]);
-const BEGIN =
-  "Drop a table of a rubber test: stretches or strains, and stresses; or extensions and forces of a " +
-  "specimen. The page fits the laws that the points determine and recommends one that is stable in a muscle.";
+const EXAMPLE = "treloar.csv";
+/** A constant as the engine reads it: `gauge length 25 mm`. @param {string} text */
+const keyed = (text) =>
+  text.replace(/\s+(?=[\d.])/, "=").replace(/^(\w+) (?=\w+=)/, "$1_");
 
 /** A law in a row. @param {Law} law @param {Answer} answer */
 function row(law, answer) {
@@ -90,12 +84,7 @@ export const mount = (main) => {
   const cells = grid(["stretch", "stress [MPa]"], (text) =>
     take(data?.name ?? "typed.csv", text),
   );
-  const understood = faded(BEGIN),
-    samples = rowOf(
-      button("Open the example: Treloar (1944)", async () =>
-        take("treloar.csv", await example("treloar.csv")),
-      ),
-    ),
+  const understood = paragraph(),
     laws = block();
   const fit = job(
     "Fit",
@@ -104,14 +93,14 @@ export const mount = (main) => {
       const read = await fields.read();
       if (!read) return undefined;
       place();
-      if (!data) {
-        understood.textContent = BEGIN;
-        return undefined;
-      }
-      const { stable, ...rest } = read,
+      // Until there is a table of one's own the page shows what it does.
+      data ??= { name: EXAMPLE, text: await example(EXAMPLE) };
+      cells.show(data.text);
+      const { stable, set, ...rest } = read,
         file = { name: "muscle.toml", text: await muscle.file() };
       return {
         ...rest,
+        set: set?.map(keyed),
         stable: stable === "yes",
         data: [data],
         muscle: file,
@@ -133,11 +122,14 @@ export const mount = (main) => {
         fileField("Open a table (CSV, XLSX, ODS)", TABLES, (name, text) =>
           take(name, text),
         ),
+        remark(
+          "A test of rubber: stretches or strains with stresses, or extensions with forces of a specimen.",
+        ),
         cells.element,
         folded("Advanced", fields.element),
         fit.element,
       ],
-      [understood, samples, laws, figures.element],
+      [understood, laws, figures.element],
     ),
   );
   const place = () => muscle.place("rubber", fields.texts());
@@ -146,16 +138,14 @@ export const mount = (main) => {
   function take(name, text) {
     data = { name, text };
     keepFile("rubber", data);
-    cells.show(text);
     return fit.run();
   }
   function paint() {
     if (!found) return;
     const answer = found,
       file = answer.muscle_file;
-    samples.hidden = true;
     understood.textContent =
-      `${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a ` +
+      `${fileOf("rubber") ? "" : "An example, Treloar (1944): "}${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a ` +
       `stretch of ${number(answer.fitted_to_stretch, 3)}. ${columnLine(answer.understood[0].columns)}`;
     const head = [
       "law",
@@ -196,8 +186,6 @@ export const mount = (main) => {
       await muscle.read(params, fields.keys);
       fields.set(params);
       data = fileOf("rubber");
-      if (!data) return;
-      cells.show(data.text);
       await fit.run();
     },
   };

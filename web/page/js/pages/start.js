@@ -68,7 +68,7 @@ export const mount = (main) => {
     lift = liftView(),
     fields = form(WANTED, () => ask());
   const result = block(),
-    head = el("h2", { class: "grow", "aria-live": "polite" }),
+    head = el("h2", { class: "grow", ariaLive: "polite" }),
     chips = block("chips"),
     act = rowOf();
 
@@ -85,10 +85,10 @@ export const mount = (main) => {
             type: "button",
             class: "card",
             onclick: () => choose(i),
-            "aria-pressed": String(i === chosen),
+            ariaPressed: String(i === chosen),
           },
           el("span", { class: "small soft" }, title),
-          el("b", {}, said),
+          el("b", said),
         );
       }),
     );
@@ -186,7 +186,6 @@ export const mount = (main) => {
         "question",
         el(
           "h1",
-          {},
           "A McKibben muscle is a rubber tube in a braided sleeve that gets thicker and shorter under pressure and pulls.",
         ),
         what.list,

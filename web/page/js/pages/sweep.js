@@ -1,6 +1,6 @@
 // One measure of the muscle over a range: what it does to the pull and to the rest.
 import { engine } from "../ask.js";
-import { Chart, KINDS, withBuilt } from "../chart.js";
+import { chartOf, KINDS, withBuilt } from "../chart.js";
 import { choice } from "../controls.js";
 import {
   block,
@@ -21,13 +21,13 @@ import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
 import {
   clamp,
   evenly,
+  inWords,
   number,
   onUnits,
   outside,
   show,
   unitName,
 } from "../units.js";
-import { inWords } from "../words.js";
 
 /** @typedef {Commands["shape"]["answer"]} Answer */
 /** @typedef {{ value: number, answer?: Answer, why?: string }} Row */
@@ -98,9 +98,9 @@ export const mount = (main) => {
     title = heading("Sweep");
   const bar = el("progress", {
     hidden: true,
-    "aria-label": "Progress of the sweep",
+    ariaLabel: "Progress of the sweep",
   });
-  const chart = new Chart("sweep", { tools: title, tall: true });
+  const chart = chartOf("sweep", { tools: title, tall: true });
   main.replaceChildren(
     bench(
       "Measure and range",
