@@ -4,7 +4,7 @@
 mod page;
 
 use crate::{
-    Problem, ProblemKind, Result, TextFile,
+    Count, Problem, ProblemKind, Result, TextFile,
     flags::{self, Args},
     plan::plan_of,
 };
@@ -43,8 +43,8 @@ pub struct CampaignRequest {
     #[arg(long, value_name = "i/n")]
     pub shard: Option<String>,
     /// Number of threads [one per core]; the table does not depend on it
-    #[arg(long, value_name = "N", value_parser = flags::between::<1, 1024>)]
-    pub threads: Option<usize>,
+    #[arg(long, value_name = "N")]
+    pub threads: Option<Count<1, 1024>>,
     /// Overwrite a file at `output` that is not of this plan.
     #[arg(skip)]
     pub overwrite: bool,
@@ -75,7 +75,7 @@ impl CampaignRequest {
         let shard = self.shard.as_deref().map(str::parse::<Shard>);
         Ok(RunOptions {
             shard: shard.transpose().map_err(wrong)?,
-            threads: self.threads,
+            threads: self.threads.map(|threads| threads.0),
             overwrite: self.overwrite,
         })
     }

@@ -347,14 +347,6 @@ mod parsers {
         Ok(strain + ratio)
     }
 
-    /// A whole number from one to another.
-    pub fn between<const LOW: usize, const HIGH: usize>(text: &str) -> Result<usize, String> {
-        let number = text.trim().parse().ok();
-        number
-            .filter(|n| (LOW..=HIGH).contains(n))
-            .ok_or_else(|| format!("{text} is not in {LOW}..={HIGH}"))
-    }
-
     /// The name of a target of `export`.
     pub fn targets() -> Names<String> {
         let list = || {

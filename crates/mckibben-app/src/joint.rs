@@ -4,10 +4,9 @@
 mod page;
 
 use crate::{
-    Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Result,
-    TextFile, Units, above_zero, breakdown, burst_of, figure, finite,
-    flags::{self, Args},
-    number, warnings,
+    Count, Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind,
+    Result, TextFile, Units, above_zero, breakdown, burst_of, figure, finite, flags::Args, number,
+    warnings,
 };
 use mckibben_core::{
     by_number::ByNumber,
@@ -97,8 +96,8 @@ pub struct JointRequest {
     #[arg(long)]
     pub max_pressure_mpa: Option<Pressure>,
     /// Map of the reachable angles and stiffnesses, with this number of pressures of each muscle
-    #[arg(long, value_name = "N", value_parser = flags::between::<2, 65535>)]
-    pub map: Option<usize>,
+    #[arg(long, value_name = "N")]
+    pub map: Option<Count<2, 65535>>,
     /// The model.
     #[serde(deserialize_with = "ModelFields::or_name")]
     #[command(flatten)]
@@ -138,7 +137,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         cancel::check()?;
     }
     let map = match request.map {
-        Some(count) => Some(solver.map(supply(request)?, count, progress)?),
+        Some(count) => Some(solver.map(supply(request)?, count.0, progress)?),
         None => None,
     };
     if rows.is_empty() && map.is_none() {

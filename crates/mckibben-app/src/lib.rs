@@ -45,6 +45,7 @@ mod check;
 mod commands;
 mod compare;
 mod contraction;
+mod count;
 mod curve;
 mod design;
 mod export;
@@ -99,6 +100,7 @@ pub use commands::{
 };
 pub use compare::*;
 pub use contraction::*;
+pub use count::Count;
 pub use curve::*;
 pub use design::*;
 pub use export::*;

@@ -3,7 +3,7 @@
 mod page;
 
 use crate::{
-    Columns, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure,
+    Columns, Count, DataFields, Problem, ProblemKind, Result, TextFile, UnderstoodTable, figure,
     flags::{self, Args},
     muscle_of, readable,
 };
@@ -45,8 +45,8 @@ pub struct RubberFitRequest {
     /// Branches of a Prony series that is fitted as well, from a column of times
     ///
     /// One specimen, uniaxial, from rest on. Of the one law of `laws`, else of the recommended one.
-    #[arg(long, value_name = "N", value_parser = flags::between::<1, 8>)]
-    pub relaxation: Option<usize>,
+    #[arg(long, value_name = "N")]
+    pub relaxation: Option<Count<1, 8>>,
     /// Fit softening by Ogden and Roxburgh as well, from a column of times that begins with the
     /// first loading
     #[arg(long)]
@@ -58,8 +58,8 @@ pub struct RubberFitRequest {
     #[arg(long, help_heading = "Muscle")]
     pub name: Option<String>,
     /// Terms of `ogden` [1, 2 and 3]
-    #[arg(long, value_name = "N", value_parser = flags::between::<1, 3>, help_heading = "Advanced")]
-    pub terms: Option<usize>,
+    #[arg(long, value_name = "N", help_heading = "Advanced")]
+    pub terms: Option<Count<1, 3>>,
     /// Modes to fit [all]
     ///
     /// The others are held out, and the answer gives the errors of each law there.
@@ -245,7 +245,9 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         read_history(&first.text, &request.tables.columns)
             .map_err(|error| Problem::of_table(&first.name, &error))
     };
-    let relaxes = |branches| form().and_then(|form| Ok(fit_prony(&history()?, form, branches)?));
+    let relaxes = |branches: Count<1, 8>| {
+        form().and_then(|form| Ok(fit_prony(&history()?, form, branches.0)?))
+    };
     let relaxation = request.relaxation.map(relaxes).transpose()?;
     let softens = || form().and_then(|form| Ok(fit_softening(&history()?, form)?));
     let softening = request.softening.then(softens).transpose()?;
@@ -336,7 +338,7 @@ impl RubberFitRequest {
             for form in named {
                 let wanted = form
                     .terms()
-                    .is_none_or(|n| self.terms.is_none_or(|wanted| n == wanted));
+                    .is_none_or(|n| self.terms.is_none_or(|wanted| n == wanted.0));
                 if wanted && !forms.contains(&form) {
                     forms.push(form);
                 }

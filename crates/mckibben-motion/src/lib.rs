@@ -86,7 +86,7 @@ pub use valve::{Valve, ValveKind};
 pub use viscoelastic::{Branch, Prony};
 #[doc(hidden)]
 pub use {
-    air::{Flow, GAS_CONSTANT_J_PER_KG_K, Heat, REFERENCE_DENSITY_G_PER_L},
+    air::{Flow, Heat, REFERENCE_DENSITY_G_PER_L},
     catalogue::conductance_of_rated_flow,
     control::PidOutput,
     error::OnStop,

@@ -1,8 +1,8 @@
 //! What is wanted, and what may be varied.
 
 use crate::{
-    LiquidFields, LoadFields, ModelFields, Problem, ProblemKind, Result, Stiffness, TextFile,
-    Units,
+    Count, LiquidFields, LoadFields, ModelFields, Problem, ProblemKind, Result, Stiffness,
+    TextFile, Units,
     fields::name_or_file,
     flags::{self, Args},
 };
@@ -13,7 +13,7 @@ use mckibben_core::{
     units::typed::{Angle, Choice, Force, Frequency, Length, Pressure, Ratio, Volume},
     warning::strand_strength_n,
 };
-use mckibben_design::{BraidChoice, Limits, SAFETY, VALIDATED_STRAND_STRAIN};
+use mckibben_design::{BraidChoice, Limits, SAFETY, VALIDATED_STRAND_STRAIN, bundle};
 pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -72,7 +72,7 @@ pub struct DesignRequest {
     ///
     /// The candidates are one of them; the bundle of the best one is shown below.
     #[arg(long, alias = "bundle", value_name = "N")]
-    pub count: Option<u32>,
+    pub count: Option<Count<1, { bundle::MOST as usize }>>,
     /// Quantity to rank by
     ///
     /// A tube on sale comes before one that is cast, unless the muscle is half as large again.
@@ -247,8 +247,8 @@ pub struct DesignRequest {
     #[arg(long, help_heading = "Advanced")]
     pub extrapolate: bool,
     /// Number of candidates to show [5]
-    #[arg(long, value_name = "N", value_parser = flags::between::<1, 1000>, help_heading = "Output")]
-    pub top: Option<usize>,
+    #[arg(long, value_name = "N", help_heading = "Output")]
+    pub top: Option<Count<1, 1000>>,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[arg(skip)]
     pub figure: Option<Units>,
@@ -281,7 +281,7 @@ impl DesignRequest {
             let why = "it belongs to a joint, and no `torques` are given";
             Problem::refuse_unused(&of_joint, why)?;
         }
-        if self.count.is_none_or(|count| count == 1) {
+        if self.count.is_none_or(|count| count.0 == 1) {
             let why = "it is the distance of neighbours in a `count` of two muscles or more";
             Problem::refuse_unused(&[("pitch_mm", self.pitch_mm.is_some())], why)?;
         }

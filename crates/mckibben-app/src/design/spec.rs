@@ -28,7 +28,7 @@ use mckibben_core::{
 };
 use mckibben_design::{
     BraidChoice, Demand, JointDemand, LARGEST_BUNDLE, Lift, Open, OperatingPoint, SUPPLY_SHARE,
-    Spec, Task, bundle,
+    Spec, Task,
     tubes::{self, TubePart},
 };
 use std::borrow::Cow;
@@ -122,7 +122,7 @@ impl DesignRequest {
             rubbers: rubbers.collect::<Result<_, _>>()?,
             guaranteed: self.guaranteed()?,
             objective: self.objective,
-            top: self.top.unwrap_or(5).clamp(1, 1000),
+            top: self.top.map_or(5, |top| top.0),
             extrapolate: self.extrapolate,
         };
         self.check_branch(&spec)?;
@@ -207,11 +207,6 @@ impl DesignRequest {
 
     /// How many muscles share what is required.
     fn count(&self) -> Result<u32> {
-        let count = self.count.unwrap_or(1);
-        if !(1..=bundle::MOST).contains(&count) {
-            let message = format!("{count} muscles; a bundle has 1 to {}", bundle::MOST);
-            return Err(ProblemKind::Range.problem(message).in_field("count"));
-        }
         for (field, value) in [
             ("max_envelope_mm", self.max_envelope_mm),
             ("pitch_mm", self.pitch_mm),
@@ -220,7 +215,7 @@ impl DesignRequest {
                 .map(|mm| above_zero(ProblemKind::Specification, field, mm))
                 .transpose()?;
         }
-        Ok(count)
+        Ok(self.count.map_or(1, |count| count.0 as u32))
     }
 
     /// The sleeves, or the angles.

@@ -63,6 +63,24 @@ fn what_a_field_wants_and_what_was_given_are_said() {
             "`top` is a whole number, not 1.5",
             "top",
         ),
+        (
+            "design",
+            json!({"top": 0}),
+            "0 is not from 1 to 1000",
+            "top",
+        ),
+        (
+            "design",
+            json!({"count": 1001}),
+            "1001 is not from 1 to 1000",
+            "count",
+        ),
+        (
+            "joint",
+            json!({"map": 1}),
+            "1 is not from 2 to 65535",
+            "map",
+        ),
     ] {
         assert_eq!(
             said(command, &request),

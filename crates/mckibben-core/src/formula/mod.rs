@@ -29,7 +29,7 @@ pub use {
     errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors},
     made::{Made, MadeBraid, MadeRubber, NamedBraid},
     paper::Section,
-    terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms},
+    terms::{GlobalSection, GlobalTerms, Scales, Term, paper_terms},
     universal::{Deficit, Form, UniversalErrors, UniversalRange, UniversalSummary, UniversalTerm},
 };
 

@@ -20,7 +20,6 @@ mod sought;
 #[cfg(test)]
 mod tests;
 mod uncertainty;
-#[doc(hidden)]
 pub mod verification;
 
 pub use error::{JointError, Result};
@@ -34,7 +33,7 @@ pub use shut::ShutStiffness;
 pub use {
     file::{JointFile, JointKeys},
     inverse::JointTarget,
-    map::{MapGap, MapPoint},
+    map::MapPoint,
     path::Shortening,
 };
 

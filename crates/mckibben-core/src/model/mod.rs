@@ -52,7 +52,6 @@ pub use workspace::Workspace;
 #[doc(hidden)]
 pub use {
     accuracy::{Accuracy, BlockedAt, Reference},
-    error::OtherError,
     interval::{Interval, Quantity, RangeViolation},
     kind::unknown_model,
     seated::{Seated, with_ends},

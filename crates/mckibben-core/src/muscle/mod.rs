@@ -45,7 +45,6 @@ pub use {
     braid::MeasuredStrand,
     constant::{Constant, Constants},
     crimp::Crimp,
-    derived::BuildSheet,
     ends::{EndState, Ends},
     lay::StrandLay,
     measures::{Measure, Parts},

@@ -4,14 +4,9 @@
 //! they are the same on any number of threads. Without the feature `threads` the calling thread
 //! does the work alone.
 
-#[cfg(not(feature = "threads"))]
-mod alone;
-#[cfg(feature = "threads")]
+#[cfg_attr(not(feature = "threads"), path = "alone.rs")]
 mod pool;
 
-#[cfg(not(feature = "threads"))]
-pub use alone::*;
-#[cfg(feature = "threads")]
 pub use pool::*;
 
 use std::sync::{Mutex, PoisonError};

@@ -17,9 +17,9 @@ mod sensitivity;
 pub mod sweep;
 
 pub use body::Body;
-pub use contact::{Contact, ContactPlace};
+pub use contact::Contact;
 pub use discretisation::{BraidSpec, Discretisation, Ends, Memory, Problem};
 pub use mesh::{Mesh, MeshSpec};
+pub use model::Axisymmetric;
 pub(crate) use model::ENTRY;
-pub use model::{Axisymmetric, MuscleSection};
 pub use section::{Section, SectionNode};

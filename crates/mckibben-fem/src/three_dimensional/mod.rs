@@ -30,7 +30,7 @@ mod saddle;
 pub use assembly::Assembled;
 pub use body::Body;
 pub use discretisation::Discretisation;
-pub use field::{Field, NodeField, PieceField, PlugField};
+pub use field::{Field, NodeField, PieceField};
 pub(crate) use kinematics::now;
 pub use mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter, Ring};
 pub(crate) use model::ENTRY;

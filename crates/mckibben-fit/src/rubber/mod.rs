@@ -44,7 +44,7 @@ use thiserror::Error;
 pub(crate) use warning::MODULI;
 #[doc(hidden)]
 pub use {
-    fitted::{HeldOutError, LawQuality, ModeError, Parameter, StressErrors},
+    fitted::{LawQuality, Parameter, StressErrors},
     mckibben_core::rubber::Form,
     problem::Measure,
     standing::DECIDED_AICC,

@@ -22,7 +22,7 @@ pub(crate) use named::following;
 pub use named::{elongation_at_break, find, find_for, find_up_to};
 #[doc(hidden)]
 pub use {
-    named::{COVERING, USUAL_REACH, follows, stiffness_factor, without_name},
+    named::{COVERING, follows, stiffness_factor, without_name},
     window::{Standing, Window, WindowLaw},
 };
 
