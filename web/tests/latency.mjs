@@ -22,6 +22,32 @@ for (let i = 0; i < 5; i++) {
 console.log(
   `first view with a living muscle: median ${quantile(firsts, 0.5)} ms, worst ${Math.max(...firsts)} ms`,
 );
+/** How long the first screen takes to answer, and to have its three candidates. @type {[number[], number[]]} */
+const [answers, candidates] = [[], []];
+for (let i = 0; i < 5; i++) {
+  const { page, context } = await tab(browser);
+  await page.goto(site.url);
+  await page.getByRole("heading", { name: /^A McKibben muscle is/ }).waitFor();
+  const pull = page.getByLabel("It must pull", { exact: true });
+  const head = page.locator(".question h2").filter({ hasText: /^Yes: set/ });
+  await head.waitFor();
+  const before = await head.innerText();
+  await page.waitForTimeout(4000);
+  const began = Date.now();
+  await pull.fill(`${520 + 20 * i} N`);
+  await head.filter({ hasNotText: before }).waitFor();
+  answers.push(Date.now() - began);
+  await page
+    .locator(".chips button")
+    .filter({ hasText: "…" })
+    .first()
+    .waitFor({ state: "detached", timeout: 60_000 });
+  candidates.push(Date.now() - began);
+  await context.close();
+}
+console.log(
+  `first screen: answer median ${quantile(answers, 0.5)} ms, worst ${Math.max(...answers)} ms; three candidates median ${quantile(candidates, 0.5)} ms, worst ${Math.max(...candidates)} ms`,
+);
 const { page } = await tab(browser);
 await page.goto(`${site.url}#muscle`);
 await alive(page);
