@@ -12,9 +12,7 @@ const free = (/** @type {number} */ bar) =>
   JSON.parse(
     execFileSync(
       program,
-      `contraction examples/prototype.toml -p ${bar}bar -F 0N --format json`.split(
-        " ",
-      ),
+      `contraction examples/prototype.toml -p ${bar}bar -F 0N --format json`.split(" "),
       { cwd: root, encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] },
     ),
   );
@@ -37,14 +35,11 @@ const drawing = (
       `.thin{stroke:#8a929c;stroke-width:.8;fill:none;stroke-dasharray:3 2}</style>` +
       `<rect width="${wide}" height="${tall}" fill="#fff"/>${inside}</svg>\n`;
   if (!check) writeFileSync(file, made);
-  else if (readFileSync(file, "utf8") !== made)
-    throw new Error(`${file} is not what is drawn`);
+  else if (readFileSync(file, "utf8") !== made) throw new Error(`${file} is not what is drawn`);
 };
 
 const frames = [0, 0.5, 1, 1.5, 2.5].map((bar, k) => {
-  const at = bar
-    ? free(bar)
-    : { contraction: 0, bulged_diameter_mm: muscle.diameter };
+  const at = bar ? free(bar) : { contraction: 0, bulged_diameter_mm: muscle.diameter };
   const { angle } = contracted(muscle.diameter, muscle.angle, at.contraction);
   const length = muscle.length * (1 - at.contraction),
     y = 44 + 62 * k;
@@ -75,12 +70,7 @@ const strand = 90,
       `<path class="thin" d="M${x} ${foot}h${wide.toFixed(1)}v${(-tall).toFixed(1)}h${(-wide).toFixed(1)}z"/>` +
       `<path class="line" d="M${x} ${foot}l${wide.toFixed(1)} ${(-tall).toFixed(1)}"/>` +
       text(x, foot + 10, "around: π × diameter") +
-      text(
-        x - 5,
-        foot,
-        "along: length",
-        ` transform="rotate(-90 ${x - 5} ${foot})"`,
-      ) +
+      text(x - 5, foot, "along: length", ` transform="rotate(-90 ${x - 5} ${foot})"`) +
       text(x, 14, `${angle}° to the axis`)
     );
   });

@@ -154,12 +154,7 @@ declare global {
   /** What of a candidate makes a muscle. */
   type Chosen = Pick<
     Candidate,
-    | "outer_diameter_mm"
-    | "wall_mm"
-    | "length_mm"
-    | "angle_deg"
-    | "tube"
-    | "sleeve"
+    "outer_diameter_mm" | "wall_mm" | "length_mm" | "angle_deg" | "tube" | "sleeve"
   > & { rubber?: string | null };
   /**
    * A muscle of the map of a design. `margin`: of the pull, to spare; `limit` and `misses`: the limit that it misses, and by what share.

@@ -20,8 +20,7 @@ for (const [key, draw] of Object.entries(DRAWINGS)) {
   const text =
     '<svg xmlns="http://www.w3.org/2000/svg" width="240" height="120" viewBox="0 0 240 120">' +
     `<style>${STYLE}</style><rect width="240" height="120" rx="6" fill="#fff"/>${draw()}</svg>\n`;
-  if (!glossary.includes(`](${name})`))
-    wrong.push(`docs/glossary.md does not show ${name}`);
+  if (!glossary.includes(`](${name})`)) wrong.push(`docs/glossary.md does not show ${name}`);
   if (!check) writeFileSync(file, text);
   else if (readFileSync(file, "utf8") !== text)
     wrong.push(`docs/${name} is not what the page draws`);

@@ -10,10 +10,7 @@ const built = ["release", "debug"].map((profile) =>
   fileURLToPath(new URL(`target/${profile}/mckibben`, root)),
 );
 const program = process.env.MCKIBBEN ?? built.find(existsSync);
-if (!program)
-  throw new Error(
-    "this needs the program: cargo build --release, or MCKIBBEN=PROGRAM",
-  );
+if (!program) throw new Error("this needs the program: cargo build --release, or MCKIBBEN=PROGRAM");
 const { $defs, ...commands } = JSON.parse(
   execFileSync(program, ["schema"], { encoding: "utf8", maxBuffer: 1e8 }),
 );
@@ -27,10 +24,7 @@ const names = Object.keys(commands).sort();
 const sides = ["request", "answer"];
 // One object with every request and answer: what several of them hold is declared once.
 const parts = names.flatMap((name) =>
-  sides.map((side) => [
-    `${name} ${side}`,
-    { ...commands[name][side], title: `${name} ${side}` },
-  ]),
+  sides.map((side) => [`${name} ${side}`, { ...commands[name][side], title: `${name} ${side}` }]),
 );
 const all = {
   title: "All",
@@ -42,8 +36,7 @@ const all = {
 const out = await compile(all, "All", options);
 const list = names
   .map(
-    (name) =>
-      `  "${name}": { request: All["${name} request"]; answer: All["${name} answer"] };\n`,
+    (name) => `  "${name}": { request: All["${name} request"]; answer: All["${name} answer"] };\n`,
   )
   .join("");
 mkdirSync(new URL("web/types", root), { recursive: true });

@@ -20,8 +20,7 @@ self.addEventListener("install", (event) => {
 self.addEventListener("activate", (event) => {
   const clean = async () => {
     for (const name of await caches.keys())
-      if (name.startsWith("mckibben-page") && name !== NAME)
-        await caches.delete(name);
+      if (name.startsWith("mckibben-page") && name !== NAME) await caches.delete(name);
   };
   event.waitUntil(clean());
 });

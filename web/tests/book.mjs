@@ -9,8 +9,7 @@ import { launch, statically, tab } from "./browser.mjs";
 const [folder, shots] = process.argv.slice(2),
   site = await statically(folder),
   browser = await launch();
-/** @type {Map<string, Set<string>>} names of places on each page */ const places =
-  new Map();
+/** @type {Map<string, Set<string>>} names of places on each page */ const places = new Map();
 /** @type {[string, string, string][]} */ const links = [];
 /** @type {string[]} */ const wrong = [];
 if (shots) mkdirSync(shots, { recursive: true });
@@ -32,18 +31,12 @@ for (let address; (address = todo.shift());) {
   const found = await page.evaluate(() => ({
     ids: [...document.querySelectorAll("[id]")].map((e) => e.id),
     links: [
-      .../** @type {NodeListOf<HTMLAnchorElement>} */ (
-        document.querySelectorAll("a[href]")
-      ),
+      .../** @type {NodeListOf<HTMLAnchorElement>} */ (document.querySelectorAll("a[href]")),
     ].map((a) => a.href),
-    broken: [...document.images]
-      .filter((i) => i.complete && !i.naturalWidth)
-      .map((i) => i.src),
+    broken: [...document.images].filter((i) => i.complete && !i.naturalWidth).map((i) => i.src),
   }));
   places.set(address, new Set(found.ids));
-  found.broken.forEach((image) =>
-    wrong.push(`${address}: no picture ${image}`),
-  );
+  found.broken.forEach((image) => wrong.push(`${address}: no picture ${image}`));
   for (const link of found.links.filter((l) => l.startsWith(site.url))) {
     const [to, anchor = ""] = link.slice(site.url.length).split("#");
     links.push([address, to || "index.html", decodeURIComponent(anchor)]);
@@ -56,17 +49,11 @@ for (let address; (address = todo.shift());) {
   ])) {
     await page.setViewportSize({ width, height: 900 });
     if (theme === "navy" || width > 1000) {
-      await page.evaluate(
-        (name) => localStorage.setItem("mdbook-theme", name),
-        theme,
-      );
+      await page.evaluate((name) => localStorage.setItem("mdbook-theme", name), theme);
       await page.reload();
     }
-    const over = await page.evaluate(
-      () => document.documentElement.scrollWidth - innerWidth,
-    );
-    if (over > 0)
-      wrong.push(`${address}: ${over} pixels broader than ${width}`);
+    const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    if (over > 0) wrong.push(`${address}: ${over} pixels broader than ${width}`);
     if (shots)
       await page.screenshot({
         path: `${shots}/${address.replaceAll("/", "-")}-${width}-${theme}.png`,
@@ -84,16 +71,11 @@ for (let address; (address = todo.shift());) {
       rules,
     );
     for (const v of violations)
-      wrong.push(
-        `${address} ${width} ${theme}: ${v.id}: ${v.nodes[0].target} (${v.nodes.length})`,
-      );
+      wrong.push(`${address} ${width} ${theme}: ${v.id}: ${v.nodes[0].target} (${v.nodes.length})`);
   }
   await page.setViewportSize({ width: 1440, height: 900 });
   if (process.env.VERBOSE)
-    console.log(
-      address,
-      wrong.filter((line) => line.startsWith(address)).join("\n  "),
-    );
+    console.log(address, wrong.filter((line) => line.startsWith(address)).join("\n  "));
 }
 for (const [from, to, anchor] of links) {
   if (!existsSync(`${folder}/${to}`)) {
@@ -109,11 +91,7 @@ await page
   .catch(() => wrong.push("the search finds nothing"));
 await browser.close();
 site.end();
-assert.deepEqual(
-  [...new Set([...wrong, ...errors])],
-  [],
-  `${places.size} pages`,
-);
+assert.deepEqual([...new Set([...wrong, ...errors])], [], `${places.size} pages`);
 console.log(
   `the book: ${places.size} pages, ${links.length} links, at 400 and 1440 pixels, light and dark: nothing is wrong`,
 );

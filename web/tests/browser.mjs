@@ -18,9 +18,7 @@ const TYPES = {
 /** The static page, as any file server would hand it out, below /tools/muscles/. @param {string} folder */
 export async function statically(folder) {
   const server = createServer(async (request, answer) => {
-    const path = normalize(
-      decodeURIComponent(new URL(request.url ?? "/", "http://x").pathname),
-    );
+    const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://x").pathname));
     if (!path.startsWith("/tools/muscles/")) return answer.writeHead(404).end();
     const file = path.slice("/tools/muscles/".length) || "index.html";
     try {
@@ -34,9 +32,7 @@ export async function statically(folder) {
       answer.writeHead(404).end();
     }
   });
-  await new Promise((resolve) =>
-    server.listen(0, "127.0.0.1", () => resolve(undefined)),
-  );
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(undefined)));
   const { port } = /** @type {any} */ (server.address());
   return {
     url: `http://127.0.0.1:${port}/tools/muscles/`,
@@ -68,9 +64,7 @@ export async function served(program) {
 export const launch = () =>
   chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: (
-      process.env.CHROMIUM_FLAGS ?? "--no-sandbox --enable-unsafe-swiftshader"
-    ).split(" "),
+    args: (process.env.CHROMIUM_FLAGS ?? "--no-sandbox --enable-unsafe-swiftshader").split(" "),
   });
 
 /** A busy machine: SLOW=2 holds every answer of the engine back by 0 to 2 s, and slows the page's own work eight times. */
@@ -78,9 +72,7 @@ const SLOW = Number(process.env.SLOW ?? 0);
 /** @param {import("playwright-core").Page} page */
 async function slowed(page) {
   await page.route(/\/api\//, async (route) => {
-    await new Promise((resolve) =>
-      setTimeout(resolve, 1000 * SLOW * Math.random() ** 2),
-    );
+    await new Promise((resolve) => setTimeout(resolve, 1000 * SLOW * Math.random() ** 2));
     await route.continue().catch(() => {});
   });
   const session = await page.context().newCDPSession(page);
@@ -124,9 +116,7 @@ export function trapping(words) {
   const [text, encoder] = [new TextEncoder().encode(words), new TextEncoder()];
   const list = (/** @type {(number | number[] | Uint8Array)[][]} */ items) => [
     items.length,
-    ...items.flatMap((item) =>
-      item.flatMap((x) => (typeof x === "number" ? [x] : [...x])),
-    ),
+    ...items.flatMap((item) => item.flatMap((x) => (typeof x === "number" ? [x] : [...x]))),
   ];
   const section = (/** @type {number} */ id, /** @type {number[]} */ bytes) => [
     id,
@@ -138,12 +128,7 @@ export function trapping(words) {
     /** @type {number} */ kind,
     /** @type {number} */ index,
   ) => [name.length, encoder.encode(name), kind, index];
-  const body = (/** @type {number[]} */ code) => [
-    code.length + 2,
-    0,
-    code,
-    0x0b,
-  ];
+  const body = (/** @type {number[]} */ code) => [code.length + 2, 0, code, 0x0b];
   return Buffer.from([
     0,
     0x61,
@@ -193,10 +178,7 @@ export function trapping(words) {
 /** Until the muscle page has a state. @param {import("playwright-core").Page} page */
 export const alive = (page, timeout = 20_000) =>
   page.waitForFunction(
-    () =>
-      /alone|Slack/.test(
-        document.querySelector(".stage .say")?.textContent ?? "",
-      ),
+    () => /alone|Slack/.test(document.querySelector(".stage .say")?.textContent ?? ""),
     undefined,
     { timeout },
   );
@@ -208,8 +190,7 @@ export const modelPull = ({ force_n: n }) =>
   `${n < 1000 ? Number(n.toPrecision(4)) : n.toFixed(0)} N`;
 /** What a muscle that is built pulls, in the digits of the command line. @param {any} said */
 export function asBuilt({ uncertainty_words: { built } }) {
-  const [, ...three] =
-    /^(\S+)\sN \((\S+)\sN to (\S+)\sN, 95 %\)/.exec(built) ?? [];
+  const [, ...three] = /^(\S+)\sN \((\S+)\sN to (\S+)\sN, 95 %\)/.exec(built) ?? [];
   return `${three[0]} N (${three[1]} to ${three[2]} N)`;
 }
 /** Both as they stand on the stage, as built first. @param {any} said */
@@ -264,17 +245,12 @@ export async function go(page, where, timeout = 20_000) {
   const shown = page.locator("main[data-shown]");
   if (place)
     await page.waitForFunction(
-      (of) =>
-        document
-          .querySelector(`#pages a[data-place=${of}]`)
-          ?.getAttribute("aria-current"),
+      (of) => document.querySelector(`#pages a[data-place=${of}]`)?.getAttribute("aria-current"),
       place,
     );
   const view = page.locator(`#views a[data-name=${name}]`);
   if (await view.count()) await view.click();
-  await shown
-    .and(page.locator(`main[data-shown=${name}]`))
-    .waitFor({ timeout });
+  await shown.and(page.locator(`main[data-shown=${name}]`)).waitFor({ timeout });
 }
 /** What stands behind the sign ⋯ of a chart: its table, or a file of it. @param {import("playwright-core").Page | import("playwright-core").Locator} of the page for its first chart, or a region @param {string} what */
 export async function ofChart(of, what) {

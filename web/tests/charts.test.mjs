@@ -11,10 +11,7 @@ const drawn = (/** @type {Page} */ page) =>
   page.waitForSelector(".plot svg.curves", { timeout: 30_000 });
 /** A chart as CSV, in rows. @param {Page} page */
 async function saved(page) {
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    ofChart(page, "CSV"),
-  ]);
+  const [download] = await Promise.all([page.waitForEvent("download"), ofChart(page, "CSV")]);
   return readFileSync(/** @type {string} */ (await download.path()))
     .toString()
     .trim()
@@ -74,17 +71,11 @@ inBrowser(({ name, open, blank, url }) => {
       ["2.2 bar as built", said.predicted_n],
     ])) {
       const [row] = all.filter(([curve]) => curve === name);
-      assert.ok(
-        Math.abs(Number(row[2]) / force - 1) < 1e-6,
-        `${row} for ${force}`,
-      );
+      assert.ok(Math.abs(Number(row[2]) / force - 1) < 1e-6, `${row} for ${force}`);
     }
     await page.locator(".plot svg").getByText("as built").waitFor();
     await soon(async () =>
-      assert.equal(
-        await page.locator(".plot svg.curves svg path[fill-opacity]").count(),
-        1,
-      ),
+      assert.equal(await page.locator(".plot svg.curves svg path[fill-opacity]").count(), 1),
     );
     assert.deepEqual(errors, []);
     await context.close();
@@ -98,8 +89,7 @@ inBrowser(({ name, open, blank, url }) => {
     const plot = page.locator(".plot").first();
     await page.locator(".points + details").scrollIntoViewIfNeeded();
     await page.waitForFunction(
-      () =>
-        !(/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden),
+      () => !(/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden),
     );
     const ring = /** @type {{ x: number, y: number }} */ (
       await page.locator(".ring").boundingBox()
@@ -119,16 +109,14 @@ inBrowser(({ name, open, blank, url }) => {
     }
     await page.waitForTimeout(700);
     const [, at, pulls] =
-      /^2.5 bar as built: (1[45][.\d]*) %, (.*)$/.exec(
-        await page.locator(".tip").innerText(),
-      ) ?? [];
+      /^2.5 bar as built: (1[45][.\d]*) %, (.*)$/.exec(await page.locator(".tip").innerText()) ??
+      [];
     assert.equal(pulls, asBuilt(ask("force", "-p", "2.5bar", "-e", `${at}%`)));
     await page.mouse.move(ring.x + 8, ring.y + 8);
     const all = await lower(page),
-      box =
-        /** @type {{ x: number, y: number, width: number, height: number }} */ (
-          await plot.boundingBox()
-        );
+      box = /** @type {{ x: number, y: number, width: number, height: number }} */ (
+        await plot.boundingBox()
+      );
     await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
     await page.mouse.down();
     await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, {
@@ -137,10 +125,7 @@ inBrowser(({ name, open, blank, url }) => {
     await page.mouse.up();
     await soon(async () => assert.notDeepEqual(await lower(page), all));
     await soon(async () =>
-      assert.equal(
-        await page.getByRole("textbox", { name: "Contraction" }).inputValue(),
-        "15 %",
-      ),
+      assert.equal(await page.getByRole("textbox", { name: "Contraction" }).inputValue(), "15 %"),
     );
     await page.getByRole("button", { name: "Show all" }).click();
     await soon(async () => assert.deepEqual(await lower(page), all));
@@ -151,10 +136,7 @@ inBrowser(({ name, open, blank, url }) => {
     await soon(async () => assert.deepEqual(await lower(page), all));
     await page.keyboard.press("ArrowRight");
     await soon(async () =>
-      assert.match(
-        await page.locator(".tip").innerText(),
-        /^0.5 bar: 0 %, 189.* N$/,
-      ),
+      assert.match(await page.locator(".tip").innerText(), /^0.5 bar: 0 %, 189.* N$/),
     );
     await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
     await page.keyboard.down("Control");
@@ -167,46 +149,30 @@ inBrowser(({ name, open, blank, url }) => {
   });
 
   test("a curve that bends is read off as the command line has it: a cubic at once, finite elements where the pointer rests", async () => {
-    const file = encodeURIComponent(
-      readFileSync(`${root}examples/thin.toml`, "utf8"),
-    );
-    const { page, errors, context } = await open(
-      `#muscle?file=${file}&p=1bar&e=1%25`,
-    );
+    const file = encodeURIComponent(readFileSync(`${root}examples/thin.toml`, "utf8"));
+    const { page, errors, context } = await open(`#muscle?file=${file}&p=1bar&e=1%25`);
     await alive(page);
     await page.locator(".stage .say b").filter({ hasText: "N" }).waitFor();
     // Between its points: a chord had 15 % too much.
     await soon(async () => {
       const between = await page.evaluate(async () => {
-        const { slopes, valueAt } = await import(
-          /** @type {string} */ ("./js/plot.js")
-        );
+        const { slopes, valueAt } = await import(/** @type {string} */ ("./js/plot.js"));
         const x = [0, 1, 2, 4],
           s = { x, y: x.map((v) => 10 * Math.exp(-v)), smooth: true };
         return [valueAt(s, 0.5), slopes([0, 1, 2], [0, 1, 2])];
       });
-      assert.ok(
-        Math.abs(between[0] / (10 * Math.exp(-0.5)) - 1) < 0.05,
-        String(between[0]),
-      );
+      assert.ok(Math.abs(between[0] / (10 * Math.exp(-0.5)) - 1) < 0.05, String(between[0]));
       assert.deepEqual(between[1], [1, 1, 1]);
     });
     await page.locator(".points + details").scrollIntoViewIfNeeded();
     await soon(async () => {
       const at = await page.evaluate(() => {
-        const plot = /** @type {HTMLElement} */ (
-            document.querySelector(".chart .plot")
-          ),
+        const plot = /** @type {HTMLElement} */ (document.querySelector(".chart .plot")),
           box = plot.getBoundingClientRect();
-        const ticks = [
-          ...plot.querySelectorAll("svg.curves > text[text-anchor=middle]"),
-        ]
+        const ticks = [...plot.querySelectorAll("svg.curves > text[text-anchor=middle]")]
           .map((t) => [Number(t.textContent), t.getBoundingClientRect()])
           .filter(([v]) => Number.isFinite(v));
-        const [[a, p], [b, q]] = /** @type {any} */ ([
-            ticks[0],
-            ticks[ticks.length - 1],
-          ]),
+        const [[a, p], [b, q]] = /** @type {any} */ ([ticks[0], ticks[ticks.length - 1]]),
           mid = (/** @type {DOMRect} */ r) => r.left + r.width / 2;
         const ring = /** @type {HTMLElement} */ (
           plot.querySelector(".ring")
@@ -222,19 +188,8 @@ inBrowser(({ name, open, blank, url }) => {
       const tip = await page.locator(".tip").innerText(),
         [, x, force] = /^1 bar: (1\.(?:79|8).*) %, (.*) N$/.exec(tip) ?? [];
       assert.ok(x, tip);
-      const said = ask(
-        "force",
-        "--muscle",
-        "examples/thin.toml",
-        "-p",
-        "1bar",
-        "-e",
-        `${x}%`,
-      );
-      assert.ok(
-        Math.abs(Number(force) / said.force_n - 1) < 2e-3,
-        `${tip} for ${said.force_n} N`,
-      );
+      const said = ask("force", "--muscle", "examples/thin.toml", "-p", "1bar", "-e", `${x}%`);
+      assert.ok(Math.abs(Number(force) / said.force_n - 1) < 2e-3, `${tip} for ${said.force_n} N`);
     });
     assert.deepEqual(errors, []);
     await context.close();
@@ -257,17 +212,11 @@ inBrowser(({ name, open, blank, url }) => {
         assert.ok(text.includes(sentence.replaceAll("\u00a0", " ")), text);
     });
     await soon(async () => {
-      const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map(
-        (text) => Number(text.replace(/[^\d.]/g, "")),
+      const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map((text) =>
+        Number(text.replace(/[^\d.]/g, "")),
       );
-      assert.equal(
-        shown.length,
-        Object.values(said).filter((v) => v !== null).length,
-      );
-      assert.ok(
-        Math.abs(Math.hypot(...shown) / total - 1) < 0.02,
-        `${shown} for ${total}`,
-      );
+      assert.equal(shown.length, Object.values(said).filter((v) => v !== null).length);
+      assert.ok(Math.abs(Math.hypot(...shown) / total - 1) < 0.02, `${shown} for ${total}`);
     });
     // They have the names of the command line, in its order.
     const named = [...words.text.split(": ")[1].matchAll(/([a-z -]+) [\d.]+/g)];
@@ -293,9 +242,7 @@ inBrowser(({ name, open, blank, url }) => {
       `${v < 0 ? "−" : "+"}${Number(Math.abs(v).toPrecision(2))} N`;
     await soon(async () =>
       assert.ok(
-        (await bar.innerText()).includes(
-          `${signed(less - same)}, ${signed(more - same)}`,
-        ),
+        (await bar.innerText()).includes(`${signed(less - same)}, ${signed(more - same)}`),
         await bar.innerText(),
       ),
     );
@@ -307,83 +254,50 @@ inBrowser(({ name, open, blank, url }) => {
     await alive(page);
     await page.getByText("Solve for a wanted pull").click();
     await page.getByRole("textbox", { name: "Wanted pull" }).fill("450 N");
-    for (const what of [
-      "Outer diameter",
-      "Pressure",
-      "Contraction",
-      "Braid angle",
-    ]) {
+    for (const what of ["Outer diameter", "Pressure", "Contraction", "Braid angle"]) {
       await page.goto(url() + "#muscle?u=");
       await page.waitForFunction(() =>
-        /alone 326/.test(
-          document.querySelector(".stage .say")?.textContent ?? "",
-        ),
+        /alone 326/.test(document.querySelector(".stage .say")?.textContent ?? ""),
       );
-      await page
-        .getByRole("combobox", { name: "Solve for" })
-        .selectOption({ label: what });
+      await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: what });
       await page.getByRole("button", { name: "Solve", exact: true }).click();
       await page.waitForFunction(
-        () =>
-          /alone (450|449\.9)/.test(
-            document.querySelector(".stage .say")?.textContent ?? "",
-          ),
+        () => /alone (450|449\.9)/.test(document.querySelector(".stage .say")?.textContent ?? ""),
         undefined,
         { timeout: 20_000 },
       );
     }
     await page.goto(url() + "#muscle?u=");
     await page.waitForFunction(() =>
-      /alone 326/.test(
-        document.querySelector(".stage .say")?.textContent ?? "",
-      ),
+      /alone 326/.test(document.querySelector(".stage .say")?.textContent ?? ""),
     );
-    await page
-      .getByRole("combobox", { name: "Solve for" })
-      .selectOption({ label: "Wall" });
+    await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: "Wall" });
     await page.getByRole("textbox", { name: "Wanted pull" }).fill("380 N");
     await page.getByRole("button", { name: "Solve", exact: true }).click();
     await page.waitForFunction(
-      () =>
-        /alone (380|379\.9)/.test(
-          document.querySelector(".stage .say")?.textContent ?? "",
-        ),
+      () => /alone (380|379\.9)/.test(document.querySelector(".stage .say")?.textContent ?? ""),
       undefined,
       { timeout: 20_000 },
     );
     await page.getByRole("textbox", { name: "Wanted pull" }).fill("90000 N");
-    await page
-      .getByRole("combobox", { name: "Solve for" })
-      .selectOption({ label: "Wall" });
+    await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: "Wall" });
     await page.getByRole("button", { name: "Solve", exact: true }).click();
-    await page
-      .getByText(/No wall between .* gives this pull/)
-      .waitFor({ timeout: 20_000 });
+    await page.getByText(/No wall between .* gives this pull/).waitFor({ timeout: 20_000 });
     assert.deepEqual(errors, []);
     await context.close();
   });
 
   test("measured points lie on the isobars; a constant moves their residuals, a fit makes them small", async () => {
-    const file = encodeURIComponent(
-      readFileSync(`${root}examples/bench.toml`, "utf8"),
-    );
+    const file = encodeURIComponent(readFileSync(`${root}examples/bench.toml`, "utf8"));
     const { page, errors, context } = await open(`#data?file=${file}`);
     await page.waitForSelector(".drop");
-    await page
-      .locator("input[type=file]")
-      .setInputFiles(`${root}examples/bench.csv`);
+    await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
     await page.getByText("10 points").first().waitFor({ timeout: 30_000 });
     await go(page, "Muscle");
     await alive(page);
-    await page
-      .getByText(/Residuals: [\d.]+ N rms/)
-      .waitFor({ timeout: 30_000 });
+    await page.getByText(/Residuals: [\d.]+ N rms/).waitFor({ timeout: 30_000 });
     const rms = async () =>
-      Number(
-        /Residuals: ([\d.]+) N/.exec(
-          await page.locator(".points").innerText(),
-        )?.[1],
-      );
+      Number(/Residuals: ([\d.]+) N/.exec(await page.locator(".points").innerText())?.[1]);
     const before = await rms();
     const points = async () =>
       (await saved(page)).filter(([curve]) => curve.startsWith("measured at"));
@@ -391,8 +305,7 @@ inBrowser(({ name, open, blank, url }) => {
     const rings = () =>
       page.evaluate(() =>
         [...document.querySelectorAll(".plot svg.curves svg path")].reduce(
-          (sum, path) =>
-            sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1,
+          (sum, path) => sum + (path.getAttribute("d")?.split("m-3.2").length ?? 1) - 1,
           0,
         ),
       );
@@ -405,9 +318,7 @@ inBrowser(({ name, open, blank, url }) => {
     await page.waitForFunction(
       (was) =>
         Number(
-          /Residuals: ([\d.]+) N/.exec(
-            document.querySelector(".points")?.textContent ?? "",
-          )?.[1],
+          /Residuals: ([\d.]+) N/.exec(document.querySelector(".points")?.textContent ?? "")?.[1],
         ) !== was,
       before,
     );
@@ -416,9 +327,7 @@ inBrowser(({ name, open, blank, url }) => {
     await page.waitForFunction(
       (was) =>
         Number(
-          /Residuals: ([\d.]+) N/.exec(
-            document.querySelector(".points")?.textContent ?? "",
-          )?.[1],
+          /Residuals: ([\d.]+) N/.exec(document.querySelector(".points")?.textContent ?? "")?.[1],
         ) <
         0.9 * was,
       moved,
@@ -453,15 +362,11 @@ inBrowser(({ name, open, blank, url }) => {
   });
 
   test("the loop of a muscle whose friction is known has both of the command line's branches", async () => {
-    const file = encodeURIComponent(
-      readFileSync(`${root}examples/tondu2012.toml`, "utf8"),
-    );
+    const file = encodeURIComponent(readFileSync(`${root}examples/tondu2012.toml`, "utf8"));
     const { page, context } = await open(`#muscle?file=${file}&p=3bar&e=10%25`);
     await alive(page);
     await page.waitForFunction(
-      () =>
-        document.querySelectorAll("svg.curves path[stroke-dasharray]").length >
-        0,
+      () => document.querySelectorAll("svg.curves path[stroke-dasharray]").length > 0,
       undefined,
       { timeout: 30_000 },
     );
@@ -469,16 +374,8 @@ inBrowser(({ name, open, blank, url }) => {
     const first = (/** @type {string} */ branch) =>
       Number(rows.find(([curve]) => curve === `3 bar while it ${branch}`)?.[2]);
     const said = (/** @type {string} */ direction) =>
-      ask(
-        "force",
-        "examples/tondu2012.toml",
-        "-p",
-        "3bar",
-        "-e",
-        "0",
-        "--branch",
-        direction,
-      ).force_n;
+      ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "0", "--branch", direction)
+        .force_n;
     assert.ok(Math.abs(first("shortens") / said("contraction") - 1) < 1e-6);
     assert.ok(Math.abs(first("lengthens") / said("elongation") - 1) < 1e-6);
     await context.close();
@@ -488,8 +385,7 @@ inBrowser(({ name, open, blank, url }) => {
     const { page, errors, context } = await open("#about");
     await page.waitForSelector("h2");
     const found = await page.evaluate(async () => {
-      const load = (/** @type {string} */ file) =>
-        import(new URL(file, document.baseURI).href);
+      const load = (/** @type {string} */ file) => import(new URL(file, document.baseURI).href);
       const [{ engine }, { border }, { read }] = await Promise.all(
         ["js/ask.js", "js/border.js", "js/design-map.js"].map(load),
       );
@@ -505,9 +401,7 @@ inBrowser(({ name, open, blank, url }) => {
         top: 1000,
       };
       const D = Array.from({ length: 12 }, (_, i) => 20 + i),
-        S = Array.from({ length: 15 }, (_, i) =>
-          Number((0.6 + 0.15 * i).toFixed(3)),
-        );
+        S = Array.from({ length: 15 }, (_, i) => Number((0.6 + 0.15 * i).toFixed(3)));
       const request = { ...of, outer_diameter_mm: D, wall_mm: S };
       const { nodes } = read(request, await engine().ask("design", request));
       const segments = border({ x: D, y: S, nodes });
@@ -525,9 +419,7 @@ inBrowser(({ name, open, blank, url }) => {
             outer_diameter_mm: [d],
             wall_mm: fine,
           });
-          const walls = answer.candidates.map(
-              (/** @type {{ wall_mm: number }} */ c) => c.wall_mm,
-            ),
+          const walls = answer.candidates.map((/** @type {{ wall_mm: number }} */ c) => c.wall_mm),
             upper = fits[j];
           const ends = segments
             .flatMap((/** @type {number[]} */ [a, b, c, e]) => [
@@ -542,21 +434,15 @@ inBrowser(({ name, open, blank, url }) => {
             d,
             limit: nodes[upper ? j + 1 : j][i].limit,
             drawn: ends[0]?.[1],
-            exact: upper
-              ? Math.max(...walls) + 0.0025
-              : Math.min(...walls) - 0.0025,
+            exact: upper ? Math.max(...walls) + 0.0025 : Math.min(...walls) - 0.0025,
           });
         }
       }
       return out;
     });
     assert.equal(found.length, 9, JSON.stringify(found));
-    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), [
-      "force",
-    ]);
-    const off = found
-      .map(({ drawn, exact }) => Math.abs(drawn - exact))
-      .sort((a, b) => a - b);
+    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), ["force"]);
+    const off = found.map(({ drawn, exact }) => Math.abs(drawn - exact)).sort((a, b) => a - b);
     assert.ok(off[7] < 0.15 / 40 && off[8] < 0.15 / 4, off.join(" "));
     assert.deepEqual(errors, []);
     await context.close();
@@ -567,32 +453,22 @@ inBrowser(({ name, open, blank, url }) => {
     await alive(page);
     // Until the first answer is drawn the handle may move away below the pointer.
     await soon(async () => {
-      const handle =
-        /** @type {{ x: number, y: number, width: number, height: number }} */ (
-          await page.locator(".dimensions circle").first().boundingBox()
-        );
-      const [x, y] = [
-        handle.x + handle.width / 2,
-        handle.y + handle.height / 2,
-      ];
+      const handle = /** @type {{ x: number, y: number, width: number, height: number }} */ (
+        await page.locator(".dimensions circle").first().boundingBox()
+      );
+      const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
       await page.mouse.move(x, y);
       await page.mouse.down();
       await page.mouse.move(x + 2, y - 12, { steps: 4 });
       await page.mouse.up();
-      const D = Number(
-        await page
-          .getByRole("textbox", { name: "Outer diameter" })
-          .inputValue(),
-      );
+      const D = Number(await page.getByRole("textbox", { name: "Outer diameter" }).inputValue());
       assert.ok(D > 32 && D < 50, String(D));
     });
     await page.waitForFunction(() => location.hash.includes("D="));
     const before = await page.locator(".stage .bar").innerText();
     await page.locator(".stage canvas").focus();
     for (let i = 0; i < 5; i++) await page.keyboard.press("+");
-    await soon(async () =>
-      assert.notEqual(await page.locator(".stage .bar").innerText(), before),
-    );
+    await soon(async () => assert.notEqual(await page.locator(".stage .bar").innerText(), before));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -621,22 +497,16 @@ inBrowser(({ name, open, blank, url }) => {
     };
     const perPixel = await page.evaluate(() => {
       const bar = /** @type {any} */ (document.querySelector(".stage .bar"));
-      return (
-        parseFloat(bar.textContent) /
-        bar.querySelector("span").getBoundingClientRect().width
-      );
+      return parseFloat(bar.textContent) / bar.querySelector("span").getBoundingClientRect().width;
     });
     const outline = await page.locator(".dimensions .ghost").getAttribute("d");
-    const [[, , bx, by, cx, cy]] = [
-      (outline ?? "").match(/-?\d+\.\d/g)?.map(Number) ?? [],
-    ];
+    const [[, , bx, by, cx, cy]] = [(outline ?? "").match(/-?\d+\.\d/g)?.map(Number) ?? []];
     const share = (by - cy) / Math.hypot(bx - cx, by - cy);
     assert.equal(await value("Wall"), 3);
     await drag(2, 0, -3);
     await soon(async () =>
       assert.ok(
-        Math.abs((await value("Wall")) - (3 + 3 * perPixel * Math.abs(share))) <
-          0.006,
+        Math.abs((await value("Wall")) - (3 + 3 * perPixel * Math.abs(share))) < 0.006,
         `${await value("Wall")}, ${perPixel}, ${share}`,
       ),
     );
@@ -650,10 +520,7 @@ inBrowser(({ name, open, blank, url }) => {
       const box = /** @type {any} */ (
         await page.locator(".dimensions circle").nth(3).boundingBox()
       );
-      assert.ok(
-        Math.abs(box.x + box.width / 2 - x) < 2,
-        `${box.x + box.width / 2} ${x}`,
-      );
+      assert.ok(Math.abs(box.x + box.width / 2 - x) < 2, `${box.x + box.width / 2} ${x}`);
     });
     assert.deepEqual(errors, []);
     await context.close();
@@ -664,9 +531,7 @@ inBrowser(({ name, open, blank, url }) => {
     await alive(page);
     const bar = () =>
       page.evaluate(() => {
-        const box = /** @type {HTMLElement} */ (
-          document.querySelector(".stage .bar")
-        );
+        const box = /** @type {HTMLElement} */ (document.querySelector(".stage .bar"));
         return (
           Number(box.querySelector("span")?.getBoundingClientRect().width) /
           parseFloat(box.textContent ?? "")
@@ -674,9 +539,7 @@ inBrowser(({ name, open, blank, url }) => {
       });
     const before = await bar();
     await page.evaluate(() => {
-      const canvas = /** @type {HTMLCanvasElement} */ (
-          document.querySelector(".stage canvas")
-        ),
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector(".stage canvas")),
         { x, y, width, height } = canvas.getBoundingClientRect();
       canvas.setPointerCapture = () => {};
       const send = (
@@ -700,10 +563,7 @@ inBrowser(({ name, open, blank, url }) => {
       send("pointerup", 1, -50);
     });
     await soon(async () =>
-      assert.ok(
-        Math.abs((await bar()) / before / 2 - 1) < 0.02,
-        `${(await bar()) / before}`,
-      ),
+      assert.ok(Math.abs((await bar()) / before / 2 - 1) < 0.02, `${(await bar()) / before}`),
     );
     await context.close();
   });
@@ -719,25 +579,21 @@ inBrowser(({ name, open, blank, url }) => {
     const session = await context.newCDPSession(page);
     /** A finger from the middle of a thing, or a share of its width along it. @param {string} of @param {number} dx @param {number} dy */
     const drag = async (of, dx, dy, share = 0.5) => {
-      const box =
-        /** @type {{ x: number, y: number, width: number, height: number }} */ (
-          await page.locator(of).first().boundingBox()
-        );
+      const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (
+        await page.locator(of).first().boundingBox()
+      );
       const [x, y] = [box.x + share * box.width, box.y + box.height / 2];
       const send = (/** @type {string} */ type, /** @type {number} */ t) =>
         session.send("Input.dispatchTouchEvent", {
           type: /** @type {any} */ (type),
-          touchPoints:
-            type === "touchEnd" ? [] : [{ x: x + t * dx, y: y + t * dy }],
+          touchPoints: type === "touchEnd" ? [] : [{ x: x + t * dx, y: y + t * dy }],
         });
       await send("touchStart", 0);
       for (const t of [0.25, 0.5, 0.75, 1]) await send("touchMove", t);
       await send("touchEnd", 1);
     };
     const value = async (/** @type {string} */ label) =>
-      parseFloat(
-        await page.getByRole("textbox", { name: label }).first().inputValue(),
-      );
+      parseFloat(await page.getByRole("textbox", { name: label }).first().inputValue());
     // Until the first answer is drawn a handle may move away below the finger.
     await soon(async () => {
       await drag(".dimensions circle", 2, -14);
@@ -775,9 +631,7 @@ inBrowser(({ name, open, blank, url }) => {
       isMobile: true,
     });
     await alive(page);
-    const frame = /** @type {{ height: number }} */ (
-      await page.locator(".frame").boundingBox()
-    );
+    const frame = /** @type {{ height: number }} */ (await page.locator(".frame").boundingBox());
     assert.ok(frame.height <= 108, `${frame.height}`);
     const small = () =>
       page.evaluate(() =>
@@ -788,23 +642,15 @@ inBrowser(({ name, open, blank, url }) => {
         ]
           .filter((e) => {
             const b = e.getBoundingClientRect();
-            return (
-              b.width > 0 &&
-              (b.height < 43.5 || (e.tagName === "BUTTON" && b.width < 43.5))
-            );
+            return b.width > 0 && (b.height < 43.5 || (e.tagName === "BUTTON" && b.width < 43.5));
           })
-          .map(
-            (e) =>
-              `${e.tagName} ${e.textContent} ${e.getBoundingClientRect().height}`,
-          ),
+          .map((e) => `${e.tagName} ${e.textContent} ${e.getBoundingClientRect().height}`),
       );
     await soon(async () => assert.deepEqual(await small(), []));
     await soon(async () =>
       assert.ok(
         await page.evaluate(
-          () =>
-            document.documentElement.scrollWidth <=
-            document.documentElement.clientWidth,
+          () => document.documentElement.scrollWidth <= document.documentElement.clientWidth,
         ),
       ),
     );
@@ -813,17 +659,12 @@ inBrowser(({ name, open, blank, url }) => {
 
   test("the range of a joint file that is not symmetric is the page's: its limits, its curves, its angle", async () => {
     const file = `[joint]\nradius = "25 mm"\nrange = "-10..110 deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "12%"\n[muscle_2]\nfile = "muscle.toml"\ncontraction_at_neutral = "12%"\n`;
-    const { page, errors, context } = await open(
-      `#joint?joint=${encodeURIComponent(file)}`,
-    );
+    const { page, errors, context } = await open(`#joint?joint=${encodeURIComponent(file)}`);
     await page.waitForSelector(".numbers dl", { timeout: 60_000 });
     const text = (/** @type {string} */ of) =>
       page.getByRole("textbox", { name: of, exact: true }).inputValue();
     await soon(async () =>
-      assert.deepEqual(
-        [await text("Range from"), await text("Range to")],
-        ["−10", "110"],
-      ),
+      assert.deepEqual([await text("Range from"), await text("Range to")], ["−10", "110"]),
     );
     await page.locator("[aria-label='joint torque'] svg.curves").waitFor();
     await soon(async () => {
@@ -840,9 +681,9 @@ inBrowser(({ name, open, blank, url }) => {
     // A link of before has one number for both sides.
     await page.goto(url() + "#joint?range=45deg");
     await page.waitForFunction(() =>
-      /** @type {HTMLInputElement[]} */ ([
-        ...document.querySelectorAll("input"),
-      ]).some((f) => f.value === "−45"),
+      /** @type {HTMLInputElement[]} */ ([...document.querySelectorAll("input")]).some(
+        (f) => f.value === "−45",
+      ),
     );
     assert.deepEqual(errors, []);
     await context.close();
@@ -850,35 +691,23 @@ inBrowser(({ name, open, blank, url }) => {
 
   test("the joint is drawn to scale, with its range and what it reaches", async () => {
     const { page, errors, context } = await open("#joint");
-    await page
-      .getByText("mean pressure 0 to 1 bar")
-      .waitFor({ timeout: 60_000 });
+    await page.getByText("mean pressure 0 to 1 bar").waitFor({ timeout: 60_000 });
     await page.waitForSelector(".numbers dl");
     // Pulley of 25 mm and scale of 50 mm in the same units.
     const scale = () =>
       page.evaluate(() => {
-        const joint = /** @type {SVGElement} */ (
-          document.querySelector("svg.joint")
-        );
+        const joint = /** @type {SVGElement} */ (document.querySelector("svg.joint"));
         return {
           radius: Number(joint.querySelector(".pulley")?.getAttribute("r")),
-          bar: /** @type {SVGPathElement} */ (
-            joint.querySelector(".line")
-          ).getBBox().width,
+          bar: /** @type {SVGPathElement} */ (joint.querySelector(".line")).getBBox().width,
         };
       });
-    await soon(async () =>
-      assert.deepEqual(await scale(), { radius: 25, bar: 50 }),
-    );
-    await soon(async () =>
-      assert.equal(await page.locator("svg.joint .range").count(), 1),
-    );
+    await soon(async () => assert.deepEqual(await scale(), { radius: 25, bar: 50 }));
+    await soon(async () => assert.equal(await page.locator("svg.joint .range").count(), 1));
     await soon(async () =>
       assert.equal(
         await page
-          .locator(
-            'section[aria-label="joint torque"] svg.curves svg path[fill-opacity]',
-          )
+          .locator('section[aria-label="joint torque"] svg.curves svg path[fill-opacity]')
           .count(),
         1,
       ),

@@ -13,27 +13,22 @@ export const overHttp = (url) => async (command, request) => {
     headers: { "content-type": "application/json" },
   });
   const said = await answer.json();
-  if (!answer.ok)
-    throw Object.assign(new Error(said.error.message), said.error);
+  if (!answer.ok) throw Object.assign(new Error(said.error.message), said.error);
   return said;
 };
 
 /** @param {string} folder of `web/build.sh` @returns {Promise<Ask>} */
 export async function inWasm(folder) {
   const host = { progress: () => {} };
-  const { instance } = await WebAssembly.instantiate(
-    await readFile(join(folder, "whole.wasm")),
-    { host },
-  );
+  const { instance } = await WebAssembly.instantiate(await readFile(join(folder, "whole.wasm")), {
+    host,
+  });
   const engine = /** @type {any} */ (instance.exports),
     encoder = new TextEncoder(),
     decoder = new TextDecoder();
   engine.start();
   return async (command, request) => {
-    const [a, b] = [
-      encoder.encode(command),
-      encoder.encode(JSON.stringify(request)),
-    ];
+    const [a, b] = [encoder.encode(command), encoder.encode(JSON.stringify(request))];
     const at = engine.reserve(a.length + b.length);
     const input = new Uint8Array(engine.memory.buffer, at, a.length + b.length);
     input.set(a);

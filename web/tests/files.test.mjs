@@ -120,9 +120,7 @@ inBrowser(({ name, url, open, blank }) => {
         max_pressure_mpa: 0.25,
         figure: "bar,N,mm",
       });
-      const points = figure.panels[0].series.flatMap(
-        (/** @type {any} */ s) => s.points,
-      );
+      const points = figure.panels[0].series.flatMap((/** @type {any} */ s) => s.points);
       assert.equal(rows.length, points.length);
       const gaps = points.filter((/** @type {any} */ p) => p.includes(null));
       assert.ok(gaps.length > 0);
@@ -144,17 +142,7 @@ inBrowser(({ name, url, open, blank }) => {
     await out.getByRole("combobox", { name: "Target" }).selectOption("c");
     await out.getByRole("button", { name: "Export", exact: true }).click();
     const folder = mkdtempSync(join(tmpdir(), "c-"));
-    const said = ask(
-      "export",
-      "-D",
-      "38",
-      "-p",
-      "2.2bar",
-      "--as",
-      "c",
-      "-o",
-      folder,
-    );
+    const said = ask("export", "-D", "38", "-p", "2.2bar", "--as", "c", "-o", folder);
     const worst = `${Number((100 * said.force_worst_ratio).toPrecision(2))} % at worst`;
     await out.getByText(worst).waitFor({ timeout: 120_000 });
     const header = await downloaded(
@@ -162,8 +150,7 @@ inBrowser(({ name, url, open, blank }) => {
       out.getByRole("button", { name: "muscle.h", exact: true }),
     );
     const archive = entries(
-      (await downloaded(page, out.getByRole("button", { name: /^All files/ })))
-        .bytes,
+      (await downloaded(page, out.getByRole("button", { name: /^All files/ }))).bytes,
     );
     assert.equal(archive["muscle.h"], header.bytes.toString("latin1"));
     assert.deepEqual(Object.keys(archive).sort(), readdirSync(folder).sort());
@@ -173,9 +160,7 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("the report has its title block, the muscle's pull, and a view that turns, in one file", async () => {
-    const { page, errors, context } = await open(
-      "#files?D=38&p=2.2bar&e=10%25&name=Calf",
-    );
+    const { page, errors, context } = await open("#files?D=38&p=2.2bar&e=10%25&name=Calf");
     const report = card(page, "Report");
     for (const [label, text] of [
       ["Project", "Leg"],
@@ -183,9 +168,7 @@ inBrowser(({ name, url, open, blank }) => {
       ["Revision", "B"],
       ["Date", "2026-11-23"],
     ])
-      await report
-        .getByRole("textbox", { name: label, exact: true })
-        .fill(text);
+      await report.getByRole("textbox", { name: label, exact: true }).fill(text);
     await report.getByRole("button", { name: "Make the report" }).click();
     const { name: file, bytes } = await downloaded(
       page,
@@ -193,21 +176,10 @@ inBrowser(({ name, url, open, blank }) => {
     );
     assert.equal(file, "calf-report.html");
     const html = bytes.toString(),
-      { force_n: force } = ask(
-        "force",
-        "-D",
-        "38",
-        "-p",
-        "2.2bar",
-        "-e",
-        "10%",
-      );
+      { force_n: force } = ask("force", "-D", "38", "-p", "2.2bar", "-e", "10%");
     for (const text of ["Calf", "Leg", "M-17", "2026-11-23", "bar"])
       assert.ok(html.includes(text), text);
-    assert.ok(
-      html.includes(String(Math.round(force))),
-      `${force} N stands in the report`,
-    );
+    assert.ok(html.includes(String(Math.round(force))), `${force} N stands in the report`);
     // Scripts are the model that turns, and the shape that it draws.
     const still = html.replace(/<script[\s\S]*?<\/script>/g, "").length;
     assert.ok(still < 300_000, `${still} bytes without the model`);
@@ -223,21 +195,16 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("the deformed muscle is saved for ParaView, as the command line writes it", async () => {
-    const { page, errors, context } = await open(
-      "#files?D=38&p=2.2bar&e=10%25",
-    );
+    const { page, errors, context } = await open("#files?D=38&p=2.2bar&e=10%25");
     const box = card(page, "Finite elements");
     await box.getByRole("button", { name: "Compute", exact: true }).click();
     const archive = entries(
-      (await downloaded(page, box.getByRole("button", { name: /^All files/ })))
-        .bytes,
+      (await downloaded(page, box.getByRole("button", { name: /^All files/ }))).bytes,
     );
     const folder = mkdtempSync(join(tmpdir(), "vtu-"));
-    execFileSync(
-      program,
-      ["simulate", "-D", "38", "-p", "2.2bar", "-e", "10%", "--vtu", folder],
-      { stdio: "ignore" },
-    );
+    execFileSync(program, ["simulate", "-D", "38", "-p", "2.2bar", "-e", "10%", "--vtu", folder], {
+      stdio: "ignore",
+    });
     assert.deepEqual(Object.keys(archive).sort(), readdirSync(folder).sort());
     const numbers = (/** @type {string} */ text) =>
       (text.match(/-?\d+\.\d+(e-?\d+)?/g) ?? []).map(Number);
@@ -274,9 +241,7 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("the deck of fe3d is the command line's", async () => {
-    const { page, errors, context } = await open(
-      "#files?D=38&s=1&L=100&p=2.2bar&e=5%25",
-    );
+    const { page, errors, context } = await open("#files?D=38&s=1&L=100&p=2.2bar&e=5%25");
     const box = card(page, "Finite elements");
     await box.getByRole("combobox", { name: "Model" }).selectOption("fe3d");
     await box.getByRole("button", { name: "Compute", exact: true }).click();
@@ -306,29 +271,23 @@ inBrowser(({ name, url, open, blank }) => {
       { stdio: "ignore" },
     );
     // WebAssembly has its own sines, which differ in the last bits.
-    const [ours, theirs] = [bytes.toString(), readFileSync(deck, "utf8")].map(
-      (text) => text.split(/[\s,=]+/),
+    const [ours, theirs] = [bytes.toString(), readFileSync(deck, "utf8")].map((text) =>
+      text.split(/[\s,=]+/),
     );
     const far = ours.findIndex(
       (word, i) =>
         word !== theirs[i] &&
-        !(
-          Math.abs(Number(word) - Number(theirs[i])) <
-          1e-12 * (1 + Math.abs(Number(theirs[i])))
-        ),
+        !(Math.abs(Number(word) - Number(theirs[i])) < 1e-12 * (1 + Math.abs(Number(theirs[i])))),
     );
     assert.equal(far, -1, `${ours[far]} for ${theirs[far]}`);
     assert.equal(ours.length, theirs.length);
-    if (name === "serve")
-      assert.equal(bytes.toString(), readFileSync(deck, "utf8"));
+    if (name === "serve") assert.equal(bytes.toString(), readFileSync(deck, "utf8"));
     assert.deepEqual(errors, []);
     await context.close();
   });
 
   test("a sweep over a measure has the command line's pull and that as built, and keeps its question in the link", async () => {
-    const { page, errors, context } = await open(
-      "#sweep?D=38&p=2.2bar&e=10%25",
-    );
+    const { page, errors, context } = await open("#sweep?D=38&p=2.2bar&e=10%25");
     await page.getByRole("combobox", { name: "Over" }).selectOption("s");
     for (const [label, text] of [
       ["From", "1 mm"],
@@ -339,9 +298,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Compute", exact: true }).click();
     await page.waitForFunction(() => /to=3/.test(location.hash));
     await page.getByText("Pull over wall").waitFor();
-    await page.waitForFunction(
-      () => document.querySelector("progress")?.hidden,
-    );
+    await page.waitForFunction(() => document.querySelector("progress")?.hidden);
     const rows = await saved(page),
       at = rows.filter(([, x]) => Number(x) === 2.5);
     assert.equal(rows.length, 11);
@@ -361,16 +318,11 @@ inBrowser(({ name, url, open, blank }) => {
       ["pull over wall", "pull over wall as built"],
     );
     [force, built].forEach((said, i) =>
-      assert.ok(
-        Math.abs(Number(at[i][2]) / said - 1) < 1e-6,
-        `${at[i]} for ${said}`,
-      ),
+      assert.ok(Math.abs(Number(at[i][2]) / said - 1) < 1e-6, `${at[i]} for ${said}`),
     );
     await page.reload();
     await page.getByText("Pull over wall").waitFor();
-    await page.waitForFunction(
-      () => document.querySelector("progress")?.hidden,
-    );
+    await page.waitForFunction(() => document.querySelector("progress")?.hidden);
     await soon(async () => assert.equal((await saved(page)).length, 11));
     assert.deepEqual(errors, []);
     await context.close();
@@ -401,12 +353,8 @@ inBrowser(({ name, url, open, blank }) => {
       .waitFor({ timeout: 120_000 });
     const row = page.getByRole("row", { name: said.recommended }).first();
     for (const { name: constant, value } of said.parameters)
-      await row
-        .filter({ hasText: `${constant} ${Number(value.toPrecision(4))}` })
-        .waitFor();
-    await page
-      .getByRole("button", { name: "Put the rubber into the muscle" })
-      .click();
+      await row.filter({ hasText: `${constant} ${Number(value.toPrecision(4))}` }).waitFor();
+    await page.getByRole("button", { name: "Put the rubber into the muscle" }).click();
     await page.locator("main[data-shown=muscle]").waitFor();
     await page.waitForFunction((old) => {
       const text = document.querySelector(".stage .say b")?.textContent ?? "";

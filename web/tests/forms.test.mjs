@@ -10,9 +10,7 @@ import { program } from "./sites.mjs";
 const listen = { addEventListener() {} };
 
 before(() => {
-  schema = JSON.parse(
-    execFileSync(program, ["schema"], { encoding: "utf8", maxBuffer: 1e8 }),
-  );
+  schema = JSON.parse(execFileSync(program, ["schema"], { encoding: "utf8", maxBuffer: 1e8 }));
   // Modules of pages ask the document when they are mounted only.
   Object.assign(globalThis, {
     window: { ...globalThis, ...listen },
@@ -45,18 +43,12 @@ const types = (of) =>
     .filter((type) => type !== "null");
 /** Words that it may be; nothing where any may. @param {any} of @returns {string[] | undefined} */
 function words(of) {
-  const all = kinds(of).flatMap(
-    (one) => one.enum ?? (one.const !== undefined ? [one.const] : []),
-  );
+  const all = kinds(of).flatMap((one) => one.enum ?? (one.const !== undefined ? [one.const] : []));
   return all.length ? all : undefined;
 }
 
 /** @param {Field} field @param {any} properties @param {string} where */
-function check(
-  { field, kind, list, words: isList, options, value, pair, or },
-  properties,
-  where,
-) {
+function check({ field, kind, list, words: isList, options, value, pair, or }, properties, where) {
   const of = properties[field];
   assert.ok(of, `${where} has no ${field}`);
   const quantity = kinds(of)
@@ -64,11 +56,7 @@ function check(
     .find(Boolean);
   // Ratios have no unit, and neither have plain numbers.
   const said =
-    kind === "modulus"
-      ? "pressure"
-      : kind === "number" || kind === "ratio"
-        ? undefined
-        : kind;
+    kind === "modulus" ? "pressure" : kind === "number" || kind === "ratio" ? undefined : kind;
   if (said && quantity) assert.equal(quantity, said, `${where} ${field}`);
   if (said && !quantity && !or && !list)
     assert.fail(`${where} ${field}: the schema states no ${said}`);
@@ -81,28 +69,21 @@ function check(
     assert.ok(types(of).includes("array"), `${where} ${field} is no list`);
   for (const [word] of options ?? [])
     if (word && words(of))
-      assert.ok(
-        words(of)?.includes(word),
-        `${where} ${field} is never ${word}`,
-      );
+      assert.ok(words(of)?.includes(word), `${where} ${field} is never ${word}`);
   for (const word of or ?? [])
     assert.ok(words(of)?.includes(word), `${where} ${field} is never ${word}`);
   if (options && words(of) && value)
     assert.ok(words(of)?.includes(value), `${where} ${field}: ${value}`);
   for (const [one, name] of pair ?? []) {
-    const item = kinds(of).flatMap((k) => (k.items ? kinds(k.items) : []))[0]
-      ?.properties[name];
+    const item = kinds(of).flatMap((k) => (k.items ? kinds(k.items) : []))[0]?.properties[name];
     assert.ok(item, `${where} ${field} has no ${name}`);
-    if (one !== "ratio")
-      assert.equal(item["x-quantity"], one, `${where} ${field} ${name}`);
+    if (one !== "ratio") assert.equal(item["x-quantity"], one, `${where} ${field} ${name}`);
   }
 }
 
 test("fields of all forms are fields of their requests, with their quantity, their lists and their words", async () => {
-  const page = (/** @type {string} */ name) =>
-    import(`../page/js/pages/${name}.js`);
-  const of = (/** @type {string} */ command) =>
-    schema[command].request.properties;
+  const page = (/** @type {string} */ name) => import(`../page/js/pages/${name}.js`);
+  const of = (/** @type {string} */ command) => schema[command].request.properties;
   const [design, motion, data, rubber, formula, files] = await Promise.all(
     ["design", "motion", "data", "rubber", "formula", "files"].map(page),
   );
@@ -112,16 +93,8 @@ test("fields of all forms are fields of their requests, with their quantity, the
     ["design", [...design.WANTED, ...design.choices()], of("design")],
     ["motion", motion.STEP.filter(({ field }) => field !== "model"), step],
     ["rubber", rubber.FIELDS, of("rubber")],
-    [
-      "identify",
-      data.FIELDS.filter(({ field }) => field === "free"),
-      of("identify"),
-    ],
-    [
-      "compare",
-      data.FIELDS.filter(({ field }) => field === "models"),
-      of("compare"),
-    ],
+    ["identify", data.FIELDS.filter(({ field }) => field === "free"), of("identify")],
+    ["compare", data.FIELDS.filter(({ field }) => field === "models"), of("compare")],
     ["fit", formula.HOW.filter(({ field }) => field !== "at"), of("fit")],
     ["build", files.TITLE, of("build")],
     ["export", files.BOX, of("export")],

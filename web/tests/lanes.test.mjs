@@ -58,8 +58,7 @@ test("a worker whose question is given up is replaced, and the questions behind 
     never = engine.ask("units", { a: 3 }, { signal: waits.signal });
   waits.abort();
   await assert.rejects(never, { name: "AbortError" });
-  while (!made[0]?.asked.length)
-    await new Promise((resolve) => setTimeout(resolve, 1));
+  while (!made[0]?.asked.length) await new Promise((resolve) => setTimeout(resolve, 1));
   ends.abort();
   await assert.rejects(slow, { name: "AbortError" });
   assert.deepEqual(await Promise.all(behind), [{ a: 1 }, { a: 2 }]);

@@ -3,13 +3,10 @@
 import { alive, launch, served, statically, tab } from "./browser.mjs";
 import { dist, program } from "./sites.mjs";
 
-const site =
-  process.argv[2] === "serve" ? await served(program) : await statically(dist);
+const site = process.argv[2] === "serve" ? await served(program) : await statically(dist);
 const browser = await launch();
 const quantile = (/** @type {number[]} */ list, /** @type {number} */ q) =>
-  list.sort((a, b) => a - b)[
-    Math.min(list.length - 1, Math.floor(q * list.length))
-  ];
+  list.sort((a, b) => a - b)[Math.min(list.length - 1, Math.floor(q * list.length))];
 const firsts = [];
 for (let i = 0; i < 5; i++) {
   const { page, context } = await tab(browser);
@@ -66,10 +63,7 @@ async function delays(slider) {
   await page.mouse.move(box.x + middle * box.width, y);
   await page.mouse.down();
   for (let i = 0; i < 60; i++) {
-    await page.mouse.move(
-      box.x + (middle + 0.08 * Math.sin(i / 6)) * box.width,
-      y,
-    );
+    await page.mouse.move(box.x + (middle + 0.08 * Math.sin(i / 6)) * box.width, y);
     await page.waitForTimeout(16);
   }
   await page.mouse.move(box.x + middle * box.width, y);
@@ -82,11 +76,7 @@ const measure = () =>
   page.evaluate(() => {
     const w = /** @type {any} */ (window);
     if (!w.delays)
-      document.addEventListener(
-        "input",
-        (event) => w.open.push(event.timeStamp),
-        true,
-      );
+      document.addEventListener("input", (event) => w.open.push(event.timeStamp), true);
     Object.assign(w, { delays: [], open: [] });
     const answered = new MutationObserver(() => {
       const mine = w.open.splice(0);
@@ -94,9 +84,7 @@ const measure = () =>
       requestAnimationFrame(() => {
         const { port1, port2 } = new MessageChannel();
         port1.onmessage = () =>
-          mine.forEach((/** @type {number} */ t) =>
-            w.delays.push(performance.now() - t),
-          );
+          mine.forEach((/** @type {number} */ t) => w.delays.push(performance.now() - t));
         port2.postMessage(0);
       });
     });
@@ -135,9 +123,7 @@ for (const [i, title] of titles.entries()) {
   let empty = NaN;
   for (const name of await page
     .locator(".controls input[type=range]:enabled:visible")
-    .evaluateAll((all) =>
-      all.map((one) => one.getAttribute("aria-label") ?? ""),
-    )) {
+    .evaluateAll((all) => all.map((one) => one.getAttribute("aria-label") ?? ""))) {
     const list = await delays(page.getByRole("slider", { name, exact: true }));
     if (!list.length) {
       console.log(`${title}: ${name}: no answer`);
@@ -167,23 +153,16 @@ async function frames(act) {
     cancelAnimationFrame(w.going);
     return w.stamps;
   });
-  return stamps
-    .slice(1)
-    .map((/** @type {number} */ t, /** @type {number} */ i) => t - stamps[i]);
+  return stamps.slice(1).map((/** @type {number} */ t, /** @type {number} */ i) => t - stamps[i]);
 }
-const stage = /** @type {any} */ (
-  await page.locator(".stage canvas").boundingBox()
-);
+const stage = /** @type {any} */ (await page.locator(".stage canvas").boundingBox());
 const to = (/** @type {number} */ i) =>
   page.mouse.move(
     stage.x + 0.4 * stage.width + 2 * i,
     stage.y + 0.5 * stage.height + 20 * Math.sin(i / 9),
   );
 const still = await frames(to);
-await page.mouse.move(
-  stage.x + 0.4 * stage.width,
-  stage.y + 0.5 * stage.height,
-);
+await page.mouse.move(stage.x + 0.4 * stage.width, stage.y + 0.5 * stage.height);
 await page.mouse.down();
 const turning = await frames(to);
 await page.mouse.up();

@@ -13,11 +13,7 @@ function ids(file) {
   if (!places.has(file))
     places.set(
       file,
-      new Set(
-        [...readFileSync(file, "utf8").matchAll(/\bid="([^"]*)"/g)].map(
-          (m) => m[1],
-        ),
-      ),
+      new Set([...readFileSync(file, "utf8").matchAll(/\bid="([^"]*)"/g)].map((m) => m[1])),
     );
   return /** @type {Set<string>} */ (places.get(file));
 }
@@ -27,20 +23,13 @@ for (const page of pages) {
   const text = readFileSync(join(folder, page), "utf8");
   for (const [, link] of text.matchAll(/\b(?:href|src)="([^"]+)"/g)) {
     // Pages of the workbench live behind #; of the book and others behind a path.
-    if (
-      /^([a-z]+:|\/\/)/.test(link) ||
-      (page === "index.html" && link.startsWith("#"))
-    )
-      continue;
+    if (/^([a-z]+:|\/\/)/.test(link) || (page === "index.html" && link.startsWith("#"))) continue;
     count++;
     const [path, place] = decodeURI(link.replaceAll("&amp;", "&")).split("#");
     let file = path
-      ? normalize(
-          join(folder, path.startsWith("/") ? path : join(dirname(page), path)),
-        )
+      ? normalize(join(folder, path.startsWith("/") ? path : join(dirname(page), path)))
       : join(folder, page);
-    if (existsSync(file) && statSync(file).isDirectory())
-      file = join(file, "index.html");
+    if (existsSync(file) && statSync(file).isDirectory()) file = join(file, "index.html");
     if (!existsSync(file)) broken.push(`${page}: ${link}`);
     else if (
       place &&

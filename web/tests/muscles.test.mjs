@@ -19,11 +19,8 @@ const COUNT = Number(process.env.MUSCLES ?? 100),
 /** The command line's answer as JSON, or nothing where it has none. @param {string[]} line @returns {Promise<any>} */
 const ask = (...line) =>
   new Promise((resolve) =>
-    execFile(
-      program,
-      [...line, "--format", "json"],
-      { cwd: root, maxBuffer: 1e8 },
-      (error, out) => resolve(error ? undefined : JSON.parse(out)),
+    execFile(program, [...line, "--format", "json"], { cwd: root, maxBuffer: 1e8 }, (error, out) =>
+      resolve(error ? undefined : JSON.parse(out)),
     ),
   );
 /** The page's answer, likewise. @param {Promise<any>} answer */
@@ -57,8 +54,7 @@ function same(a, b, within, where) {
   if (typeof a === "number" && typeof b === "number") {
     if (a !== b)
       assert.ok(
-        within > 0 &&
-          Math.abs(a - b) <= within * Math.max(1e-3, Math.abs(a), Math.abs(b)),
+        within > 0 && Math.abs(a - b) <= within * Math.max(1e-3, Math.abs(a), Math.abs(b)),
         `${where}: ${a}, on the command line ${b}`,
       );
     return;
@@ -121,18 +117,14 @@ for (const [name, { start, point: within, motion }] of engines({
     /** What was typed into a field. @param {any} kind @param {string} text */
     const field = async (kind, text) => {
       const { text: clear, value } = meant(kind, text);
-      const [reading] =
-        value === undefined ? await read([{ text: clear, kind }]) : [{ value }];
+      const [reading] = value === undefined ? await read([{ text: clear, kind }]) : [{ value }];
       assert.ok(!reading.problem, `${text}: ${reading.problem?.message}`);
       return reading.value;
     };
     /** The state of an address. @param {string} hash */
     const linked = async (hash) => {
       const params = new URLSearchParams(hash);
-      const { state, wrong } = page.fromWords(
-        params,
-        await read(page.texts(params)),
-      );
+      const { state, wrong } = page.fromWords(params, await read(page.texts(params)));
       assert.deepEqual([...wrong], []);
       return state;
     };
@@ -167,18 +159,14 @@ for (const [name, { start, point: within, motion }] of engines({
         await field("ratio", e),
       );
       // Reloaded, or sent to somebody: the same state, word for word.
-      const link = new URLSearchParams(
-        /** @type {any} */ (page.words(state, typed)),
-      ).toString();
+      const link = new URLSearchParams(/** @type {any} */ (page.words(state, typed))).toString();
       assert.deepEqual(await linked(link), state, `the link of ${seed}`);
 
       const source = ground ? [own, ...flags] : flags,
         at = ["-p", p, "-e", e];
       const [checked, said] = [
         await ask("check", ...source),
-        await maybe(
-          engine.ask("check", { muscle: page.fields(state), only_data: true }),
-        ),
+        await maybe(engine.ask("check", { muscle: page.fields(state), only_data: true })),
       ];
       if (!checked || !said) {
         // What is no muscle has no check; another may have no pull at the usual pressure.
@@ -246,10 +234,7 @@ for (const [name, { start, point: within, motion }] of engines({
       const angle = d.between(-20, 20),
         pressures = [d.between(0.5, 3), d.between(0.5, 3)];
       const joint = page.joint(text, "", v);
-      await writeFile(
-        jointFile,
-        joint.joint.text.replaceAll("muscle.toml", `${seed}-merged.toml`),
-      );
+      await writeFile(jointFile, joint.joint.text.replaceAll("muscle.toml", `${seed}-merged.toml`));
       const model = "thick-wall";
       const [jointed, torque] = await Promise.all([
         ask(
@@ -267,21 +252,12 @@ for (const [name, { start, point: within, motion }] of engines({
             ...joint,
             model: { name: model },
             extrapolate: true,
-            pressures_mpa: [
-              await Promise.all(
-                pressures.map((x) => field("pressure", `${x}bar`)),
-              ),
-            ],
+            pressures_mpa: [await Promise.all(pressures.map((x) => field("pressure", `${x}bar`)))],
             angles_deg: [angle],
           }),
         ),
       ]);
-      same(
-        torque?.points,
-        jointed?.points,
-        Math.max(within, 1e-12),
-        `Joint ${seed}`,
-      );
+      same(torque?.points, jointed?.points, Math.max(within, 1e-12), `Joint ${seed}`);
 
       // Motion.
       const step = {
@@ -327,12 +303,9 @@ for (const [name, { start, point: within, motion }] of engines({
         of &&
         Object.fromEntries([
           ["end", of.series.contraction.at(-1)],
-          ...[
-            "rise_time_s",
-            "largest_velocity_mm_per_s",
-            "air_normal_litres",
-            "overshoot",
-          ].map((key) => [key, of[key]]),
+          ...["rise_time_s", "largest_velocity_mm_per_s", "air_normal_litres", "overshoot"].map(
+            (key) => [key, of[key]],
+          ),
         ]);
       same(ran(moved), ran(run), motion, `Motion ${seed}`);
       try {
@@ -350,9 +323,7 @@ for (const [name, { start, point: within, motion }] of engines({
           stiffness: k,
         });
       const without = flags.flatMap((flag, i) =>
-        ["-L", "--stiffness", "--strand-diameter", "--strand-modulus"].includes(
-          flags[i - (i % 2)],
-        )
+        ["-L", "--stiffness", "--strand-diameter", "--strand-modulus"].includes(flags[i - (i % 2)])
           ? []
           : [flag],
       );
@@ -401,10 +372,7 @@ for (const [name, { start, point: within, motion }] of engines({
       );
       // The others are refused alike by both, which has been compared.
       // Of the first 400 all but one have all answers, and 374 move: of each hundred 99 and 90 at least.
-      assert.ok(
-        answered >= 0.97 * COUNT,
-        `${answered} of ${COUNT} muscles have all answers`,
-      );
+      assert.ok(answered >= 0.97 * COUNT, `${answered} of ${COUNT} muscles have all answers`);
       assert.ok(moves >= 0.85 * COUNT, `${moves} of ${COUNT} muscles move`);
       assert.ok(
         otherSteps <= 0.1 * moves,
@@ -431,10 +399,7 @@ for (const [name, { start, point: within, motion }] of engines({
         // Of a bare number the command line has the unit inside, but for pressures, which stand in bar here.
         const [own] = await read([
           {
-            text:
-              kind === "pressure" && !/[a-z]/i.test(text)
-                ? `${text} bar`
-                : text,
+            text: kind === "pressure" && !/[a-z]/i.test(text) ? `${text} bar` : text,
             kind,
           },
         ]);

@@ -80,10 +80,7 @@ inBrowser(({ name, url, open, blank }) => {
     await field(page, label).fill(text);
     await field(page, label).press("Enter");
   };
-  const saved = async (
-    /** @type {Page} */ page,
-    /** @type {string} */ button,
-  ) => {
+  const saved = async (/** @type {Page} */ page, /** @type {string} */ button) => {
     const [download] = await Promise.all([
       page.waitForEvent("download"),
       button === "CSV"
@@ -97,39 +94,22 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
     await openFiles(page, mine);
-    await reads(
-      page,
-      PULL,
-      asShown(ask("force", mine, "-p", "2.5bar", "-e", "15%")),
-    );
-    await soon(async () =>
-      assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"),
-    );
+    await reads(page, PULL, asShown(ask("force", mine, "-p", "2.5bar", "-e", "15%")));
+    await soon(async () => assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"));
     await type(page, "Length L0", "9in");
     await type(page, "Contraction ε", "10 %");
-    const said = asShown(
-      ask("force", mine, "-L", "9in", "-p", "2.5bar", "-e", "10%"),
-    );
+    const said = asShown(ask("force", mine, "-L", "9in", "-p", "2.5bar", "-e", "10%"));
     await reads(page, PULL, said);
     await page.screenshot({ path: `${shots}/file-open-${name}.png` });
     // What is saved is the same muscle, on the command line too.
     const copy = join(folder, `saved-${name}.toml`);
     writeFileSync(copy, await saved(page, "Save"));
-    assert.equal(
-      asShown(ask("force", copy, "-p", "2.5bar", "-e", "10%")),
-      said,
-    );
+    assert.equal(asShown(ask("force", copy, "-p", "2.5bar", "-e", "10%")), said);
     await page.reload();
     await reads(page, PULL, said);
-    await soon(async () =>
-      assert.equal(await field(page, "Length L0").inputValue(), "228.6"),
-    );
-    await soon(async () =>
-      assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"),
-    );
-    await soon(async () =>
-      assert.equal(await field(page, "Braid angle θ0").inputValue(), "24"),
-    );
+    await soon(async () => assert.equal(await field(page, "Length L0").inputValue(), "228.6"));
+    await soon(async () => assert.equal(await field(page, "Outer diameter D0").inputValue(), "24"));
+    await soon(async () => assert.equal(await field(page, "Braid angle θ0").inputValue(), "24"));
     // Joint: the torques of its curves, and of the pressures that finite elements find.
     writeFileSync(
       join(folder, "joint.toml"),
@@ -159,9 +139,7 @@ inBrowser(({ name, url, open, blank }) => {
     // Motion.
     await go(page, "Motion");
     await page.waitForSelector("table", { timeout: 60_000 });
-    await page
-      .getByRole("combobox", { name: "Model" })
-      .selectOption("universal");
+    await page.getByRole("combobox", { name: "Model" }).selectOption("universal");
     await page.getByRole("button", { name: "Run" }).click();
     const run = ask(
       "motion",
@@ -186,14 +164,8 @@ inBrowser(({ name, url, open, blank }) => {
     // Compare: both sides are this muscle, and B another length of it.
     await go(page, "Compare");
     await reads(page, "section[aria-label=A]", "neo-hookean");
-    await page
-      .locator("section[aria-label=B]")
-      .getByLabel("Length")
-      .fill("150 mm");
-    await page
-      .locator("section[aria-label=B]")
-      .getByLabel("Length")
-      .press("Enter");
+    await page.locator("section[aria-label=B]").getByLabel("Length").fill("150 mm");
+    await page.locator("section[aria-label=B]").getByLabel("Length").press("Enter");
     const [a, b] = [
       ask("force", copy, "-p", "2.5bar", "-e", "10%"),
       ask(
@@ -250,15 +222,11 @@ inBrowser(({ name, url, open, blank }) => {
       fullPage: true,
     });
     const { measures } = await page.evaluate(async () =>
-        (await import(new URL("js/ask.js", document.baseURI).href))
-          .engine()
-          .ask("measures", {}),
+        (await import(new URL("js/ask.js", document.baseURI).href)).engine().ask("measures", {}),
       ),
       labels = () => page.locator(".quantity label").allTextContents();
     const of = (/** @type {string} */ key) => {
-      const { label, symbol } = measures.find(
-        (/** @type {any} */ m) => m.key === key,
-      );
+      const { label, symbol } = measures.find((/** @type {any} */ m) => m.key === key);
       return `${label.charAt(0).toUpperCase()}${label.slice(1)}${symbol ? ` ${symbol}` : ""}`;
     };
     await soon(async () => {
@@ -304,10 +272,7 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, PULL, said);
     const copy = join(folder, `more-saved-${name}.toml`);
     writeFileSync(copy, await saved(page, "Save"));
-    assert.equal(
-      asShown(ask("force", copy, "-p", "2.5bar", "-e", "15%")),
-      said,
-    );
+    assert.equal(asShown(ask("force", copy, "-p", "2.5bar", "-e", "15%")), said);
     const link = new URL(page.url()).hash;
     assert.match(link, /strands=96/);
     // Reloaded, and sent to somebody: it is open by itself, with all values.
@@ -316,11 +281,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () => assert.equal(await box.getAttribute("open"), ""));
     for (const [key, , shown] of typed) await is(of(key), shown);
     await go(page, "Compare");
-    await reads(
-      page,
-      "[aria-label='both in numbers']",
-      `Pull${said.split("alone ")[1]}`,
-    );
+    await reads(page, "[aria-label='both in numbers']", `Pull${said.split("alone ")[1]}`);
     await go(page, "Muscle");
     await reads(page, PULL, said);
     // An emptied field has the usual value again.
@@ -331,10 +292,7 @@ inBrowser(({ name, url, open, blank }) => {
     await type(page, of("braid.strands"), "37");
     await page.waitForSelector(".problem");
     await soon(async () =>
-      assert.equal(
-        await field(page, of("braid.strands")).getAttribute("aria-invalid"),
-        "true",
-      ),
+      assert.equal(await field(page, of("braid.strands")).getAttribute("aria-invalid"), "true"),
     );
     await soon(async () =>
       assert.match(
@@ -351,19 +309,13 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(opened.page, PULL, said);
     await soon(async () =>
       assert.equal(
-        await opened.page
-          .locator("details", { hasText: "More properties" })
-          .getAttribute("open"),
+        await opened.page.locator("details", { hasText: "More properties" }).getAttribute("open"),
         "",
       ),
     );
     for (const [key, , shown] of typed)
       await soon(async () =>
-        assert.equal(
-          await field(opened.page, of(key)).inputValue(),
-          shown,
-          key,
-        ),
+        assert.equal(await field(opened.page, of(key)).inputValue(), shown, key),
       );
     await opened.context.close();
   });
@@ -394,9 +346,7 @@ inBrowser(({ name, url, open, blank }) => {
         // An estimate answers until it is measured.
         await page.waitForFunction(
           (label) =>
-            [...document.querySelectorAll(".quantity")].some((q) =>
-              q.textContent?.includes(label),
-            ),
+            [...document.querySelectorAll(".quantity")].some((q) => q.textContent?.includes(label)),
           label,
         );
         if (sleeve === "nfl-19" && key === "sd")
@@ -422,27 +372,20 @@ inBrowser(({ name, url, open, blank }) => {
       );
       await reads(page, PULL, said.slack ? "Slack" : asShown(said));
       await soon(async () =>
-        assert.ok(
-          await page.getByRole("slider", { name: "Braid angle" }).isDisabled(),
-        ),
+        assert.ok(await page.getByRole("slider", { name: "Braid angle" }).isDisabled()),
       );
     }
     // Strands that keep their length need neither.
-    await page
-      .getByRole("combobox", { name: "Strands" })
-      .selectOption("inextensible");
+    await page.getByRole("combobox", { name: "Strands" }).selectOption("inextensible");
     await page.waitForFunction(
-      () =>
-        /k=inextensible/.test(location.hash) && !/sd=|sE=/.test(location.hash),
+      () => /k=inextensible/.test(location.hash) && !/sd=|sE=/.test(location.hash),
     );
     await alive(page);
     await context.close();
   });
 
   test("sleeves in a design have the same fields", async () => {
-    const { page, context } = await open(
-      "#design?F=300N&e=10%25&pmax=4bar&s=1.5mm&D=10..18mm",
-    );
+    const { page, context } = await open("#design?F=300N&e=10%25&pmax=4bar&s=1.5mm&D=10..18mm");
     await page.waitForSelector("table", { timeout: 60_000 });
     await page.getByText("Search space").click();
     await page.getByLabel("Sleeves as sold").fill("flexo-overexpanded-0.38in");
@@ -483,43 +426,21 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("combobox", { name: "Hold" }).selectOption("F");
     await type(page, "Load F", "300 N");
     const said = ask("contraction", "-F", "300N", "-p", "2.5bar");
-    await reads(
-      page,
-      ".stage .say",
-      `and ${Number((100 * said.contraction).toPrecision(3))} %`,
-    );
+    await reads(page, ".stage .say", `and ${Number((100 * said.contraction).toPrecision(3))} %`);
     await soon(async () => assert.match(page.url(), /F=300/));
     // P′ is that of the contraction that was found.
-    await reads(
-      page,
-      ".numbers",
-      `Threshold pressure${bar(said.start_pressure_mpa)}`,
-    );
+    await reads(page, ".numbers", `Threshold pressure${bar(said.start_pressure_mpa)}`);
     // Its ± of some per cent leaves one decimal.
-    const [median, low, high] = [
-      said.predicted,
-      said.predicted_low,
-      said.predicted_high,
-    ].map((v) => (100 * v).toFixed(1));
-    await reads(
-      page,
-      ".numbers",
-      `Contraction as built${median} % (${low} to ${high} %)`,
+    const [median, low, high] = [said.predicted, said.predicted_low, said.predicted_high].map((v) =>
+      (100 * v).toFixed(1),
     );
+    await reads(page, ".numbers", `Contraction as built${median} % (${low} to ${high} %)`);
     await page.screenshot({ path: `${shots}/load-held-${name}.png` });
     await page.reload();
-    await reads(
-      page,
-      ".stage .say",
-      `and ${Number((100 * said.contraction).toPrecision(3))} %`,
-    );
-    await soon(async () =>
-      assert.equal(await field(page, "Load F").inputValue(), "300"),
-    );
+    await reads(page, ".stage .say", `and ${Number((100 * said.contraction).toPrecision(3))} %`);
+    await soon(async () => assert.equal(await field(page, "Load F").inputValue(), "300"));
     await page.getByRole("combobox", { name: "Hold" }).selectOption("e");
-    await soon(async () =>
-      assert.ok(await field(page, "Contraction ε").isVisible()),
-    );
+    await soon(async () => assert.ok(await field(page, "Contraction ε").isVisible()));
     await context.close();
   });
 
@@ -527,19 +448,14 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, errors, context } = await open("#muscle");
     await alive(page);
     const branch = ["--branch", "elongation"];
-    await page
-      .getByRole("combobox", { name: "Friction" })
-      .selectOption("elongation");
+    await page.getByRole("combobox", { name: "Friction" }).selectOption("elongation");
     const said = ask("force", "-p", "2.5bar", "-e", "15%", ...branch);
     await reads(page, PULL, asShown(said));
     await page.reload();
     await reads(page, PULL, asShown(said));
     const copy = join(folder, `branch-${name}.toml`);
     writeFileSync(copy, await saved(page, "Save"));
-    assert.equal(
-      asShown(ask("force", copy, "-p", "2.5bar", "-e", "15%")),
-      asShown(said),
-    );
+    assert.equal(asShown(ask("force", copy, "-p", "2.5bar", "-e", "15%")), asShown(said));
     await go(page, "Sweep");
     await page.waitForSelector(".plot svg.curves", { timeout: 30_000 });
     const row = (await saved(page, "CSV"))
@@ -553,9 +469,7 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("Enter starts a design, and its winner opens as the muscle that was designed", async () => {
-    const { page, context } = await open(
-      "#muscle?k=inextensible&p=2.5bar&e=15%25",
-    );
+    const { page, context } = await open("#muscle?k=inextensible&p=2.5bar&e=15%25");
     await alive(page);
     await go(page, "Design");
     await page.waitForSelector("table", { timeout: 60_000 });
@@ -584,9 +498,7 @@ inBrowser(({ name, url, open, blank }) => {
       .map((line) => line.split(","));
     for (const p of ["0.5 bar", "1 bar", "2.5 bar"]) {
       const free = ask("contraction", "-F", "0", "-p", p).contraction;
-      const last = lines
-        .filter(([curve, , y]) => curve === p && y !== "")
-        .at(-1);
+      const last = lines.filter(([curve, , y]) => curve === p && y !== "").at(-1);
       assert.equal(
         Number(Number(last?.[1]).toPrecision(3)),
         Number((100 * free).toPrecision(3)),
@@ -608,18 +520,11 @@ inBrowser(({ name, url, open, blank }) => {
     ]) {
       await type(page, "Contraction ε", "5 %");
       await type(page, "Contraction ε", text);
-      await reads(
-        page,
-        PULL,
-        asShown(ask("force", "-p", "2.5bar", "-e", "12%")),
-      );
-      await soon(async () =>
-        assert.equal(await field(page, "Contraction ε").inputValue(), "12 %"),
-      );
+      await reads(page, PULL, asShown(ask("force", "-p", "2.5bar", "-e", "12%")));
+      await soon(async () => assert.equal(await field(page, "Contraction ε").inputValue(), "12 %"));
       await page.waitForFunction(
         (note) =>
-          document.querySelector(".state .note:not([hidden])")?.textContent ===
-            note ||
+          document.querySelector(".state .note:not([hidden])")?.textContent === note ||
           (!note && !document.querySelector(".state .note:not([hidden])")),
         note,
       );
@@ -665,18 +570,14 @@ inBrowser(({ name, url, open, blank }) => {
       page.evaluate(() => {
         const box = /** @type {any} */ (document.querySelector(".stage .bar"));
         return (
-          box.querySelector("span").getBoundingClientRect().width /
-          parseFloat(box.textContent)
+          box.querySelector("span").getBoundingClientRect().width / parseFloat(box.textContent)
         );
       });
     const before = await pixels();
     await page.locator(".stage canvas").focus();
     for (let i = 0; i < 4; i++) await page.keyboard.press("+");
     const after = await pixels();
-    assert.ok(
-      Math.abs(after / before / 1.2 ** 4 - 1) < 0.02,
-      `${after / before}`,
-    );
+    assert.ok(Math.abs(after / before / 1.2 ** 4 - 1) < 0.02, `${after / before}`);
     await context.close();
   });
 
@@ -693,37 +594,26 @@ inBrowser(({ name, url, open, blank }) => {
       ),
     );
     const words = () => page.locator(".problem").innerText();
+    await soon(async () => assert.match(await words(), /wall is 40 mm, but the radius is 15 mm/i));
     await soon(async () =>
-      assert.match(await words(), /wall is 40 mm, but the radius is 15 mm/i),
-    );
-    await soon(async () =>
-      assert.equal(
-        await field(page, "Wall s").getAttribute("aria-invalid"),
-        "true",
-      ),
+      assert.equal(await field(page, "Wall s").getAttribute("aria-invalid"), "true"),
     );
     assert.doesNotMatch(await words(), /tube\.|_mm|MPa/);
     await page.screenshot({ path: `${shots}/error-${name}.png` });
     await type(page, "Wall s", "3");
     await page.waitForFunction(
-      () =>
-        !document.querySelector(".problem") &&
-        !document.querySelector(".stale"),
+      () => !document.querySelector(".problem") && !document.querySelector(".stale"),
     );
     await type(page, "Pressure p", "900");
     await page.waitForSelector(".problem", { timeout: 30_000 });
-    await soon(async () =>
-      assert.doesNotMatch(await page.locator(".problem").innerText(), /MPa/),
-    );
+    await soon(async () => assert.doesNotMatch(await page.locator(".problem").innerText(), /MPa/));
     await context.close();
   });
 
   test("the chart of measured points ends with them", async () => {
     const { page, context } = await open("#data");
     await page.waitForSelector(".drop");
-    await page
-      .locator("input[type=file]")
-      .setInputFiles(`${root}examples/bench.csv`);
+    await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
     await page.getByText("points.").first().waitFor({ timeout: 30_000 });
     // The numbers below the chart, from left to right.
     const end = await page.waitForFunction(
@@ -743,9 +633,7 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#about");
     await page.waitForSelector("h2");
     const took = await page.evaluate(async () => {
-      const { Slot } = await import(
-        new URL("js/ask.js", document.baseURI).href
-      );
+      const { Slot } = await import(new URL("js/ask.js", document.baseURI).href);
       const slot = new Slot(),
         began = performance.now();
       /** @type {string[]} */ const said = [];
@@ -774,9 +662,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("the largest speed of a step is that of the motion, whatever its duration", async () => {
     const speeds = [];
     for (const until of ["1 s", "30 s"]) {
-      const { page, context } = await open(
-        `#motion?model=universal&until=${until}`,
-      );
+      const { page, context } = await open(`#motion?model=universal&until=${until}`);
       await page.waitForSelector("table", { timeout: 60_000 });
       const run = ask(
         "motion",
@@ -796,11 +682,7 @@ inBrowser(({ name, url, open, blank }) => {
         until,
       );
       const speed = run.largest_velocity_mm_per_s;
-      await reads(
-        page,
-        ".controls table",
-        `Largest speed${Number(speed.toPrecision(3))} mm/s`,
-      );
+      await reads(page, ".controls table", `Largest speed${Number(speed.toPrecision(3))} mm/s`);
       speeds.push(speed);
       await context.close();
     }
@@ -823,13 +705,9 @@ inBrowser(({ name, url, open, blank }) => {
       await page.getByRole("progressbar").first().waitFor({ timeout: 20_000 });
       own.kill();
       await page
-        .getByText(
-          "The computation engine stopped: the server cannot be reached",
-        )
+        .getByText("The computation engine stopped: the server cannot be reached")
         .waitFor({ timeout: 20_000 });
-      await soon(async () =>
-        assert.equal(await page.getByRole("progressbar").count(), 0),
-      );
+      await soon(async () => assert.equal(await page.getByRole("progressbar").count(), 0));
       await context.close();
     });
 });

@@ -3,16 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import axe from "axe-core";
-import {
-  alive,
-  asBuilt,
-  asShown,
-  ofChart,
-  openFiles,
-  pull,
-  soon,
-  trapping,
-} from "./browser.mjs";
+import { alive, asBuilt, asShown, ofChart, openFiles, pull, soon, trapping } from "./browser.mjs";
 import { ask, inBrowser, root, shots } from "./sites.mjs";
 
 const PAGES = [
@@ -46,14 +37,7 @@ const DONE = {
 };
 
 /** Rules of axe; in the dark only colours differ. */
-const RULES = [
-  "wcag2a",
-  "wcag2aa",
-  "wcag21a",
-  "wcag21aa",
-  "wcag22aa",
-  "best-practice",
-];
+const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
 
 inBrowser(({ name, url, open, blank }) => {
   test("every page opens, does its first work and says nothing wrong, light and dark, and axe finds nothing", async () => {
@@ -69,23 +53,19 @@ inBrowser(({ name, url, open, blank }) => {
         // Charts are drawn again in the other colours.
         if (colorScheme === "dark") await page.waitForTimeout(500);
         // What is closed too.
-        const closed = await page
-          .locator("details:not([open])")
-          .elementHandles();
+        const closed = await page.locator("details:not([open])").elementHandles();
         for (const box of closed)
           await box.evaluate((of) => {
             /** @type {HTMLDetailsElement} */ (of).open = true;
           });
         const rules = colorScheme === "light" ? RULES : ["color-contrast"];
         const { violations } = await page.evaluate(
-          (runOnly) =>
-            /** @type {any} */ (window).axe.run(document, { runOnly }),
+          (runOnly) => /** @type {any} */ (window).axe.run(document, { runOnly }),
           rules,
         );
         assert.deepEqual(
           violations.map(
-            (/** @type {any} */ v) =>
-              `${v.id}: ${v.nodes[0].html} ${v.nodes[0].failureSummary}`,
+            (/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html} ${v.nodes[0].failureSummary}`,
           ),
           [],
           `${page_name}, ${colorScheme}`,
@@ -106,21 +86,9 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("the digits of the page are those of the command line", async () => {
-    const { page, context } = await open(
-      "#muscle?D=38&s=1&L=285&angle=28&p=2.3bar&e=12%25",
-    );
+    const { page, context } = await open("#muscle?D=38&s=1&L=285&angle=28&p=2.3bar&e=12%25");
     await alive(page);
-    const said = ask(
-      "force",
-      "-D",
-      "38",
-      "-s",
-      "1",
-      "-p",
-      "2.3bar",
-      "-e",
-      "12%",
-    );
+    const said = ask("force", "-D", "38", "-s", "1", "-p", "2.3bar", "-e", "12%");
     await soon(async () =>
       assert.equal(
         await page.locator(".stage .say").textContent(),
@@ -128,21 +96,14 @@ inBrowser(({ name, url, open, blank }) => {
       ),
     );
     await soon(async () =>
-      assert.equal(
-        await page.locator(".numbers dd .bare").innerText(),
-        asBuilt(said),
-      ),
+      assert.equal(await page.locator(".numbers dd .bare").innerText(), asBuilt(said)),
     );
     await page.waitForFunction(() =>
-      /Threshold pressure\s*[\d.]/.test(
-        document.querySelector(".numbers")?.textContent ?? "",
-      ),
+      /Threshold pressure\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""),
     );
     const numbers = await page.locator(".numbers").innerText();
     assert.ok(
-      numbers.includes(
-        `${Number((10 * said.start_pressure_mpa).toPrecision(3))} bar`,
-      ),
+      numbers.includes(`${Number((10 * said.start_pressure_mpa).toPrecision(3))} bar`),
       numbers,
     );
     await context.close();
@@ -161,22 +122,16 @@ inBrowser(({ name, url, open, blank }) => {
     });
     await page.mouse.up();
     await page.waitForFunction(
-      (before) =>
-        document.querySelector(".stage .say b")?.textContent !== before,
+      (before) => document.querySelector(".stage .say b")?.textContent !== before,
       first,
     );
     const dragged = page.url();
     assert.match(dragged, /p=/);
     await slider.focus();
-    const before = await page
-      .getByRole("textbox", { name: "Pressure" })
-      .inputValue();
+    const before = await page.getByRole("textbox", { name: "Pressure" }).inputValue();
     await page.keyboard.press("ArrowRight");
     await soon(async () =>
-      assert.notEqual(
-        await page.getByRole("textbox", { name: "Pressure" }).inputValue(),
-        before,
-      ),
+      assert.notEqual(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), before),
     );
     const field = page.getByRole("textbox", { name: "Outer diameter" });
     await field.fill("1.2in");
@@ -186,8 +141,7 @@ inBrowser(({ name, url, open, blank }) => {
       await field.fill(wrong);
       await field.press("Enter");
       await page.waitForFunction(
-        (id) =>
-          document.getElementById(id)?.getAttribute("aria-invalid") === "true",
+        (id) => document.getElementById(id)?.getAttribute("aria-invalid") === "true",
         await field.getAttribute("id"),
       );
     }
@@ -206,9 +160,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () => assert.equal(await field.inputValue(), "30.48"));
     await soon(async () =>
       assert.equal(
-        await page
-          .getByRole("button", { name: "Redo", exact: true })
-          .getAttribute("title"),
+        await page.getByRole("button", { name: "Redo", exact: true }).getAttribute("title"),
         "Redo: Outer diameter 4000 mm (Ctrl+Y)",
       ),
     );
@@ -222,24 +174,17 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open(link);
     await alive(page);
     await soon(async () =>
-      assert.equal(
-        await page.getByRole("textbox", { name: "Pressure" }).inputValue(),
-        "36",
-      ),
+      assert.equal(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), "36"),
     );
     await soon(async () =>
       assert.equal(
-        await page
-          .getByRole("button", { name: "Cut open" })
-          .getAttribute("aria-pressed"),
+        await page.getByRole("button", { name: "Cut open" }).getAttribute("aria-pressed"),
         "true",
       ),
     );
     await soon(async () =>
       assert.equal(
-        await page
-          .getByRole("tab", { name: "Isometric" })
-          .getAttribute("aria-selected"),
+        await page.getByRole("tab", { name: "Isometric" }).getAttribute("aria-selected"),
         "true",
       ),
     );
@@ -257,21 +202,14 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#muscle");
     await alive(page);
     const box = /** @type {any} */ (await page.locator(".gauge").boundingBox());
-    const [x, y, r] = [
-      box.x + box.width / 2,
-      box.y + box.height / 2,
-      0.4 * box.width,
-    ];
+    const [x, y, r] = [box.x + box.width / 2, box.y + box.height / 2, 0.4 * box.width];
     // Straight up is half of the dial, which ends at 6 bar.
     await page.mouse.move(x - r, y);
     await page.mouse.down();
     await page.mouse.move(x, y - r, { steps: 4 });
     await page.mouse.up();
     await soon(async () =>
-      assert.equal(
-        await page.getByRole("textbox", { name: "Pressure" }).inputValue(),
-        "3",
-      ),
+      assert.equal(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), "3"),
     );
     await soon(async () => assert.match(page.url(), /p=3bar/));
     await context.close();
@@ -280,9 +218,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("units change everywhere by a click", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
-    const unit = page
-      .locator(".quantity", { hasText: "Pressure" })
-      .getByRole("button");
+    const unit = page.locator(".quantity", { hasText: "Pressure" }).getByRole("button");
     for (const expected of ["kPa", "MPa", "psi", "bar"]) {
       await unit.click();
       await soon(async () => assert.equal(await unit.innerText(), expected));
@@ -313,22 +249,12 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForFunction(() => location.hash.includes("file="));
     await alive(page);
     for (const [name, text, said] of [
-      [
-        "broken.toml",
-        '[tube]\nouter_diametre = "3 mm"\n',
-        /broken\.toml.*outer_diamet/,
-      ],
+      ["broken.toml", '[tube]\nouter_diametre = "3 mm"\n', /broken\.toml.*outer_diamet/],
       ["empty.toml", "\n", /empty\.toml is empty/],
     ]) {
-      await file(
-        /** @type {string} */ (name),
-        Buffer.from(/** @type {string} */ (text)),
-      );
+      await file(/** @type {string} */ (name), Buffer.from(/** @type {string} */ (text)));
       await soon(async () =>
-        assert.match(
-          await page.locator("#notice").innerText(),
-          /** @type {RegExp} */ (said),
-        ),
+        assert.match(await page.locator("#notice").innerText(), /** @type {RegExp} */ (said)),
       );
     }
     const [download] = await Promise.all([
@@ -351,15 +277,10 @@ inBrowser(({ name, url, open, blank }) => {
     ])) {
       const button = page.getByRole("button", { name: file, exact: true });
       await button.waitFor({ timeout: 60_000 });
-      const [download] = await Promise.all([
-        page.waitForEvent("download"),
-        button.click(),
-      ]);
+      const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
       assert.equal(download.suggestedFilename(), file);
       assert.match(
-        readFileSync(/** @type {string} */ (await download.path())).toString(
-          "latin1",
-        ),
+        readFileSync(/** @type {string} */ (await download.path())).toString("latin1"),
         begin,
       );
     }
@@ -375,23 +296,15 @@ inBrowser(({ name, url, open, blank }) => {
       ["SVG", ".svg"],
       ["PNG", ".png"],
     ]) {
-      const [download] = await Promise.all([
-        page.waitForEvent("download"),
-        ofChart(page, button),
-      ]);
+      const [download] = await Promise.all([page.waitForEvent("download"), ofChart(page, button)]);
       assert.ok(download.suggestedFilename().endsWith(end));
       const bytes = readFileSync(/** @type {string} */ (await download.path()));
       if (end === ".csv")
-        assert.match(
-          bytes.toString(),
-          /^curve,contraction ε \[%\],pull F \[N\]\n0.5 bar,0,/,
-        );
+        assert.match(bytes.toString(), /^curve,contraction ε \[%\],pull F \[N\]\n0.5 bar,0,/);
       if (end === ".png") assert.equal(bytes.subarray(1, 4).toString(), "PNG");
     }
     await ofChart(page, "Table");
-    await soon(async () =>
-      assert.ok((await page.locator(".chart table tr").count()) > 20),
-    );
+    await soon(async () => assert.ok((await page.locator(".chart table tr").count()) > 20));
     await context.close();
   });
 
@@ -416,10 +329,7 @@ inBrowser(({ name, url, open, blank }) => {
       .waitFor();
     const map = page.getByRole("region", { name: "design map" });
     await map.locator("svg image").waitFor({ timeout: 30_000 });
-    const [cells] = await Promise.all([
-      page.waitForEvent("download"),
-      ofChart(map, "CSV"),
-    ]);
+    const [cells] = await Promise.all([page.waitForEvent("download"), ofChart(map, "CSV")]);
     const lines = readFileSync(/** @type {string} */ (await cells.path()))
       .toString()
       .trim()
@@ -430,9 +340,7 @@ inBrowser(({ name, url, open, blank }) => {
     );
     assert.equal(lines.length, 1 + 29 * 25);
     await map.locator(".plot").first().scrollIntoViewIfNeeded();
-    const box = /** @type {any} */ (
-      await map.locator(".plot").first().boundingBox()
-    );
+    const box = /** @type {any} */ (await map.locator(".plot").first().boundingBox());
     await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
     await page.getByRole("link", { name: "see this muscle" }).click();
     await alive(page);
@@ -451,14 +359,11 @@ inBrowser(({ name, url, open, blank }) => {
       target = page.getByRole("region", { name: "design target" });
     await ofChart(map, "Table");
     await map.locator("tbody tr").nth(28).waitFor({ timeout: 30_000 });
-    const fitting = () =>
-      map.locator("tbody tr").filter({ hasNotText: "misses" }).count();
+    const fitting = () => map.locator("tbody tr").filter({ hasNotText: "misses" }).count();
     const whole = await map.locator("tbody tr").count();
     await target.locator(".plot").scrollIntoViewIfNeeded();
     await target.getByText("best muscle", { exact: true }).waitFor();
-    const ring = /** @type {any} */ (
-        await target.locator(".ring").boundingBox()
-      ),
+    const ring = /** @type {any} */ (await target.locator(".ring").boundingBox()),
       [x, y] = [ring.x + ring.width / 2, ring.y + ring.height / 2];
     await page.mouse.move(x, y);
     await page.mouse.down();
@@ -466,9 +371,7 @@ inBrowser(({ name, url, open, blank }) => {
     // While it is dragged the map is coarser, and another one.
     await page.waitForFunction(
       (before) => {
-        const rows = document.querySelectorAll(
-          "[aria-label='design map'] tbody tr",
-        ).length;
+        const rows = document.querySelectorAll("[aria-label='design map'] tbody tr").length;
         return rows > 0 && rows < before;
       },
       whole,
@@ -476,9 +379,7 @@ inBrowser(({ name, url, open, blank }) => {
     );
     await soon(async () =>
       assert.equal(
-        await page
-          .getByRole("textbox", { name: "Pull", exact: true })
-          .inputValue(),
+        await page.getByRole("textbox", { name: "Pull", exact: true }).inputValue(),
         "700 N",
       ),
     );
@@ -490,9 +391,7 @@ inBrowser(({ name, url, open, blank }) => {
     );
     const [force, contraction] = [
       await pull.inputValue(),
-      await page
-        .getByRole("textbox", { name: "at a contraction of" })
-        .inputValue(),
+      await page.getByRole("textbox", { name: "at a contraction of" }).inputValue(),
     ];
     assert.ok(Number.parseFloat(force) < 690, force);
     const [best] = ask(
@@ -539,10 +438,7 @@ inBrowser(({ name, url, open, blank }) => {
       .first()
       .waitFor();
     assert.equal(await muscles.getByText("air per stroke").count(), 0);
-    await page.goto(
-      url() +
-        "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=10mL",
-    );
+    await page.goto(url() + "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=10mL");
     await page
       .getByText(/mL of liquid/)
       .first()
@@ -552,16 +448,8 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("a specification of several pulls has the command line's winner", async () => {
-    const { page, errors, context } = await open(
-      "#design?at=700N@15%25,1200N@5%25",
-    );
-    const said = ask(
-      "design",
-      "--at",
-      "700N@15%,1200N@5%",
-      "--max-pressure",
-      "2.5bar",
-    );
+    const { page, errors, context } = await open("#design?at=700N@15%25,1200N@5%25");
+    const said = ask("design", "--at", "700N@15%,1200N@5%", "--max-pressure", "2.5bar");
     await page
       .locator(".side h2")
       .first()
@@ -576,13 +464,9 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("nothing fits is a sentence with what would", async () => {
-    const { page, context } = await open(
-      "#design?F=900N&e=38%25&pmax=2bar&D=10..40mm",
-    );
+    const { page, context } = await open("#design?F=900N&e=38%25&pmax=2bar&D=10..40mm");
     await page.getByText("Nothing fits.").waitFor({ timeout: 60_000 });
-    await soon(async () =>
-      assert.ok((await page.locator(".side li").count()) > 0),
-    );
+    await soon(async () => assert.ok((await page.locator(".side li").count()) > 0));
     const target = page.getByRole("region", { name: "design target" });
     await soon(async () =>
       assert.deepEqual(
@@ -593,9 +477,7 @@ inBrowser(({ name, url, open, blank }) => {
         [1, 0],
       ),
     );
-    const along = await target
-      .locator("svg.curves > text[text-anchor=middle]")
-      .allTextContents();
+    const along = await target.locator("svg.curves > text[text-anchor=middle]").allTextContents();
     assert.ok(along.includes("40"), String(along));
     await context.close();
   });
@@ -609,17 +491,11 @@ inBrowser(({ name, url, open, blank }) => {
       buffer: Buffer.from("pressure_bar,contraction,force_n\n1,0.1,abc\n"),
     });
     await page.waitForSelector(".problem");
-    await soon(async () =>
-      assert.match(await page.locator(".problem").innerText(), /line 2|row/i),
-    );
-    await page
-      .locator("input[type=file]")
-      .setInputFiles(`${root}examples/bench.csv`);
+    await soon(async () => assert.match(await page.locator(".problem").innerText(), /line 2|row/i));
+    await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
     await page.getByText("points.").first().waitFor({ timeout: 30_000 });
     await page.getByRole("button", { name: "Identify" }).click();
-    await page
-      .getByRole("heading", { name: "Identified" })
-      .waitFor({ timeout: 60_000 });
+    await page.getByRole("heading", { name: "Identified" }).waitFor({ timeout: 60_000 });
     const [download] = await Promise.all([
       page.waitForEvent("download"),
       page.getByRole("button", { name: "Download the muscle" }).click(),
@@ -677,29 +553,21 @@ inBrowser(({ name, url, open, blank }) => {
     const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
     const usual = await plan.inputValue();
     await plan.fill(
-      usual
-        .replace("30,40,45,50 mm", "30..50:0.5 mm")
-        .replace("1..5:1 mm", "1..5:0.25 mm"),
+      usual.replace("30,40,45,50 mm", "30..50:0.5 mm").replace("1..5:1 mm", "1..5:0.25 mm"),
     );
     await page.getByRole("button", { name: "Compute the plan" }).click();
-    await page
-      .getByRole("button", { name: "Cancel" })
-      .first()
-      .click({ timeout: 20_000 });
+    await page.getByRole("button", { name: "Cancel" }).first().click({ timeout: 20_000 });
     await page.getByText("Cancelled.").waitFor();
     await plan.fill(usual);
     await page.getByRole("button", { name: "Compute the plan" }).click();
-    await page
-      .getByRole("button", { name: "Download the formula" })
-      .waitFor({ timeout: 60_000 });
+    await page.getByRole("button", { name: "Download the formula" }).waitFor({ timeout: 60_000 });
     const [download] = await Promise.all([
       page.waitForEvent("download"),
       page.getByRole("button", { name: "Download the formula" }).click(),
     ]);
     assert.equal(
-      JSON.parse(
-        readFileSync(/** @type {string} */ (await download.path())).toString(),
-      ).terms.length,
+      JSON.parse(readFileSync(/** @type {string} */ (await download.path())).toString()).terms
+        .length,
       48,
     );
     await context.close();
@@ -716,14 +584,9 @@ inBrowser(({ name, url, open, blank }) => {
     });
     await page.mouse.up();
     await page.waitForFunction(() =>
-      /Equilibrium angle\s*−\d/.test(
-        document.querySelector(".numbers")?.textContent ?? "",
-      ),
+      /Equilibrium angle\s*−\d/.test(document.querySelector(".numbers")?.textContent ?? ""),
     );
-    await page
-      .locator("summary")
-      .filter({ hasText: "Different second muscle" })
-      .click();
+    await page.locator("summary").filter({ hasText: "Different second muscle" }).click();
     const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
     await page.getByLabel("Open muscle 2 (TOML)").setInputFiles({
       name: "thin.toml",
@@ -732,47 +595,30 @@ inBrowser(({ name, url, open, blank }) => {
     });
     await page.getByText("Muscle 2 is that of its file.").waitFor();
     await soon(async () => assert.match(page.url(), /file2=/));
-    await page
-      .getByRole("button", { name: "Use the same muscle twice" })
-      .click();
+    await page.getByRole("button", { name: "Use the same muscle twice" }).click();
     await page.getByText("Both muscles are the one above.").waitFor();
     await context.close();
   });
 
   test("a move of the arm is played on Motion, and ends where finite elements hold the arm", async () => {
-    const { page, errors, context } = await open(
-      "#joint?phi=20deg&K=8&mass=0.8kg",
-    );
+    const { page, errors, context } = await open("#joint?phi=20deg&K=8&mass=0.8kg");
     await page.waitForSelector(".numbers dl", { timeout: 30_000 });
     await page.getByText("Move the arm").click();
-    await page
-      .getByRole("textbox", { name: "Move to", exact: true })
-      .fill("-10");
-    await page
-      .getByRole("textbox", { name: "Move to", exact: true })
-      .press("Enter");
+    await page.getByRole("textbox", { name: "Move to", exact: true }).fill("-10");
+    await page.getByRole("textbox", { name: "Move to", exact: true }).press("Enter");
     await page.getByRole("button", { name: "Play in Motion" }).click();
     await page.locator("main[data-shown=motion]").waitFor({ timeout: 60_000 });
     const way = page.locator("[aria-label='motion contraction']");
     await way.locator("svg.curves").waitFor({ timeout: 120_000 });
     await soon(async () => {
-      const [download] = await Promise.all([
-        page.waitForEvent("download"),
-        ofChart(way, "CSV"),
-      ]);
-      const rows = readFileSync(
-        /** @type {string} */ (await download.path()),
-        "utf8",
-      )
+      const [download] = await Promise.all([page.waitForEvent("download"), ofChart(way, "CSV")]);
+      const rows = readFileSync(/** @type {string} */ (await download.path()), "utf8")
         .trim()
         .split("\n")
         .map((line) => line.split(","));
       assert.match(rows[0][2], /angle|φ/);
       const [first, last] = [Number(rows[1][2]), Number(rows.at(-1)?.[2])];
-      assert.ok(
-        Math.abs(first - 20) < 1 && Math.abs(last + 10) < 1,
-        `${first}° to ${last}°`,
-      );
+      assert.ok(Math.abs(first - 20) < 1 && Math.abs(last + 10) < 1, `${first}° to ${last}°`);
     });
     assert.deepEqual(errors, []);
     await context.close();
@@ -791,17 +637,13 @@ inBrowser(({ name, url, open, blank }) => {
       await alive(page);
       await page.waitForTimeout(1500);
       const over = await page.evaluate(
-        () =>
-          document.documentElement.scrollWidth -
-          document.documentElement.clientWidth,
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
       );
       assert.ok(over <= 0, `${width} px: ${over} px too wide`);
       await page.screenshot({ path: `${shots}/muscle-${width}-${name}.png` });
       await page.addStyleTag({ content: ":root{font-size:200%}" });
       const wide = await page.evaluate(
-        () =>
-          document.documentElement.scrollWidth -
-          document.documentElement.clientWidth,
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
       );
       assert.ok(wide <= 0, `${width} px at 200 %: ${wide} px too wide`);
       await context.close();
@@ -865,9 +707,7 @@ inBrowser(({ name, url, open, blank }) => {
         /** @type {any} */ kind,
         /** @type {any[]} */ ...rest
       ) {
-        return kind === "webgl2"
-          ? null
-          : /** @type {any} */ (usual).call(this, kind, ...rest);
+        return kind === "webgl2" ? null : /** @type {any} */ (usual).call(this, kind, ...rest);
       };
     });
     await page.goto(`${url()}#muscle`);

@@ -9,11 +9,8 @@ export function dice(seed) {
     t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
     return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
   };
-  const between = (
-    /** @type {number} */ low,
-    /** @type {number} */ high,
-    digits = 4,
-  ) => Number((low + (high - low) * next()).toPrecision(digits));
+  const between = (/** @type {number} */ low, /** @type {number} */ high, digits = 4) =>
+    Number((low + (high - low) * next()).toPrecision(digits));
   /** @template T @param {readonly T[]} list @returns {T} */
   const pick = (list) => list[Math.floor(next() * list.length)];
   return {
@@ -25,14 +22,12 @@ export function dice(seed) {
 }
 
 const LAWS = [
-  (/** @type {any} */ d) =>
-    `law = "neo-hookean"\nmu = "${d.between(0.1, 1.2)} MPa"`,
+  (/** @type {any} */ d) => `law = "neo-hookean"\nmu = "${d.between(0.1, 1.2)} MPa"`,
   (/** @type {any} */ d) =>
     `law = "mooney-rivlin"\nc10 = "${d.between(60, 300)} kPa"\nc01 = ${d.between(0.005, 0.05)}`,
   (/** @type {any} */ d) =>
     `law = "yeoh"\nc10 = ${d.between(0.1, 0.3)}\nc20 = ${d.between(0.001, 0.01)}\nc30 = ${d.between(0.0001, 0.001)}\nname = "mine"\nfitted_to_stretch = 2.5`,
-  (/** @type {any} */ d) =>
-    `law = "gent"\nmu = ${d.between(0.2, 0.8)}\njm = ${d.between(20, 80)}`,
+  (/** @type {any} */ d) => `law = "gent"\nmu = ${d.between(0.2, 0.8)}\njm = ${d.between(20, 80)}`,
   (/** @type {any} */ d) =>
     `law = "ogden"\nmu = [${d.between(0.1, 0.3)}, ${d.between(0.01, 0.05)}]\nalpha = [1.8, 3.2]`,
   (/** @type {any} */ d) =>
@@ -183,9 +178,7 @@ const MORE = {
 };
 /** Where others of them are. @type {Record<string, string>} */
 const PLACES = {
-  ...Object.fromEntries(
-    Object.entries(MORE).map(([key, [place]]) => [key, place]),
-  ),
+  ...Object.fromEntries(Object.entries(MORE).map(([key, [place]]) => [key, place])),
   strands: "braid.strands",
   strand_area_mm2: "braid.strand_area",
   strand_strength_n: "braid.strand_strength",
@@ -232,8 +225,7 @@ export function muscle(seed) {
 
   /** @param {Record<string, string>} into @param {string[]} lacks */
   function complete(into, lacks) {
-    if (d.chance(0.25))
-      into.k = d.chance(0.5) ? "inextensible" : `${d.between(100, 900)} N/mm`;
+    if (d.chance(0.25)) into.k = d.chance(0.5) ? "inextensible" : `${d.between(100, 900)} N/mm`;
     else {
       if (lacks.includes("sd")) into.sd = `${d.between(0.15, 0.35)} mm`;
       if (lacks.includes("sE")) into.sE = `${d.between(2000, 9000)} MPa`;
@@ -249,12 +241,9 @@ export function muscle(seed) {
       `${Number((mm / of).toPrecision(d.pick([3, 5])))}${unit && d.chance(0.5) ? " " : ""}${unit}`;
   };
   // Over a file with a sleeve the diameter stays within it.
-  if (d.chance(said))
-    say("D", filed ? D * d.between(0.98, 1.08) : d.between(20, 45));
-  if (d.chance(said))
-    say("s", filed ? D * d.between(0.06, 0.15) : d.between(1, 3));
-  if (d.chance(said))
-    say("L", filed ? D * d.between(4, 9) : d.between(150, 350));
+  if (d.chance(said)) say("D", filed ? D * d.between(0.98, 1.08) : d.between(20, 45));
+  if (d.chance(said)) say("s", filed ? D * d.between(0.06, 0.15) : d.between(1, 3));
+  if (d.chance(said)) say("L", filed ? D * d.between(4, 9) : d.between(150, 350));
   if (!filed || !sleeve) {
     const other = d.chance(0.25)
       ? SLEEVES.find(([, low, high]) =>
@@ -290,8 +279,7 @@ export function muscle(seed) {
   }
   few(over, 0.12, filed ? base : {});
   const whole = merge(filed ? base : {}, over);
-  if (!over.k && !over.braid && !(filed && base.braid) && d.chance(0.2))
-    ownStrands(over);
+  if (!over.k && !over.braid && !(filed && base.braid) && d.chance(0.2)) ownStrands(over);
   if (!over.k && !over.braid && whole.k !== "inextensible" && d.chance(0.15)) {
     over.crimp = `${d.between(0.1, 1)} %`;
     if (d.chance(0.5)) over.crimp_stiffness = `${d.between(0.05, 0.5)}`;
@@ -316,9 +304,7 @@ export function muscle(seed) {
     ),
   );
   const ground =
-    filed || Object.keys(beneath).length
-      ? written(merge(filed ? base : {}, beneath))
-      : "";
+    filed || Object.keys(beneath).length ? written(merge(filed ? base : {}, beneath)) : "";
   const flags = Object.entries(flagged).flatMap(([key, text]) => {
     const [name] = FLAGS[key];
     return name.startsWith("-") ? [name, text] : ["--with", `${name}=${text}`];
@@ -364,10 +350,7 @@ export function muscle(seed) {
 function millimetres(text) {
   const { in: inch, cm, m } = { in: 25.4, cm: 10, m: 1000 },
     unit = text.replace(/[-\d.e ]/g, "");
-  return (
-    parseFloat(text) *
-    /** @type {Record<string, number>} */ ({ in: inch, cm, m }[unit] ?? 1)
-  );
+  return parseFloat(text) * /** @type {Record<string, number>} */ ({ in: inch, cm, m }[unit] ?? 1);
 }
 
 const SECTION = ["sd", "sE", "strand_area_mm2"];
@@ -376,14 +359,7 @@ const SECTION = ["sd", "sE", "strand_area_mm2"];
 function merge(base, over) {
   const out = { ...base };
   if (over.braid)
-    for (const key of [
-      "angle",
-      "k",
-      ...SECTION,
-      "strands",
-      "strand_strength_n",
-    ])
-      delete out[key];
+    for (const key of ["angle", "k", ...SECTION, "strands", "strand_strength_n"]) delete out[key];
   if (over.k || over.strand_area_mm2 || over.sd)
     for (const key of ["sd", "strand_area_mm2"]) delete out[key];
   if (over.k) delete out.sE;
@@ -409,19 +385,12 @@ function written({
   grip,
   ...others
 }) {
-  const key = (
-    /** @type {string} */ name,
-    /** @type {string | undefined} */ text,
-  ) =>
-    text === undefined
-      ? ""
-      : `${name} = ${/^[\d.]+$/.test(text) ? text : `"${text}"`}\n`;
+  const key = (/** @type {string} */ name, /** @type {string | undefined} */ text) =>
+    text === undefined ? "" : `${name} = ${/^[\d.]+$/.test(text) ? text : `"${text}"`}\n`;
   const more = (/** @type {string} */ table) =>
     Object.entries(others)
       .map(([name, text]) =>
-        PLACES[name].startsWith(`${table}.`)
-          ? key(PLACES[name].split(".")[1], text)
-          : "",
+        PLACES[name].startsWith(`${table}.`) ? key(PLACES[name].split(".")[1], text) : "",
       )
       .join("");
   const tube =
@@ -438,11 +407,7 @@ function written({
     key("strand_diameter", sd) +
     key("strand_modulus", sE) +
     more("braid");
-  const ends =
-      key("seating", seating) +
-      key("slip", slip) +
-      key("grip", grip) +
-      more("terminals"),
+  const ends = key("seating", seating) + key("slip", slip) + key("grip", grip) + more("terminals"),
     friction = more("friction");
   return `name = "random"\n\n[tube]\n${tube}\n[braid]\n${sleeve}${ends ? `\n[terminals]\n${ends}` : ""}${friction ? `\n[friction]\n${friction}` : ""}`;
 }

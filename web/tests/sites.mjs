@@ -22,9 +22,7 @@ export const ask = (...line) =>
 
 /** Those that were asked for, of what has the engines' names. @template T @param {{ static: T, serve: T }} all @returns {[string, T][]} */
 export const engines = (all) =>
-  Object.entries(all).filter(([name]) =>
-    ["all", name].includes(process.env.ENGINES ?? "all"),
-  );
+  Object.entries(all).filter(([name]) => ["all", name].includes(process.env.ENGINES ?? "all"));
 
 /**
  * Tests of the page in a browser, once for each engine.
@@ -54,10 +52,7 @@ export function inBrowser(tests) {
       });
       after(() => site.end());
       const blank = () => tab(browser);
-      const open = async (
-        /** @type {string} */ hash,
-        /** @type {any} */ options,
-      ) => {
+      const open = async (/** @type {string} */ hash, /** @type {any} */ options) => {
         const opened = await tab(browser, options);
         await opened.page.goto(site.url + hash);
         return opened;

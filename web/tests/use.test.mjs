@@ -31,16 +31,11 @@ const LONG = 120_000;
 async function drag(page, name) {
   const slider = page.getByRole("slider", { name, exact: true });
   await slider.scrollIntoViewIfNeeded();
-  const { x, y, width, height } = /** @type {any} */ (
-    await slider.boundingBox()
-  );
+  const { x, y, width, height } = /** @type {any} */ (await slider.boundingBox());
   await page.mouse.move(x + 0.4 * width, y + height / 2);
   await page.mouse.down();
   for (let i = 1; i <= 20; i++)
-    await page.mouse.move(
-      x + (0.4 + 0.1 * Math.sin(i / 3)) * width,
-      y + height / 2,
-    );
+    await page.mouse.move(x + (0.4 + 0.1 * Math.sin(i / 3)) * width, y + height / 2);
   await page.mouse.move(x + 0.4 * width, y + height / 2);
   await page.mouse.up();
 }
@@ -69,8 +64,7 @@ inBrowser(({ open }) => {
       await drop(page, FILES[rounds++ % FILES.length]);
       await page.waitForFunction(() => /file=/.test(location.hash));
       await alive(page, LONG);
-      for (const name of ["Pressure", "Contraction", "Length"])
-        await drag(page, name);
+      for (const name of ["Pressure", "Contraction", "Length"]) await drag(page, name);
       for (const where of VISITED) {
         await go(page, where, LONG);
         await page.waitForLoadState("networkidle");
@@ -83,11 +77,7 @@ inBrowser(({ open }) => {
     for (let i = 0; i < (MINUTES ? 4 : 2); i++) await round();
     const before = await complete(),
       began = Date.now();
-    for (
-      let i = 0;
-      MINUTES ? Date.now() - began < 60_000 * MINUTES : i < ROUNDS;
-      i++
-    )
+    for (let i = 0; MINUTES ? Date.now() - began < 60_000 * MINUTES : i < ROUNDS; i++)
       await round();
     // As many files were opened: the same one lies open.
     if (rounds % 2) await round();
@@ -103,9 +93,7 @@ inBrowser(({ open }) => {
       );
     // What an answer on its way still holds goes with it.
     for (let i = 0; i < 10 && grown().length; i++) after = await complete();
-    console.log(
-      `${rounds} rounds: ${JSON.stringify(before)}, then ${JSON.stringify(after)}`,
-    );
+    console.log(`${rounds} rounds: ${JSON.stringify(before)}, then ${JSON.stringify(after)}`);
     assert.deepEqual(
       grown(),
       [],

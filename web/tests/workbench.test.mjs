@@ -11,22 +11,11 @@ import { nameIn, named } from "../page/js/toml.js";
 import { PAGES } from "../page/js/pages.js";
 import { thinned } from "../page/js/kept.js";
 import { zip } from "../page/js/zip.js";
-import {
-  alive,
-  asBuilt,
-  asShown,
-  go,
-  launch,
-  meter,
-  pull,
-  served,
-  soon,
-} from "./browser.mjs";
+import { alive, asBuilt, asShown, go, launch, meter, pull, served, soon } from "./browser.mjs";
 import { ask, inBrowser, program, root, shots } from "./sites.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
-const example = (/** @type {string} */ name) =>
-  readFileSync(`${root}examples/${name}`, "utf8");
+const example = (/** @type {string} */ name) => readFileSync(`${root}examples/${name}`, "utf8");
 /** Until a text stands in an element. @param {Page} page @param {string} of @param {string} text */
 const reads = (page, of, text, timeout = 30_000) =>
   page
@@ -45,9 +34,7 @@ const PULL = ".stage .say",
   NAME = "Name of the muscle";
 /** Until a page is there. @param {Page} page @param {string} where */
 const there = (page, where) =>
-  page
-    .locator(`main[data-shown=${where.toLowerCase()}]`)
-    .waitFor({ timeout: 20_000 });
+  page.locator(`main[data-shown=${where.toLowerCase()}]`).waitFor({ timeout: 20_000 });
 const type = async (
   /** @type {Page} */ page,
   /** @type {string} */ label,
@@ -61,8 +48,7 @@ const type = async (
 const drop = (page, dropped) =>
   page.evaluate((all) => {
     const data = new DataTransfer();
-    for (const [name, text] of Object.entries(all))
-      data.items.add(new File([text], name));
+    for (const [name, text] of Object.entries(all)) data.items.add(new File([text], name));
     for (const kind of ["dragover", "drop"])
       document.querySelector("main")?.dispatchEvent(
         new DragEvent(kind, {
@@ -74,10 +60,7 @@ const drop = (page, dropped) =>
   }, dropped);
 /** What a click downloads. @param {Page} page @param {import("playwright-core").Locator} button */
 async function downloaded(page, button) {
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    button.click(),
-  ]);
+  const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
   return {
     name: download.suggestedFilename(),
     text: readFileSync(/** @type {string} */ (await download.path()), "utf8"),
@@ -107,11 +90,7 @@ test("a table of more than 20,000 rows is thinned to at most so many, with its h
     said,
     "The table has 50,001 rows, more than 20,000: every third one is used, 16,667 points.",
   );
-  assert.ok(
-    text.startsWith(
-      "# by hand\npressure_bar,contraction,force_n\n0,0.1,-3\n3,0.1,-3\n",
-    ),
-  );
+  assert.ok(text.startsWith("# by hand\npressure_bar,contraction,force_n\n0,0.1,-3\n3,0.1,-3\n"));
   assert.equal(text.match(/0\.1/g)?.length, 16_667);
 });
 
@@ -139,9 +118,7 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     const undo = page.getByRole("button", { name: "Undo", exact: true }),
       redo = page.getByRole("button", { name: "Redo", exact: true });
-    await soon(async () =>
-      assert.ok((await undo.isDisabled()) && (await redo.isDisabled())),
-    );
+    await soon(async () => assert.ok((await undo.isDisabled()) && (await redo.isDisabled())));
     const picture = () => page.locator(".muscle-bar svg").innerHTML();
     const before = await picture();
     await type(page, "Outer diameter D0", "45");
@@ -154,10 +131,7 @@ inBrowser(({ name, url, open, blank }) => {
     await undo.click();
     await reads(page, ".muscle-bar", "D0 30 mm");
     await soon(async () =>
-      assert.ok(
-        await undo.isDisabled(),
-        "one entry a gesture: all are taken back",
-      ),
+      assert.ok(await undo.isDisabled(), "one entry a gesture: all are taken back"),
     );
     await redo.click();
     await reads(page, ".muscle-bar", "D0 45 mm");
@@ -179,15 +153,10 @@ inBrowser(({ name, url, open, blank }) => {
       "About",
     ]) {
       await go(page, where);
-      await soon(async () =>
-        assert.equal(await field.inputValue(), 'Left "calf"', where),
-      );
+      await soon(async () => assert.equal(await field.inputValue(), 'Left "calf"', where));
       await reads(page, ".muscle-bar", "D0 45 mm, s 3 mm, L0 200 mm");
     }
-    const saved = await downloaded(
-      page,
-      page.getByRole("button", { name: "Save", exact: true }),
-    );
+    const saved = await downloaded(page, page.getByRole("button", { name: "Save", exact: true }));
     assert.equal(saved.name, "left-calf.toml");
     assert.equal(nameIn(saved.text), 'Left "calf"');
     const path = join(mkdtempSync(join(tmpdir(), "bar-")), saved.name);
@@ -196,9 +165,7 @@ inBrowser(({ name, url, open, blank }) => {
     // A reload on any page has it again.
     await page.reload();
     await reads(page, ".muscle-bar", "D0 45 mm, s 3 mm, L0 200 mm");
-    await soon(async () =>
-      assert.equal(await field.inputValue(), 'Left "calf"'),
-    );
+    await soon(async () => assert.equal(await field.inputValue(), 'Left "calf"'));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -214,8 +181,8 @@ inBrowser(({ name, url, open, blank }) => {
         other = await context.newPage();
       await other.goto(url() + href);
       await other.reload();
-      await reads(other, ".muscle-bar", "D0 45 mm, s 2.5 mm, L0 200 mm").catch(
-        (error) => assert.fail(`${href}: ${error.message}`),
+      await reads(other, ".muscle-bar", "D0 45 mm, s 2.5 mm, L0 200 mm").catch((error) =>
+        assert.fail(`${href}: ${error.message}`),
       );
       await other.close();
     }
@@ -224,22 +191,15 @@ inBrowser(({ name, url, open, blank }) => {
 
   test("a long file is compressed in its link, old links open, and a damaged one is said", async () => {
     const file = example("tondu2012.toml"),
-      said = asShown(
-        ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "10%"),
-      );
-    const { page, context } = await open(
-      `#muscle?p=3bar&e=10%25&file=${encodeURIComponent(file)}`,
-    );
+      said = asShown(ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "10%"));
+    const { page, context } = await open(`#muscle?p=3bar&e=10%25&file=${encodeURIComponent(file)}`);
     await reads(page, PULL, said);
     await page.getByRole("slider", { name: "Pressure" }).focus();
     await page.keyboard.press("ArrowRight");
     await page.keyboard.press("ArrowLeft");
     await page.waitForFunction(() => /file=z:/.test(location.hash));
     const { hash } = new URL(page.url());
-    assert.ok(
-      hash.length < 0.6 * encodeURIComponent(file).length,
-      `${hash.length} characters`,
-    );
+    assert.ok(hash.length < 0.6 * encodeURIComponent(file).length, `${hash.length} characters`);
     const other = await context.newPage();
     await other.goto(url() + hash);
     await reads(other, PULL, said);
@@ -261,30 +221,18 @@ inBrowser(({ name, url, open, blank }) => {
     await go(page, "Design");
     await page.waitForSelector("tr.pick", { timeout: 60_000 });
     await type(page, "Pull", "300 N");
-    const [best] = ask(
-      "design",
-      "-F",
-      "300N",
-      "-e",
-      "15%",
-      "-p",
-      "2.5bar",
-    ).candidates;
+    const [best] = ask("design", "-F", "300N", "-e", "15%", "-p", "2.5bar").candidates;
     const heading = `Outer diameter ${Number(best.outer_diameter_mm.toPrecision(4))} mm, wall ${Number(
       best.wall_mm.toPrecision(4),
     )} mm`;
     await reads(page, ".side h2", heading);
     await go(page, "Motion");
     await page.waitForSelector(".controls table", { timeout: 60_000 });
-    await page
-      .getByRole("combobox", { name: "Model" })
-      .selectOption("universal");
+    await page.getByRole("combobox", { name: "Model" }).selectOption("universal");
     await type(page, "Until", "1 s");
     await page.waitForFunction(() => /until=1/.test(location.hash));
     await go(page, "Data");
-    await page
-      .locator(".controls input[type=file]")
-      .setInputFiles(`${root}examples/bench.csv`);
+    await page.locator(".controls input[type=file]").setInputFiles(`${root}examples/bench.csv`);
     await reads(page, ".middle", "bench.csv: 10 points");
     await go(page, "Formula");
     await page.getByText("Advanced", { exact: true }).click();
@@ -298,9 +246,7 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, ".side h2", heading);
     await soon(async () =>
       assert.equal(
-        await page
-          .getByRole("textbox", { name: "Pull", exact: true })
-          .inputValue(),
+        await page.getByRole("textbox", { name: "Pull", exact: true }).inputValue(),
         "300 N",
       ),
     );
@@ -310,25 +256,17 @@ inBrowser(({ name, url, open, blank }) => {
       if (reload) await page.reload();
       await page.waitForSelector(".controls table", { timeout: 60_000 });
       await soon(async () =>
-        assert.equal(
-          await page.getByRole("textbox", { name: "Until" }).inputValue(),
-          "1 s",
-        ),
+        assert.equal(await page.getByRole("textbox", { name: "Until" }).inputValue(), "1 s"),
       );
       await soon(async () =>
-        assert.equal(
-          await page.getByRole("combobox", { name: "Model" }).inputValue(),
-          "universal",
-        ),
+        assert.equal(await page.getByRole("combobox", { name: "Model" }).inputValue(), "universal"),
       );
       await go(page, "Data");
       if (reload) await page.reload();
       await reads(page, ".middle", "bench.csv: 10 points");
       await go(page, "Formula");
       if (reload) await page.reload();
-      await page.waitForFunction(
-        () => document.querySelector("textarea")?.value === "# mine\n",
-      );
+      await page.waitForFunction(() => document.querySelector("textarea")?.value === "# mine\n");
       await go(page, "Design");
       if (reload) await page.reload();
       await reads(page, ".side h2", heading, 60_000);
@@ -438,10 +376,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByLabel("Radius of the pulley r").first().waitFor();
     await type(page, "Radius of the pulley r", "30");
     await project.click();
-    const saved = await downloaded(
-      page,
-      page.getByRole("button", { name: "Save the project" }),
-    );
+    const saved = await downloaded(page, page.getByRole("button", { name: "Save the project" }));
     assert.equal(saved.name, "tondu-2012-20-deg.mckibben.json");
     assert.deepEqual(
       JSON.parse(saved.text).muscles.map((/** @type {any} */ m) => m.name),
@@ -525,20 +460,9 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForFunction(() => /r=30/.test(location.hash));
     const wider = mkdtempSync(join(tmpdir(), "joint-"));
     for (const file of ["elbow.toml", "elbow-drive.toml", "biceps.toml"])
-      writeFileSync(
-        join(wider, file),
-        example(file).replace(/^radius = .*/m, 'radius = "30 mm"'),
-      );
-    const slower = ask(
-      "motion",
-      join(wider, "elbow-drive.toml"),
-      "--model",
-      "fe",
-    );
-    assert.notEqual(
-      slower.largest_velocity_deg_per_s,
-      turned.largest_velocity_deg_per_s,
-    );
+      writeFileSync(join(wider, file), example(file).replace(/^radius = .*/m, 'radius = "30 mm"'));
+    const slower = ask("motion", join(wider, "elbow-drive.toml"), "--model", "fe");
+    assert.notEqual(slower.largest_velocity_deg_per_s, turned.largest_velocity_deg_per_s);
     await go(page, "Motion");
     await reads(
       page,
@@ -569,9 +493,7 @@ inBrowser(({ name, url, open, blank }) => {
           clipboardData.setData("text/plain", cells);
           document
             .querySelector(where)
-            ?.dispatchEvent(
-              new ClipboardEvent("paste", { clipboardData, bubbles: true }),
-            );
+            ?.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true }));
         },
         [text, at],
       );
@@ -602,11 +524,7 @@ inBrowser(({ name, url, open, blank }) => {
       ["b.ods", "PK\u0003\u0004"],
     ]) {
       await drop(page, { [name]: begin });
-      await reads(
-        page,
-        "#notice",
-        `${name} cannot be read: save it as .xlsx, .ods or CSV`,
-      );
+      await reads(page, "#notice", `${name} cannot be read: save it as .xlsx, .ods or CSV`);
     }
     await there(page, "muscle");
     // The first sheet with numbers, as the tests of mckibben-io have it of both files.
@@ -618,21 +536,10 @@ inBrowser(({ name, url, open, blank }) => {
     for (const end of ["xlsx", "ods"]) {
       await page
         .locator(".drop input")
-        .setInputFiles(
-          `${root}crates/mckibben-io/src/table/workbook/tests/pull.${end}`,
-        );
-      await type(
-        page,
-        "Constants of the table",
-        "area=8mm2, gauge_length=25mm",
-      );
+        .setInputFiles(`${root}crates/mckibben-io/src/table/workbook/tests/pull.${end}`);
+      await type(page, "Constants of the table", "area=8mm2, gauge_length=25mm");
       await page.getByRole("button", { name: "Fit", exact: true }).click();
-      await reads(
-        page,
-        ".middle",
-        `pull.${end}: 5 points up to a stretch of 2.6.`,
-        30_000,
-      );
+      await reads(page, ".middle", `pull.${end}: 5 points up to a stretch of 2.6.`, 30_000);
       await reads(page, ".middle", "Standardweg");
     }
     assert.deepEqual(errors, []);
@@ -646,9 +553,7 @@ inBrowser(({ name, url, open, blank }) => {
     const sheet = (/** @type {number[][]} */ rows) =>
       `<worksheet xmlns="${OFFICE}/spreadsheetml/2006/main"><sheetData><row>${["stretch", "stress [MPa]"].map((t) => `<c t="inlineStr"><is><t>${t}</t></is></c>`).join("")}</row>` +
       `${rows.map((row) => `<row>${row.map((v) => `<c><v>${v}</v></c>`).join("")}</row>`).join("")}</sheetData></worksheet>`;
-    const relations = (
-      /** @type {[id: string, kind: string, to: string][]} */ ...list
-    ) =>
+    const relations = (/** @type {[id: string, kind: string, to: string][]} */ ...list) =>
       `<Relationships xmlns="${OFFICE}/package/2006/relationships">${list.map(([id, kind, to]) => `<Relationship Id="${id}" Type="${OFFICE}/officeDocument/2006/relationships/${kind}" Target="${to}"/>`).join("")}</Relationships>`;
     const packed = zip(
       Object.entries({
@@ -705,9 +610,7 @@ inBrowser(({ name, url, open, blank }) => {
         "2\t8\t270\telongation",
       ];
       clipboardData.setData("text/plain", rows.join("\n") + "\n");
-      document.body.dispatchEvent(
-        new ClipboardEvent("paste", { clipboardData, bubbles: true }),
-      );
+      document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true }));
     });
     await reads(page, ".middle", "pasted.csv: 3 points", 30_000);
     // Three pairs of both branches are compared; all seven points are drawn.
@@ -748,9 +651,7 @@ inBrowser(({ name, url, open, blank }) => {
     const stage = page.locator(".stage");
     const small = await stage.boundingBox();
     await page.getByRole("button", { name: "Present" }).click();
-    await page.waitForFunction(() =>
-      document.fullscreenElement?.classList.contains("stage"),
-    );
+    await page.waitForFunction(() => document.fullscreenElement?.classList.contains("stage"));
     await soon(async () => {
       const large = await stage.boundingBox();
       assert.deepEqual(
@@ -767,14 +668,11 @@ inBrowser(({ name, url, open, blank }) => {
       gauge.y + 0.5 * gauge.height,
     );
     await page.waitForFunction(
-      () =>
-        !/at 2.5 bar/.test(document.querySelector(".say")?.textContent ?? ""),
+      () => !/at 2.5 bar/.test(document.querySelector(".say")?.textContent ?? ""),
     );
     await page.screenshot({ path: `${shots}/projector-${name}.png` });
     await page.evaluate(() => document.exitFullscreen());
-    await soon(async () =>
-      assert.equal((await stage.boundingBox())?.width, small?.width),
-    );
+    await soon(async () => assert.equal((await stage.boundingBox())?.width, small?.width));
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -800,18 +698,10 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("constants of a rubber's table are typed in words, and give the command line's law", async () => {
-    const text =
-      "extension [mm],force [N]\n0,0\n10,2\n20,3.4\n30,4.5\n40,5.5\n60,7.6\n";
+    const text = "extension [mm],force [N]\n0,0\n10,2\n20,3.4\n30,4.5\n40,5.5\n60,7.6\n";
     const file = `${shots}/specimen.csv`;
     writeFileSync(file, text);
-    const said = ask(
-      "rubber",
-      file,
-      "--set",
-      "area=8mm2",
-      "--set",
-      "gauge_length=25mm",
-    );
+    const said = ask("rubber", file, "--set", "area=8mm2", "--set", "gauge_length=25mm");
     const { page, errors, context } = await open("#rubber");
     await page.locator("summary", { hasText: "Advanced" }).click();
     await page
@@ -828,8 +718,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("a place that was not loaded while the server was away opens once it is back", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
-    const away = (/** @type {import("playwright-core").Route} */ route) =>
-      route.abort();
+    const away = (/** @type {import("playwright-core").Route} */ route) => route.abort();
     await page.route(/pages\/sweep\.js/, away);
     await page.evaluate(() => {
       location.hash = "#sweep";
@@ -848,8 +737,7 @@ inBrowser(({ name, url, open, blank }) => {
     const cards = page.locator("dialog .gallery").first().locator(".card");
     await soon(async () => assert.equal(await cards.count(), 8));
     await page.waitForFunction(
-      () =>
-        document.querySelectorAll("dialog .gallery .card svg g").length >= 8,
+      () => document.querySelectorAll("dialog .gallery .card svg g").length >= 8,
     );
     const titles = await cards.locator("b").allTextContents();
     await page.keyboard.press("Escape");
@@ -859,11 +747,7 @@ inBrowser(({ name, url, open, blank }) => {
       await page.getByRole("button", { name: "Open", exact: true }).click();
       await cards.nth(i).click();
       await page.waitForFunction(() => /file=/.test(location.hash));
-      const where = /bench/i.test(title)
-        ? "data"
-        : /elbow/i.test(title)
-          ? "joint"
-          : "muscle";
+      const where = /bench/i.test(title) ? "data" : /elbow/i.test(title) ? "joint" : "muscle";
       await there(page, where);
       await page.waitForSelector(
         /bench/i.test(title)
@@ -873,13 +757,9 @@ inBrowser(({ name, url, open, blank }) => {
             : ".stage .say b",
         { timeout: 30_000 },
       );
-      await soon(async () =>
-        assert.equal(await page.locator(".problem").count(), 0, title),
-      );
+      await soon(async () => assert.equal(await page.locator(".problem").count(), 0, title));
       if (where === "data")
-        await page
-          .getByRole("heading", { name: "Identified" })
-          .waitFor({ timeout: 60_000 });
+        await page.getByRole("heading", { name: "Identified" }).waitFor({ timeout: 60_000 });
     }
     assert.deepEqual(errors, []);
     await context.close();
@@ -891,9 +771,7 @@ inBrowser(({ name, url, open, blank }) => {
     const chips = page.locator(".chips button"),
       head = page.locator(".question h2"),
       lines = page.locator(".question .decision li");
-    await page
-      .getByRole("heading", { name: /^A McKibben muscle is/ })
-      .waitFor();
+    await page.getByRole("heading", { name: /^A McKibben muscle is/ }).waitFor();
     // A page that brings its engine loads that of the search with the first question.
     await page.getByLabel("It must pull", { exact: true }).focus();
     const began = Date.now();
@@ -915,16 +793,8 @@ inBrowser(({ name, url, open, blank }) => {
       ),
     );
     assert.equal(decision.length, 6);
-    await reads(
-      page,
-      ".question .decision",
-      decision[0].split(",")[0].replace("Take ", ""),
-    );
-    await reads(
-      page,
-      ".question .decision",
-      decision[2].split(";")[0].replace("Pulls ", ""),
-    );
+    await reads(page, ".question .decision", decision[0].split(",")[0].replace("Take ", ""));
+    await reads(page, ".question .decision", decision[2].split(";")[0].replace("Pulls ", ""));
     // The muscle hangs beside a coin, to one scale, and lifts what it pulls.
     const picture = page.getByRole("img", { name: /beside a coin/ });
     await picture.getByText("500 N", { exact: true }).waitFor();
@@ -934,10 +804,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () => assert.notEqual(await picture.innerHTML(), first));
     await page.getByRole("button", { name: "Stop" }).click();
     // Three alternatives, each the command's.
-    await chips
-      .filter({ hasText: "…" })
-      .first()
-      .waitFor({ state: "detached", timeout: 30_000 });
+    await chips.filter({ hasText: "…" }).first().waitFor({ state: "detached", timeout: 30_000 });
     assert.equal(await chips.count(), 3);
     await chips.nth(1).click();
     const [least] = ask(
@@ -958,11 +825,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Open this muscle" }).click();
     await there(page, "muscle");
     await alive(page);
-    await reads(
-      page,
-      ".muscle-bar",
-      `D0 ${Number(best.outer_diameter_mm.toPrecision(4))} mm`,
-    );
+    await reads(page, ".muscle-bar", `D0 ${Number(best.outer_diameter_mm.toPrecision(4))} mm`);
     // The pull of the answer is the pull of the muscle, of the same branch.
     assert.match(await pull(page), /^500 N \(/);
     await reads(page, PULL, `${asBuilt(found)}as built while it shortens`);
@@ -983,10 +846,7 @@ inBrowser(({ name, url, open, blank }) => {
       reducedMotion: "reduce",
     });
     await page.getByLabel("It must pull", { exact: true }).focus();
-    await page
-      .locator(".question .decision li")
-      .first()
-      .waitFor({ timeout: 30_000 });
+    await page.locator(".question .decision li").first().waitFor({ timeout: 30_000 });
     const picture = page.getByRole("img", { name: /beside a coin/ });
     const still = await picture.innerHTML();
     await page.waitForTimeout(300);
@@ -1008,13 +868,7 @@ inBrowser(({ name, url, open, blank }) => {
       })
       .waitFor({ timeout: 30_000 });
     await page.getByRole("tab", { name: "Joint" }).click();
-    const [turns] = ask(
-      "design",
-      "--joint",
-      "8Nm@45deg",
-      "-p",
-      "2.5bar",
-    ).candidates;
+    const [turns] = ask("design", "--joint", "8Nm@45deg", "-p", "2.5bar").candidates;
     await page
       .locator(".question h2")
       .filter({
@@ -1028,9 +882,7 @@ inBrowser(({ name, url, open, blank }) => {
         /** @type {any} */ (window).axe.run(document),
       );
       assert.deepEqual(
-        violations.map(
-          (/** @type {any} */ v) => `${v.id}: ${v.nodes[0].target}`,
-        ),
+        violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].target}`),
         [],
       );
     }
@@ -1051,38 +903,25 @@ inBrowser(({ name, url, open, blank }) => {
     };
     await card("A thin muscle");
     await reads(page, ".muscle-bar", "D0 2 mm");
-    await page.waitForFunction(
-      () => /u=psi/.test(location.hash) && /p=1bar/.test(location.hash),
-    );
+    await page.waitForFunction(() => /u=psi/.test(location.hash) && /p=1bar/.test(location.hash));
     const slider = page.getByRole("slider", {
       name: "Outer diameter",
       exact: true,
     });
     await soon(async () =>
-      assert.ok(
-        Math.abs(Number(await slider.inputValue()) - 500) < 100,
-        await slider.inputValue(),
-      ),
+      assert.ok(Math.abs(Number(await slider.inputValue()) - 500) < 100, await slider.inputValue()),
     );
     await slider.focus();
     await page.keyboard.press("ArrowRight");
     await page.waitForFunction(() => /D=2\.1(&|$)/.test(location.hash));
-    await soon(async () =>
-      assert.equal(await page.locator(".stage .problem").count(), 0),
-    );
+    await soon(async () => assert.equal(await page.locator(".stage .problem").count(), 0));
     await card("Festo DMSP-10");
     await soon(async () =>
-      assert.match(
-        await page.getByRole("textbox", { name: NAME }).inputValue(),
-        /^Festo DMSP-10/,
-      ),
+      assert.match(await page.getByRole("textbox", { name: NAME }).inputValue(), /^Festo DMSP-10/),
     );
     const rubber = page.getByRole("combobox", { name: "Rubber" });
     await soon(async () =>
-      assert.match(
-        await rubber.locator("option:checked").innerText(),
-        /neo-hookean/,
-      ),
+      assert.match(await rubber.locator("option:checked").innerText(), /neo-hookean/),
     );
     assert.deepEqual(errors, []);
     await context.close();
@@ -1105,19 +944,14 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Dark", exact: true }).click();
     await page.reload();
     await alive(page);
-    assert.equal(
-      await page.evaluate(() => document.documentElement.dataset.theme),
-      "dark",
-    );
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
     await page.locator("main svg.curves").first().waitFor();
     await page.setViewportSize({ width: 794, height: 1123 });
     await page.emulateMedia({ media: "print" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     await page.locator(".sheet img").waitFor();
     const paper = await page.evaluate(() => {
-      const curves = /** @type {SVGElement} */ (
-          document.querySelector("main svg.curves")
-        ),
+      const curves = /** @type {SVGElement} */ (document.querySelector("main svg.curves")),
         box = curves.getBoundingClientRect();
       return {
         ink: curves.getAttribute("fill"),
@@ -1132,10 +966,7 @@ inBrowser(({ name, url, open, blank }) => {
       JSON.stringify(paper),
     );
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-    assert.equal(
-      await page.evaluate(() => document.documentElement.dataset.theme),
-      "dark",
-    );
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
     await context.close();
   });
 
@@ -1147,9 +978,7 @@ inBrowser(({ name, url, open, blank }) => {
     ]) {
       const { page, context } = await open(`#${where}`);
       await page.waitForSelector(waits, { timeout: 60_000 });
-      const fields = page.locator(
-        ".controls [data-sketch] input[type=text]:visible",
-      );
+      const fields = page.locator(".controls [data-sketch] input[type=text]:visible");
       await soon(async () => assert.ok((await fields.count()) >= 5, where));
       if (where === "muscle") {
         for (const label of [
@@ -1162,27 +991,19 @@ inBrowser(({ name, url, open, blank }) => {
         ])
           await soon(async () =>
             assert.equal(
-              (await page
-                .locator(".quantity[data-sketch]", { hasText: label })
-                .count()) > 0,
+              (await page.locator(".quantity[data-sketch]", { hasText: label }).count()) > 0,
               true,
               label,
             ),
           );
       }
       await fields.first().focus();
-      await page
-        .locator(".sketch svg path")
-        .first()
-        .waitFor({ state: "visible" });
+      await page.locator(".sketch svg path").first().waitFor({ state: "visible" });
       await page.screenshot({ path: `${shots}/sketch-${where}-${name}.png` });
       await page.keyboard.press("Escape");
       await page.locator(".sketch").waitFor({ state: "hidden" });
       await page.locator(".controls [data-sketch]:visible").nth(3).hover();
-      await page
-        .locator(".sketch svg path")
-        .first()
-        .waitFor({ state: "visible" });
+      await page.locator(".sketch svg path").first().waitFor({ state: "visible" });
       await context.close();
     }
   });
@@ -1220,20 +1041,11 @@ inBrowser(({ name, url, open, blank }) => {
         }
         const { violations } = await page.evaluate(() =>
           /** @type {any} */ (window).axe.run(document, {
-            runOnly: [
-              "wcag2a",
-              "wcag2aa",
-              "wcag21a",
-              "wcag21aa",
-              "wcag22aa",
-              "best-practice",
-            ],
+            runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
           }),
         );
         assert.deepEqual(
-          violations.map(
-            (/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html}`,
-          ),
+          violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html}`),
           [],
           `${button}, ${colorScheme}`,
         );
@@ -1267,21 +1079,14 @@ inBrowser(({ name, url, open, blank }) => {
     const { tubes } = ask("parts", "list", "tubes");
     await reads(page, "main", `${tubes.length} of ${tubes.length} tubes`);
     await page.getByRole("textbox", { name: "Filter" }).fill("latex 9.525");
-    await page.waitForFunction(
-      () => document.querySelectorAll("tbody tr").length < 6,
-    );
-    await page
-      .getByRole("button", { name: "Use this tube: latex-1/4x3/8in" })
-      .click();
+    await page.waitForFunction(() => document.querySelectorAll("tbody tr").length < 6);
+    await page.getByRole("button", { name: "Use this tube: latex-1/4x3/8in" }).click();
     await reads(page, ".muscle-bar", "D0 9.525 mm");
     await page.getByRole("combobox", { name: "Show" }).selectOption("sleeves");
     await page.getByRole("textbox", { name: "Filter" }).fill("");
     await page.getByText("fits the muscle's diameter").click();
     await soon(async () =>
-      assert.ok(
-        (await page.locator(".estimated").count()) > 0,
-        "estimates are marked",
-      ),
+      assert.ok((await page.locator(".estimated").count()) > 0, "estimates are marked"),
     );
     await page.screenshot({ path: `${shots}/parts-${name}.png` });
     await page
@@ -1322,9 +1127,7 @@ inBrowser(({ name, url, open, blank }) => {
     for (const head of ["± of the pull", "95 % certain at", "mass", "price"])
       await soon(async () =>
         assert.equal(
-          await table
-            .getByRole("columnheader", { name: head, exact: true })
-            .count(),
+          await table.getByRole("columnheader", { name: head, exact: true }).count(),
           1,
           head,
         ),
@@ -1361,28 +1164,21 @@ inBrowser(({ name, url, open, blank }) => {
       "-p",
       "4bar",
     );
-    const sure =
-      all.find((/** @type {any} */ c) => c.sure_pressure_mpa) ?? surest;
+    const sure = all.find((/** @type {any} */ c) => c.sure_pressure_mpa) ?? surest;
     for (const [label, text] of [
       ["Pull", "300"],
       ["at a contraction of", "10 %"],
       ["Pressure of the supply", "4"],
     ])
       await page.getByRole("textbox", { name: label, exact: true }).fill(text);
-    await page
-      .getByRole("textbox", { name: "Pull", exact: true })
-      .press("Enter");
+    await page.getByRole("textbox", { name: "Pull", exact: true }).press("Enter");
     await page.getByText("4 without a unit was read as 4 bar.").waitFor();
     await reads(page, ".decision", sure.tube);
-    await page
-      .getByRole("button", { name: "Design for 95 % certainty" })
-      .click();
+    await page.getByRole("button", { name: "Design for 95 % certainty" }).click();
     await page.waitForFunction(
       () =>
         /sure=95/.test(location.hash) &&
-        /Sure to 95 %: the lower end/.test(
-          document.querySelector(".decision")?.textContent ?? "",
-        ),
+        /Sure to 95 %: the lower end/.test(document.querySelector(".decision")?.textContent ?? ""),
     );
     await context.close();
   });
@@ -1392,11 +1188,7 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await soon(async () =>
       assert.match(
-        String(
-          await page
-            .getByRole("textbox", { name: "Pressure p" })
-            .getAttribute("title"),
-        ),
+        String(await page.getByRole("textbox", { name: "Pressure p" }).getAttribute("title")),
         /a number alone is in psi/,
       ),
     );
@@ -1412,10 +1204,7 @@ inBrowser(({ name, url, open, blank }) => {
     });
     await supply.focus();
     await soon(async () =>
-      assert.doesNotMatch(
-        String(await supply.getAttribute("title")),
-        /bare number is MPa/,
-      ),
+      assert.doesNotMatch(String(await supply.getAttribute("title")), /bare number is MPa/),
     );
     await design.context.close();
   });
@@ -1478,21 +1267,14 @@ inBrowser(({ name, url, open, blank }) => {
     const field = row.locator("input[type=text]"),
       unit = row.locator("button.bare");
     await field.selectText();
-    const [before, written] = [
-      await unit.innerText(),
-      await field.inputValue(),
-    ];
+    const [before, written] = [await unit.innerText(), await field.inputValue()];
     // A click by a script leaves the focus; the value stands in another unit then.
-    await unit.evaluate((button) =>
-      /** @type {HTMLElement} */ (button).click(),
-    );
+    await unit.evaluate((button) => /** @type {HTMLElement} */ (button).click());
     await soon(async () => assert.notEqual(await field.inputValue(), written));
     await page.keyboard.insertText("1 bar");
     await soon(async () => assert.equal(await field.inputValue(), "1 bar"));
     await field.press("Enter");
-    await page.waitForFunction(() =>
-      /p=1bar|p=0\.1MPa|p=100kPa|p=14\.5/.test(location.hash),
-    );
+    await page.waitForFunction(() => /p=1bar|p=0\.1MPa|p=100kPa|p=14\.5/.test(location.hash));
     await soon(async () => assert.notEqual(before, await unit.innerText()));
     await context.close();
   });
@@ -1519,9 +1301,7 @@ inBrowser(({ name, url, open, blank }) => {
     );
     await soon(async () =>
       assert.equal(
-        await page
-          .getByRole("textbox", { name: "Outer diameter D0" })
-          .inputValue(),
+        await page.getByRole("textbox", { name: "Outer diameter D0" }).inputValue(),
         "30",
       ),
     );
@@ -1549,15 +1329,12 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForSelector(".drop");
     const rows = Array.from(
       { length: 30_000 },
-      (_, i) =>
-        `${1 + (i % 5) * 0.5},${(i % 200) / 1000},${900 - 4 * (i % 200)}`,
+      (_, i) => `${1 + (i % 5) * 0.5},${(i % 200) / 1000},${900 - 4 * (i % 200)}`,
     );
     await page.locator(".controls input[type=file]").setInputFiles({
       name: "long.csv",
       mimeType: "text/csv",
-      buffer: Buffer.from(
-        `pressure_bar,contraction,force_n\n${rows.join("\n")}\n`,
-      ),
+      buffer: Buffer.from(`pressure_bar,contraction,force_n\n${rows.join("\n")}\n`),
     });
     await page
       .getByText(
@@ -1575,12 +1352,7 @@ inBrowser(({ name, url, open, blank }) => {
     for (const [where, waits, label, wrong] of [
       ["Motion", ".controls table", "Valve", "nonsense"],
       ["Joint", ".numbers dl", "Radius of the pulley r", "900"],
-      [
-        "Compare",
-        "[aria-label='both in numbers'] td:nth-child(2)",
-        "Wall",
-        "40",
-      ],
+      ["Compare", "[aria-label='both in numbers'] td:nth-child(2)", "Wall", "40"],
       ["Design", "tr.pick", "Sleeves as sold", "no-such-sleeve"],
     ]) {
       await go(page, where);
@@ -1591,10 +1363,7 @@ inBrowser(({ name, url, open, blank }) => {
       await field.press("Enter");
       await page.waitForSelector("main .stale", { timeout: 30_000 });
       await soon(async () =>
-        assert.ok(
-          (await page.locator(".problem, .wrong:visible").count()) > 0,
-          where,
-        ),
+        assert.ok((await page.locator(".problem, .wrong:visible").count()) > 0, where),
       );
       await field.fill("");
     }
@@ -1622,9 +1391,7 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, context } = await open("#muscle?D=38&name=Calf");
     await alive(page);
     await page.waitForFunction(() =>
-      /Threshold pressure\s*[\d.]/.test(
-        document.querySelector(".numbers")?.textContent ?? "",
-      ),
+      /Threshold pressure\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""),
     );
     const shown = await pull(page);
     await page.emulateMedia({ media: "print" });
@@ -1632,11 +1399,7 @@ inBrowser(({ name, url, open, blank }) => {
       format: "A4",
       path: `${shots}/sheet-${name}.pdf`,
     });
-    assert.equal(
-      pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length,
-      1,
-      "one page",
-    );
+    assert.equal(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length, 1, "one page");
     await page.emulateMedia({ media: "print" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     const sheet = await page.locator("#sheet").innerText();
@@ -1650,9 +1413,7 @@ inBrowser(({ name, url, open, blank }) => {
         !(await page.locator("#bar").isVisible()),
     );
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-    await soon(async () =>
-      assert.equal(await page.locator("#sheet").innerText(), ""),
-    );
+    await soon(async () => assert.equal(await page.locator("#sheet").innerText(), ""));
     await context.close();
   });
 
@@ -1675,16 +1436,12 @@ inBrowser(({ name, url, open, blank }) => {
       await page.waitForFunction(
         async () => {
           const cache = await caches.open((await caches.keys())[0] ?? "");
-          return (
-            (await cache.keys()).length > 40 && (await cache.match("live.wasm"))
-          );
+          return (await cache.keys()).length > 40 && (await cache.match("live.wasm"));
         },
         undefined,
         { timeout: 60_000 },
       );
-      const { installabilityErrors } = await session.send(
-        "Page.getInstallabilityErrors",
-      );
+      const { installabilityErrors } = await session.send("Page.getInstallabilityErrors");
       assert.deepEqual(
         installabilityErrors.filter(
           (/** @type {any} */ { errorId }) => !/in-incognito/.test(errorId),
@@ -1697,9 +1454,7 @@ inBrowser(({ name, url, open, blank }) => {
         [],
       );
       await go(page, "About");
-      await page
-        .getByRole("button", { name: "Make all places available offline" })
-        .click();
+      await page.getByRole("button", { name: "Make all places available offline" }).click();
       await page.getByText("Every place works.").waitFor();
       assert.ok(fetched.some((file) => /whole/.test(file)));
       await go(page, "Muscle");
@@ -1723,9 +1478,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () =>
       assert.ok(
         await page.evaluate(
-          () =>
-            document.documentElement.scrollWidth <=
-            document.documentElement.clientWidth,
+          () => document.documentElement.scrollWidth <= document.documentElement.clientWidth,
         ),
       ),
     );
@@ -1736,33 +1489,22 @@ inBrowser(({ name, url, open, blank }) => {
     // Undo and Redo keep the focus where there is nothing to undo.
     const tab = async (/** @type {string} */ to) => {
       await page.keyboard.press("Tab");
-      assert.equal(
-        await page.evaluate(() => document.activeElement?.textContent),
-        to,
-      );
+      assert.equal(await page.evaluate(() => document.activeElement?.textContent), to);
     };
     for (const one of ["Undo", "Redo", "⋯"]) await tab(one);
     // What is seldom needed is behind the sign, the buttons of the frame too.
     await page.keyboard.press("Enter");
-    for (const one of ["Open", "Save", "Share", "Print", "Help", "Dark"])
-      await tab(one);
+    for (const one of ["Open", "Save", "Share", "Print", "Help", "Dark"]) await tab(one);
     await page.keyboard.press("Enter");
     await page.locator("html[data-theme=dark]").waitFor();
-    await page
-      .getByRole("button", { name: "Save", exact: true })
-      .waitFor({ state: "hidden" });
+    await page.getByRole("button", { name: "Save", exact: true }).waitFor({ state: "hidden" });
     const frame = await page.locator(".frame").boundingBox();
     assert.ok(frame && frame.height <= 80, `${frame?.height}`);
     await page.getByRole("button", { name: "Undo" }).focus();
     await page.keyboard.press("Enter");
-    assert.equal(
-      await page.evaluate(() => document.activeElement?.textContent),
-      "Undo",
-    );
+    assert.equal(await page.evaluate(() => document.activeElement?.textContent), "Undo");
     // The whole name is seen, and each button beside it.
-    assert.ok(
-      await first.evaluate((one) => one.scrollWidth <= one.clientWidth),
-    );
+    assert.ok(await first.evaluate((one) => one.scrollWidth <= one.clientWidth));
     await context.close();
   });
 });

@@ -21,14 +21,9 @@ const TYPES = /** @type {Record<string, string>} */ ({
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 /** As the server sends them (crates/mckibben-server/src/request_guard.rs), read from there. */
 async function headers() {
-  const door = await readFile(
-    join(ROOT, "crates/mckibben-server/src/request_guard.rs"),
-    "utf8",
-  );
+  const door = await readFile(join(ROOT, "crates/mckibben-server/src/request_guard.rs"), "utf8");
   const list = /const HEADERS[^=]*= \[([\s\S]*?)\n\];/.exec(door)?.[1] ?? "";
-  const pairs = list
-    .replace(/\\\n\s*/g, "")
-    .matchAll(/"([a-z-]+)",\s*"([^"]*)"/g);
+  const pairs = list.replace(/\\\n\s*/g, "").matchAll(/"([a-z-]+)",\s*"([^"]*)"/g);
   return Object.fromEntries([...pairs].map(([, name, value]) => [name, value]));
 }
 
@@ -72,8 +67,7 @@ export async function workingTree(behind, page) {
       request.pipe(on);
       return;
     }
-    const path =
-      normalize(decodeURIComponent(url.pathname)).slice(1) || "index.html";
+    const path = normalize(decodeURIComponent(url.pathname)).slice(1) || "index.html";
     try {
       const bytes = gzipSync(await file(folder, path), { level: 1 });
       const kind = TYPES[extname(path)] ?? "application/octet-stream";
@@ -90,13 +84,9 @@ export async function workingTree(behind, page) {
     }
   });
   await new Promise((done) =>
-    server.listen(Number(process.env.PORT ?? 0), "127.0.0.1", () =>
-      done(undefined),
-    ),
+    server.listen(Number(process.env.PORT ?? 0), "127.0.0.1", () => done(undefined)),
   );
-  const { port } = /** @type {import("node:net").AddressInfo} */ (
-    server.address()
-  );
+  const { port } = /** @type {import("node:net").AddressInfo} */ (server.address());
   const close = () => {
     server.close();
     server.closeAllConnections();

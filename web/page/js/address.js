@@ -6,14 +6,12 @@ import { pageOf } from "./pages.js";
 function parse(of = location.hash) {
   const hash = of.replace(/^#/, ""),
     cut = hash.indexOf("?");
-  const [page, query] =
-    cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
+  const [page, query] = cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
   return { page: page || "start", params: new URLSearchParams(query) };
 }
 
 /** Whether a link of this page leads nowhere on another computer. */
-export const isLocal = () =>
-  /^(localhost|127\.|\[::1\])/.test(location.hostname);
+export const isLocal = () => /^(localhost|127\.|\[::1\])/.test(location.hostname);
 
 /**
  * The page of the address, with its words; those that a damaged link has lost. Of one that changes meanwhile, the new
@@ -38,14 +36,11 @@ export async function read() {
 }
 
 /** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */
-const readable = (params) =>
-  params.toString().replace(/%(2C|3A|2F|40)/g, decodeURIComponent);
+const readable = (params) => params.toString().replace(/%(2C|3A|2F|40)/g, decodeURIComponent);
 
 /** Words as the query of an address. @param {Record<string, string | undefined>} params */
 export function query(params) {
-  const said = Object.entries(params).flatMap(([key, word]) =>
-    word ? [[key, packed(word)]] : [],
-  );
+  const said = Object.entries(params).flatMap(([key, word]) => (word ? [[key, packed(word)]] : []));
   return readable(new URLSearchParams(said));
 }
 
@@ -75,8 +70,7 @@ export function write(to) {
 const MARK = "z:";
 /** So long a text is at most that a link may hold, in bytes. */
 const MOST = 4_000_000;
-/** Texts as they stand in an address. @type {Map<string, string>} */ const known =
-  new Map();
+/** Texts as they stand in an address. @type {Map<string, string>} */ const known = new Map();
 
 /** Base64 that an address may hold as it is. */
 const ALPHABET = /** @type {const} */ ({
@@ -113,12 +107,9 @@ export async function pack(text) {
   if (known.has(text) || text.length < 120) return;
   const packed =
     MARK +
-    (
-      await piped(
-        new TextEncoder().encode(text),
-        new CompressionStream("deflate-raw"),
-      )
-    ).toBase64(ALPHABET);
+    (await piped(new TextEncoder().encode(text), new CompressionStream("deflate-raw"))).toBase64(
+      ALPHABET,
+    );
   if (packed.length < encodeURIComponent(text).length) known.set(text, packed);
 }
 

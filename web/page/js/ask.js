@@ -21,11 +21,7 @@ export async function understood(texts) {
     ...rest,
     kind: kindOf(kind),
   }));
-  const { readings } = await engine().ask(
-    "quantities",
-    { texts: asked },
-    { lane: "read" },
-  );
+  const { readings } = await engine().ask("quantities", { texts: asked }, { lane: "read" });
   // A number alone is in the unit that is shown, which the engine does not know.
   return /** @type {Readings} */ (readings).map(({ problem, ...rest }, i) => ({
     ...rest,
@@ -47,16 +43,11 @@ const MOST_ANSWERS = 16;
  */
 export async function longWork(command, request, options) {
   const key = `${command} ${JSON.stringify(request)}`;
-  const known = /** @type {Commands[K]["answer"] | undefined} */ (
-    answers.get(key)
-  );
-  const answer =
-    known ??
-    (await engine().ask(command, request, { lane: "job", ...options }));
+  const known = /** @type {Commands[K]["answer"] | undefined} */ (answers.get(key));
+  const answer = known ?? (await engine().ask(command, request, { lane: "job", ...options }));
   answers.delete(key);
   answers.set(key, answer);
-  if (answers.size > MOST_ANSWERS)
-    answers.delete(answers.keys().next().value ?? "");
+  if (answers.size > MOST_ANSWERS) answers.delete(answers.keys().next().value ?? "");
   return answer;
 }
 

@@ -1,15 +1,6 @@
 // The muscle of all pages, above them: its picture and name, undo and redo, save, open, share, project, print.
 import { isLocal } from "./address.js";
-import {
-  button,
-  byId,
-  download,
-  el,
-  menu,
-  notice,
-  noticeProblem,
-  textField,
-} from "./dom.js";
+import { button, byId, download, el, menu, notice, noticeProblem, textField } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 import { openDialog } from "./open.js";
@@ -106,14 +97,11 @@ export function muscleBar(walk, renamed, tools) {
         const one = [undo, redo][i];
         // A button that is disabled would lose the focus.
         one.ariaDisabled = String(!name);
-        one.title = name
-          ? `${one.textContent}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})`
-          : "";
+        one.title = name ? `${one.textContent}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})` : "";
       });
       const s = muscle.shown;
       line.textContent = muscle.size();
-      const of =
-        s && [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].join();
+      const of = s && [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].join();
       if (of === drawn) return;
       drawn = of;
       picture.replaceChildren(thumbnail(s));

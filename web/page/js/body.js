@@ -69,17 +69,12 @@ export function body({
     `<path d="${d}" stroke="#1a1d21" stroke-opacity=".6" stroke-width="${short(0.74 * pitch)}"${more}/>` +
     `<path d="${d}" stroke="${thread}" stroke-width="${short(0.5 * pitch)}"${more}/>`;
   const [one, other] = [family(1), family(-1)];
-  const box = (
-    /** @type {number} */ x,
-    /** @type {number} */ wide,
-    /** @type {number} */ tall,
-  ) =>
+  const box = (/** @type {number} */ x, /** @type {number} */ wide, /** @type {number} */ tall) =>
     `M${short(x)} ${short(-tall)}h${short(wide)}v${short(2 * tall)}h${short(-wide)}z`;
   const plug = (/** @type {number} */ x, /** @type {number} */ way) =>
     `<path d="${box(x - 0.3 * way * r, way * r, 1.12 * r)}${box(x + 0.7 * way * r, 0.5 * way * r, 0.5 * r)}" ` +
     `fill="url(#${id}m)"/>`;
-  const stops = (/** @type {string[]} */ ...list) =>
-    list.map((stop) => `<stop ${stop}/>`).join("");
+  const stops = (/** @type {string[]} */ ...list) => list.map((stop) => `<stop ${stop}/>`).join("");
   const shade = stops(
     'stop-opacity=".28"',
     'offset=".3" stop-opacity="0"',

@@ -14,12 +14,7 @@ function crossing(fits, fails, beyond) {
   if (OF_PULL.includes(fails.limit) && fails.misses > 0)
     return within(fits.margin / (fits.margin + fails.misses));
   // Two on the far side are known: the line through them.
-  if (
-    beyond &&
-    !beyond.fits &&
-    beyond.limit === fails.limit &&
-    beyond.misses > fails.misses
-  )
+  if (beyond && !beyond.fits && beyond.limit === fails.limit && beyond.misses > fails.misses)
     return within(1 - fails.misses / (beyond.misses - fails.misses));
   return 0.5;
 }
@@ -28,8 +23,7 @@ function crossing(fits, fails, beyond) {
 export function border({ x, y, nodes }) {
   /** @type {GridNode} */
   const nothing = { fits: false, value: NaN, margin: 0, limit: "", misses: 0 };
-  const node = (/** @type {number} */ i, /** @type {number} */ j) =>
-    nodes[j]?.[i] ?? nothing;
+  const node = (/** @type {number} */ i, /** @type {number} */ j) => nodes[j]?.[i] ?? nothing;
   // The map ends where its muscles do.
   const place = (/** @type {number[]} */ list, /** @type {number} */ i) =>
     list[Math.min(list.length - 1, Math.max(0, i))];
@@ -39,23 +33,15 @@ export function border({ x, y, nodes }) {
     const t = a.fits
       ? crossing(a, b, node(i + 2 * di, j + 2 * dj))
       : 1 - crossing(b, a, node(i - di, j - dj));
-    const [x0, x1, y0, y1] = [
-      place(x, i),
-      place(x, i + di),
-      place(y, j),
-      place(y, j + dj),
-    ];
+    const [x0, x1, y0, y1] = [place(x, i), place(x, i + di), place(y, j), place(y, j + dj)];
     return [x0 + t * (x1 - x0), y0 + t * (y1 - y0)];
   };
   const out = /** @type {Segment[]} */ ([]);
   for (let j = -1; j < y.length; j++) {
     for (let i = -1; i < x.length; i++) {
-      const corners = [
-        node(i, j),
-        node(i + 1, j),
-        node(i + 1, j + 1),
-        node(i, j + 1),
-      ].map((n) => n.fits);
+      const corners = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)].map(
+        (n) => n.fits,
+      );
       // Edges below, right, above, left.
       const edges = [
         [i, j, 1, 0],
@@ -63,9 +49,7 @@ export function border({ x, y, nodes }) {
         [i, j + 1, 1, 0],
         [i, j, 0, 1],
       ];
-      const cut = [0, 1, 2, 3].filter(
-        (k) => corners[k] !== corners[(k + 1) % 4],
-      );
+      const cut = [0, 1, 2, 3].filter((k) => corners[k] !== corners[(k + 1) % 4]);
       // Of two opposite corners that fit, each has its own piece of the border.
       const pairs =
         cut.length < 4
@@ -81,9 +65,7 @@ export function border({ x, y, nodes }) {
               ];
       for (const [a, b] of pairs)
         if (a !== undefined)
-          out.push(
-            /** @type {Segment} */ ([...cross(edges[a]), ...cross(edges[b])]),
-          );
+          out.push(/** @type {Segment} */ ([...cross(edges[a]), ...cross(edges[b])]));
     }
   }
   return out;
@@ -96,8 +78,7 @@ export function border({ x, y, nodes }) {
 export function inside(segments, x, y) {
   let odd = false;
   for (const [x0, y0, x1, y1] of segments)
-    if (y0 > y !== y1 > y && x < x0 + ((y - y0) * (x1 - x0)) / (y1 - y0))
-      odd = !odd;
+    if (y0 > y !== y1 > y && x < x0 + ((y - y0) * (x1 - x0)) / (y1 - y0)) odd = !odd;
   return odd;
 }
 
@@ -107,13 +88,10 @@ export function inside(segments, x, y) {
  */
 export function extended({ x, y, nodes }) {
   const values = nodes.map((row) => row.map((n) => (n.fits ? n.value : NaN)));
-  const ways = [-1, 0, 1]
-    .flatMap((a) => [-1, 0, 1].map((b) => [a, b]))
-    .filter(([a, b]) => a || b);
+  const ways = [-1, 0, 1].flatMap((a) => [-1, 0, 1].map((b) => [a, b])).filter(([a, b]) => a || b);
   for (let ring = 0; ring < 2; ring++) {
     const before = values.map((row) => [...row]);
-    const at = (/** @type {number} */ i, /** @type {number} */ j) =>
-      before[j]?.[i] ?? NaN;
+    const at = (/** @type {number} */ i, /** @type {number} */ j) => before[j]?.[i] ?? NaN;
     for (let j = 0; j < y.length; j++) {
       for (let i = 0; i < x.length; i++) {
         if (Number.isFinite(before[j][i])) continue;
@@ -123,8 +101,7 @@ export function extended({ x, y, nodes }) {
         const any = near.length
           ? near
           : ways.map(([a, b]) => at(i + a, j + b)).filter(Number.isFinite);
-        if (any.length)
-          values[j][i] = any.reduce((sum, v) => sum + v, 0) / any.length;
+        if (any.length) values[j][i] = any.reduce((sum, v) => sum + v, 0) / any.length;
       }
     }
   }

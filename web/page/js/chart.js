@@ -14,16 +14,12 @@ export { KINDS };
 export function viridisAt(share, most) {
   const t = clamp(share, 0, 1) * most * (VIRIDIS.length - 1);
   const i = Math.min(VIRIDIS.length - 2, Math.floor(t));
-  return VIRIDIS[i].map((a, k) =>
-    Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)),
-  );
+  return VIRIDIS[i].map((a, k) => Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)));
 }
 /** Without its palest end, which a white page would swallow. @param {number} share */
-export const viridis = (share, most = 0.82) =>
-  `rgb(${viridisAt(share, most).join(",")})`;
+export const viridis = (share, most = 0.82) => `rgb(${viridisAt(share, most).join(",")})`;
 /** The colour of a share, to be seen on the page. @param {number} share */
-export const shade = (share) =>
-  isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share);
+export const shade = (share) => (isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share));
 /** The colour of a pressure: the same in every chart of a page. @param {number} pressure @param {number} top */
 export const pressureColour = (pressure, top) => shade(pressure / top);
 /** @typedef {ReturnType<typeof chartOf>} Chart */
@@ -45,12 +41,7 @@ export function chartOf(name, { tools, tall, drag } = {}) {
       class: tall ? "chart tall" : "chart",
       ariaLabel: name.replaceAll("-", " "),
     },
-    block(
-      "row",
-      tools ?? null,
-      el("span", { class: "grow" }),
-      menu(asTable, ...saved),
-    ),
+    block("row", tools ?? null, el("span", { class: "grow" }), menu(asTable, ...saved)),
     host,
     cells,
   );
@@ -81,17 +72,14 @@ export function chartOf(name, { tools, tall, drag } = {}) {
   function rowsOf({ series, rows, z: third }) {
     const more = (/** @type {Series} */ s, /** @type {number} */ i) =>
       third ? [s.z?.[i] ?? null] : [];
-    const line = (/** @type {Series} */ s) =>
-      s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
+    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
     return rows ?? series.filter((s) => !s.silent).flatMap(line);
   }
 
   function tabulate() {
     const { spec } = lines;
     if (!spec) return;
-    const rows = rowsOf(spec).map((row) =>
-      row.map((v) => (typeof v === "string" ? v : number(v))),
-    );
+    const rows = rowsOf(spec).map((row) => row.map((v) => (typeof v === "string" ? v : number(v))));
     cells.replaceChildren(table(head(spec), rows).firstElementChild ?? "");
   }
 
@@ -102,10 +90,7 @@ export function chartOf(name, { tools, tall, drag } = {}) {
     const content =
       kind === "csv"
         ? csv([head(spec), ...rowsOf(spec)])
-        : await lines[kind](
-            Math.max(640, host.clientWidth),
-            Math.max(400, host.clientHeight),
-          );
+        : await lines[kind](Math.max(640, host.clientWidth), Math.max(400, host.clientHeight));
     download(`${name}.${kind}`, content);
   }
   return {
@@ -135,9 +120,7 @@ export function isobar(points) {
   const taut = slack < 0 ? points : points.slice(0, slack),
     at = taut.map((q) => 100 * (q.contraction ?? NaN));
   const ends =
-    slack > 0 && typeof free === "number" && 100 * free > at[slack - 1]
-      ? [100 * free]
-      : [];
+    slack > 0 && typeof free === "number" && 100 * free > at[slack - 1] ? [100 * free] : [];
   return {
     x: [...at, ...ends],
     y: [

@@ -8,11 +8,8 @@ const SHOWN = 200,
 /** The cells of a text, by the separator of its first line. @param {string} text */
 function cellsOf(text) {
   const lines = text.split(/\r?\n/).filter((line) => line.trim()),
-    separator =
-      ["\t", ";", ",", "|"].find((s) => lines[0]?.includes(s)) ?? /\s+/;
-  return lines.map((line) =>
-    line.split(separator).map((f) => f.trim().replace(/^"|"$/g, "")),
-  );
+    separator = ["\t", ";", ",", "|"].find((s) => lines[0]?.includes(s)) ?? /\s+/;
+  return lines.map((line) => line.split(separator).map((f) => f.trim().replace(/^"|"$/g, "")));
 }
 
 /** The remarks that a table begins with, and its cells; a last remark may be its heading. @param {string} text */
@@ -46,10 +43,7 @@ export function grid(usual, changed) {
   let table = { remarks: "", rows: [usual] },
     written = "";
   const body = el("tbody"),
-    element = folded(
-      "Table",
-      block("scroll", el("table", { class: "grid" }, body)),
-    );
+    element = folded("Table", block("scroll", el("table", { class: "grid" }, body)));
   /** @param {number} i @param {number} j @param {string} text */
   const put = (i, j, text) => {
     (table.rows[i] ??= [])[j] = text.trim();
@@ -77,9 +71,7 @@ export function grid(usual, changed) {
         const text = event.clipboardData?.getData("text/plain") ?? "";
         if (!/[\t\n]/.test(text)) return;
         event.preventDefault();
-        cellsOf(text).forEach((row, k) =>
-          row.forEach((value, l) => put(i + k, j + l, value)),
-        );
+        cellsOf(text).forEach((row, k) => row.forEach((value, l) => put(i + k, j + l, value)));
         paint();
         tell();
       },

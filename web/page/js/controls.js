@@ -102,45 +102,27 @@ export function quantity(spec) {
   if (about) element.dataset.about = about;
 
   /** Whether somebody is typing. */
-  const typing = () =>
-    document.activeElement === field && field.value !== painted;
+  const typing = () => document.activeElement === field && field.value !== painted;
   /** A value as it stands in the field; with its sign where it is in %, so that it can be read again. @param {number} v */
-  const asText = (v) =>
-    number(outside(kind, v), 6) + (kind === "ratio" ? " %" : "");
+  const asText = (v) => number(outside(kind, v), 6) + (kind === "ratio" ? " %" : "");
   /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
   const step = () =>
-    10 **
-    Math.floor(
-      Math.log10(Math.abs(outside(kind, high) - outside(kind, low)) / 100),
-    );
+    10 ** Math.floor(Math.log10(Math.abs(outside(kind, high) - outside(kind, low)) / 100));
   /** By its logarithm where its ends are around a value. */
   function fromSlider() {
     const share = Number(slider.value) / 1000;
-    const v = outside(
-      kind,
-      around ? low * (high / low) ** share : low + share * (high - low),
-    );
+    const v = outside(kind, around ? low * (high / low) ** share : low + share * (high - low));
     // A round value may lie beyond its ends.
     if (around)
       return clamp(
-        inside(
-          kind,
-          Number(
-            v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2),
-          ),
-        ),
+        inside(kind, Number(v.toPrecision(v < 3 * 10 ** Math.floor(Math.log10(v)) ? 3 : 2))),
         low,
         high,
       );
-    return inside(
-      kind,
-      Number((Math.round(v / step()) * step()).toPrecision(12)),
-    );
+    return inside(kind, Number((Math.round(v / step()) * step()).toPrecision(12)));
   }
   const share = (/** @type {number} */ v) =>
-    around
-      ? Math.log(Math.max(v, 1e-12) / low) / Math.log(high / low)
-      : (v - low) / (high - low);
+    around ? Math.log(Math.max(v, 1e-12) / low) / Math.log(high / low) : (v - low) / (high - low);
 
   /**
    * A new value; the field shows it, unless somebody types on.
@@ -167,9 +149,7 @@ export function quantity(spec) {
     const { text: asked, value, note } = meant(kind, text),
       mine = ++turn;
     const reading =
-      value === undefined
-        ? (await understood([{ text: asked, kind }]))[0]
-        : { value };
+      value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
     // A later text or a drag counts, whichever is read first.
     if (mine !== turn) return;
     if (reading.problem) return tell(reading.problem.message, true);
@@ -183,9 +163,7 @@ export function quantity(spec) {
     if (fieldToo) write(now === undefined ? "" : asText(now));
     unit.textContent = kind === "ratio" ? "" : (spec.unit ?? unitName(kind));
     slider.ariaValueText =
-      now === undefined
-        ? "not given"
-        : `${number(outside(kind, now))} ${unitName(kind)}`;
+      now === undefined ? "not given" : `${number(outside(kind, now))} ${unitName(kind)}`;
     hint();
   }
 
@@ -193,9 +171,7 @@ export function quantity(spec) {
   function write(text) {
     const { selectionStart, selectionEnd, value } = field;
     const whole =
-      document.activeElement === field &&
-      selectionStart === 0 &&
-      selectionEnd === value.length;
+      document.activeElement === field && selectionStart === 0 && selectionEnd === value.length;
     if (value !== text) {
       field.value = text;
       if (whole) field.select();
@@ -211,12 +187,9 @@ export function quantity(spec) {
       minimum === undefined ? "" : `from ${show(kind, minimum)}`,
       maximum === undefined ? "" : `up to ${show(kind, maximum)}`,
     ];
-    const words = capital(
-      [expectation(kind), ...bounds].filter(Boolean).join(", "),
-    );
+    const words = capital([expectation(kind), ...bounds].filter(Boolean).join(", "));
     field.title = [about, words].filter(Boolean).join(" ");
-    field.placeholder =
-      usual !== undefined ? asText(usual) : kind === "ratio" ? "%" : "";
+    field.placeholder = usual !== undefined ? asText(usual) : kind === "ratio" ? "%" : "";
   }
 
   slider.addEventListener("input", () => take(fromSlider(), false));
@@ -266,8 +239,7 @@ export function quantity(spec) {
     },
     /** Ends from 0.3 to 3 times its value, within limits. @param {number} [least] @param {number} [most] */
     anchor(least = 0, most = Infinity) {
-      if (around && now)
-        reach(Math.max(least, 0.3 * now), Math.min(most, 3 * now));
+      if (around && now) reach(Math.max(least, 0.3 * now), Math.min(most, 3 * now));
     },
     /** @param {boolean} on */
     enable(on) {
@@ -282,11 +254,7 @@ export function quantity(spec) {
  * @param {(value: string) => void} change
  */
 export function choice(label, options, value, change) {
-  const select = el(
-    "select",
-    { onchange: () => change(select.value) },
-    ...optionsOf(options),
-  );
+  const select = el("select", { onchange: () => change(select.value) }, ...optionsOf(options));
   select.value = value;
   const element = el("label", { class: "choice" }, el("span", label), select);
   return {
@@ -298,8 +266,7 @@ export function choice(label, options, value, change) {
     },
     /** The name of the first one, which is the usual. @param {string} text */
     first(text) {
-      if (select.options[0].textContent !== text)
-        select.options[0].textContent = text;
+      if (select.options[0].textContent !== text) select.options[0].textContent = text;
     },
     /** All to choose from, by name and text. @param {[string, string][]} list */
     labels(list) {
@@ -366,11 +333,7 @@ export function fileField(label, accept, take) {
   const box = block(
     "drop",
     button(label, () => input.click()),
-    el(
-      "p",
-      { class: "small soft", style: "margin:4px 0 0" },
-      "or drop it here",
-    ),
+    el("p", { class: "small soft", style: "margin:4px 0 0" }, "or drop it here"),
     input,
   );
   boxes.set(box, read);

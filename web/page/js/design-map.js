@@ -4,25 +4,10 @@ import { Slot } from "./ask.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
 import { chartOf, KINDS, viridisAt } from "./chart.js";
 import { el, heading } from "./dom.js";
-import {
-  corners,
-  levels,
-  picture,
-  pieces,
-  sampled,
-  span,
-  valueBetween,
-  whole,
-} from "./map.js";
+import { corners, levels, picture, pieces, sampled, span, valueBetween, whole } from "./map.js";
 import { muscle } from "./muscle.js";
 import { token } from "./theme.js";
-import {
-  evenly,
-  outside,
-  showLength,
-  showPressure,
-  unitName,
-} from "./units.js";
+import { evenly, outside, showLength, showPressure, unitName } from "./units.js";
 
 /**
  * @typedef {Candidate | NonNullable<Design["answer"]["closest"]>} Best
@@ -43,9 +28,7 @@ export function designMap(linked) {
   /** @type {Found | undefined} */ let found;
   let finer = FINER;
   const slot = new Slot();
-  const tools = heading(
-    "Feasible region over diameter and wall (first estimate: universal)",
-  );
+  const tools = heading("Feasible region over diameter and wall (first estimate: universal)");
   const feasible = chartOf("design-map", {
     tools,
     tall: true,
@@ -80,8 +63,7 @@ export function designMap(linked) {
     const middle = best(),
       [d, s] = measures(x, y);
     if (!middle || !answer) return;
-    const e =
-      "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
+    const e = "points" in middle ? Number(middle.points[0]?.contraction ?? 0.1) : 0.1;
     const link = linked(
       { ...middle, outer_diameter_mm: d, wall_mm: s },
       { p: Number(answer.max_pressure_mpa), e },
@@ -113,10 +95,7 @@ export function designMap(linked) {
     preview(target) {
       const middle = best();
       if (!middle || feasible.element.hidden) return;
-      find(
-        asked({ ...of, ...target }, middle, LIVE.across, LIVE.up),
-        LIVE.finer,
-      );
+      find(asked({ ...of, ...target }, middle, LIVE.across, LIVE.up), LIVE.finer);
     },
   };
 }
@@ -124,15 +103,11 @@ export function designMap(linked) {
 /** Diameter and wall in mm, rounded. @param {number} x @param {number} y in the shown unit */
 function measures(x, y) {
   const scale = outside("length", 1);
-  return [
-    Number((x / scale).toPrecision(3)),
-    Number((y / scale).toPrecision(2)),
-  ];
+  return [Number((x / scale).toPrecision(3)), Number((y / scale).toPrecision(2))];
 }
 
 /** The nearest of a list. @param {number[]} list @param {number} v */
-const nearest = (list, v) =>
-  list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
+const nearest = (list, v) => list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a - v) ? b : a));
 
 /**
  * The muscles of the map.
@@ -142,11 +117,8 @@ const nearest = (list, v) =>
  */
 function asked(of, best, across = ACROSS, up = UP) {
   const { figure, ...rest } = of;
-  const list = (
-    /** @type {number} */ low,
-    /** @type {number} */ high,
-    /** @type {number} */ n,
-  ) => evenly(low, high, n).map((v) => Number(v.toPrecision(4)));
+  const list = (/** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) =>
+    evenly(low, high, n).map((v) => Number(v.toPrecision(4)));
   // Within the sleeve, where there is one.
   const range = muscle.sleeves.find((s) => s.name === best.sleeve),
     middle = best.outer_diameter_mm;
@@ -165,8 +137,7 @@ function asked(of, best, across = ACROSS, up = UP) {
           braids: [best.sleeve],
         }
       : {};
-  const angle =
-    of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
+  const angle = of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
   const length = { length_mm: of.stroke_mm ? undefined : best.length_mm };
   return {
     ...rest,
@@ -185,9 +156,8 @@ function asked(of, best, across = ACROSS, up = UP) {
  * @param {{ outer_diameter_mm: number[], wall_mm: number[] }} request @param {Design["answer"]} answer @returns {Found}
  */
 export function read({ outer_diameter_mm: D, wall_mm: S }, answer) {
-  const key = (
-    /** @type {{ outer_diameter_mm: number, wall_mm: number }} */ c,
-  ) => `${c.outer_diameter_mm},${c.wall_mm}`;
+  const key = (/** @type {{ outer_diameter_mm: number, wall_mm: number }} */ c) =>
+    `${c.outer_diameter_mm},${c.wall_mm}`;
   const fits = new Map(answer.candidates.map((c) => [key(c), c])),
     not = new Map((answer.rejected ?? []).map((c) => [key(c), c]));
   const nodes = S.map((s) =>
@@ -216,9 +186,7 @@ export function read({ outer_diameter_mm: D, wall_mm: S }, answer) {
 
 /** What a limit that is missed means. @param {string} limit */
 const words = (limit) =>
-  OF_PULL.includes(limit)
-    ? "pull too low"
-    : `not met: ${limit.replaceAll("_", " ")}`;
+  OF_PULL.includes(limit) ? "pull too low" : `not met: ${limit.replaceAll("_", " ")}`;
 const rgb = (/** @type {string} */ hex) =>
   [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16));
 
@@ -227,10 +195,7 @@ const rgb = (/** @type {string} */ hex) =>
  * @param {number} finer how much finer the picture is than the muscles @returns {Spec}
  */
 function spec({ D, S, fits, nodes, limits }, best, finer) {
-  const [x, y] = [
-    D.map((d) => outside("length", d)),
-    S.map((s) => outside("length", s)),
-  ];
+  const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];
   const shown = nodes.map((row) =>
     row.map((n) => ({
       ...n,
@@ -248,17 +213,12 @@ function spec({ D, S, fits, nodes, limits }, best, finer) {
   const missed = (px, py) => {
     const shares = limits.map(() => 0);
     for (const [i, j, share] of corners(x, y, px, py))
-      if (!nodes[j][i].fits)
-        shares[limits.indexOf(nodes[j][i].limit)] += share + 1e-9;
+      if (!nodes[j][i].fits) shares[limits.indexOf(nodes[j][i].limit)] += share + 1e-9;
     return shares.indexOf(Math.max(...shares));
   };
   const image = picture(field, (value, px, py) => {
-    if (value === null)
-      return limits.length ? [...tints[missed(px, py)], 90] : [0, 0, 0, 0];
-    return [
-      ...viridisAt(0.5 + (0.5 * (value - low)) / (high - low || 1), 1),
-      255,
-    ];
+    if (value === null) return limits.length ? [...tints[missed(px, py)], 90] : [0, 0, 0, 0];
+    return [...viridisAt(0.5 + (0.5 * (value - low)) / (high - low || 1), 1), 255];
   });
   const { series, notes } = levels(field, unitName("pressure"));
   const [misses, needs] = [true, false].map((out) =>
@@ -308,8 +268,7 @@ function place(limit, nodes, x, y) {
     row.flatMap((n, i) => (!n.fits && n.limit === limit ? [[i, j]] : [])),
   );
   if (hit.length < 8) return [];
-  const middle = (/** @type {number} */ k) =>
-    hit.reduce((sum, c) => sum + c[k], 0) / hit.length;
+  const middle = (/** @type {number} */ k) => hit.reduce((sum, c) => sum + c[k], 0) / hit.length;
   const [ci, cj] = [middle(0), middle(1)],
     far = (/** @type {number[]} */ [i, j]) => Math.hypot(i - ci, j - cj);
   const near = hit.reduce((a, b) => (far(b) < far(a) ? b : a));

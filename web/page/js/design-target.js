@@ -3,18 +3,10 @@ import { Slot } from "./ask.js";
 import { chartOf, KINDS, isobars } from "./chart.js";
 import { el, heading, remark } from "./dom.js";
 import { candidate, fields } from "./state.js";
-import {
-  forceAxis,
-  outside,
-  ratioAxis,
-  showForce,
-  showPressure,
-  showRatio,
-} from "./units.js";
+import { forceAxis, outside, ratioAxis, showForce, showPressure, showRatio } from "./units.js";
 
 /** @typedef {{ force_n: number, contraction: number }} Target */
-const digits = (/** @type {number} */ v, /** @type {number} */ n) =>
-  Number(v.toPrecision(n));
+const digits = (/** @type {number} */ v, /** @type {number} */ n) => Number(v.toPrecision(n));
 
 /**
  * @param {{ moved: (target: Target) => void, settled: (target: Target) => void }} act while it is dragged, and when it
@@ -27,20 +19,14 @@ export function designTarget(act) {
     drag: (x, y, settled) => drag(x, y, settled),
   });
   const slot = new Slot({ lane: "curves" });
-  const element = el(
-    "div",
-    { hidden: true },
-    chart.element,
-    remark("Drag the target: ", words),
-  );
+  const element = el("div", { hidden: true }, chart.element, remark("Drag the target: ", words));
   /** @type {Target | undefined} */ let target;
   /** @type {Series[]} */ let series = [];
 
   function draw() {
     if (!target) return;
     // Without a muscle the target has room.
-    const room = (/** @type {number} */ v) =>
-      series.length ? {} : { range: [0, 1.5 * v] };
+    const room = (/** @type {number} */ v) => (series.length ? {} : { range: [0, 1.5 * v] });
     chart.show({
       x: ratioAxis,
       y: forceAxis(),
@@ -91,9 +77,7 @@ export function designTarget(act) {
       series = [];
       draw();
       if (!best) return;
-      const muscle = file
-        ? { file }
-        : fields(candidate(best, of, { p: 0, e: 0 }));
+      const muscle = file ? { file } : fields(candidate(best, of, { p: 0, e: 0 }));
       slot.ask(
         "curve",
         {
@@ -105,10 +89,7 @@ export function designTarget(act) {
         },
         ({ points }) => {
           const name = `best muscle at ${showPressure(answer.max_pressure_mpa, 3)}`;
-          series = isobars(
-            { name, end: "best muscle", colour: KINDS[0], strong: true },
-            points,
-          );
+          series = isobars({ name, end: "best muscle", colour: KINDS[0], strong: true }, points);
           draw();
         },
       );

@@ -33,19 +33,14 @@ import {
 
 /** The least pull to spare at any of its points. @param {Candidate} c */
 const spare = (c) =>
-  Math.min(
-    ...c.points.map(
-      (q) => (q.force_at_max_pressure_n * q.margin) / (1 + q.margin),
-    ),
-  );
+  Math.min(...c.points.map((q) => (q.force_at_max_pressure_n * q.margin) / (1 + q.margin)));
 /** @param {Candidate} c @param {Prices} prices */
 const price = (c, prices) =>
   [c.tube, c.sleeve]
     .map((name) => prices.get(name ?? ""))
     .filter(Boolean)
     .join(" + ");
-const grams = (/** @type {number | null | undefined} */ g) =>
-  g ? `${number(g, 3)} g` : "–";
+const grams = (/** @type {number | null | undefined} */ g) => (g ? `${number(g, 3)} g` : "–");
 
 /**
  * Columns: heading, unit for CSV, cell for people, value for CSV.
@@ -90,25 +85,16 @@ function columns(prices, liquid) {
       ? [
           "liquid per stroke",
           "mL",
-          (c) =>
-            c.liquid_volume_mm3
-              ? `${number(1e-3 * c.liquid_volume_mm3, 3)} mL`
-              : "–",
+          (c) => (c.liquid_volume_mm3 ? `${number(1e-3 * c.liquid_volume_mm3, 3)} mL` : "–"),
           (c) => c.liquid_volume_mm3 && 1e-3 * c.liquid_volume_mm3,
         ]
       : [
           "air per stroke",
           "normal L",
-          (c) =>
-            c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–",
+          (c) => (c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"),
           (c) => c.air_normal_litres,
         ],
-    [
-      "mass",
-      "g",
-      (c) => grams(c.mass_g ?? c.rubber_mass_g),
-      (c) => c.mass_g ?? c.rubber_mass_g,
-    ],
+    ["mass", "g", (c) => grams(c.mass_g ?? c.rubber_mass_g), (c) => c.mass_g ?? c.rubber_mass_g],
     words("price", (c) => price(c, prices) || "–"),
   ];
 }
@@ -235,8 +221,7 @@ function points(best) {
 
 /** A candidate in use, to the scale of all. @param {Candidate} c @param {Candidate[]} all */
 function inUse(c, all) {
-  const most = (/** @type {(one: Candidate) => number} */ of) =>
-    Math.max(...all.map(of));
+  const most = (/** @type {(one: Candidate) => number} */ of) => Math.max(...all.map(of));
   const box = el("span", { class: "thumbnail" });
   box.innerHTML = picture(
     c,
@@ -256,10 +241,7 @@ const there = (list) => list.flatMap((part) => (part ? [part] : []));
 export function foundView(answer, prices) {
   const { candidates, assumptions = [] } = answer,
     list = shownColumns(candidates, prices);
-  const rows = candidates.map((c) => [
-    inUse(c, candidates),
-    ...list.map(([, , cell]) => cell(c)),
-  ]);
+  const rows = candidates.map((c) => [inUse(c, candidates), ...list.map(([, , cell]) => cell(c))]);
   const text = list.flatMap(([name], i) =>
     ["tube", "sleeve", "rubber", "price"].includes(name) ? [i + 1] : [],
   );
@@ -298,9 +280,7 @@ export function foundView(answer, prices) {
 
 /** Muscles as sold that would do. @param {Design["answer"]} answer */
 function boughtView({ bought }) {
-  const one = (
-    /** @type {NonNullable<Design["answer"]["bought"]>[number]} */ b,
-  ) =>
+  const one = (/** @type {NonNullable<Design["answer"]["bought"]>[number]} */ b) =>
     `${b.product} (${b.name}, L0 ${showLength(b.length_mm)}): as built ${showForce(b.force_n)} ± ${showForce(b.uncertainty_n, 2)} ` +
     `at ${showRatio(b.wanted.contraction, 3)} and ${showPressure(b.pressure_mpa, 3)}`;
   return bought?.length
@@ -311,35 +291,26 @@ function boughtView({ bought }) {
 /** What comes closest where nothing fits. @param {Design["answer"]} answer */
 export function closestView(answer) {
   const c = answer.closest,
-    size =
-      c && `D0 ${showLength(c.outer_diameter_mm)}, s ${showLength(c.wall_mm)}`;
+    size = c && `D0 ${showLength(c.outer_diameter_mm)}, s ${showLength(c.wall_mm)}`;
   return there([
     heading("Nothing fits."),
-    c &&
-      paragraph(
-        `Closest: ${size}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`,
-      ),
+    c && paragraph(`Closest: ${size}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`),
     warnings(answer.warnings),
     c?.hint ? paragraph(capital(inWords(c.hint))) : null,
     boughtView(answer),
-    c &&
-      el("ul", ...c.relaxations.map((r) => el("li", capital(inWords(r.text))))),
+    c && el("ul", ...c.relaxations.map((r) => el("li", capital(inWords(r.text))))),
   ]);
 }
 
 /** @param {Design["answer"]} answer */
 export function rejectedView({ rejected }) {
-  const sizes = (/** @type {number[]} */ list) =>
-    list.map((v) => showLength(v));
+  const sizes = (/** @type {number[]} */ list) => list.map((v) => showLength(v));
   const rows = (rejected ?? []).map((r) => [
     ...sizes([r.outer_diameter_mm, r.wall_mm, r.length_mm]),
     inWords(r.reason),
   ]);
   return there([
     rows.length > 0 &&
-      folded(
-        "Why others fail",
-        table(["D0", "s", "L0", "reason"], rows, { text: [3] }),
-      ),
+      folded("Why others fail", table(["D0", "s", "L0", "reason"], rows, { text: [3] })),
   ]);
 }

@@ -12,15 +12,10 @@ import { inWords } from "./units.js";
 export function el(tag, ...rest) {
   const element = document.createElement(tag),
     attributes = rest[0]?.constructor === Object ? rest.shift() : {};
-  for (const [name, value] of Object.entries(
-    /** @type {object} */ (attributes),
-  )) {
+  for (const [name, value] of Object.entries(/** @type {object} */ (attributes))) {
     if (value == null || value === false) continue;
     if (typeof value === "function")
-      element.addEventListener(
-        name.slice(2),
-        /** @type {EventListener} */ (value),
-      );
+      element.addEventListener(name.slice(2), /** @type {EventListener} */ (value));
     else if (/^aria\w/.test(name)) Object.assign(element, { [name]: value });
     else if (name === "style") element.style.cssText = String(value);
     else if (name === "value")
@@ -28,9 +23,7 @@ export function el(tag, ...rest) {
     else element.setAttribute(name, value === true ? "" : String(value));
   }
   element.append(
-    .../** @type {Child[]} */ (rest).filter(
-      (child) => child != null && child !== false,
-    ),
+    .../** @type {Child[]} */ (rest).filter((child) => child != null && child !== false),
   );
   return element;
 }
@@ -54,14 +47,11 @@ export const faded = part("p", "soft");
 /** Buttons, fields and words in a row. */
 export const rowOf = part("p", "row");
 /** Things that belong together. @param {string} [classes] @param {Child[]} children */
-export const block = (classes, ...children) =>
-  el("div", { class: classes }, ...children);
+export const block = (classes, ...children) => el("div", { class: classes }, ...children);
 /** Names and what they have. @param {Child[][]} rows */
-export const termsOf = (rows) =>
-  rows.flatMap(([name, value]) => [el("dt", name), el("dd", value)]);
+export const termsOf = (rows) => rows.flatMap(([name, value]) => [el("dt", name), el("dd", value)]);
 /** What is shown once somebody opens it. @param {Child} summary @param {Child[]} children */
-export const folded = (summary, ...children) =>
-  el("details", el("summary", summary), ...children);
+export const folded = (summary, ...children) => el("details", el("summary", summary), ...children);
 
 /** What is seldom needed, behind one sign; it closes after a click. @param {Child[]} children */
 export function menu(...children) {
@@ -82,8 +72,7 @@ export const button = (text, act, more) =>
   el("button", { type: "button", onclick: act, ...more }, text);
 
 /** A field for a line of text. @param {Record<string, unknown>} more attributes */
-export const textField = (more) =>
-  el("input", { type: "text", autocomplete: "off", ...more });
+export const textField = (more) => el("input", { type: "text", autocomplete: "off", ...more });
 
 /** The one that matters most. @param {string} text @param {(event: MouseEvent) => unknown} act */
 export const mainButton = (text, act) => button(text, act, { class: "main" });
@@ -92,19 +81,15 @@ export const mainButton = (text, act) => button(text, act, { class: "main" });
 export function addOptions(select, names) {
   const there = new Set([...select.options].map((o) => o.value));
   select.append(
-    ...names
-      .filter((value) => !there.has(value))
-      .map((value) => el("option", { value }, value)),
+    ...names.filter((value) => !there.has(value)).map((value) => el("option", { value }, value)),
   );
 }
 
 /** What a list has to choose from. @param {[string, string][]} list names and texts */
-export const optionsOf = (list) =>
-  list.map(([name, text]) => el("option", { value: name }, text));
+export const optionsOf = (list) => list.map(([name, text]) => el("option", { value: name }, text));
 
 /** @param {string} id @returns {HTMLElement} */
-export const byId = (id) =>
-  /** @type {HTMLElement} */ (document.getElementById(id));
+export const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 let spoken = 0;
 /** Says something to screen readers once things have settled. @param {string} text */
@@ -118,9 +103,7 @@ export function say(text) {
 /** A problem as people read it. @param {unknown} thrown */
 export function problemBox(thrown) {
   const problem = problemOf(thrown);
-  const hint = problem.hint
-    ? el("p", { class: "small" }, capital(inWords(problem.hint)))
-    : null;
+  const hint = problem.hint ? el("p", { class: "small" }, capital(inWords(problem.hint))) : null;
   return el(
     "div",
     { class: "problem", role: "alert" },
@@ -133,8 +116,7 @@ export function problemBox(thrown) {
  * What belongs to an older question, beside the problem of the newest one.
  * @param {HTMLElement[]} parts @param {boolean} on
  */
-export const dim = (parts, on) =>
-  parts.forEach((part) => part.classList.toggle("stale", on));
+export const dim = (parts, on) => parts.forEach((part) => part.classList.toggle("stale", on));
 
 /** @param {string} text */
 export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
@@ -165,8 +147,7 @@ export function dragging(element, act) {
         on = true;
         element.setPointerCapture(event.pointerId);
       }
-      if (on && type !== "pointercancel")
-        act(event, type === "pointerup", type === "pointerdown");
+      if (on && type !== "pointercancel") act(event, type === "pointerup", type === "pointerdown");
       on &&= type === "pointerdown" || type === "pointermove";
     });
   }
@@ -176,8 +157,7 @@ export function dragging(element, act) {
 export function csv(rows) {
   const special = /[",\n]/;
   const quoted = (/** @type {string | number | null | undefined} */ v) => {
-    if (typeof v === "string")
-      return special.test(v) ? `"${v.replaceAll('"', '""')}"` : v;
+    if (typeof v === "string") return special.test(v) ? `"${v.replaceAll('"', '""')}"` : v;
     // A gap is no number.
     return Number.isFinite(v) ? v : "";
   };
@@ -252,14 +232,8 @@ export function dialog(title, inside) {
   box.addEventListener("click", (event) => {
     if (event.target === box) close();
   });
-  const head = block(
-    "row head",
-    el("h2", { id }, title),
-    button("Close", close),
-  );
-  box.append(
-    block("inside", head, ...inside(close).filter((part) => part !== null)),
-  );
+  const head = block("row head", el("h2", { id }, title), button("Close", close));
+  box.append(block("inside", head, ...inside(close).filter((part) => part !== null)));
   document.body.append(box);
   box.showModal();
   return box;

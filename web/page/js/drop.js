@@ -29,16 +29,12 @@ function isRubberTest(text) {
 export function kindOfFile(name, text) {
   if (/\.json$/i.test(name))
     return /"mckibben-project"/.test(text.slice(0, 2000)) ? "project" : "other";
-  if (/\.(csv|tsv|txt|dat|xlsx|ods)$/i.test(name))
-    return isRubberTest(text) ? "rubber" : "data";
-  const tables = new Set(
-    [...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]),
-  );
+  if (/\.(csv|tsv|txt|dat|xlsx|ods)$/i.test(name)) return isRubberTest(text) ? "rubber" : "data";
+  const tables = new Set([...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]));
   if (tables.has("joint")) return "joint";
   if (tables.has("vary") || tables.has("sampling")) return "plan";
   if (tables.has("command") || tables.has("valve")) return "drive";
-  if (tables.has("tube") || tables.has("braid") || /\.toml$/i.test(name))
-    return "muscle";
+  if (tables.has("tube") || tables.has("braid") || /\.toml$/i.test(name)) return "muscle";
   return "other";
 }
 
@@ -50,8 +46,7 @@ const namedIn = (text) =>
 
 /** @param {Read[]} files */
 async function take(files) {
-  const first = (/** @type {Kind} */ kind) =>
-    files.find((file) => file.kind === kind);
+  const first = (/** @type {Kind} */ kind) => files.find((file) => file.kind === kind);
   const project = first("project");
   if (project) return (await import("./project.js")).openProject(project.text);
   const [joint, drive, data, plan, rubber] = /** @type {const} */ ([
@@ -64,9 +59,7 @@ async function take(files) {
   const muscles = files.filter((file) => file.kind === "muscle"),
     wanted = namedIn(joint?.text ?? drive?.text ?? "");
   const own = muscles.find((file) => file.name === wanted[0]) ?? muscles[0];
-  const second = muscles.find(
-    (file) => file.name === wanted[1] && file !== own,
-  );
+  const second = muscles.find((file) => file.name === wanted[1] && file !== own);
   if (own) await muscle.take(own.text, own.name);
   if (data) measured.set({ name: data.name, text: data.text });
   if (plan) keepFile("plan", plan.text);
@@ -99,8 +92,7 @@ export async function takeFiles(files) {
   try {
     /** @type {Read[]} */ const read = [];
     for (const file of files) {
-      if (file.size > MOST)
-        throw new Error(`${file.name} is larger than 60 MB.`);
+      if (file.size > MOST) throw new Error(`${file.name} is larger than 60 MB.`);
       const text = await textOf(file);
       if (!text.trim()) throw new Error(`${file.name} is empty.`);
       read.push({ name: file.name, text, kind: kindOfFile(file.name, text) });
@@ -124,18 +116,14 @@ export function dropAnywhere() {
     if (at.closest("input, textarea, [contenteditable]")) return;
     const files = [...(event.clipboardData?.files ?? [])],
       text = event.clipboardData?.getData("text/plain") ?? "";
-    if (!files.length && /[\t,;].*\n/.test(text))
-      files.push(new File([text], "pasted.csv"));
+    if (!files.length && /[\t,;].*\n/.test(text)) files.push(new File([text], "pasted.csv"));
     if (files.length) takeFiles(files);
   });
   const { classList } = document.body;
   addEventListener("dragover", (event) => {
     if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
-    classList.toggle(
-      "dropping",
-      !(/** @type {Element} */ (event.target).closest(".drop")),
-    );
+    classList.toggle("dropping", !(/** @type {Element} */ (event.target).closest(".drop")));
   });
   addEventListener("dragleave", (event) => {
     if (!event.relatedTarget) classList.remove("dropping");

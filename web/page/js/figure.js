@@ -30,15 +30,11 @@ export class Figures {
       });
       this.charts.push(chart);
     }
-    this.grid.replaceChildren(
-      ...this.charts.slice(0, figure.panels.length).map((c) => c.element),
-    );
+    this.grid.replaceChildren(...this.charts.slice(0, figure.panels.length).map((c) => c.element));
     figure.panels.forEach((panel, i) => {
       const heading = this.charts[i].element.querySelector("h3");
       if (heading)
-        heading.textContent = capital(
-          panel.title || `${named(panel.y)} over ${named(panel.x)}`,
-        );
+        heading.textContent = capital(panel.title || `${named(panel.y)} over ${named(panel.x)}`);
       this.charts[i].show(spec(panel, figure));
     });
     this.caption.textContent = figure.caption;
@@ -46,8 +42,7 @@ export class Figures {
 }
 
 /** What an axis shows, without symbol and unit. @param {Panel["x"]} axis */
-const named = ({ label }) =>
-  label.replace(/( \S{1,2})? \[.*$/, "").replace(" ratio", "");
+const named = ({ label }) => label.replace(/( \S{1,2})? \[.*$/, "").replace(" ratio", "");
 /** Contractions are in % everywhere on the page. @param {Panel["x"]} axis */
 const scale = ({ label }) => (label.endsWith("ε [–]") ? 100 : 1);
 const words = (/** @type {Panel["x"]} */ axis) =>
@@ -56,28 +51,17 @@ const words = (/** @type {Panel["x"]} */ axis) =>
 /** @param {Panel} panel @param {Figure} figure @returns {Spec} */
 function spec(panel, figure) {
   const [kx, ky] = [scale(panel.x), scale(panel.y)];
-  const most = Math.max(
-    1,
-    ...figure.panels.flatMap((p) => p.series.map((s, i) => s.colour ?? i)),
-  );
-  const colour = (
-    /** @type {Panel["series"][number]} */ s,
-    /** @type {number} */ i,
-  ) => {
+  const most = Math.max(1, ...figure.panels.flatMap((p) => p.series.map((s, i) => s.colour ?? i)));
+  const colour = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
     const n = s.colour ?? i;
     if (s.neutral && figure.palette !== "sequential") return token("--ink");
     if (figure.palette !== "sequential") return KINDS[n % KINDS.length];
     return shade(n / most);
   };
   /** @returns {Series} */
-  const one = (
-    /** @type {Panel["series"][number]} */ s,
-    /** @type {number} */ i,
-  ) => {
+  const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
     const auto =
-      figure.palette === "sequential"
-        ? "solid"
-        : DASHES[(s.colour ?? i) % DASHES.length];
+      figure.palette === "sequential" ? "solid" : DASHES[(s.colour ?? i) % DASHES.length];
     const styles = { dashed: "dash", dotted: "dot", auto };
     const dash = /** @type {Series["dash"]} */ (
       /** @type {Record<string, string>} */ (styles)[s.style] ?? "solid"
@@ -89,8 +73,7 @@ function spec(panel, figure) {
       x: s.points.map((p) => kx * (p[0] ?? NaN)),
       y: s.points.map((p) => ky * (p[1] ?? NaN)),
     };
-    if (s.style === "band")
-      return { ...line, name: "±", band: true, legend: "" };
+    if (s.style === "band") return { ...line, name: "±", band: true, legend: "" };
     const name = s.label || s.end_label || panel.y.label,
       mode = s.style === "points" ? "markers" : "lines";
     return {

@@ -52,22 +52,15 @@ function fieldRow(f, submit) {
   const hint = () => {
     if (kind) input.title = expectation(kind);
   };
-  for (const event of ["pointerenter", "focus"])
-    input.addEventListener(event, hint);
+  for (const event of ["pointerenter", "focus"]) input.addEventListener(event, hint);
   // A form of several fields without a button of its own is not submitted by Enter.
   input.addEventListener("keydown", (event) => {
-    if (/** @type {KeyboardEvent} */ (event).key !== "Enter" || f.options)
-      return;
+    if (/** @type {KeyboardEvent} */ (event).key !== "Enter" || f.options) return;
     event.preventDefault();
     submit();
   });
   const below = el("p", { id: `${id}w`, hidden: true });
-  const line = el(
-    "div",
-    { class: "choice" },
-    el("label", { for: id }, f.label),
-    input,
-  );
+  const line = el("div", { class: "choice" }, el("label", { for: id }, f.label), input);
   const row = el("div", { hidden: f.hidden }, line, below);
   sketched(row, f.field, f.key);
   return { input, say: saying(input, below), row };
@@ -110,13 +103,9 @@ class Reading {
           .split(",")
           .map((word) => word.trim())
           .filter(Boolean);
-    if (f.pair)
-      values[f.field] = text
-        .split(",")
-        .map((one) => this.#pair(f, one.split(/@| at /)));
+    if (f.pair) values[f.field] = text.split(",").map((one) => this.#pair(f, one.split(/@| at /)));
     else if (f.field === "load") values.load = loadOf(text);
-    else if (!f.kind || f.or?.includes(text))
-      values[f.field] = f.words ? list() : text;
+    else if (!f.kind || f.or?.includes(text)) values[f.field] = f.words ? list() : text;
     else
       this.#ask(f, f.kind, text, (value) => {
         values[f.field] = value;
@@ -145,11 +134,7 @@ class Form {
       event.preventDefault();
       submit();
     };
-    this.element = el(
-      "form",
-      { onsubmit: send },
-      ...[...this.rows.values()].map(({ row }) => row),
-    );
+    this.element = el("form", { onsubmit: send }, ...[...this.rows.values()].map(({ row }) => row));
   }
 
   /** @param {string} key @param {string} message */
@@ -173,37 +158,29 @@ class Form {
       if (text) reading.add(f, text);
     }
     const { asked, notes, values } = reading;
-    const readings = await understood(
-      asked.map(({ text, kind, list }) => ({ text, kind, list })),
-    );
+    const readings = await understood(asked.map(({ text, kind, list }) => ({ text, kind, list })));
     asked.forEach(({ key, list, take }, i) => {
       const { problem, value, values, interval } = readings[i];
       if (problem) this.mark(key, problem.message);
       // Without a step a search takes it as a whole.
-      else if (intervals && interval)
-        take({ low: interval[0], high: interval[1] });
+      else if (intervals && interval) take({ low: interval[0], high: interval[1] });
       else take(list ? values : value);
     });
-    const bad = new Set(
-      asked.flatMap(({ key }, i) => (readings[i].problem ? [key] : [])),
-    );
-    for (const [key, note] of notes)
-      if (!bad.has(key)) this.rows.get(key)?.say(note);
+    const bad = new Set(asked.flatMap(({ key }, i) => (readings[i].problem ? [key] : [])));
+    for (const [key, note] of notes) if (!bad.has(key)) this.rows.get(key)?.say(note);
     return bad.size ? undefined : values;
   }
 
   /** The texts, for an address: those that are not the usual ones. */
   texts() {
-    const own = (/** @type {Field} */ f) =>
-      this.rows.get(f.key)?.input.value ?? "";
+    const own = (/** @type {Field} */ f) => this.rows.get(f.key)?.input.value ?? "";
     return Object.fromEntries(
       this.fields.map((f) => [f.key, own(f) === (f.value ?? "") ? "" : own(f)]),
     );
   }
   /** @param {URLSearchParams} params */
   set(params) {
-    for (const f of this.fields)
-      this.put(f.key, params.get(f.key) ?? f.value ?? "");
+    for (const f of this.fields) this.put(f.key, params.get(f.key) ?? f.value ?? "");
   }
   /** What stands there where nothing is typed. @param {string} key @param {string} text */
   usual(key, text) {
@@ -278,8 +255,7 @@ export function kindsOf(of, kinds, choose) {
     set(chosen);
     for (const [kind, , keys] of kinds)
       if (kind !== chosen) for (const key of keys) of.shown(key, false);
-    for (const key of kinds.find(([kind]) => kind === chosen)?.[2] ?? [])
-      of.shown(key, true);
+    for (const key of kinds.find(([kind]) => kind === chosen)?.[2] ?? []) of.shown(key, true);
   }
   select(kinds[0][0]);
   return { list, select };
@@ -298,13 +274,7 @@ export const form = (fields, submit) => new Form(fields, submit);
  *   a problem is marked at, what is shown of an answer: dimmed beside the problem of a later question; and whether another
  *   button of the place matters most
  */
-export function job(
-  label,
-  command,
-  request,
-  take,
-  { fields, shown = [], minor = false } = {},
-) {
+export function job(label, command, request, take, { fields, shown = [], minor = false } = {}) {
   const start = (minor ? button : mainButton)(label, () => run());
   const stop = button("Cancel", () => ends?.abort(), { hidden: true });
   const bar = el("progress", {
@@ -413,11 +383,7 @@ export function table(head, rows, { text = [0], pick, label } = {}) {
 
 /** Warnings of an answer. @param {string[] | undefined} list */
 export const warnings = (list) =>
-  el(
-    "ul",
-    { class: "warnings" },
-    ...(list ?? []).map((w) => el("li", capital(inWords(w)))),
-  );
+  el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", capital(inWords(w)))));
 
 /** Inputs in one column. @param {string} label @param {import("./dom.js").Child[]} children */
 export const inputs = (label, ...children) =>

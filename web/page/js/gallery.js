@@ -1,23 +1,9 @@
 // Muscles to begin with: files of the folder `examples`, with pictures that are drawn from them.
 import { address, pack } from "./address.js";
-import {
-  block,
-  button,
-  capital,
-  download,
-  el,
-  heading,
-  mainButton,
-  rowOf,
-} from "./dom.js";
+import { block, button, capital, download, el, heading, mainButton, rowOf } from "./dom.js";
 import { keepFile, measured } from "./kept.js";
 import { card, thumbnail } from "./thumbnail.js";
-import {
-  showForce,
-  showLength,
-  showPressure,
-  unitsInAddress,
-} from "./units.js";
+import { showForce, showLength, showPressure, unitsInAddress } from "./units.js";
 import { engine } from "./ask.js";
 import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
@@ -119,20 +105,12 @@ export const GALLERY = [
 /** @param {string} name */
 export async function example(name) {
   const answer = await fetch(new URL(`../examples/${name}`, import.meta.url));
-  if (!answer.ok)
-    throw new Error(`The example ${name} cannot be loaded (${answer.status}).`);
+  if (!answer.ok) throw new Error(`The example ${name} cannot be loaded (${answer.status}).`);
   return answer.text();
 }
 
 /** Opens an entry: the address of its page with its muscle. @param {Entry[3]} entry */
-async function openEntry({
-  file = "",
-  part,
-  page = "muscle",
-  words = {},
-  joint,
-  data,
-}) {
+async function openEntry({ file = "", part, page = "muscle", words = {}, joint, data }) {
   if (part) return openPart(part, words);
   const [text, jointText, dataText] = await Promise.all([
     example(file),
@@ -180,9 +158,7 @@ export const gallery = (fail, opened, list = GALLERY) =>
 /** Opens one on the page Muscle. @param {string} name @param {Record<string, string>} [at] words of its point */
 export async function openPart(name, at = {}) {
   const { muscle: found } = await engine().ask("parts-show", { name });
-  const called = found?.product
-    ? `${found.product} (${found.title})`
-    : found?.title;
+  const called = found?.product ? `${found.product} (${found.title})` : found?.title;
   await muscle.take(found?.muscle_file.text ?? "", name, called);
   location.hash = address("muscle", { ...muscle.params(), ...at });
 }
@@ -219,17 +195,12 @@ function entryCard(entry, opened, fail) {
 
 /** Buttons of all muscles of the library. @param {(problem: unknown) => void} fail @param {() => void} [opened] */
 export function library(fail, opened) {
-  const box = block(
-    "gallery",
-    el("span", { class: "small soft" }, "The library is being read."),
-  );
+  const box = block("gallery", el("span", { class: "small soft" }, "The library is being read."));
   engine()
     .ask("parts-list", { kind: "muscles" })
     .then(
       ({ muscles }) =>
-        box.replaceChildren(
-          ...muscles.map((entry) => entryCard(entry, opened, fail)),
-        ),
+        box.replaceChildren(...muscles.map((entry) => entryCard(entry, opened, fail))),
       fail,
     );
   return block("", heading("Identified from measured points"), box);

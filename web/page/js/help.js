@@ -34,11 +34,7 @@ export function helpLink() {
           "gestures.",
       ),
       paragraph(
-        el(
-          "a",
-          { href: address("about", muscle.params()), onclick: close },
-          "About",
-        ),
+        el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
         ": accuracy, verification, models, sources.",
       ),
       DOCUMENTATION

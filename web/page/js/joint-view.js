@@ -37,22 +37,14 @@ const badge = (model) =>
 
 /** @param {JointPoint} point @param {string} which muscles these are */
 export function numbersView(point, which) {
-  const half = (/** @type {number | null | undefined} */ u) =>
-    u ? ` ± ${number(u, 2)}` : "";
+  const half = (/** @type {number | null | undefined} */ u) => (u ? ` ± ${number(u, 2)}` : "");
   const stiffness = (
-    /** @type {JointPoint} */ {
-      stiffness_nm_per_rad: k,
-      stiffness_uncertainty_nm_per_rad: u,
-    },
-  ) =>
-    `${number(outside(ANGULAR, k), 3)}${half(u && outside(ANGULAR, u))} ` +
-    unitName(ANGULAR);
+    /** @type {JointPoint} */ { stiffness_nm_per_rad: k, stiffness_uncertainty_nm_per_rad: u },
+  ) => `${number(outside(ANGULAR, k), 3)}${half(u && outside(ANGULAR, u))} ` + unitName(ANGULAR);
   const closed = [
     point.stiffness_shut_isothermal_nm_per_rad,
     point.stiffness_shut_adiabatic_nm_per_rad,
-  ].flatMap((k) =>
-    typeof k === "number" ? [number(outside(ANGULAR, k), 3)] : [],
-  );
+  ].flatMap((k) => (typeof k === "number" ? [number(outside(ANGULAR, k), 3)] : []));
   const built = interval("torque", [
     point.predicted_nm,
     point.predicted_low_nm,
@@ -66,22 +58,12 @@ export function numbersView(point, which) {
     ["Pressure 2", showPressure(point.pressure_2_mpa, 3)],
     ["Stiffness", stiffness(point)],
     ...(closed.length
-      ? [
-          [
-            "Stiffness, valves closed",
-            `${closed.join(" to ")} ${unitName(ANGULAR)}`,
-          ],
-        ]
+      ? [["Stiffness, valves closed", `${closed.join(" to ")} ${unitName(ANGULAR)}`]]
       : []),
     ["Pulls", `${pull(point.force_1_n)}, ${pull(point.force_2_n)}`],
-    [
-      "Contractions",
-      `${showRatio(point.contraction_1, 3)}, ${showRatio(point.contraction_2, 3)}`,
-    ],
+    ["Contractions", `${showRatio(point.contraction_1, 3)}, ${showRatio(point.contraction_2, 3)}`],
   ]);
-  const words = point.words
-    ? ` The torque as built is ${built}, with its ± ${point.words}.`
-    : "";
+  const words = point.words ? ` The torque as built is ${built}, with its ± ${point.words}.` : "";
   return [
     badge(point.model),
     el(
@@ -104,14 +86,9 @@ export function numbersView(point, which) {
  */
 export function torqueChart({ answer, angles, pairs }, point) {
   const series = pairs.map((pair, i) => {
-    const rows = answer.points.slice(
-      i * angles.length,
-      (i + 1) * angles.length,
-    );
+    const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
     const name =
-      pair.map((p) => number(outside("pressure", p), 3)).join(" | ") +
-      " " +
-      unitName("pressure");
+      pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
     return {
       name,
       end: name,
@@ -159,9 +136,7 @@ export function reachChart(map) {
     step = niceUp(most / 6);
   const count = Math.max(1, Math.ceil(most / step - 1e-9));
   const series = Array.from({ length: count }, (_, i) => {
-    const of = points.filter(
-      (q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i,
-    );
+    const of = points.filter((q) => Math.min(count - 1, Math.floor(mean(q) / step)) === i);
     const name = `${number(i * step, 3)} to ${number((i + 1) * step, 3)} ${unit}`;
     const y = of.map((q) => outside(ANGULAR, q.stiffness_nm_per_rad));
     const x = of.map((q) => q.angle_deg),
@@ -212,11 +187,8 @@ function tube(m, which, point, supply, left) {
     b = Math.max(m.diameter, now.bulged) / 2,
     thread = `color-mix(in srgb, ${fill} 62%, #fff)`;
   const text =
-    p === undefined
-      ? String(which)
-      : `${which}: ${showPressure(p, 3)}, ${showRatio(e, 3)}`;
-  const place =
-    which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
+    p === undefined ? String(which) : `${which}: ${showPressure(p, 3)}, ${showRatio(e, 3)}`;
+  const place = which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
   return (
     `<path d="M${left + length} ${y}H0" class="tendon"/><g transform="translate(${left} ${y})" class="woven">` +
     `${body({ length, diameter: m.diameter, ...now, fill, thread })}</g>` +
@@ -232,11 +204,7 @@ export function jointDrawing(point, angle, supply, m) {
   const arm = 0.45 * m.length,
     most = Math.max(Math.abs(m.low), Math.abs(m.high)),
     size = m.length / (innerWidth < 700 ? 15 : 26);
-  const left = -(
-    m.length * (1 - m.e0) +
-    m.r * ((most * Math.PI) / 180) +
-    m.diameter
-  );
+  const left = -(m.length * (1 - m.e0) + m.r * ((most * Math.PI) / 180) + m.diameter);
   const width = arm * 1.25 - left + 0.2 * m.length;
   const tall =
     2 *
@@ -248,9 +216,7 @@ export function jointDrawing(point, angle, supply, m) {
     `<path d="M0 0L${at(arm, m.low)}A${arm} ${arm} 0 ${m.high - m.low > 180 ? 1 : 0} 0 ${at(arm, m.high)}Z" ` +
     'class="range"/>';
   const second = !point || point.pressure_2_mpa !== undefined;
-  const muscles =
-    tube(m, 1, point, supply, left) +
-    (second ? tube(m, 2, point, supply, left) : "");
+  const muscles = tube(m, 1, point, supply, left) + (second ? tube(m, 2, point, supply, left) : "");
   const bar = niceUp(0.13 * m.length),
     scale =
       `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}` +

@@ -46,15 +46,12 @@ const STATED = {
 };
 const IN_FILE = /** @type {(keyof typeof STATED)[]} */ (Object.keys(STATED));
 /** No words beside a joint file: it states them. */
-export const ofFile = Object.fromEntries(
-  [...IN_FILE, "range"].map((key) => [key, undefined]),
-);
+export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
 
 export class JointWords {
   files = { joint: "", file2: "" };
   v = { ...USUAL };
-  /** What was typed over the joint file. @type {Set<string>} */ over =
-    new Set();
+  /** What was typed over the joint file. @type {Set<string>} */ over = new Set();
 
   /** @param {URLSearchParams} params */
   async read(params) {
@@ -68,20 +65,14 @@ export class JointWords {
       this.over.add("low").add("high");
     }
     await this.#take(
-      KEYS.filter((key) => params.has(key)).map((key) => [
-        key,
-        params.get(key) ?? "",
-      ]),
+      KEYS.filter((key) => params.has(key)).map((key) => [key, params.get(key) ?? ""]),
     );
   }
 
   /** Values that the joint file states. */
   async fromFile() {
     const own = IN_FILE.filter((key) => !this.over.has(key));
-    Object.assign(
-      this.v,
-      Object.fromEntries(own.map((key) => [key, USUAL[key]])),
-    );
+    Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
     const of = stated(this.files.joint);
     await this.#limits(of.get("joint.range"));
     await this.#take(
@@ -99,15 +90,12 @@ export class JointWords {
       { text, kind: "angle", list: text.includes("..") },
     ]);
     const ends = value === undefined ? values : [-value, value];
-    if (ends.length)
-      [this.v.low, this.v.high] = [Math.min(...ends), Math.max(...ends)];
+    if (ends.length) [this.v.low, this.v.high] = [Math.min(...ends), Math.max(...ends)];
   }
 
   /** @param {[Key, string][]} texts */
   async #take(texts) {
-    const readings = await understood(
-      texts.map(([key, text]) => ({ text, kind: KINDS_OF[key] })),
-    );
+    const readings = await understood(texts.map(([key, text]) => ({ text, kind: KINDS_OF[key] })));
     texts.forEach(([key], i) => {
       const { value } = readings[i];
       if (value !== undefined) this.v[key] = value;
@@ -118,12 +106,8 @@ export class JointWords {
   request(first) {
     const { files, over, v } = this;
     // One limit alone is no range.
-    const ends =
-      over.has("low") || over.has("high")
-        ? [v.low, v.high]
-        : [undefined, undefined];
-    const own = (/** @type {Key} */ key) =>
-      over.has(key) ? v[key] : undefined;
+    const ends = over.has("low") || over.has("high") ? [v.low, v.high] : [undefined, undefined];
+    const own = (/** @type {Key} */ key) => (over.has(key) ? v[key] : undefined);
     const put = {
       ...Object.fromEntries(IN_FILE.map((key) => [key, own(key)])),
       low: ends[0],
@@ -139,13 +123,9 @@ export class JointWords {
   words() {
     const { files, over, v } = this,
       inFile = /** @type {readonly string[]} */ (IN_FILE);
-    const said = KEYS.filter(
-      (key) => !files.joint || !inFile.includes(key) || over.has(key),
-    );
+    const said = KEYS.filter((key) => !files.joint || !inFile.includes(key) || over.has(key));
     return {
-      ...Object.fromEntries(
-        said.map((key) => [key, typed(KINDS_OF[key], v[key])]),
-      ),
+      ...Object.fromEntries(said.map((key) => [key, typed(KINDS_OF[key], v[key])])),
       ...files,
     };
   }
@@ -167,9 +147,7 @@ const HELD = 1;
 export const angles = (from, to) =>
   Array.from({ length: POINTS + 1 }, (_, i) => {
     const t = i / POINTS;
-    return Number(
-      (from + (to - from) * t ** 3 * (10 - 15 * t + 6 * t * t)).toFixed(6),
-    );
+    return Number((from + (to - from) * t ** 3 * (10 - 15 * t + 6 * t * t)).toFixed(6));
   });
 
 /**
@@ -178,8 +156,7 @@ export const angles = (from, to) =>
  * @param {number} seconds of the move @param {number} supply in MPa
  */
 export function drive(points, seconds, supply) {
-  const time = (/** @type {number} */ i) =>
-    `${Number(((seconds * i) / STEPS).toFixed(6))} s`;
+  const time = (/** @type {number} */ i) => `${Number(((seconds * i) / STEPS).toFixed(6))} s`;
   const between = (/** @type {number[]} */ list, /** @type {number} */ i) => {
     const k = Math.min(POINTS - 1, Math.floor(i / BETWEEN)),
       share = i / BETWEEN - k;
@@ -196,9 +173,7 @@ export function drive(points, seconds, supply) {
     `# A move of the joint: pressures along it, each held until the next.\n#:schema drive.schema.json\njoint = "joint.toml"\n\n` +
     `[supply]\npressure = "${supply} MPa"\n\n[valve]\nsonic_conductance = "0.5 L/(s bar)"\n\n[command]\n` +
     `${opposed ? "pressure_1" : "pressure"} = ${steps(points.map((q) => q.pressure_1_mpa))}\n` +
-    (opposed
-      ? `pressure_2 = ${steps(points.map((q) => Number(q.pressure_2_mpa)))}\n`
-      : "") +
+    (opposed ? `pressure_2 = ${steps(points.map((q) => Number(q.pressure_2_mpa)))}\n` : "") +
     `until = "${Number((seconds + HELD).toFixed(6))} s"\n`
   );
 }

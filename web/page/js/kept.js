@@ -22,8 +22,7 @@ const stored = (storage, name) => ({
   },
 });
 /** A word for later visits. @param {string} name */
-export const remembered = (name) =>
-  stored(() => localStorage, `mckibben:${name}`);
+export const remembered = (name) => stored(() => localStorage, `mckibben:${name}`);
 const session = stored(() => sessionStorage, "mckibben:kept");
 /** @type {Kept} */
 const kept = { words: {}, files: {}, ...JSON.parse(session.get() || "{}") };
@@ -40,9 +39,7 @@ export const wordsOf = (page) => kept.words[page] ?? {};
 /** @param {string} page @param {Record<string, string | undefined>} words */
 export function keepWords(page, words) {
   const said = Object.fromEntries(
-    Object.entries(words).filter(
-      ([, word]) => word !== undefined && word !== "",
-    ),
+    Object.entries(words).filter(([, word]) => word !== undefined && word !== ""),
   );
   if (JSON.stringify(said) === JSON.stringify(wordsOf(page))) return;
   kept.words[page] = /** @type {Words} */ (said);
@@ -117,9 +114,7 @@ export function thinned(text, most = MOST_ROWS) {
   if (step < 2) return { text, said: "" };
   let at = 0;
   const some = lines.filter((line) => !isRow(line) || at++ % step === 0);
-  const [all, few, used] = [rows, most, Math.ceil(rows / step)].map((n) =>
-    n.toLocaleString("en"),
-  );
+  const [all, few, used] = [rows, most, Math.ceil(rows / step)].map((n) => n.toLocaleString("en"));
   const which = step === 2 ? "second" : step === 3 ? "third" : `${step}th`;
   return {
     text: some.join("\n"),

@@ -73,8 +73,7 @@ export function liftView() {
   const play = playing(
     "Move",
     // It rests at both ends, and moves in steps: the search needs the processor too.
-    (share) =>
-      draw(clamp(Math.round(16 - 22 * Math.cos(79 * share)) / 32, 0, 1)),
+    (share) => draw(clamp(Math.round(16 - 22 * Math.cos(79 * share)) / 32, 0, 1)),
     () => (still ? 3000 : 60_000),
   );
   return {

@@ -34,8 +34,7 @@ export function linesOf(name, drag) {
   /** Where the pointer rests on the plot. @type {number[] | undefined} */ let pointer;
   /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ let marked;
   /** @type {From | undefined} */ let from;
-  const over = (/** @type {string} */ kind) =>
-    el("i", { class: kind, hidden: true });
+  const over = (/** @type {string} */ kind) => el("i", { class: kind, hidden: true });
   const drawn = block(),
     [ring, dot, hair, box] = ["ring", "dot", "hair", "box"].map(over),
     tip = el("div", { class: "tip small", hidden: true });
@@ -100,16 +99,8 @@ export function linesOf(name, drag) {
         on ? [c + (low - c) * by, c + (high - c) * by] : [low, high]
       );
     zoom({
-      x: about(
-        at.reach.x,
-        at.x(px ?? at.left + at.w / 2),
-        px === undefined || px > at.left,
-      ),
-      y: about(
-        at.reach.y,
-        at.y(py ?? at.top + at.h / 2),
-        py === undefined || py < at.top + at.h,
-      ),
+      x: about(at.reach.x, at.x(px ?? at.left + at.w / 2), px === undefined || px > at.left),
+      y: about(at.reach.y, at.y(py ?? at.top + at.h / 2), py === undefined || py < at.top + at.h),
     });
   }
 
@@ -152,12 +143,7 @@ export function linesOf(name, drag) {
   function hover(px, py) {
     if (!at || !spec) return;
     const of = spec;
-    host.style.cursor =
-      py > at.top + at.h
-        ? "ew-resize"
-        : px < at.left
-          ? "ns-resize"
-          : "crosshair";
+    host.style.cursor = py > at.top + at.h ? "ew-resize" : px < at.left ? "ns-resize" : "crosshair";
     const within = px >= at.left && py <= at.top + at.h,
       said = within && of.says?.(at.x(px), at.y(py)),
       found = within ? nearest(of, at, px, py) : undefined;
@@ -171,8 +157,7 @@ export function linesOf(name, drag) {
       resting = window.setTimeout(
         () =>
           of.exact?.(of.series[found.which], found.x, ([y, low, high]) => {
-            if (spec === of && pointer === rests)
-              point({ ...found, y, low, high });
+            if (spec === of && pointer === rests) point({ ...found, y, low, high });
           }),
         REST,
       );
@@ -233,16 +218,11 @@ export function linesOf(name, drag) {
     const series = spec?.series ?? [];
     const readable = series
       .map((_, i) => i)
-      .filter(
-        (i) => !series[i].band && !series[i].silent && series[i].x.length,
-      );
+      .filter((i) => !series[i].band && !series[i].silent && series[i].x.length);
     if (!readable.length) return;
     const [was, i] = read ?? [readable[0], -1];
     const which =
-      readable[
-        (Math.max(0, readable.indexOf(was)) + curve + readable.length) %
-          readable.length
-      ];
+      readable[(Math.max(0, readable.indexOf(was)) + curve + readable.length) % readable.length];
     const s = series[which];
     let next = clamp(i + along, 0, s.x.length - 1);
     if (i < 0) next = 0;
@@ -258,20 +238,14 @@ export function linesOf(name, drag) {
   /** The drawing as text of an SVG file. @param {number} width @param {number} height */
   function svg(width, height) {
     const of = /** @type {Spec} */ (spec);
-    return drawing(
-      of,
-      frame(of, width, height, zoomed ?? reachOf(of)),
-      colours(),
-      true,
-    );
+    return drawing(of, frame(of, width, height, zoomed ?? reachOf(of)), colours(), true);
   }
 
   const on = (
     /** @type {string} */ event,
     /** @type {(event: never) => void} */ act,
     options = {},
-  ) =>
-    host.addEventListener(event, /** @type {EventListener} */ (act), options);
+  ) => host.addEventListener(event, /** @type {EventListener} */ (act), options);
   const where = (/** @type {PointerEvent | MouseEvent} */ event) => {
     const { left, top } = host.getBoundingClientRect();
     return [event.clientX - left, event.clientY - top];
@@ -360,17 +334,13 @@ export function linesOf(name, drag) {
 
     /** Its pixels, twice as fine. @param {number} width @param {number} height @returns {Promise<Blob>} */
     async png(width, height) {
-      const file = URL.createObjectURL(
-        new Blob([svg(width, height)], { type: "image/svg+xml" }),
-      );
+      const file = URL.createObjectURL(new Blob([svg(width, height)], { type: "image/svg+xml" }));
       const image = el("img", { src: file });
       await image.decode();
       const canvas = el("canvas", { width: 2 * width, height: 2 * height });
       canvas.getContext("2d")?.drawImage(image, 0, 0, 2 * width, 2 * height);
       URL.revokeObjectURL(file);
-      return new Promise((resolve) =>
-        canvas.toBlob((blob) => blob && resolve(blob)),
-      );
+      return new Promise((resolve) => canvas.toBlob((blob) => blob && resolve(blob)));
     },
   };
 }

@@ -25,8 +25,7 @@ let routes = 0;
 
 // Words of the muscle mean other things in a specification: it is one word there.
 const OWN_WORDS = ["design"];
-/** The view of a place that was shown last. @type {Map<string, string>} */ const last =
-  new Map();
+/** The view of a place that was shown last. @type {Map<string, string>} */ const last = new Map();
 
 /**
  * A page's address with a muscle and what was typed there.
@@ -36,9 +35,7 @@ function linked(name, mine = muscle.params()) {
   const own = wordsOf(name);
   return address(
     name,
-    OWN_WORDS.includes(name)
-      ? { ...own, m: muscle.word() }
-      : { ...own, ...mine },
+    OWN_WORDS.includes(name) ? { ...own, m: muscle.word() } : { ...own, ...mine },
   );
 }
 const places = PLACES.map(([place, text, short]) =>
@@ -54,15 +51,11 @@ const views = byId("views");
 
 /** Links lead to the muscle as it is now. */
 function link() {
-  const put = (
-    /** @type {HTMLAnchorElement} */ a,
-    /** @type {string} */ name,
-  ) => {
+  const put = (/** @type {HTMLAnchorElement} */ a, /** @type {string} */ name) => {
     const to = linked(name);
     if (a.getAttribute("href") !== to) a.setAttribute("href", to);
   };
-  for (const a of places)
-    put(a, last.get(a.dataset.place ?? "") ?? a.dataset.place ?? "");
+  for (const a of places) put(a, last.get(a.dataset.place ?? "") ?? a.dataset.place ?? "");
   for (const a of views.querySelectorAll("a")) put(a, a.dataset.name ?? "");
 }
 
@@ -73,10 +66,7 @@ async function keep() {
   const theirs = OWN_WORDS.includes(page)
     ? ["m"]
     : [...keys(), "u", "name", ...muscle.unknown.map(([key]) => key)];
-  keepWords(
-    page,
-    Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))),
-  );
+  keepWords(page, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
 }
 
 const help = helpLink();
@@ -112,8 +102,7 @@ function frame(name) {
   const { text, about, place } = pageOf(name),
     list = viewsOf(place);
   last.set(place, name);
-  for (const a of places)
-    a.ariaCurrent = a.dataset.place === place ? "page" : null;
+  for (const a of places) a.ariaCurrent = a.dataset.place === place ? "page" : null;
   const links =
     place && list.length > 1
       ? list.map((view) =>
@@ -155,8 +144,7 @@ async function route() {
     { page: wanted, params, lost } = await read();
   if (mine !== routes) return;
   const { name } = pageOf(wanted);
-  if (name !== wanted)
-    notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
+  if (name !== wanted) notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
   if (lost.length)
     notice(
       "The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.",
@@ -189,10 +177,7 @@ function leave() {
 /** @param {unknown} problem */
 function fail(problem) {
   leave();
-  main.replaceChildren(
-    problemBox(problem),
-    paragraph(mainButton("Try again", start)),
-  );
+  main.replaceChildren(problemBox(problem), paragraph(mainButton("Try again", start)));
 }
 
 async function start() {
@@ -258,8 +243,7 @@ onKept(link);
 muscle.onChange(changed);
 // A link that is followed right after a gesture has the muscle of that gesture.
 for (const box of [byId("pages"), views])
-  for (const event of ["pointerdown", "focusin"])
-    box.addEventListener(event, () => muscle.tell());
+  for (const event of ["pointerdown", "focusin"]) box.addEventListener(event, () => muscle.tell());
 addEventListener("popstate", route);
 sketches();
 printing();

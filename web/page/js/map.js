@@ -59,16 +59,11 @@ export function sampled(x, y, by, at) {
 export function picture({ x, y, values }, colour) {
   const [width, height] = [x.length, y.length],
     canvas = el("canvas", { width, height });
-  const context = /** @type {CanvasRenderingContext2D} */ (
-    canvas.getContext("2d")
-  );
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const pixels = context.createImageData(width, height);
   values.forEach((row, j) =>
     row.forEach((value, i) =>
-      pixels.data.set(
-        colour(value, x[i], y[j]),
-        4 * ((height - 1 - j) * width + i),
-      ),
+      pixels.data.set(colour(value, x[i], y[j]), 4 * ((height - 1 - j) * width + i)),
     ),
   );
   context.putImageData(pixels, 0, 0);
@@ -102,12 +97,7 @@ function levelLine({ x, y, values }, level) {
         return [[x[a] + t * (x[c] - x[a]), y[b] + t * (y[d] - y[b])]];
       });
       for (let k = 0; k + 1 < points.length; k += 2)
-        out.push([
-          points[k][0],
-          points[k][1],
-          points[k + 1][0],
-          points[k + 1][1],
-        ]);
+        out.push([points[k][0], points[k][1], points[k + 1][0], points[k + 1][1]]);
     }
   }
   return out;
@@ -132,10 +122,7 @@ export const whole = (list) => ({ range: [list[0], list[list.length - 1]] });
 /** The least and the largest of what is known. @param {(number | null)[][]} values */
 export function span(values) {
   const known = values.flat().filter((v) => v !== null);
-  return /** @type {[number, number]} */ ([
-    Math.min(...known),
-    Math.max(...known),
-  ]);
+  return /** @type {[number, number]} */ ([Math.min(...known), Math.max(...known)]);
 }
 
 /**
@@ -154,9 +141,7 @@ export function levels(field, unit) {
   const notes = all.flatMap(({ value, list }) => {
     const free = list.filter(([x]) => x > least && x < most),
       [x, y] = free[Math.floor(free.length / 2)] ?? [];
-    return free.length > 8
-      ? [{ x, y, text: `${number(value, 3)} ${unit}` }]
-      : [];
+    return free.length > 8 ? [{ x, y, text: `${number(value, 3)} ${unit}` }] : [];
   });
   return {
     series: [

@@ -30,8 +30,7 @@ import {
 } from "./units.js";
 import { wordsOf } from "./kept.js";
 
-const measure = (/** @type {string} */ key) =>
-  MEASURES.find((m) => m.key === key);
+const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === key);
 
 /** The measures that the program has; before a page asks for one. */
 export async function loadMeasures() {
@@ -60,8 +59,7 @@ export class MuscleState {
     this.sleeves = [];
     /** @type {[string, string][]} */ this.unknown = [];
     /** @type {Map<string, string>} */ this.wrong = new Map();
-    /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written =
-      undefined;
+    /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written = undefined;
     /** Until the address is read: a question before that would be about another muscle. @type {Promise<unknown>} */
     this.ready = Promise.resolve();
   }
@@ -104,9 +102,7 @@ export class MuscleState {
     const { file, said } = this.state;
     return (
       this.given ||
-      (file || Object.keys(said).length
-        ? "My muscle"
-        : "Reference muscle (Antonelli 2018)")
+      (file || Object.keys(said).length ? "My muscle" : "Reference muscle (Antonelli 2018)")
     );
   }
   /** @param {string} text empty for that of its file */
@@ -140,18 +136,14 @@ export class MuscleState {
   value(key) {
     const of = measure(key);
     if (of) return shownValue(this.state, this.shown, of);
-    return key === "p" || key === "e" || key === "F"
-      ? this.state[key]
-      : undefined;
+    return key === "p" || key === "e" || key === "F" ? this.state[key] : undefined;
   }
 
   /** The muscle file that says the same; what engines without a file are asked by. */
   file() {
     const of = JSON.stringify(fields(this.state, this.p));
     if (this.written?.of !== of) {
-      const file = canonical(this.state, (command, request) =>
-        engine().ask(command, request),
-      );
+      const file = canonical(this.state, (command, request) => engine().ask(command, request));
       this.written = { of, file };
       file.catch(() => {
         this.written = undefined;
@@ -197,9 +189,7 @@ export class MuscleState {
   word() {
     const params = this.params(),
       plain =
-        !this.called &&
-        !params.u &&
-        JSON.stringify(this.state) === JSON.stringify(prototype());
+        !this.called && !params.u && JSON.stringify(this.state) === JSON.stringify(prototype());
     return plain ? "" : query(params);
   }
 
@@ -285,8 +275,6 @@ export async function visit(page, words) {
   await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
   const to = address(page, { ...wordsOf(page), ...words, ...muscle.params() });
   if (to === location.hash)
-    window.dispatchEvent(
-      new PopStateEvent("popstate", { state: history.state }),
-    );
+    window.dispatchEvent(new PopStateEvent("popstate", { state: history.state }));
   else location.hash = to;
 }

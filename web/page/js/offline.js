@@ -10,9 +10,8 @@ const isInstalled = () => matchMedia("(display-mode: standalone)").matches;
 /** Whether the browser asks for as little as possible. */
 const saves = () =>
   Boolean(
-    /** @type {Navigator & { connection?: { saveData?: boolean } }} */ (
-      navigator
-    ).connection?.saveData,
+    /** @type {Navigator & { connection?: { saveData?: boolean } }} */ (navigator).connection
+      ?.saveData,
   );
 const large = () => engine().files;
 

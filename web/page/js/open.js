@@ -8,8 +8,7 @@ import { shelf } from "./project.js";
 export function openDialog() {
   dialog("Open a muscle", (close) => {
     const said = block();
-    const fail = (/** @type {unknown} */ problem) =>
-      said.replaceChildren(problemBox(problem));
+    const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
     const open = (/** @type {File[]} */ files) => {
       close();
       takeFiles(files);

@@ -109,7 +109,6 @@ export const PAGES = [
   about,
 }));
 /** @param {string} name */
-export const pageOf = (name) =>
-  PAGES.find((page) => page.name === name) ?? PAGES[0];
+export const pageOf = (name) => PAGES.find((page) => page.name === name) ?? PAGES[0];
 /** The views of a place. @param {string} place */
 export const viewsOf = (place) => PAGES.filter((page) => page.place === place);

@@ -3,8 +3,7 @@ import { button } from "./dom.js";
 import { atEnd } from "./life.js";
 
 /** Whether motion is not wanted. */
-export const isStill = () =>
-  matchMedia("(prefers-reduced-motion: reduce)").matches;
+export const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /**
  * `at` is told the share of the time; only three of them where motion is not wanted.
@@ -21,9 +20,7 @@ export function playing(text, at, long, title) {
       const share = Math.min(1, (performance.now() - began) / long());
       at(still ? Math.ceil(3 * share) / 3 : share);
       if (share === 1) return stop();
-      running = still
-        ? window.setTimeout(step, long() / 3)
-        : requestAnimationFrame(step);
+      running = still ? window.setTimeout(step, long() / 3) : requestAnimationFrame(step);
     };
     stop();
     running = 1;

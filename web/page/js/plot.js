@@ -2,15 +2,7 @@
 import { clamp, niceUp, number } from "./units.js";
 
 /** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
-export const KINDS = [
-  "#0072B2",
-  "#D55E00",
-  "#009E73",
-  "#CC79A7",
-  "#56B4E9",
-  "#E69F00",
-  "#8a8a8a",
-];
+export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a"];
 const DASHES = {
   solid: "",
   dash: ' stroke-dasharray="7 4"',
@@ -78,10 +70,7 @@ function axisReach(found, axis, spare) {
   }
   const wide = high - low || Math.abs(high) || 1;
   if (high === low) return [low - 0.5 * wide, high + 0.5 * wide];
-  return [
-    zero && low === 0 ? 0 : low - spare * wide,
-    zero && high === 0 ? 0 : high + spare * wide,
-  ];
+  return [zero && low === 0 ? 0 : low - spare * wide, zero && high === 0 ? 0 : high + spare * wide];
 }
 
 /** Round values between two others. @param {[number, number]} reach @param {number} most */
@@ -96,10 +85,7 @@ export function ticks([low, high], most) {
     value,
     text: number(
       value,
-      Math.max(
-        3,
-        Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2),
-      ),
+      Math.max(3, Math.ceil(Math.log10(Math.max(1, Math.abs(value) / step)) + 2)),
     ),
   }));
 }
@@ -119,14 +105,8 @@ export function frame(spec, width, height, reach) {
     top = named.length ? named[named.length - 1].y + 12 : 12,
     bottom = 40;
   const right = Math.min(0.4 * width, 20 + 1.06 * GLYPH * longest);
-  const [w, h] = [
-    Math.max(20, width - left - right),
-    Math.max(20, height - top - bottom),
-  ];
-  const [fx, fy] = [
-    w / (reach.x[1] - reach.x[0]),
-    h / (reach.y[1] - reach.y[0]),
-  ];
+  const [w, h] = [Math.max(20, width - left - right), Math.max(20, height - top - bottom)];
+  const [fx, fy] = [w / (reach.x[1] - reach.x[0]), h / (reach.y[1] - reach.y[0])];
   return {
     width,
     height,
@@ -220,17 +200,12 @@ function image(picture, { px, py }) {
 }
 
 /** @param {Spec} spec @param {Frame} at @param {Colours} colours */
-function axes(
-  spec,
-  { left, top, w, h, along, across, px, py },
-  { line, faint },
-) {
+function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint }) {
   const bottom = top + h,
     rule = (/** @type {string} */ d) => `<path d="${d}" stroke="${faint}"/>`;
   const down = along.map(
     ({ value, text }) =>
-      rule(`M${short(px(value))} ${top}V${bottom}`) +
-      words(px(value), bottom + 17, text, MIDDLE),
+      rule(`M${short(px(value))} ${top}V${bottom}`) + words(px(value), bottom + 17, text, MIDDLE),
   );
   const over = across.map(
     ({ value, text }) =>
@@ -240,12 +215,7 @@ function axes(
   return (
     `${down.join("")}${over.join("")}<path d="M${left} ${top}V${bottom}H${left + w}" fill="none" stroke="${line}"/>` +
     words(left + w / 2, bottom + 34, spec.x, MIDDLE) +
-    words(
-      0,
-      0,
-      spec.y,
-      `${MIDDLE} transform="translate(12 ${top + h / 2}) rotate(-90)"`,
-    )
+    words(0, 0, spec.y, `${MIDDLE} transform="translate(12 ${top + h / 2}) rotate(-90)"`)
   );
 }
 
@@ -310,9 +280,7 @@ function curve(s, which, at) {
     );
   return drawn(
     all
-      .map((run) =>
-        s.smooth ? bent(s, run, at) : `M${run.map((i) => place(i)).join("L")}`,
-      )
+      .map((run) => (s.smooth ? bent(s, run, at) : `M${run.map((i) => place(i)).join("L")}`))
       .join(""),
     `stroke-width="${s.width ?? (s.strong ? 3 : 1.75)}" stroke-linejoin="round"${DASHES[s.dash ?? "solid"]}`,
   );
@@ -325,14 +293,10 @@ function curve(s, which, at) {
 function labels(spec, { px, py, left, top, w, h, reach }, colours) {
   const ends = spec.series.flatMap((s, k) => {
     const start = s.at === "start",
-      seen = runs(
-        s,
-        (i) => s.x[i] >= reach.x[0] && s.x[i] <= reach.x[1],
-      ).flat();
+      seen = runs(s, (i) => s.x[i] >= reach.x[0] && s.x[i] <= reach.x[1]).flat();
     const i = start ? seen[0] : seen[seen.length - 1],
       y = py(Number(s.y[i]));
-    if (!s.end || i === undefined || y < top - 20 || y > top + h + 20)
-      return [];
+    if (!s.end || i === undefined || y < top - 20 || y > top + h + 20) return [];
     return [
       {
         x: start ? px(s.x[i]) + 8 : Math.min(px(s.x[i]), left + w) + 5,
@@ -350,12 +314,7 @@ function labels(spec, { px, py, left, top, w, h, reach }, colours) {
   }
   return ends
     .map(({ x, y, text, strong, colour }) =>
-      words(
-        x,
-        y,
-        text,
-        onPaper(colours, colour) + (strong ? ' font-weight="600"' : ""),
-      ),
+      words(x, y, text, onPaper(colours, colour) + (strong ? ' font-weight="600"' : "")),
     )
     .join("");
 }
@@ -379,8 +338,7 @@ const legend = (spec, { named }) =>
  * @param {number[]} x @param {number[]} y
  */
 export function slopes(x, y) {
-  if (x.length < 3)
-    return x.map(() => (x.length < 2 ? 0 : (y[1] - y[0]) / (x[1] - x[0])));
+  if (x.length < 3) return x.map(() => (x.length < 2 ? 0 : (y[1] - y[0]) / (x[1] - x[0])));
   const h = x.slice(1).map((v, i) => v - x[i]),
     d = h.map((w, i) => (y[i + 1] - y[i]) / w),
     n = d.length;
@@ -397,8 +355,7 @@ export function slopes(x, y) {
           : (h[i] * d[i - 1] + h[i - 1] * d[i]) / (h[i - 1] + h[i]),
   );
   d.forEach((slope, i) => {
-    const far =
-      slope === 0 ? Infinity : Math.hypot(m[i] / slope, m[i + 1] / slope);
+    const far = slope === 0 ? Infinity : Math.hypot(m[i] / slope, m[i + 1] / slope);
     if (far > 3) for (const k of [i, i + 1]) m[k] *= 3 / far;
   });
   return m;

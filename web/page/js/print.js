@@ -2,15 +2,7 @@
 import { engine } from "./ask.js";
 import { isLocal } from "./address.js";
 import { pictures } from "./body.js";
-import {
-  block,
-  byId,
-  el,
-  heading,
-  paragraph,
-  smallPrint,
-  termsOf,
-} from "./dom.js";
+import { block, byId, el, heading, paragraph, smallPrint, termsOf } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
 import { setTheme } from "./theme.js";
@@ -18,9 +10,7 @@ import { thumbnail } from "./thumbnail.js";
 
 /** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
 function inputs() {
-  const rows = [
-    ...document.querySelectorAll(".controls .quantity, .controls .choice"),
-  ];
+  const rows = [...document.querySelectorAll(".controls .quantity, .controls .choice")];
   return rows
     .filter((row) => !row.closest("[hidden], details:not([open])"))
     .flatMap((row) => {
@@ -29,17 +19,12 @@ function inputs() {
         row.querySelector("input[type=text], select")
       );
       const text =
-        field instanceof HTMLSelectElement
-          ? field.selectedOptions[0]?.textContent
-          : field?.value;
+        field instanceof HTMLSelectElement ? field.selectedOptions[0]?.textContent : field?.value;
       const unit =
         row.classList.contains("quantity") && !text?.includes("%")
-          ? row.querySelector(":scope > button, :scope > span.soft")
-              ?.textContent
+          ? row.querySelector(":scope > button, :scope > span.soft")?.textContent
           : "";
-      return text
-        ? [/** @type {[string, string]} */ ([name, `${text} ${unit}`.trim()])]
-        : [];
+      return text ? [/** @type {[string, string]} */ ([name, `${text} ${unit}`.trim()])] : [];
     });
 }
 
@@ -51,8 +36,7 @@ function picture() {
   const src = canvas && pictures.get(canvas)?.();
   return src
     ? el("img", { src, alt: "The muscle in this state" })
-    : (document.querySelector("main .stage svg.joint")?.cloneNode(true) ??
-        null);
+    : (document.querySelector("main .stage svg.joint")?.cloneNode(true) ?? null);
 }
 
 /** The sheet of the page as it is now. */
@@ -86,11 +70,7 @@ function sheet() {
     el(
       "p",
       { class: "small link" },
-      location.href.length < 2000
-        ? isLocal()
-          ? location.hash
-          : location.href
-        : "",
+      location.href.length < 2000 ? (isLocal() ? location.hash : location.href) : "",
     ),
   );
 }

@@ -63,10 +63,7 @@ function isProject(read) {
     project?.format === FORMAT &&
     Array.isArray(project.muscles) &&
     project.muscles.every(
-      (m) =>
-        typeof m?.name === "string" &&
-        typeof m.file === "string" &&
-        texts(m.point ?? {}),
+      (m) => typeof m?.name === "string" && typeof m.file === "string" && texts(m.point ?? {}),
     ) &&
     Object.values(project.words ?? {}).every(texts) &&
     typeof (project.files ?? {}) === "object"
@@ -79,20 +76,13 @@ export async function openProject(text) {
   try {
     read = JSON.parse(text);
   } catch (problem) {
-    throw new Error(
-      `The project cannot be read: ${/** @type {Error} */ (problem).message}.`,
-    );
+    throw new Error(`The project cannot be read: ${/** @type {Error} */ (problem).message}.`);
   }
   if (!isProject(read))
-    throw new Error(
-      "This is no project of the workbench, or one of a newer version.",
-    );
+    throw new Error("This is no project of the workbench, or one of a newer version.");
   if (read.version > 1)
-    throw new Error(
-      `The project has version ${read.version}; this workbench reads version 1.`,
-    );
-  const one =
-    read.muscles.find(({ name }) => name === read.shown) ?? read.muscles[0];
+    throw new Error(`The project has version ${read.version}; this workbench reads version 1.`);
+  const one = read.muscles.find(({ name }) => name === read.shown) ?? read.muscles[0];
   replaceAll({
     words: read.words ?? {},
     files: { ...read.files, muscles: read.muscles },

@@ -3,9 +3,7 @@
 import { el } from "./dom.js";
 import { viewOf } from "./view3d.js";
 
-for (const box of /** @type {NodeListOf<HTMLElement>} */ (
-  document.querySelectorAll(".body")
-)) {
+for (const box of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(".body"))) {
   const data = box.querySelector("script")?.textContent;
   if (!data) continue;
   const shape = JSON.parse(data);
@@ -17,10 +15,6 @@ for (const box of /** @type {NodeListOf<HTMLElement>} */ (
   }
   view.stretched(shape);
   box.append(
-    el(
-      "p",
-      { class: "hint" },
-      "Drag to turn. Coloured by the largest stretch of the rubber.",
-    ),
+    el("p", { class: "hint" }, "Drag to turn. Coloured by the largest stretch of the rubber."),
   );
 }

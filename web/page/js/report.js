@@ -1,31 +1,21 @@
 // The report as one HTML file that turns the muscle: the engine's page with the page's own view in it.
 
 /** Modules of the view, in the order in which they need each other (crate mckibben-web has the same list). */
-const MODULES = [
-  "body.js",
-  "dom.js",
-  "life.js",
-  "shaders.js",
-  "view3d.js",
-  "report-viewer.js",
-];
+const MODULES = ["body.js", "dom.js", "life.js", "shaders.js", "view3d.js", "report-viewer.js"];
 /** @type {Promise<string> | undefined} */ let viewer;
 
 /** The modules as one script without imports. */
 function script() {
   const load = async (/** @type {string} */ name) => {
     const answer = await fetch(new URL(name, import.meta.url));
-    if (!answer.ok)
-      throw new Error(`${name} cannot be loaded (${answer.status}).`);
+    if (!answer.ok) throw new Error(`${name} cannot be loaded (${answer.status}).`);
     const text = (await answer.text()).replaceAll("\nexport ", "\n");
     return text
       .split("\n")
       .filter((line) => !line.startsWith("import "))
       .join("\n");
   };
-  viewer ??= Promise.all(MODULES.map(load)).then((all) =>
-    all.join("\n").replaceAll("</", "<\\/"),
-  );
+  viewer ??= Promise.all(MODULES.map(load)).then((all) => all.join("\n").replaceAll("</", "<\\/"));
   viewer.catch(() => {
     viewer = undefined;
   });

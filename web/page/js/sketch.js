@@ -24,17 +24,11 @@ const PULLEY =
 function dimension(x1, y1, x2, y2, text) {
   const long = Math.hypot(x2 - x1, y2 - y1) || 1,
     [u, v] = [(x2 - x1) / long, (y2 - y1) / long];
-  const tip = (
-    /** @type {number} */ x,
-    /** @type {number} */ y,
-    /** @type {number} */ way,
-  ) =>
+  const tip = (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ way) =>
     `M${x} ${y}l${way * (6 * u - 3 * v)} ` +
     `${way * (6 * v + 3 * u)}M${x} ${y}l${way * (6 * u + 3 * v)} ${way * (6 * v - 3 * u)}`;
   const [tx, ty] =
-    Math.abs(u) > Math.abs(v)
-      ? [(x1 + x2) / 2, y1 - 5]
-      : [x1 + 6, (y1 + y2) / 2 + 4];
+    Math.abs(u) > Math.abs(v) ? [(x1 + x2) / 2, y1 - 5] : [x1 + 6, (y1 + y2) / 2 + 4];
   return (
     `<path class="measure" d="M${x1} ${y1}L${x2} ${y2}${tip(x1, y1, 1)}${tip(x2, y2, -1)}"/>` +
     `<text x="${tx}" y="${ty}" text-anchor="${Math.abs(u) > Math.abs(v) ? "middle" : "start"}">${text}</text>`
@@ -47,22 +41,14 @@ const arrow = (
 ) => `<path class="measure" d="${d}"/><text x="${x}" y="${y}">${text}</text>`;
 /** @param {string} text @param {number} x @param {number} y */
 const word = (text, x, y) => `<text x='${x}' y='${y}'>${text}</text>`;
-const ANGLE = arrow(
-  "M86 60h44M86 60 102 28M112 60a26 26 0 0 0-14-23",
-  "θ",
-  [116, 48],
-);
+const ANGLE = arrow("M86 60h44M86 60 102 28M112 60a26 26 0 0 0-14-23", "θ", [116, 48]);
 const PRESSURE = arrow(
   "M120 60v-22M116 44l4-6 4 6M120 60v22M116 76l4 6 4-6M80 60v-16M76 50l4-6 4 6M80 60v16M76 " +
     "70l4 6 4-6M160 60v-16M156 50l4-6 4 6M160 60v16M156 70l4 6 4-6",
   "p",
   [128, 63],
 );
-const PULL = arrow(
-  "M192 60h38M222 55l8 5-8 5M48 60H10M18 55l-8 5 8 5",
-  "F",
-  [216, 48],
-);
+const PULL = arrow("M192 60h38M222 55l8 5-8 5M48 60H10M18 55l-8 5 8 5", "F", [216, 48]);
 const STRAND = '<circle class="rubber" cx="120" cy="60" r="30"/>';
 
 /**
@@ -72,10 +58,7 @@ const STRAND = '<circle class="rubber" cx="120" cy="60" r="30"/>';
 export const DRAWINGS = {
   D: () => BODY + dimension(120, 36, 120, 84, "D0"),
   s: () =>
-    BODY +
-    dimension(120, 22, 120, 36, "") +
-    dimension(120, 60, 120, 46, "") +
-    word("s", 128, 30),
+    BODY + dimension(120, 22, 120, 36, "") + dimension(120, 60, 120, 46, "") + word("s", 128, 30),
   L: () => BODY + dimension(46, 106, 194, 106, "L0"),
   angle: () => BODY + BRAID + ANGLE,
   p: () => BULGED + PRESSURE,
@@ -90,11 +73,9 @@ export const DRAWINGS = {
   sE: () =>
     '<path class="strand thick" d="M40 60h160"/>' +
     arrow("M40 60H14M200 60h26M20 55l-6 5 6 5M220 55l6 5-6 5", "E", [116, 50]),
-  seating: () =>
-    BULGED + dimension(62, 104, 82, 104, "") + word("bonded end", 86, 108),
+  seating: () => BULGED + dimension(62, 104, 82, 104, "") + word("bonded end", 86, 108),
   grip: () => BODY + dimension(46, 104, 70, 104, "") + word("grip", 76, 108),
-  slip: () =>
-    BODY + arrow("M30 96h22M46 91l6 5-6 5", "slip under load", [58, 100]),
+  slip: () => BODY + arrow("M30 96h22M46 91l6 5-6 5", "slip under load", [58, 100]),
   bulge: () => BULGED + dimension(120, 25, 120, 95, "D"),
   stroke: () =>
     BULGED +
@@ -102,14 +83,10 @@ export const DRAWINGS = {
     dimension(186, 106, 202, 106, "") +
     word("stroke", 120, 110),
   r: () => PULLEY + dimension(150, 60, 150, 38, "") + word("r", 155, 53),
-  phi: () =>
-    PULLEY + arrow("M150 60h60M196 60a46 46 0 0 0-5-19", "φ", [202, 52]),
-  range: () =>
-    PULLEY +
-    arrow("M150 60 206 96M150 60 206 24M196 90a50 50 0 0 0 0-60", "", [0, 0]),
+  phi: () => PULLEY + arrow("M150 60h60M196 60a46 46 0 0 0-5-19", "φ", [202, 52]),
+  range: () => PULLEY + arrow("M150 60 206 96M150 60 206 24M196 90a50 50 0 0 0 0-60", "", [0, 0]),
   e0: () => PULLEY + dimension(20, 110, 100, 110, "L0 (1 − ε0)"),
-  K: () =>
-    PULLEY + arrow("M214 30l6 14M216 38l4 6 1-7", "K = −∂τ/∂φ", [146, 20]),
+  K: () => PULLEY + arrow("M214 30l6 14M216 38l4 6 1-7", "K = −∂τ/∂φ", [146, 20]),
 };
 /** Fields of other names that mean the same, but for those of measures. @type {Record<string, string>} */
 const SAME = {
@@ -123,10 +100,7 @@ const SAME = {
 
 /** The drawing of a key or a field, where there is one. @param {string} [key] @returns {(() => string) | undefined} */
 export const drawing = (key = "") =>
-  DRAWINGS[key] ??
-  DRAWINGS[
-    SAME[key] ?? measured().find(({ field }) => field === key)?.key ?? ""
-  ];
+  DRAWINGS[key] ?? DRAWINGS[SAME[key] ?? measured().find(({ field }) => field === key)?.key ?? ""];
 
 /** Marks the row of a field as one with a drawing. @param {HTMLElement} row @param {...(string | undefined)} keys */
 export function sketched(row, ...keys) {
@@ -169,9 +143,7 @@ export function sketches() {
   const over = (/** @type {Event} */ event, /** @type {number} */ wait) => {
     const target = /** @type {Element} */ (event.target);
     if (box.contains(target)) return;
-    const row = /** @type {HTMLElement | null} */ (
-      target.closest?.("[data-sketch]") ?? null
-    );
+    const row = /** @type {HTMLElement | null} */ (target.closest?.("[data-sketch]") ?? null);
     if (row === (of ?? null)) return;
     hide();
     // Not while a slider is dragged.
@@ -183,8 +155,7 @@ export function sketches() {
     if (event.pointerType !== "touch") over(event, 400);
   });
   document.addEventListener("focusin", (event) => {
-    if (/** @type {Element} */ (event.target).matches("input[type=text]"))
-      over(event, 250);
+    if (/** @type {Element} */ (event.target).matches("input[type=text]")) over(event, 250);
   });
   document.addEventListener("focusout", hide);
   document.addEventListener("pointerdown", (event) => {
@@ -194,8 +165,7 @@ export function sketches() {
     if (event.key === "Escape") hide();
   });
   // What comes above a row may scroll the page, and leaves the row where it is seen.
-  const moved = () =>
-    Math.abs((of?.getBoundingClientRect().top ?? top) - top) > 4 && !box.hidden;
+  const moved = () => Math.abs((of?.getBoundingClientRect().top ?? top) - top) > 4 && !box.hidden;
   addEventListener(
     "scroll",
     () => {

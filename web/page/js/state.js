@@ -70,9 +70,7 @@ export function takeMeasures({ measures }) {
   STRANDS = of(["sd", "sE"]);
   ENDS = of(["seating", "slip", "grip"]);
   [STIFFNESS] = of(["k"]);
-  MORE = MEASURES.filter(
-    (m) => ![...QUANTITIES, ...ENDS, STIFFNESS].includes(m),
-  );
+  MORE = MEASURES.filter((m) => ![...QUANTITIES, ...ENDS, STIFFNESS].includes(m));
 }
 export const PRESSURE = /** @type {const} @satisfies {Measure} */ ({
   key: "p",
@@ -149,8 +147,7 @@ const OUSTS = {
 export function say(state, key, value) {
   if (key === "p") return { ...state, p: Number(value) };
   if (key === "e") return { ...state, e: Number(value), F: undefined };
-  if (key === "F")
-    return { ...state, F: value === undefined ? undefined : Number(value) };
+  if (key === "F") return { ...state, F: value === undefined ? undefined : Number(value) };
   const said = { ...state.said };
   if (value === undefined || value === "") {
     delete said[key];
@@ -159,9 +156,7 @@ export function say(state, key, value) {
     }
   } else {
     const others =
-      key === "angle" && said.braid !== undefined
-        ? ["braid", ...OF_SLEEVE]
-        : (OUSTS[key] ?? []);
+      key === "angle" && said.braid !== undefined ? ["braid", ...OF_SLEEVE] : (OUSTS[key] ?? []);
     if (said[key] !== value) {
       for (const other of others) delete said[other];
     }
@@ -177,8 +172,7 @@ export function say(state, key, value) {
 export function fields({ file, said }, pressure = 0.1) {
   /** @type {Record<string, unknown>} */
   const out = file ? { file: { name: "muscle.toml", text: file } } : {};
-  for (const { key, field } of MEASURES)
-    if (said[key] !== undefined) out[field] = said[key];
+  for (const { key, field } of MEASURES) if (said[key] !== undefined) out[field] = said[key];
   for (const key of NAMES) if (said[key] !== undefined) out[key] = said[key];
   if (said.branch)
     out.with = [
@@ -193,8 +187,7 @@ export function fields({ file, said }, pressure = 0.1) {
  * @param {{ field: string, message: string }} problem
  */
 export function about({ field, message }) {
-  const at = (/** @type {Measure} */ { filed }) =>
-    filed ? message.indexOf(filed) : -1;
+  const at = (/** @type {Measure} */ { filed }) => (filed ? message.indexOf(filed) : -1);
   // One key may begin with another.
   const named = MEASURES.filter((m) => at(m) >= 0).sort(
     (a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length,
@@ -254,14 +247,11 @@ export function shownValue(state, shown, { key, field, usual }) {
  */
 export function missing({ said }, sleeves) {
   if (said.braid === undefined || said.k !== undefined) return [];
-  const words =
-    sleeves.find((s) => s.name === said.braid)?.missing.split(" ") ?? [];
-  const lacks = STRANDS.filter(({ field }) =>
-    words.includes(field.replace(/_(mm|mpa)$/, "")),
-  ).map(({ key }) => key);
-  return lacks.filter(
-    (key) => key !== "sd" || said.strand_area_mm2 === undefined,
+  const words = sleeves.find((s) => s.name === said.braid)?.missing.split(" ") ?? [];
+  const lacks = STRANDS.filter(({ field }) => words.includes(field.replace(/_(mm|mpa)$/, ""))).map(
+    ({ key }) => key,
   );
+  return lacks.filter((key) => key !== "sd" || said.strand_area_mm2 === undefined);
 }
 
 /**
@@ -273,11 +263,9 @@ export function words({ file, said, p, e, F }, typed) {
   const out = {};
   for (const { key, kind } of MEASURES) {
     const value = said[key];
-    if (value !== undefined)
-      out[key] = typeof value === "number" ? typed(kind, value) : value;
+    if (value !== undefined) out[key] = typeof value === "number" ? typed(kind, value) : value;
   }
-  for (const key of WORDS)
-    if (said[key] !== undefined) out[key] = String(said[key]);
+  for (const key of WORDS) if (said[key] !== undefined) out[key] = String(said[key]);
   out.p = typed("pressure", p);
   if (F === undefined) out.e = typed("ratio", e);
   else out.F = typed("force", F);
@@ -293,8 +281,7 @@ export function texts(params) {
     text: params.get(key) ?? "",
   }));
   return list.filter(
-    ({ key, text }) =>
-      params.has(key) && !(key === "k" && STIFFNESS_NAMES.includes(text)),
+    ({ key, text }) => params.has(key) && !(key === "k" && STIFFNESS_NAMES.includes(text)),
   );
 }
 
@@ -314,15 +301,13 @@ export function fromWords(params, readings) {
   };
   texts(params).forEach(({ key }, i) => {
     const { value, problem } = readings[i];
-    if (problem || value === undefined)
-      return wrong.set(key, problem?.message ?? "");
+    if (problem || value === undefined) return wrong.set(key, problem?.message ?? "");
     if (key === "p" || key === "e" || key === "F") at[key] = value;
     else said[key] = value;
   });
   const stiffness = params.get("k") ?? "";
   if (STIFFNESS_NAMES.includes(stiffness)) said.k = stiffness;
-  for (const key of WORDS)
-    if (params.get(key)) said[key] = params.get(key) ?? "";
+  for (const key of WORDS) if (params.get(key)) said[key] = params.get(key) ?? "";
   return { state: { file: params.get("file") ?? "", said, ...at }, wrong };
 }
 
@@ -353,10 +338,8 @@ export function joint(
 ) {
   const other = second ? "muscle-2.toml" : "muscle.toml",
     neutral = e0 === undefined ? undefined : String(e0);
-  const said = (
-    /** @type {number | undefined} */ value,
-    /** @type {string} */ unit,
-  ) => (value === undefined ? undefined : `${value} ${unit}`);
+  const said = (/** @type {number | undefined} */ value, /** @type {string} */ unit) =>
+    value === undefined ? undefined : `${value} ${unit}`;
   const put = {
     "muscle_1.file": "muscle.toml",
     "muscle_2.file": other,
@@ -364,10 +347,7 @@ export function joint(
     "joint.inertia": said(inertia || undefined, "kg m2"),
     "link.mass": said(mass, "kg"),
     "link.centre": said(centre, "mm"),
-    "joint.range":
-      low === undefined || high === undefined
-        ? undefined
-        : `${low}..${high} deg`,
+    "joint.range": low === undefined || high === undefined ? undefined : `${low}..${high} deg`,
     "muscle_1.contraction_at_neutral": neutral,
     "muscle_2.contraction_at_neutral": neutral,
   };
@@ -396,11 +376,7 @@ export function motion(file, { model, ...step }) {
  * point or this one's.
  * @param {State} state @param {string} own a muscle file @param {Read} read fields of the side's form
  */
-export function side(
-  state,
-  own,
-  { model, pressure_mpa, contraction, ...over },
-) {
+export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
   // What a side says ousts what excludes it, as on the page Muscle.
   let base = own ? opened(state, own) : state;
   for (const { key, field } of [
@@ -428,14 +404,12 @@ export function candidate(candidate, asked, { p, e }) {
     s: candidate.wall_mm,
     L: candidate.length_mm,
   };
-  if (candidate.tube || asked.rubbers?.length)
-    said.rubber = candidate.rubber ?? "";
+  if (candidate.tube || asked.rubbers?.length) said.rubber = candidate.rubber ?? "";
   if (candidate.sleeve) said.braid = candidate.sleeve;
   else said.angle = candidate.angle_deg;
   for (const { key, field } of [...STRANDS, STIFFNESS]) {
     const value = /** @type {Record<string, unknown>} */ (asked)[field];
-    if (typeof value === "number" || typeof value === "string")
-      said[key] = value;
+    if (typeof value === "number" || typeof value === "string") said[key] = value;
   }
   return { ...prototype(), said, p, e };
 }

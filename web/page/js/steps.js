@@ -13,9 +13,9 @@ let at = -1;
 
 /** What changed between two muscles. @param {Record<string, string>} before @param {Record<string, string>} now */
 function nameOf(before, now) {
-  const [key, other] = [
-    ...new Set([...Object.keys(before), ...Object.keys(now)]),
-  ].filter((k) => before[k] !== now[k]);
+  const [key, other] = [...new Set([...Object.keys(before), ...Object.keys(now)])].filter(
+    (k) => before[k] !== now[k],
+  );
   const measure = measured().find((m) => m.key === key),
     value = muscle.value(key);
   if (other || key === "file") return `another muscle: ${muscle.name}`;
@@ -33,18 +33,14 @@ export function record() {
     );
   const before = steps[at]?.words;
   if (before && JSON.stringify(before) === JSON.stringify(words)) return;
-  steps = [
-    ...steps.slice(0, at + 1),
-    { words, name: before ? nameOf(before, words) : "" },
-  ].slice(-200);
+  steps = [...steps.slice(0, at + 1), { words, name: before ? nameOf(before, words) : "" }].slice(
+    -200,
+  );
   at = steps.length - 1;
 }
 
 /** What undo takes back, and what redo does again; empty where there is nothing. */
-export const names = () => [
-  at > 0 ? steps[at].name : "",
-  steps[at + 1]?.name ?? "",
-];
+export const names = () => [at > 0 ? steps[at].name : "", steps[at + 1]?.name ?? ""];
 
 /** The muscle of a step before or after. @param {-1 | 1} by */
 export function step(by) {

@@ -16,9 +16,7 @@ export function isDark() {
 /** A colour of the theme. @param {string} name */
 export function token(name) {
   const [light = "", dark = light] =
-    getComputedStyle(document.documentElement)
-      .getPropertyValue(name)
-      .match(/#\w+/g) ?? [];
+    getComputedStyle(document.documentElement).getPropertyValue(name).match(/#\w+/g) ?? [];
   return isDark() ? dark : light;
 }
 

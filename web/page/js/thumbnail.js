@@ -43,8 +43,7 @@ export function thumbnail(of, label) {
     role: label ? "img" : undefined,
     ariaLabel: label,
   });
-  const isThere =
-    of && [of.outer_diameter_mm, of.wall_mm, of.length_mm].every((x) => x > 0);
+  const isThere = of && [of.outer_diameter_mm, of.wall_mm, of.length_mm].every((x) => x > 0);
   box.innerHTML = `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}">${isThere ? drawing(of) : ""}</svg>`;
   return box;
 }

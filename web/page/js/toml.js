@@ -13,8 +13,7 @@ function walk(text, each) {
       if (head) table = head[1];
       const [, key, value = ""] = head
         ? []
-        : (/^\s*([\w-]+)\s*=\s*("(?:[^"\\]|\\.)*"|'[^']*'|[^#]*)/.exec(line) ??
-          []);
+        : (/^\s*([\w-]+)\s*=\s*("(?:[^"\\]|\\.)*"|'[^']*'|[^#]*)/.exec(line) ?? []);
       const put = key && each(`${table}.${key}`, plain(value.trim()));
       return put ? `${key} = ${JSON.stringify(put)}` : line;
     })
@@ -23,9 +22,7 @@ function walk(text, each) {
 /** @param {string} value */
 function plain(value) {
   try {
-    return value.startsWith('"')
-      ? String(JSON.parse(value))
-      : value.replace(/^'|'$/g, "");
+    return value.startsWith('"') ? String(JSON.parse(value)) : value.replace(/^'|'$/g, "");
   } catch {
     return value.slice(1, -1);
   }

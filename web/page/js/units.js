@@ -26,17 +26,14 @@ const CHOICES = {
   inertia: ["kg m2"],
 };
 /** @type {Record<string, string>} */
-const chosen = Object.fromEntries(
-  Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]),
-);
+const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]));
 /** What a click changed, and what an address did. */
 const clicked = signal(),
   read = signal();
 
 /** @param {Pick<Commands["units"]["answer"], "kinds">} answer of `units` */
 export function takeUnits(answer) {
-  for (const { kind, expectation, units } of answer.kinds)
-    kinds.set(kind, { expectation, units });
+  for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
   const pressure = kinds.get("pressure");
   if (pressure)
     kinds.set("modulus", {
@@ -50,28 +47,20 @@ export function takeUnits(answer) {
 }
 
 /** What may be typed; a number alone has the unit that is shown. @param {string} kind */
-export const expectation = (kind) =>
-  bareIn(kinds.get(kind)?.expectation ?? "", kind);
+export const expectation = (kind) => bareIn(kinds.get(kind)?.expectation ?? "", kind);
 /** With what a number alone means on the page. @param {string} text @param {string} kind */
 export const bareIn = (text, kind) =>
-  text.replace(
-    /\(a bare number is [^)]*\)$/,
-    () => `(a number alone is in ${unitName(kind)})`,
-  );
+  text.replace(/\(a bare number is [^)]*\)$/, () => `(a number alone is in ${unitName(kind)})`);
 /** The unit inside. @param {string} kind */
-const baseUnit = (kind) =>
-  kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";
+const baseUnit = (kind) => kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";
 /** The kind of quantities that have a unit inside. @param {string} unit */
-export const kindInside = (unit) =>
-  [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
+export const kindInside = (unit) => [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
 /** As the engine writes it. @param {string} kind */
 const writtenUnit = (kind) => chosen[kind] ?? baseUnit(kind);
 /** As people write it. @param {string} kind */
 export const unitName = (kind) => {
   const unit = writtenUnit(kind);
-  return unit === "deg"
-    ? "°"
-    : unit.replace(/(?<=m)2\b/, "²").replace(/(?<=m)3\b/, "³");
+  return unit === "deg" ? "°" : unit.replace(/(?<=m)2\b/, "²").replace(/(?<=m)3\b/, "³");
 };
 
 /** @param {string} kind */
@@ -99,10 +88,7 @@ export const inside = (kind, shown) => {
 export const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
 /** Numbers at equal distances, with both ends. @param {number} low @param {number} high @param {number} count */
 export const evenly = (low, high, count) =>
-  Array.from(
-    { length: count },
-    (_, i) => low + ((high - low) * i) / (count - 1),
-  );
+  Array.from({ length: count }, (_, i) => low + ((high - low) * i) / (count - 1));
 /**
  * A number to so many significant digits, without an exponent where it is short without.
  * @param {number | null | undefined} v
@@ -122,10 +108,7 @@ export const show = (kind, value, digits = 4) =>
     : `${number(outside(kind, value), digits)}${unitName(kind) === "°" ? "°" : " " + unitName(kind)}`.trimEnd();
 const shown =
   (/** @type {string} */ kind) =>
-  (
-    /** @type {number | null | undefined} */ value,
-    /** @type {number} */ digits = 4,
-  ) =>
+  (/** @type {number | null | undefined} */ value, /** @type {number} */ digits = 4) =>
     show(kind, value, digits);
 export const showLength = shown("length"),
   showForce = shown("force"),
@@ -138,9 +121,7 @@ export function typed(kind, value) {
     .find((x) => inside(kind, x) === value);
   // What no short number in the shown unit means is written in the unit inside.
   const unit = shown === undefined ? baseUnit(kind) : writtenUnit(kind);
-  const bare =
-    ["length", "angle", "force"].includes(kind) &&
-    ["mm", "deg", "N"].includes(unit);
+  const bare = ["length", "angle", "force"].includes(kind) && ["mm", "deg", "N"].includes(unit);
   return String(shown ?? value) + (bare ? "" : unit.replace(" ", ""));
 }
 
@@ -171,16 +152,12 @@ export function meant(kind, typed) {
   const plain = typed.replaceAll("−", "-"),
     text = pointed(plain),
     comma = text === plain ? {} : { note: `${typed} was read as ${text}.` };
-  if (
-    !/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ||
-    !Number.isFinite(Number(text))
-  )
+  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) || !Number.isFinite(Number(text)))
     return { text, ...comma };
   const value = Number(text);
   if (kind !== "ratio") return { text, value: inside(kind, value), ...comma };
   if (value === 0) return { text, value };
-  const percent =
-    Math.abs(value) > 1 ? value : Number((100 * value).toPrecision(15));
+  const percent = Math.abs(value) > 1 ? value : Number((100 * value).toPrecision(15));
   return {
     text: `${percent} %`,
     note: `${typed} without a unit was read as ${number(percent, 6)} %.`,
@@ -193,8 +170,7 @@ export function meant(kind, typed) {
  */
 export function withUnit(kind, text) {
   const hasUnit = /[a-z%°‰]/i.test(text.replace(/\de[-+]?\d/gi, ""));
-  if (kind === "ratio" || kind === "number" || hasUnit || !/\d/.test(text))
-    return text;
+  if (kind === "ratio" || kind === "number" || hasUnit || !/\d/.test(text)) return text;
   return `${text} ${writtenUnit(kind)}`;
 }
 
@@ -223,14 +199,11 @@ export function interval(kind, list) {
  * @param {CurveAnswer["points"][number] | Built} q
  */
 export const builtPull = (q) =>
-  "predicted_n" in q
-    ? [q.predicted_n, q.predicted_low_n, q.predicted_high_n].map(Number)
-    : [];
+  "predicted_n" in q ? [q.predicted_n, q.predicted_low_n, q.predicted_high_n].map(Number) : [];
 /** The same in words. @param {Built} answer */
 export const asBuilt = (answer) => interval("force", builtPull(answer));
 /** @param {{ model: string, force_n: number }} answer */
-export const modelPull = ({ model, force_n: force }) =>
-  `${model} alone ${show("force", force)}`;
+export const modelPull = ({ model, force_n: force }) => `${model} alone ${show("force", force)}`;
 
 /** What axes of charts are called. */
 export const ratioAxis = "contraction ε [%]",
@@ -261,8 +234,7 @@ export function unitsFromAddress(names) {
 /** Is told of units that a click changed. */
 export const onUnits = clicked.on;
 /** Is told of units that a click or an address changed: fields, which write nothing into it. @param {() => void} tell */
-export const onAnyUnits = (tell) =>
-  [clicked, read].forEach((one) => one.on(tell));
+export const onAnyUnits = (tell) => [clicked, read].forEach((one) => one.on(tell));
 /** Whether it has several units to choose from. @param {string} kind */
 export const hasChoice = (kind) => (CHOICES[kind]?.length ?? 0) > 1;
 
@@ -298,18 +270,13 @@ const LABELS = {
 };
 /** A field without its unit. @param {string} field */
 const plain = (field) =>
-  field
-    .replace(/_(mm|mpa|n|nm|deg|s|nm_per_rad|n_s_per_m)$/, "")
-    .replaceAll("_", " ");
+  field.replace(/_(mm|mpa|n|nm|deg|s|nm_per_rad|n_s_per_m)$/, "").replaceAll("_", " ");
 
 /** Names of measures, by field, key and key in its table. @param {readonly Measure[]} measures */
 export function learn(measures) {
   for (const { field, filed, label } of measures) {
-    const name = label.replace(/^[A-Z](?!oung)/, (letter) =>
-      letter.toLowerCase(),
-    );
-    for (const key of [field, filed, filed?.split(".")[1]])
-      if (key) LABELS[key] ??= name;
+    const name = label.replace(/^[A-Z](?!oung)/, (letter) => letter.toLowerCase());
+    for (const key of [field, filed, filed?.split(".")[1]]) if (key) LABELS[key] ??= name;
   }
 }
 
@@ -319,36 +286,25 @@ export const worded = (word) =>
 /** The key of a label; any other word as it is. @param {string} label */
 export const keyed = (label) =>
   Object.keys(LABELS).find(
-    (key) =>
-      /\.|_(factor|offset)$/.test(key) &&
-      LABELS[key].toLowerCase() === label.toLowerCase(),
+    (key) => /\.|_(factor|offset)$/.test(key) && LABELS[key].toLowerCase() === label.toLowerCase(),
   ) ?? label;
 /** A quantity in the unit that is shown. @param {string} _ @param {string} value @param {string} unit inside */
 function quantity(_, value, unit) {
   const kind = kindInside(unit);
-  return kind && unitName(kind) !== unit
-    ? show(kind, Number(value))
-    : `${value} ${unit}`;
+  return kind && unitName(kind) !== unit ? show(kind, Number(value)) : `${value} ${unit}`;
 }
 
 /** A sentence of the engine. @param {string} text */
 export const inWords = (text) =>
   text
     // What the command line is told otherwise.
-    .replace(
-      /assign it with `columns` \S+/,
-      "write it into its heading in Table",
-    )
+    .replace(/assign it with `columns` \S+/, "write it into its heading in Table")
     .replace(/`parts list (\w+)`/, "Parts & library ($1)")
     .replace("BURST NOT CHECKED", "burst pressure not known")
     .replace("gauge_length=25mm", "gauge length 25 mm")
     .replace("area=8mm2", "area 8 mm²")
     .split("`")
-    .map((part, i) =>
-      i % 2
-        ? (LABELS[part] ?? plain(part))
-        : part.replace(/\w[\w.]*\w/g, worded),
-    )
+    .map((part, i) => (i % 2 ? (LABELS[part] ?? plain(part)) : part.replace(/\w[\w.]*\w/g, worded)))
     .join("")
     .replace(/([-\d.e]+)\u00a0([A-Za-z/]+)/g, quantity)
     .replace(/(?<![\w.])-(?=\d)/g, "−")

@@ -35,14 +35,10 @@ const FITTING = [
 
 /** A row of the mesh about the axis: angles and rows. @param {number} row @param {number} around */
 const round = (row, around) =>
-  Array.from({ length: around + 1 }, (_, k) => [
-    (2 * Math.PI * k) / around,
-    row,
-  ]);
+  Array.from({ length: around + 1 }, (_, k) => [(2 * Math.PI * k) / around, row]);
 
 /** Rows of a mesh from one end to the other: so many in each half, as shares. @param {number} half */
-const shares = (half) =>
-  Array.from({ length: 2 * half + 1 }, (_, i) => i / half - 1);
+const shares = (half) => Array.from({ length: 2 * half + 1 }, (_, i) => i / half - 1);
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
@@ -69,17 +65,7 @@ function program(gl, vertex) {
  */
 function fill(gl, texture, width, height, texels) {
   gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texImage2D(
-    gl.TEXTURE_2D,
-    0,
-    gl.RGBA32F,
-    width,
-    height,
-    0,
-    gl.RGBA,
-    gl.FLOAT,
-    texels,
-  );
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, texels);
 }
 
 /** A texture whose texels are read as they are. @param {WebGL2RenderingContext} gl */
@@ -113,10 +99,7 @@ function software() {
  */
 export function reach(list) {
   const sorted = Float64Array.from(list).sort();
-  return [
-    sorted[Math.floor(0.01 * sorted.length)],
-    sorted[Math.ceil(0.985 * sorted.length) - 1],
-  ];
+  return [sorted[Math.floor(0.01 * sorted.length)], sorted[Math.ceil(0.985 * sorted.length) - 1]];
 }
 
 /**
@@ -180,9 +163,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
       known = pieces.get(key);
     if (known) return known;
     const of = /** @type {WebGL2RenderingContext} */ (gl);
-    const data = columns.flatMap(([angle, row]) =>
-        along.flatMap((t) => [t, angle, row]),
-      ),
+    const data = columns.flatMap(([angle, row]) => along.flatMap((t) => [t, angle, row])),
       count = along.length;
     const index = columns.slice(1).flatMap((_, k) =>
       along.slice(1).flatMap((__, i) => {
@@ -196,11 +177,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
     of.bindBuffer(of.ARRAY_BUFFER, of.createBuffer());
     of.bufferData(of.ARRAY_BUFFER, new Float32Array(data), of.STATIC_DRAW);
     of.bindBuffer(of.ELEMENT_ARRAY_BUFFER, of.createBuffer());
-    of.bufferData(
-      of.ELEMENT_ARRAY_BUFFER,
-      new Uint32Array(index),
-      of.STATIC_DRAW,
-    );
+    of.bufferData(of.ELEMENT_ARRAY_BUFFER, new Uint32Array(index), of.STATIC_DRAW);
     ["station", "angle", "row"].forEach((name, i) => {
       const at = of.getAttribLocation(painter, name);
       if (at < 0) return;
@@ -307,11 +284,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
     put("filaments", each);
     gl.uniform3fv(at("map[0]"), VIRIDIS.flat());
     /** What colours a part: the field (1), that of the strands (2), or nothing. */
-    const paint = (
-      /** @type {number} */ mapped,
-      /** @type {number[]} */ plain,
-      strands = 0,
-    ) => {
+    const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => {
       put("mapped", mapped);
       gl.uniform3fv(at("plain"), plain);
       put("strands", strands);
@@ -379,16 +352,9 @@ export function viewOf(stage, { contract, drawn } = {}) {
     const { restLength, restRadius } = show;
     const now = shape?.length_mm ?? restLength;
     const wide = 0.5 * restLength + 2 * restRadius;
-    half =
-      Math.max(wide, Math.max(2.4 * restRadius, 1.15 * largest()) * aspect) /
-      zoom;
+    half = Math.max(wide, Math.max(2.4 * restRadius, 1.15 * largest()) * aspect) / zoom;
     const [pitch, yaw] = turn;
-    const [cp, sp, cy, sy] = [
-      Math.cos(pitch),
-      Math.sin(pitch),
-      Math.cos(yaw),
-      Math.sin(yaw),
-    ];
+    const [cp, sp, cy, sy] = [Math.cos(pitch), Math.sin(pitch), Math.cos(yaw), Math.sin(yaw)];
     // Turned about the vertical, then tilted; x runs along the muscle.
     const rows = [
       [cy, 0, sy],
@@ -398,8 +364,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
     const shift = 0.5 * (now - restLength);
     const scale = [1 / half, aspect / half, -1 / (4 * wide)];
     const m = new Float32Array(16);
-    for (let c = 0; c < 3; c++)
-      for (let r = 0; r < 3; r++) m[4 * c + r] = rows[r][c] * scale[r];
+    for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) m[4 * c + r] = rows[r][c] * scale[r];
     for (let r = 0; r < 3; r++) m[12 + r] = rows[r][0] * shift * scale[r];
     m[15] = 1;
     matrix = m;
@@ -413,8 +378,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
   function project(x, y, z) {
     const m = matrix;
     if (!m[15]) return [0, 0];
-    const at = (/** @type {number} */ r) =>
-      m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
+    const at = (/** @type {number} */ r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
     return [0.5 * (1 + at(0)) * width, 0.5 * (1 - at(1)) * height];
   }
 
@@ -448,12 +412,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
     canvas.addEventListener(
       "wheel",
       (event) => {
-        if (
-          !event.ctrlKey &&
-          !event.shiftKey &&
-          document.activeElement !== canvas
-        )
-          return;
+        if (!event.ctrlKey && !event.shiftKey && document.activeElement !== canvas) return;
         event.preventDefault();
         zoomBy(Math.exp(-0.001 * event.deltaY));
       },
@@ -467,8 +426,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
         ArrowUp: [-0.1, 0],
         ArrowDown: [0.1, 0],
       }[event.key];
-      if (event.key === "+" || event.key === "-")
-        zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
+      if (event.key === "+" || event.key === "-") zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
       else if (event.key === "0" || event.key === "Home") reset();
       else if (step) turnTo(turn[0] + step[0], turn[1] + step[1]);
       else return;
@@ -484,8 +442,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
   function isAtEnd(share) {
     const { restLength } = show;
     const now = shape?.length_mm ?? restLength;
-    const place =
-      0.5 + ((now - 0.5 * restLength) * Math.cos(turn[1])) / (2 * half);
+    const place = 0.5 + ((now - 0.5 * restLength) * Math.cos(turn[1])) / (2 * half);
     return Boolean(contract) && share > place - 0.06 && share < place + 0.08;
   }
 
@@ -499,14 +456,10 @@ export function viewOf(stage, { contract, drawn } = {}) {
       const [a, b] = [...down.values()];
       return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
     };
-    const moved = (
-      /** @type {PointerEvent} */ event,
-      /** @type {boolean} */ settled,
-    ) => {
+    const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
       if (!from) return;
       const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
-      if (!from.end)
-        return turnTo(from.turn[0] + 0.008 * dy, from.turn[1] + 0.008 * dx);
+      if (!from.end) return turnTo(from.turn[0] + 0.008 * dy, from.turn[1] + 0.008 * dx);
       const along = (dx * perPixel()) / Math.max(0.3, Math.cos(turn[1]));
       contract?.(-along / show.restLength, settled);
     };
@@ -562,9 +515,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
         `aria-label="The deformed muscle" viewBox="${box}">${muscle}</svg>`,
     );
     // Of a box that is fitted into the stage whole.
-    half =
-      0.5 *
-      Math.max(1.2 * restLength, (2 * most * width) / Math.max(1, height));
+    half = 0.5 * Math.max(1.2 * restLength, (2 * most * width) / Math.max(1, height));
     drawn?.();
   }
   if (gl) {
@@ -575,9 +526,7 @@ export function viewOf(stage, { contract, drawn } = {}) {
       draw(true);
       return canvas.toDataURL();
     });
-    canvas.addEventListener("webglcontextlost", (event) =>
-      event.preventDefault(),
-    );
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => {
       prepare(gl);
       upload();

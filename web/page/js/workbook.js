@@ -21,11 +21,7 @@ function partsOf(bytes) {
   let at = four(end + 16);
   return new Map(
     Array.from({ length: two(end + 10) }, () => {
-      const [method, size, place] = [
-          two(at + 10),
-          four(at + 20),
-          four(at + 42),
-        ],
+      const [method, size, place] = [two(at + 10), four(at + 20), four(at + 42)],
         name = bytes.subarray(at + 46, (at += 46 + two(at + 28)));
       at += two(at - name.length - 16) + two(at - name.length - 14);
       const read = async () => {
@@ -33,9 +29,7 @@ function partsOf(bytes) {
           part = bytes.subarray(from, from + size);
         return new DOMParser().parseFromString(
           text.decode(
-            method
-              ? await piped(part, new DecompressionStream("deflate-raw"), MOST)
-              : part,
+            method ? await piped(part, new DecompressionStream("deflate-raw"), MOST) : part,
           ),
           "application/xml",
         );
@@ -79,12 +73,9 @@ export async function sheetText(file) {
   const parts = partsOf(new Uint8Array(await file.arrayBuffer())),
     read = async (/** @type {string} */ name) => parts.get(name)?.();
   const [list, document, book, places] = await Promise.all(
-    [
-      "xl/sharedStrings.xml",
-      "content.xml",
-      "xl/workbook.xml",
-      "xl/_rels/workbook.xml.rels",
-    ].map(read),
+    ["xl/sharedStrings.xml", "content.xml", "xl/workbook.xml", "xl/_rels/workbook.xml.rels"].map(
+      read,
+    ),
   );
   const texts = list
     ? all(list, "si").map((one) =>
@@ -99,17 +90,11 @@ export async function sheetText(file) {
       of = places?.querySelector(`[Id="${mark?.value}"]`);
     return `xl/${of?.getAttribute("Target")}`.replace("xl//", "");
   });
-  const sheets = document
-    ? all(document, "table")
-    : await Promise.all(names.map(read));
+  const sheets = document ? all(document, "table") : await Promise.all(names.map(read));
   for (const sheet of sheets) {
-    const rows = ["row", "table-row"].flatMap((name) =>
-        sheet ? all(sheet, name) : [],
-      ),
+    const rows = ["row", "table-row"].flatMap((name) => (sheet ? all(sheet, name) : [])),
       lines = rows.map((row) => lineOf(row, texts));
-    if (
-      lines.flat().some((value) => value.trim() && Number(value) >= -Infinity)
-    )
+    if (lines.flat().some((value) => value.trim() && Number(value) >= -Infinity))
       return lines.map((line) => line.join("\t").trimEnd()).join("\n");
   }
   throw new Error("no sheet has a number");

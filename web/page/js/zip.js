@@ -16,9 +16,7 @@ export function crc32(bytes) {
 
 /** Numbers of 2 or 4 bytes, little-endian. @param {[size: 2 | 4, value: number][]} fields */
 function packed(fields) {
-  const out = new DataView(
-    new ArrayBuffer(fields.reduce((sum, [size]) => sum + size, 0)),
-  );
+  const out = new DataView(new ArrayBuffer(fields.reduce((sum, [size]) => sum + size, 0)));
   let at = 0;
   for (const [size, value] of fields) {
     if (size === 2) out.setUint16(at, value, true);

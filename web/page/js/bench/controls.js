@@ -28,13 +28,10 @@ const ORDER = Object.keys(GROUPS);
 
 /** @param {Store} store */
 export function controlsView(store) {
-  const controls =
-    /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
+  const controls = /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
   const make = (/** @type {Measure} */ spec) => {
-    const change = (
-      /** @type {number | undefined} */ value,
-      /** @type {boolean} */ settled,
-    ) => store.changed(spec.key, value, settled);
+    const change = (/** @type {number | undefined} */ value, /** @type {boolean} */ settled) =>
+      store.changed(spec.key, value, settled);
     controls[spec.key] = quantity({
       ...spec,
       value: muscle.value(spec.key),
@@ -68,9 +65,7 @@ export function controlsView(store) {
       said[key] !== undefined ||
       muscle.wrong.has(key) ||
       (file && key !== "density_kg_per_m3" && muscle.value(key) !== undefined);
-    [...ENDS, ...MORE]
-      .filter(({ key }) => stated(key))
-      .forEach(({ key }) => reveal(key));
+    [...ENDS, ...MORE].filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
   }
   store.on("sync", () => {
     sync(controls, picks);
@@ -78,9 +73,7 @@ export function controlsView(store) {
   });
   store.on("answer", clear);
   store.on("problem", ({ problem, state }) => {
-    const lacks = muscle
-        .missing()
-        .filter((key) => state.said[key] === undefined),
+    const lacks = muscle.missing().filter((key) => state.said[key] === undefined),
       key = about(problem);
     clear();
     if (lacks.length)
@@ -95,8 +88,7 @@ export function controlsView(store) {
     }
   });
   store.on("facts", () => {
-    const { free_contraction: free, blocked_force_n: blocked } =
-      store.facts.characteristics ?? {};
+    const { free_contraction: free, blocked_force_n: blocked } = store.facts.characteristics ?? {};
     if (free) controls.e.reach(0, Math.max(0.1, Math.ceil(free * 22) / 20));
     controls.F.reach(0, Math.max(10, niceUp(blocked ?? 1000)));
   });
@@ -113,9 +105,7 @@ export function controlsView(store) {
     );
     for (const [key, c] of Object.entries(controls))
       c.anchor(
-        ...(key === "D" && sleeve
-          ? [sleeve.least_diameter_mm, sleeve.largest_diameter_mm]
-          : []),
+        ...(key === "D" && sleeve ? [sleeve.least_diameter_mm, sleeve.largest_diameter_mm] : []),
       );
   }
   return {
@@ -128,13 +118,7 @@ export function controlsView(store) {
 
 /** @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks @param {Node} needed */
 function section(make, { rubber, braid, strands, held, branch }, needed) {
-  const state = [
-    make(PRESSURE),
-    held.element,
-    make(CONTRACTION),
-    make(LOAD),
-    branch.element,
-  ];
+  const state = [make(PRESSURE), held.element, make(CONTRACTION), make(LOAD), branch.element];
   const tube = [
     ...QUANTITIES.map(make),
     rubber.element,
@@ -217,8 +201,7 @@ function sync(controls, { rubber, braid, strands, held, branch }) {
   for (const key of Object.keys(controls)) controls[key].set(muscle.value(key));
   for (const [key, message] of muscle.wrong) controls[key]?.mark(message);
   const ofStrands =
-    STRANDS.some(({ key }) => said[key] !== undefined) ||
-    said.strand_area_mm2 !== undefined;
+    STRANDS.some(({ key }) => said[key] !== undefined) || said.strand_area_mm2 !== undefined;
   if (said.rubber === undefined)
     rubber.first(partName(shown?.rubber) || "silicone (Antonelli 2018)");
   if (said.braid === undefined) braid.first(shown?.sleeve ?? "Custom angle");
@@ -238,9 +221,7 @@ function sync(controls, { rubber, braid, strands, held, branch }) {
   controls.F.element.hidden = F === undefined;
   controls.e.element.hidden = F !== undefined;
   // A named sleeve has its angle, and may need to be said what its strands are.
-  controls.angle.enable(
-    !(said.braid ?? shown?.sleeve) || said.angle !== undefined,
-  );
+  controls.angle.enable(!(said.braid ?? shown?.sleeve) || said.angle !== undefined);
   controls.k.element.hidden = typeof said.k !== "number";
 }
 
@@ -252,7 +233,6 @@ function place(controls, needed, homes) {
   const lacks = muscle.missing();
   for (const [key, home] of homes) {
     const to = lacks.includes(key) ? needed : home;
-    if (controls[key].element.parentElement !== to)
-      to.append(controls[key].element);
+    if (controls[key].element.parentElement !== to) to.append(controls[key].element);
   }
 }

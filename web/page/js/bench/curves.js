@@ -82,8 +82,7 @@ export function curvesView(store) {
   function dragged(x, settled) {
     const { test } = store.wanted,
       pressure = Math.round((x / outside("pressure", 1)) * 1000) / 1000;
-    if (test === "isobaric")
-      store.changed("e", Math.max(0, Math.round(x * 10) / 1000), settled);
+    if (test === "isobaric") store.changed("e", Math.max(0, Math.round(x * 10) / 1000), settled);
     if (test === "isometric" || test === "isotonic")
       store.changed("p", Math.max(0, pressure), settled);
   }
@@ -135,9 +134,7 @@ export function curvesView(store) {
    * @param {() => void} next
    */
   function once(what, request, take, next) {
-    const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (
-      store.wanted.test
-    );
+    const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (store.wanted.test);
     const asked = { test, muscle: muscle.fields(), ...request },
       key = JSON.stringify(asked);
     if (key === keys[what]) return next();
@@ -241,10 +238,7 @@ export function curvesView(store) {
       contraction = 100 * point.contraction;
     if (test === "isobaric") chart.mark(contraction, pull);
     else
-      chart.mark(
-        outside("pressure", point.pressure_mpa),
-        test === "isotonic" ? contraction : pull,
-      );
+      chart.mark(outside("pressure", point.pressure_mpa), test === "isotonic" ? contraction : pull);
   }
   return {
     element: chart.element,
@@ -261,14 +255,12 @@ export function curvesView(store) {
 
 /** The points that the muscle's file says that it must reach. */
 const required = () =>
-  [
-    ...muscle.state.file.matchAll(
-      /force = "([\d.]+) N", contraction = ([\d.]+)/g,
-    ),
-  ].map(([, force, contraction]) => ({
-    x: 100 * Number(contraction),
-    y: outside("force", Number(force)),
-    text: "required",
-  }));
+  [...muscle.state.file.matchAll(/force = "([\d.]+) N", contraction = ([\d.]+)/g)].map(
+    ([, force, contraction]) => ({
+      x: 100 * Number(contraction),
+      y: outside("force", Number(force)),
+      text: "required",
+    }),
+  );
 /** Whether the muscle states its friction: its loop is known then. */
 const friction = () => typeof muscle.shown?.friction_coefficient === "number";

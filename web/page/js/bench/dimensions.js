@@ -21,8 +21,7 @@ const at = (/** @type {Place} */ [x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 /** @param {HTMLElement} stage @param {Store} store @param {() => View} view */
 export function dimensions(stage, store, view) {
   const circles = Object.values(HANDLES).map(
-    ([name]) =>
-      `<circle r="5"><title>Drag to change the ${name}</title></circle>`,
+    ([name]) => `<circle r="5"><title>Drag to change the ${name}</title></circle>`,
   );
   stage.insertAdjacentHTML(
     "beforeend",
@@ -42,9 +41,7 @@ export function dimensions(stage, store, view) {
       wide = seen.width > 560;
     // A named sleeve has its angle.
     const turns =
-      wide &&
-      !seen.show.cut &&
-      (!(said.braid ?? muscle.shown?.sleeve) || said.angle !== undefined);
+      wide && !seen.show.cut && (!(said.braid ?? muscle.shown?.sleeve) || said.angle !== undefined);
     lines.innerHTML = drawing(places, shape, seen, turns);
     const {
       rest: [, b],
@@ -83,10 +80,7 @@ export function dimensions(stage, store, view) {
       if (!shape) return;
       const { across, ahead, long, foot } = layout(seen, shape),
         box = stage.getBoundingClientRect();
-      const to = /** @type {Place} */ ([
-        event.clientX - from.x,
-        event.clientY - from.y,
-      ]);
+      const to = /** @type {Place} */ ([event.clientX - from.x, event.clientY - from.y]);
       const by = across(to) * seen.millimetresPerPixel;
       const held = /** @type {Place} */ ([
         event.clientX - box.left - foot[0],
@@ -96,13 +90,8 @@ export function dimensions(stage, store, view) {
         D: () => Math.max(1, from.value + 2 * by),
         s: () => clamp(from.value + by, 0.05, 0.9 * restRadius),
         // Along the axis lengths are foreshortened.
-        L: () =>
-          Math.max(
-            1,
-            from.value + (ahead(to) * restLength) / Math.max(20, long),
-          ),
-        angle: () =>
-          angleAtRest(shape, seen.largest(), (ahead(held) * restLength) / long),
+        L: () => Math.max(1, from.value + (ahead(to) * restLength) / Math.max(20, long)),
+        angle: () => angleAtRest(shape, seen.largest(), (ahead(held) * restLength) / long),
       };
       store.changed(key, Math.round(parts * next[key]()) / parts, settled);
     });
@@ -148,8 +137,7 @@ function angleAtRest({ arrays, muscle: { angle_deg: rest } }, radius, ahead) {
 function layout(view, { length_mm: now, muscle: { wall_mm: wall }, arrays }) {
   const { restLength: length, restRadius: radius } = view.show,
     perPixel = view.millimetresPerPixel;
-  const place = (/** @type {number} */ x) =>
-    /** @type {Place} */ (view.project(x, 0, 0));
+  const place = (/** @type {number} */ x) => /** @type {Place} */ (view.project(x, 0, 0));
   const ends = [place(-now / 2), place(now / 2)],
     rest = [ends[0], place(length - now / 2)];
   const [dx, dy] = [rest[1][0] - rest[0][0], rest[1][1] - rest[0][1]],
@@ -162,23 +150,12 @@ function layout(view, { length_mm: now, muscle: { wall_mm: wall }, arrays }) {
     (/** @type {Place} */ [a, b]) =>
     (/** @type {Place} */ [x, y]) =>
       a * x + b * y;
-  const off = (
-    /** @type {Place} */ [x, y],
-    /** @type {number} */ by,
-    ahead = 0,
-  ) =>
-    /** @type {Place} */ ([
-      x + up[0] * by + along[0] * ahead,
-      y + up[1] * by + along[1] * ahead,
-    ]);
+  const off = (/** @type {Place} */ [x, y], /** @type {number} */ by, ahead = 0) =>
+    /** @type {Place} */ ([x + up[0] * by + along[0] * ahead, y + up[1] * by + along[1] * ahead]);
   const foot = place(-0.2 * now),
     rise = Math.tan((arrays.strand_angle_deg[0] * Math.PI) / 180);
   const strand = evenly(0, HOLD, 9).map((turn) =>
-    off(
-      foot,
-      bulge * Math.sin(turn),
-      ((bulge * turn) / rise) * ((long * perPixel) / length),
-    ),
+    off(foot, bulge * Math.sin(turn), ((bulge * turn) / rise) * ((long * perPixel) / length)),
   );
   return {
     ends,
@@ -199,49 +176,28 @@ function layout(view, { length_mm: now, muscle: { wall_mm: wall }, arrays }) {
  * @param {ReturnType<typeof layout>} places @param {NonNullable<Store["shape"]>} shape
  * @param {View} view @param {boolean} turns whether a strand can be taken hold of
  */
-function drawing(
-  { ends, rest, off, radius, bore, bulge, strand },
-  shape,
-  view,
-  turns,
-) {
+function drawing({ ends, rest, off, radius, bore, bulge, strand }, shape, view, turns) {
   const {
     show: { restRadius, restLength },
     width: wide,
     height: tall,
   } = view;
   const middle = (/** @type {Place[]} */ [a, b], share = 0.5) =>
-    /** @type {Place} */ ([
-      a[0] + share * (b[0] - a[0]),
-      a[1] + share * (b[1] - a[1]),
-    ]);
+    /** @type {Place} */ ([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
   const [a, b] = rest;
-  const outline = [
-    off(a, radius),
-    off(b, radius),
-    off(b, -radius),
-    off(a, -radius),
-  ];
-  const inside = [bore, -bore]
-    .map((r) => `M${at(off(b, r))}L${at(off(b, r, -24))}`)
-    .join("");
+  const outline = [off(a, radius), off(b, radius), off(b, -radius), off(a, -radius)];
+  const inside = [bore, -bore].map((r) => `M${at(off(b, r))}L${at(off(b, r, -24))}`).join("");
   const ghost =
     `<path class="ghost" d="M${outline.map(at).join("L")}Z${inside}"/>` +
     (turns ? `<path class="over" d="M${strand.map(at).join("L")}"/>` : "");
   const low = -Math.max(bulge, radius) - GAP,
     line = ends.map((end) => off(end, low));
-  const feet = ends.map(
-    (end) => `M${at(off(end, low - 5))}L${at(off(end, -radius))}`,
-  );
+  const feet = ends.map((end) => `M${at(off(end, low - 5))}L${at(off(end, -radius))}`);
   const long = `<path d="M${at(line[0])}L${at(line[1])}${feet.join("")}"/>`;
   const across = middle(ends),
     [top, bottom] = [off(across, bulge), off(across, -bulge)];
   const round = `<path class="over" d="M${at(top)}L${at(bottom)}"/><path d="M${at(top)}L${at(off(top, GAP))}"/>`;
-  const words = (
-    /** @type {Place} */ [x, y],
-    /** @type {string} */ text,
-    anchor = "middle",
-  ) =>
+  const words = (/** @type {Place} */ [x, y], /** @type {string} */ text, anchor = "middle") =>
     `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}">${text}</text>`;
   const below = middle(line),
     above = off(top, GAP + 4);

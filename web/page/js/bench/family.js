@@ -1,23 +1,7 @@
 // Families of curves of the page Muscle: what is asked for them, and their answers as series.
-import {
-  KINDS,
-  builtAt,
-  isobar,
-  isobars,
-  pressureColour,
-  shade,
-  withBuilt,
-} from "../chart.js";
+import { KINDS, builtAt, isobar, isobars, pressureColour, shade, withBuilt } from "../chart.js";
 import { muscle } from "../muscle.js";
-import {
-  evenly,
-  inside,
-  niceUp,
-  outside,
-  show,
-  showPressure,
-  unitName,
-} from "../units.js";
+import { evenly, inside, niceUp, outside, show, showPressure, unitName } from "../units.js";
 
 /** @typedef {CurveAnswer["points"][number]} Point */
 /** Which way a muscle moves, behind a name. @type {Record<string, string>} */
@@ -31,15 +15,11 @@ export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 export const FAMILY = 13,
   FINE = 21;
 /** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
-const steps = (count, end) =>
-  evenly(0, 1, count).map((t) => end * t * (0.4 + 0.6 * t));
+const steps = (count, end) => evenly(0, 1, count).map((t) => end * t * (0.4 + 0.6 * t));
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
 export function reachOf(store, count) {
-  const end = Math.max(
-    0.1,
-    (store.facts.characteristics?.free_contraction ?? 0.28) * 1.08,
-  );
+  const end = Math.max(0.1, (store.facts.characteristics?.free_contraction ?? 0.28) * 1.08);
   return steps(count, end).map((e) => Math.round(1e4 * e) / 1e4);
 }
 
@@ -54,9 +34,7 @@ export function familyOf(store, measured) {
     step = niceUp(shown / 5);
   const count = Math.ceil(shown / step - 1e-9),
     round = (/** @type {number} */ i) => Number((i * step).toPrecision(12));
-  const pressures = Array.from({ length: count }, (_, i) =>
-    inside("pressure", round(i + 1)),
-  );
+  const pressures = Array.from({ length: count }, (_, i) => inside("pressure", round(i + 1)));
   const top = inside("pressure", count * step),
     over = steps(FAMILY, top);
   if (test === "isobaric") {
@@ -76,15 +54,12 @@ export function familyOf(store, measured) {
       request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over },
     };
   const blocked = store.facts.characteristics?.blocked_force_n ?? 500;
-  const forces = [0.1, 0.3, 0.5, 0.7].map((x) =>
-    Math.max(1, Number((x * blocked).toPrecision(2))),
-  );
+  const forces = [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, Number((x * blocked).toPrecision(2))));
   return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
 }
 
 /** The pressure that the muscle may have. @param {Store} store */
-export const allowedOf = ({ facts }) =>
-  facts.characteristics?.allowed_pressure_mpa ?? Infinity;
+export const allowedOf = ({ facts }) => facts.characteristics?.allowed_pressure_mpa ?? Infinity;
 
 /**
  * What is permitted: up to the allowed pressure, and to the stretch that the law was fitted to.
@@ -116,10 +91,8 @@ export function permitted({ fixed, points }, store) {
 export function ownOf(store, top) {
   const { test } = store.wanted,
     over = steps(FINE, top);
-  if (test === "isobaric")
-    return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
-  if (test === "isometric")
-    return { contractions: [muscle.e], pressures_mpa: over };
+  if (test === "isobaric") return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
+  if (test === "isometric") return { contractions: [muscle.e], pressures_mpa: over };
   return {
     forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.state.F ?? 1)],
     pressures_mpa: over.slice(1),
@@ -128,11 +101,7 @@ export function ownOf(store, top) {
 
 /** @param {number} fixed @param {string} test */
 const named = (fixed, test) =>
-  show(
-    test === "isobaric" ? "pressure" : test === "isotonic" ? "force" : "ratio",
-    fixed,
-    3,
-  );
+  show(test === "isobaric" ? "pressure" : test === "isotonic" ? "force" : "ratio", fixed, 3);
 
 /** Points of one curve as a series. @param {Point[]} list @param {string} test */
 function line(list, test) {
@@ -154,9 +123,7 @@ function line(list, test) {
 /** The same of its contraction in %. @param {Point | Commands["contraction"]["answer"]} q */
 export const builtContraction = (q) =>
   "force_n" in q && typeof q.predicted === "number"
-    ? [q.predicted, q.predicted_low, q.predicted_high].map(
-        (e) => 100 * Number(e),
-      )
+    ? [q.predicted, q.predicted_low, q.predicted_high].map((e) => 100 * Number(e))
     : [];
 
 /**
@@ -172,10 +139,7 @@ export function familySeries(answer, test, top, own, most) {
     )
       return [];
     const name = named(fixed, test),
-      colour =
-        test === "isobaric"
-          ? pressureColour(fixed, top)
-          : shade(i / answer.fixed.length);
+      colour = test === "isobaric" ? pressureColour(fixed, top) : shade(i / answer.fixed.length);
     return [
       /** @type {Series} */ ({
         name,
@@ -196,10 +160,8 @@ export function familySeries(answer, test, top, own, most) {
  */
 export function ownSeries(answer, test, top) {
   const name = named(answer.fixed[0], test),
-    colour =
-      test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
-  const of = (/** @type {Point} */ q) =>
-    "force_n" in q ? q.direction : undefined;
+    colour = test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
+  const of = (/** @type {Point} */ q) => ("force_n" in q ? q.direction : undefined);
   const branches = [...new Set(answer.points.map(of))];
   return branches.flatMap((branch, i) => {
     const list = answer.points.filter((q) => of(q) === branch);
@@ -207,9 +169,7 @@ export function ownSeries(answer, test, top) {
       ? {}
       : {
           end: name,
-          at: /** @type {"start" | "end"} */ (
-            test === "isobaric" ? "start" : "end"
-          ),
+          at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end"),
         };
     const model = /** @type {Series} */ ({
       name: name + (MOVES[branch ?? ""] ?? ""),
@@ -256,10 +216,7 @@ export function along({ arrays, stations, across }) {
   };
   const radius = (/** @type {number} */ i) =>
     mirror((j) => outside("length", arrays.r_mm[j * across + i]), 1);
-  const x = mirror(
-      (j) => outside("length", arrays.z_mm[j * across + across - 1]),
-      -1,
-    ),
+  const x = mirror((j) => outside("length", arrays.z_mm[j * across + across - 1]), -1),
     unit = unitName("length");
   return {
     x: `z from the middle [${unit}]`,

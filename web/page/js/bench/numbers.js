@@ -41,17 +41,11 @@ export function numbersView(store) {
     const list = rows(store, point);
     if (!values.length) {
       const lines = list.flatMap(([name]) => {
-        /** @type {[HTMLElement, HTMLElement]} */ const line = [
-          el("dt", name),
-          el("dd"),
-        ];
+        /** @type {[HTMLElement, HTMLElement]} */ const line = [el("dt", name), el("dd")];
         values.push(line);
         return line;
       });
-      const head = [
-        el("dt", "Pull as built"),
-        el("dd", { class: "head" }, built),
-      ];
+      const head = [el("dt", "Pull as built"), el("dd", { class: "head" }, built)];
       element.replaceChildren(
         el("dl", ...head, ...lines),
         parts.element,
@@ -103,10 +97,7 @@ function rows({ facts }, point) {
     ["Threshold pressure", showPressure(facts.start, 3)],
     ["Blocked force", showForce(c?.blocked_force_n)],
     ["Free contraction", showRatio(c?.free_contraction, 3)],
-    [
-      "Burst pressure",
-      c?.burst_pressure_mpa ? showPressure(c.burst_pressure_mpa, 3) : "unknown",
-    ],
+    ["Burst pressure", c?.burst_pressure_mpa ? showPressure(c.burst_pressure_mpa, 3) : "unknown"],
     ["Allowed pressure", showPressure(c?.allowed_pressure_mpa, 3)],
     ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
     [
@@ -128,9 +119,7 @@ function margins({ facts }, point) {
       1,
     ),
     meter("Pull", point.force_n, c?.blocked_force_n, (x) => showForce(x, 3)),
-    meter("Contraction", point.contraction, c?.free_contraction, (x) =>
-      showRatio(x, 3),
-    ),
+    meter("Contraction", point.contraction, c?.free_contraction, (x) => showRatio(x, 3)),
   ].filter((m) => m !== null);
 }
 
@@ -143,11 +132,7 @@ function meter(name, value, limit, text, from = 0) {
   if (value == null || limit == null || limit <= from) return null;
   const share = (value - from) / (limit - from),
     width = clamp(100 * share, 0, 100).toFixed(1);
-  const words = el(
-    "span",
-    name,
-    el("span", `${text(value)} of ${text(limit)}`),
-  );
+  const words = el("span", name, el("span", `${text(value)} of ${text(limit)}`));
   return el(
     "div",
     { class: share > 1 ? "meter over" : "meter" },
@@ -200,23 +185,17 @@ export function partsView(store) {
     const parts = Object.entries(point?.uncertainty_parts_n ?? {})
       .filter((pair) => typeof pair[1] === "number")
       .sort((a, b) => b[1] - a[1]);
-    const words =
-      facts.said?.state === muscle.state ? facts.said.words : undefined;
+    const words = facts.said?.state === muscle.state ? facts.said.words : undefined;
     const said = [
       words?.built && `As built ${words.built}.`,
       "95 % half-widths; they add as squares.",
       words?.bench && `To measure: ${words.bench}.`,
     ].filter(Boolean);
-    const next = JSON.stringify([
-      parts.map(([name, value]) => [name, showForce(value, 2)]),
-      said,
-    ]);
+    const next = JSON.stringify([parts.map(([name, value]) => [name, showForce(value, 2)]), said]);
     if (next === key) return;
     key = next;
     const most = Math.max(...parts.map(([, value]) => value));
-    list.replaceChildren(
-      ...parts.flatMap(([name, value]) => row(name, value, most)),
-    );
+    list.replaceChildren(...parts.flatMap(([name, value]) => row(name, value, most)));
     note.textContent = inWords(said.join(" "));
   }
   store.on("answer", paint);

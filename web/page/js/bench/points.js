@@ -38,19 +38,12 @@ export function pointsView(store, changed) {
     },
   );
   const remove = button("Remove the points", () => measured.set(undefined));
-  const line = el(
-    "div",
-    { class: "row small", hidden: true },
-    words,
-    fit.element,
-    remove,
-  );
+  const line = el("div", { class: "row small", hidden: true }, words, fit.element, remove);
   const show = (/** @type {typeof list} */ next) => {
     list = next;
     changed();
   };
-  const fail = (/** @type {Problem} */ problem) =>
-    said.replaceChildren(problemBox(problem));
+  const fail = (/** @type {Problem} */ problem) => said.replaceChildren(problemBox(problem));
 
   /** The points themselves, once for a table. */
   function read() {
@@ -123,9 +116,7 @@ export function pointSeries(list, top) {
   const kinds = [...new Set(list.map((q) => q.branch ?? "mean"))];
   return [...new Set(list.map((q) => q.pressure_mpa))].flatMap((p, first) =>
     kinds.map((glyph) => {
-      const at = list.filter(
-        (q) => q.pressure_mpa === p && (q.branch ?? "mean") === glyph,
-      );
+      const at = list.filter((q) => q.pressure_mpa === p && (q.branch ?? "mean") === glyph);
       const way = MOVES[glyph] ?? "";
       return {
         name: `measured at ${showPressure(p, 3)}${way}`,

@@ -39,9 +39,7 @@ export function stageView(store, busy) {
     scale = block("bar"),
     legend = block("legend");
   const stage = block("stage", said, scale, legend, busy);
-  const dial = gauge(stage, (pressure, settled) =>
-    store.changed("p", pressure, settled),
-  );
+  const dial = gauge(stage, (pressure, settled) => store.changed("p", pressure, settled));
   let scaled = 0,
     legendKey = "";
   /** As long as it says at every zoom. */
@@ -67,11 +65,9 @@ export function stageView(store, busy) {
     store.wanted.show,
     (name) => store.look({ show: name }),
   );
-  const cut = button(
-    "Cut open",
-    () => store.look({ cut: store.wanted.cut ? "" : "1" }),
-    { ariaPressed: false },
-  );
+  const cut = button("Cut open", () => store.look({ cut: store.wanted.cut ? "" : "1" }), {
+    ariaPressed: false,
+  });
   const pump = pumping(store),
     present = button("Present", () => stage.requestFullscreen(), {
       title: "The muscle and its numbers in the whole window; Escape ends it",
@@ -90,8 +86,7 @@ export function stageView(store, busy) {
     const { shape, point } = store;
     if (!shape) return;
     const [name, words, kind] =
-      SHOWN.find(([f]) => f === store.wanted.show && shape.arrays[f]) ??
-      SHOWN[0];
+      SHOWN.find(([f]) => f === store.wanted.show && shape.arrays[f]) ?? SHOWN[0];
     const [low, high] = store.ranges?.[name] ?? reach(shape.arrays[name]);
     colour.set(name);
     const isCut = Boolean(store.wanted.cut);
@@ -106,11 +101,7 @@ export function stageView(store, busy) {
   /** @param {string} words @param {string} kind @param {number} low @param {number} high */
   function paintLegend(words, kind, low, high) {
     const end = (/** @type {number} */ x) =>
-      kind === "N/mm"
-        ? `${number(x, 3)} N/mm`
-        : kind
-          ? show(kind, x, 3)
-          : number(x, 3);
+      kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3);
     const key = `${words} ${end(low)} ${end(high)}`;
     if (key === legendKey) return;
     legendKey = key;
@@ -125,8 +116,7 @@ export function stageView(store, busy) {
     );
   }
 
-  for (const event of /** @type {const} */ (["answer", "look", "ranges"]))
-    store.on(event, paint);
+  for (const event of /** @type {const} */ (["answer", "look", "ranges"])) store.on(event, paint);
   store.on("changed", pump.stop);
   return {
     stage,
@@ -215,15 +205,11 @@ export function gauge(stage, turn) {
       `<path d="M0 8L-2.5 0L0 -36L2.5 0z" class="needle"/><circle r="4" class="hub"/></svg>`,
   );
   const svg = /** @type {SVGSVGElement} */ (stage.lastElementChild);
-  const part = (/** @type {string} */ name) =>
-    /** @type {SVGElement} */ (svg.querySelector(name));
+  const part = (/** @type {string} */ name) => /** @type {SVGElement} */ (svg.querySelector(name));
   const needle = part(".needle"),
     label = part(".top");
   let top = 1;
-  const at = (
-    /** @type {PointerEvent} */ event,
-    /** @type {boolean} */ settled,
-  ) => {
+  const at = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
     const box = svg.getBoundingClientRect();
     const [x, y] = [
       event.clientX - box.left - box.width / 2,

@@ -37,8 +37,7 @@ export class Store {
      */
     this.ranges = undefined;
     this.rangesKey = "";
-    /** @type {Map<Event, ((more: never) => void)[]>} */ this.listeners =
-      new Map();
+    /** @type {Map<Event, ((more: never) => void)[]>} */ this.listeners = new Map();
     this.slots = {
       state: new Slot({ lane: "state", busy }),
       fact: new Slot(),
@@ -55,9 +54,7 @@ export class Store {
   }
   /** @template {Event} E @param {E} what @param {Told[E]} [more] */
   tell(what, more) {
-    this.listeners
-      .get(what)
-      ?.forEach((tell) => tell(/** @type {never} */ (more)));
+    this.listeners.get(what)?.forEach((tell) => tell(/** @type {never} */ (more)));
   }
 
   /** @param {string} key @param {number | string | undefined} value @param {boolean} settled */
@@ -124,23 +121,19 @@ export class Store {
   /** What comes after: P′, and what the muscle does at this pressure. */
   follow() {
     const { state } = muscle;
-    this.slots.fact.ask(
-      "check",
-      { muscle: muscle.fields(), pressure_mpa: state.p },
-      (answer) => {
-        this.facts = {
-          ...answer,
-          start: this.facts.start,
-          said: this.facts.said,
-        };
-        if (muscle.state.said === state.said) {
-          muscle.shown = answer;
-          this.tell("sync");
-        }
-        this.tell("facts");
-        this.range();
-      },
-    );
+    this.slots.fact.ask("check", { muscle: muscle.fields(), pressure_mpa: state.p }, (answer) => {
+      this.facts = {
+        ...answer,
+        start: this.facts.start,
+        said: this.facts.said,
+      };
+      if (muscle.state.said === state.said) {
+        muscle.shown = answer;
+        this.tell("sync");
+      }
+      this.tell("facts");
+      this.range();
+    });
     // Of a load the contraction is known with its shape.
     if (state.F === undefined) this.starts();
   }
@@ -168,9 +161,7 @@ export class Store {
   /** The pressure that the colours reach to: that of the gauge, or the one that the muscle may have. */
   supply() {
     const allowed =
-      this.facts.characteristics?.allowed_pressure_mpa ??
-      this.facts.rated_pressure_mpa ??
-      Infinity;
+      this.facts.characteristics?.allowed_pressure_mpa ?? this.facts.rated_pressure_mpa ?? Infinity;
     const usual = Math.min(PRESSURE.high, allowed);
     return muscle.p > usual ? niceUp(muscle.p) : usual;
   }
@@ -197,8 +188,7 @@ export class Store {
           widen(found, /** @type {Shape} */ (answer));
           done();
         };
-      if (at)
-        return this.slots.range.ask("shape", { muscle: of, ...at }, take, done);
+      if (at) return this.slots.range.ask("shape", { muscle: of, ...at }, take, done);
       this.ranges = Object.keys(found).length ? found : undefined;
       this.tell("ranges");
     };

@@ -6,14 +6,7 @@ import { fieldsOf, form } from "../form.js";
 import { atEnd, renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
-import {
-  inWords,
-  number,
-  outside,
-  show,
-  showForce,
-  unitName,
-} from "../units.js";
+import { inWords, number, outside, show, showForce, unitName } from "../units.js";
 
 /** Secants at most, and as near as this, as a share of the wanted pull. */
 const MOST = 12,
@@ -21,11 +14,7 @@ const MOST = 12,
 
 /** @param {Store} store */
 export function solveView(store) {
-  const choices = [
-    PRESSURE,
-    CONTRACTION,
-    ...QUANTITIES.filter((m) => m.key !== "L"),
-  ];
+  const choices = [PRESSURE, CONTRACTION, ...QUANTITIES.filter((m) => m.key !== "L")];
   const asked = form(
     fieldsOf([
       [
@@ -54,15 +43,12 @@ export function solveView(store) {
     if (force === undefined || signal.aborted) return;
     said.textContent = "…";
     try {
-      const measure = /** @type {Measure} */ (
-        choices.find((m) => m.key === what)
-      );
+      const measure = /** @type {Measure} */ (choices.find((m) => m.key === what));
       const value = await solved(measure, force, signal);
       said.textContent = `${measure.label} ${show(measure.kind, value, 4)} gives ${showForce(force, 4)}.`;
       store.changed(measure.key, value, true);
     } catch (problem) {
-      if (!signal.aborted)
-        said.textContent = inWords(/** @type {Error} */ (problem).message);
+      if (!signal.aborted) said.textContent = inWords(/** @type {Error} */ (problem).message);
     }
   }
   return { element };
@@ -84,16 +70,9 @@ async function solved(measure, force, signal) {
   }
   const over = async (/** @type {number} */ value) => {
     const changed = say({ ...state, F: undefined }, measure.key, value);
-    return (
-      (await engine().ask("force", question(changed), options)).force_n - force
-    );
+    return (await engine().ask("force", question(changed), options)).force_n - force;
   };
-  return root(
-    over,
-    Number(muscle.value(measure.key)),
-    measure,
-    NEAR * Math.abs(force),
-  );
+  return root(over, Number(muscle.value(measure.key)), measure, NEAR * Math.abs(force));
 }
 
 /**
@@ -101,12 +80,7 @@ async function solved(measure, force, signal) {
  * then secants that keep it between (Illinois).
  * @param {(value: number) => Promise<number>} of @param {number} from @param {Measure} measure @param {number} near
  */
-async function root(
-  of,
-  from,
-  { low = 0, high = 1, around, label, kind },
-  near,
-) {
+async function root(of, from, { low = 0, high = 1, around, label, kind }, near) {
   // A muscle that cannot be has no value.
   const at = async (/** @type {number} */ x) => ({
     x,
@@ -120,9 +94,7 @@ async function root(
   let a = start,
     b = start;
   for (const share of [0.12, 0.3, 0.5, 0.75, 1]) {
-    const both = await Promise.all(
-      ends.map((end) => at(from + share * (end - from))),
-    );
+    const both = await Promise.all(ends.map((end) => at(from + share * (end - from))));
     b = both.find(({ f }) => f * start.f <= 0) ?? start;
     if (b !== start || Math.abs(start.f) <= near) break;
   }
@@ -160,22 +132,14 @@ export function tornadoView(store) {
   async function start() {
     const { state } = muscle,
       { point: at } = store;
-    const key = JSON.stringify([
-      state,
-      ...["force", "length", "pressure"].map(unitName),
-    ]);
+    const key = JSON.stringify([state, ...["force", "length", "pressure"].map(unitName)]);
     if (!element.open || !at || at.slack || key === of) return;
     of = key;
     const signal = begin();
     words.textContent = "Computing …";
-    const list = /** @type {Measure[]} */ ([
-      ...QUANTITIES,
-      PRESSURE,
-      CONTRACTION,
-    ]).filter(
+    const list = /** @type {Measure[]} */ ([...QUANTITIES, PRESSURE, CONTRACTION]).filter(
       (m) =>
-        (m.key !== "angle" || !muscle.shown?.sleeve) &&
-        !(m.key === "e" && state.F !== undefined),
+        (m.key !== "angle" || !muscle.shown?.sleeve) && !(m.key === "e" && state.F !== undefined),
     );
     /** @type {[Measure, number[]][]} */ const found = [];
     for (const m of list) {
@@ -195,13 +159,10 @@ export function tornadoView(store) {
       }
       if (changes.length) found.push([m, changes]);
     }
-    const size = (/** @type {number[]} */ changes) =>
-      Math.max(...changes.map(Math.abs));
+    const size = (/** @type {number[]} */ changes) => Math.max(...changes.map(Math.abs));
     found.sort(([, a], [, b]) => size(b) - size(a));
     bars.replaceChildren(
-      ...found.map(([m, changes]) =>
-        bar(m, changes, Math.max(1e-9, size(found[0][1]))),
-      ),
+      ...found.map(([m, changes]) => bar(m, changes, Math.max(1e-9, size(found[0][1])))),
     );
     words.textContent = `Change of the pull of ${showForce(at.force_n, 3)}, all else as it is: to the right more pull.`;
   }
@@ -233,14 +194,7 @@ function bar(m, changes, reach) {
       class: i ? "more" : "less",
       style: `${v < 0 ? "right" : "left"}:50%;width:${((50 * Math.abs(v)) / reach).toFixed(1)}%`,
     });
-  const label = el(
-    "span",
-    m.label,
-    el("span", { class: "soft" }, ` ± ${text}`),
-  );
-  const value = el(
-    "span",
-    changes.length === 2 ? changes.map(signed).join(", ") : "–",
-  );
+  const label = el("span", m.label, el("span", { class: "soft" }, ` ± ${text}`));
+  const value = el("span", changes.length === 2 ? changes.map(signed).join(", ") : "–");
   return block("", label, value, el("i", ...changes.map(piece)));
 }

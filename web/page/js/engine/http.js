@@ -35,9 +35,7 @@ export class Engine {
       throw new Problem((await answer.json()).error);
     } catch (error) {
       if (signal?.aborted) throw new DOMException("cancelled", "AbortError");
-      throw error instanceof Problem
-        ? error
-        : gone("the server cannot be reached");
+      throw error instanceof Problem ? error : gone("the server cannot be reached");
     }
   }
 }

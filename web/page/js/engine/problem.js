@@ -20,8 +20,7 @@ export const problemOf = (thrown) =>
       });
 
 /** Whether it is only that nobody waits for the answer any more. @param {unknown} thrown */
-export const isAbort = (thrown) =>
-  thrown instanceof DOMException && thrown.name === "AbortError";
+export const isAbort = (thrown) => thrown instanceof DOMException && thrown.name === "AbortError";
 
 /** The engine is not there. @param {string} why */
 export const gone = (why) =>

@@ -33,8 +33,7 @@ class Lane {
   constructor(module) {
     this.module = module;
     /** @type {Worker | undefined} */ this.worker = undefined;
-    /** Questions; the first is the one that the worker has. @type {Asked[]} */ this.open =
-      [];
+    /** Questions; the first is the one that the worker has. @type {Asked[]} */ this.open = [];
     this.next = 1;
   }
 
@@ -73,9 +72,7 @@ class Lane {
 
   /** No question that is open has an answer. @param {unknown} problem */
   refuse(problem) {
-    this.open
-      .splice(0)
-      .forEach((asked) => this.close(asked, () => asked.reject(problem)));
+    this.open.splice(0).forEach((asked) => this.close(asked, () => asked.reject(problem)));
   }
 
   /** @param {Asked} asked @param {() => void} act */
@@ -95,9 +92,7 @@ class Lane {
     this.go();
     const { problem, answer } = data;
     this.close(asked, () =>
-      problem
-        ? asked.reject(new Problem(problem))
-        : asked.resolve(/** @type {never} */ (answer)),
+      problem ? asked.reject(new Problem(problem)) : asked.resolve(/** @type {never} */ (answer)),
     );
   }
 
@@ -149,17 +144,14 @@ function loaded(name) {
   return () => {
     const load = async () => {
       const answer = await fetch(new URL(`../../${name}`, import.meta.url));
-      if (!answer.ok)
-        throw gone(`${name}: ${answer.status} ${answer.statusText}`);
+      if (!answer.ok) throw gone(`${name}: ${answer.status} ${answer.statusText}`);
       return answer.headers.get("content-type")?.startsWith("application/wasm")
         ? WebAssembly.compileStreaming(answer)
         : WebAssembly.compile(await answer.arrayBuffer());
     };
     module ??= load().catch((error) => {
       module = undefined;
-      throw error instanceof Problem
-        ? error
-        : gone(String(error.message ?? error));
+      throw error instanceof Problem ? error : gone(String(error.message ?? error));
     });
     return module;
   };
@@ -167,8 +159,7 @@ function loaded(name) {
 
 export class Engine {
   constructor() {
-    if (typeof WebAssembly !== "object")
-      throw gone("this browser does not support WebAssembly");
+    if (typeof WebAssembly !== "object") throw gone("this browser does not support WebAssembly");
     const live = loaded("live.wasm"),
       whole = loaded("whole.wasm");
     this.lanes = {
@@ -195,19 +186,12 @@ export class Engine {
    * @param {How} [how] @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { lane = "side", ...how } = {}) {
-    const of =
-      /** @type {{ model?: { name?: string }, load_tables?: object[], kind?: string }} */ (
-        request
-      );
-    const known =
-      LIVE.includes(command) ||
-      (command === "parts-list" && LISTED.includes(of.kind ?? ""));
-    const small =
-      known && (of.model?.name ?? "fe") === "fe" && !of.load_tables?.length;
-    return this.lanes[small || lane === "job" ? lane : "whole"].ask(
-      command,
-      request,
-      how,
+    const of = /** @type {{ model?: { name?: string }, load_tables?: object[], kind?: string }} */ (
+      request
     );
+    const known =
+      LIVE.includes(command) || (command === "parts-list" && LISTED.includes(of.kind ?? ""));
+    const small = known && (of.model?.name ?? "fe") === "fe" && !of.load_tables?.length;
+    return this.lanes[small || lane === "job" ? lane : "whole"].ask(command, request, how);
   }
 }

@@ -13,8 +13,7 @@ const encoder = new TextEncoder(),
   decoder = new TextDecoder();
 
 /** What stands in the memory as the answer. */
-const said = () =>
-  new Uint8Array(engine.memory.buffer, engine.answer(), engine.answer_length());
+const said = () => new Uint8Array(engine.memory.buffer, engine.answer(), engine.answer_length());
 
 /**
  * @param {string} command @param {string} request
@@ -27,9 +26,7 @@ function ask(command, request) {
   input.set(a);
   input.set(b, a.length);
   const wrong = engine.ask(a.length);
-  return wrong
-    ? { problem: JSON.parse(decoder.decode(said())) }
-    : unpack(said().slice().buffer);
+  return wrong ? { problem: JSON.parse(decoder.decode(said())) } : unpack(said().slice().buffer);
 }
 
 /** @param {WebAssembly.Module} module */
@@ -38,9 +35,7 @@ async function begin(module) {
     progress: (/** @type {number} */ done, /** @type {number} */ total) =>
       self.postMessage({ id: current, done, total }),
   };
-  engine = /** @type {typeof engine} */ (
-    (await WebAssembly.instantiate(module, { host })).exports
-  );
+  engine = /** @type {typeof engine} */ ((await WebAssembly.instantiate(module, { host })).exports);
   engine.start();
 }
 
@@ -54,10 +49,7 @@ self.onmessage = async ({ data }) => {
   current = data.id;
   try {
     const { problem, answer, buffers } = ask(data.command, data.request);
-    self.postMessage(
-      { id: data.id, problem, answer },
-      { transfer: buffers ?? [] },
-    );
+    self.postMessage({ id: data.id, problem, answer }, { transfer: buffers ?? [] });
   } catch (error) {
     // A trap: the instance cannot be used any more; its last words stand where the answer would.
     const words = decoder.decode(said());

@@ -25,18 +25,11 @@ function withoutNetwork() {
     if (wrong) text.textContent = wrong;
     keep.disabled = false;
   });
-  const element = el(
-    "div",
-    { hidden: true },
-    heading("Without a network"),
-    rowOf(text, keep),
-  );
+  const element = el("div", { hidden: true }, heading("Without a network"), rowOf(text, keep));
   const say = async () => {
     const all = await isKept();
     keep.hidden = all;
-    text.textContent = all
-      ? "Every place works."
-      : "The muscle works; the other places need more.";
+    text.textContent = all ? "Every place works." : "The muscle works; the other places need more.";
     element.hidden = false;
   };
   // Where the browser keeps nothing there is nothing to say.
@@ -77,13 +70,7 @@ const TABLES = [
     ["points within the ±", "nominal"],
     (c) => [percent(c.ours), percent(c.reference)],
   ],
-  [
-    "validation",
-    "value",
-    "Validation: other quantities",
-    ["measured", "computed", "error"],
-    value,
-  ],
+  ["validation", "value", "Validation: other quantities", ["measured", "computed", "error"], value],
 ];
 
 /** @type {Mount} */
@@ -98,9 +85,7 @@ export const mount = (main) => {
       keepFile(CHECKED, true);
       cases.replaceChildren(
         ...TABLES.flatMap(([kind, measure, title, head, cells]) => {
-          const list = answer.cases.filter(
-            (c) => c.kind === kind && c.measure === measure,
-          );
+          const list = answer.cases.filter((c) => c.kind === kind && c.measure === measure);
           const rows = list.map((c) => [
             c.name,
             c.source ?? "",

@@ -3,17 +3,7 @@
 import { Slot } from "../ask.js";
 import { chartOf, KINDS, isobars } from "../chart.js";
 import { fileField } from "../controls.js";
-import {
-  block,
-  button,
-  capital,
-  dim,
-  el,
-  folded,
-  heading,
-  problemBox,
-  remark,
-} from "../dom.js";
+import { block, button, capital, dim, el, folded, heading, problemBox, remark } from "../dom.js";
 import { fieldsOf, form, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
 import {
@@ -57,10 +47,13 @@ const MODELS = /** @type {[string, string][]} */ (
 
 /** Fields of a side: its model, and of B what it changes. @param {string} name @param {() => void} ask */
 function sideForm(name, ask) {
-  const measure = (
-    /** @type {Measure} */ { key, field, label, kind },
-    more = {},
-  ) => ({ key: name + key, field, label, kind, ...more });
+  const measure = (/** @type {Measure} */ { key, field, label, kind }, more = {}) => ({
+    key: name + key,
+    field,
+    label,
+    kind,
+    ...more,
+  });
   const [model, rubber, braid, pressure, contraction] = fieldsOf([
     [
       `${name}model`,
@@ -139,11 +132,8 @@ function sideOf(name, { ask, paint }) {
       // What a sleeve needs beside its name has a field.
       const braid = fields.text(`${name}braid`),
         k = fields.text(`${name}k`);
-      const lacks = braid
-        ? missing({ said: { braid, ...(k ? { k } : {}) } }, muscle.sleeves)
-        : [];
-      for (const { key } of STRANDS)
-        fields.shown(name + key, lacks.includes(key));
+      const lacks = braid ? missing({ said: { braid, ...(k ? { k } : {}) } }, muscle.sleeves) : [];
+      for (const { key } of STRANDS) fields.shown(name + key, lacks.includes(key));
       back.hidden = !side.file;
       const read = await fields.read();
       if (!read) return stale(true);
@@ -186,22 +176,12 @@ function sideOf(name, { ask, paint }) {
     /** Which muscle it is, and what its fields say where nothing is typed into them. */
     usual() {
       which.textContent = side.answer ? muscle.line(side.answer.muscle) : "";
-      const put = (
-        /** @type {string} */ key,
-        /** @type {string | null | undefined} */ text,
-      ) =>
+      const put = (/** @type {string} */ key, /** @type {string | null | undefined} */ text) =>
         fields.usual(name + key, side.file ? "as in its file" : (text ?? ""));
       for (const m of QUANTITIES) {
         const value = shownValue(muscle.state, muscle.shown, m),
           sleeve = m.key === "angle" && fields.text(`${name}braid`);
-        put(
-          m.key,
-          sleeve
-            ? "of the sleeve"
-            : value === undefined
-              ? ""
-              : show(m.kind, value),
-        );
+        put(m.key, sleeve ? "of the sleeve" : value === undefined ? "" : show(m.kind, value));
       }
       put("rubber", partName(muscle.shown?.rubber));
       put("braid", muscle.shown?.sleeve ?? "Custom angle");
@@ -227,20 +207,14 @@ const ROWS = [
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const sides = ["a", "b"].map((name) =>
-      sideOf(name, { ask: () => ask(), paint: () => paint() }),
-    ),
+  const sides = ["a", "b"].map((name) => sideOf(name, { ask: () => ask(), paint: () => paint() })),
     [, b] = sides;
   const chart = chartOf("compare", {
       tools: heading("Pull over contraction"),
     }),
     numbers = block();
   main.replaceChildren(
-    block(
-      "pair",
-      block("", sides[0].element, numbers, chart.element),
-      b.element,
-    ),
+    block("pair", block("", sides[0].element, numbers, chart.element), b.element),
   );
 
   async function ask() {
@@ -257,9 +231,7 @@ export const mount = (main) => {
       capital(name),
       ...sides.map(({ answer }) => (answer ? of(answer) : "–")),
     ]);
-    numbers.replaceChildren(
-      table(["", "A", "B"], rows, { label: "both in numbers" }),
-    );
+    numbers.replaceChildren(table(["", "A", "B"], rows, { label: "both in numbers" }));
     const series = sides.flatMap(({ name, family }, i) =>
       family
         ? isobars(
@@ -282,10 +254,7 @@ export const mount = (main) => {
   onUnits(paint);
   return {
     async load(params) {
-      await muscle.read(params, [
-        ...sides.flatMap((s) => s.fields.keys),
-        "bfile",
-      ]);
+      await muscle.read(params, [...sides.flatMap((s) => s.fields.keys), "bfile"]);
       for (const side of sides) side.fields.set(params);
       b.file = params.get("bfile") ?? "";
       b.fields.options(

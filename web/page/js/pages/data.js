@@ -21,15 +21,7 @@ import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { GALLERY, gallery, library, muscleButtons } from "../gallery.js";
 import { fileOf, keepFile, measured } from "../kept.js";
 import { muscle } from "../muscle.js";
-import {
-  keyed,
-  number,
-  onUnits,
-  ratioAxis,
-  showForce,
-  unitName,
-  worded,
-} from "../units.js";
+import { keyed, number, onUnits, ratioAxis, showForce, unitName, worded } from "../units.js";
 
 const CONSTANTS = "constants";
 
@@ -54,12 +46,7 @@ function identifiedView(answer) {
       `Residuals ${showForce(answer.rms_n, 3)} rms, ${showForce(answer.rms_before_n, 3)} before.`,
     ),
     warnings(answer.warnings),
-    muscleButtons(
-      answer.muscle_file,
-      "See it move",
-      "Download the muscle",
-      "identified",
-    ),
+    muscleButtons(answer.muscle_file, "See it move", "Download the muscle", "identified"),
   ];
 }
 
@@ -81,13 +68,7 @@ const errorTable = (models) => {
 /** What is asked of the table. @type {Field[]} */
 export const FIELDS = fieldsOf([
   ["free", "free", "Free constants", { words: true, hint: "shear modulus" }],
-  [
-    "models",
-    "models",
-    "Models",
-
-    { words: true, value: "fe, thick-wall, ideal" },
-  ],
+  ["models", "models", "Models", { words: true, value: "fe, thick-wall, ideal" }],
 ]);
 
 /** @type {Mount} */
@@ -98,26 +79,22 @@ export const mount = (main) => {
   const looking = new Slot(),
     reading = new Slot();
   const what = form(FIELDS, look),
-    cells = grid(
-      ["pressure [bar]", "contraction [%]", "pull [N]", "branch"],
-      (text) => take(data?.name ?? "typed.csv", text),
+    cells = grid(["pressure [bar]", "contraction [%]", "pull [N]", "branch"], (text) =>
+      take(data?.name ?? "typed.csv", text),
     );
   const understood = block(),
     errors = block(),
     found = block(),
     figures = new Figures("data"),
     fitted = new Figures("identified");
-  const fail = (/** @type {unknown} */ why) =>
-    understood.replaceChildren(problemBox(why));
+  const fail = (/** @type {unknown} */ why) => understood.replaceChildren(problemBox(why));
   const place = () => muscle.place("data", what.texts());
   /** What is shown of the comparison belongs to an older table. @param {boolean} on */
   const stale = (on) => dim([errors, figures.element], on);
   // What there is to begin with: an example, and muscles that were measured.
   if (!data)
     understood.append(
-      faded(
-        "Drop a table of measured points, paste its cells, or type them into Table.",
-      ),
+      faded("Drop a table of measured points, paste its cells, or type them into Table."),
       gallery(
         fail,
         undefined,
@@ -221,10 +198,7 @@ export const mount = (main) => {
           top = Math.max(...list.map((q) => q.pressure_mpa));
         chart.show({
           ...spec,
-          series: [
-            ...spec.series.filter((s) => s.mode !== "markers"),
-            ...pointSeries(list, top),
-          ],
+          series: [...spec.series.filter((s) => s.mode !== "markers"), ...pointSeries(list, top)],
         });
       },
     );
@@ -233,10 +207,7 @@ export const mount = (main) => {
   function paint() {
     if (compared && data) {
       const u = compared.understood?.[0] ?? compared.understood;
-      const said = [
-        ...(measured.said ? [measured.said] : []),
-        ...(compared.warnings ?? []),
-      ];
+      const said = [...(measured.said ? [measured.said] : []), ...(compared.warnings ?? [])];
       const line = `${data.name}: ${compared.points} points. ${columnLine(u?.columns ?? [])}`;
       understood.replaceChildren(paragraph(line), warnings(said));
       errors.replaceChildren(errorTable(compared.models));

@@ -4,12 +4,7 @@ import { address, write } from "../address.js";
 import { picture } from "../body.js";
 import { designMap } from "../design-map.js";
 import { designTarget } from "../design-target.js";
-import {
-  closestView,
-  foundView,
-  headView,
-  rejectedView,
-} from "../design-view.js";
+import { closestView, foundView, headView, rejectedView } from "../design-view.js";
 import { block, folded, heading } from "../dom.js";
 import { Figures } from "../figure.js";
 import { fieldsOf, form, inputs, job, kindsOf } from "../form.js";
@@ -58,21 +53,9 @@ export const WANTED = fieldsOf([
   ["load", "load", "Load", { hint: "20 kg" }],
   ["stroke", "stroke_mm", "Stroke", "length", { hint: "40 mm" }],
   ["pmax", "max_pressure_mpa", "Pressure of the supply", "pressure", "2.5 bar"],
-  [
-    "bulge",
-    "max_bulged_diameter_mm",
-    "Largest bulged diameter",
-    "length",
-    { hint: "60 mm" },
-  ],
+  ["bulge", "max_bulged_diameter_mm", "Largest bulged diameter", "length", { hint: "60 mm" }],
   ["sure", "guaranteed", "Certainty", "ratio", { hint: "95 %" }],
-  [
-    "for",
-    "objective",
-    "Rank by",
-
-    { options: OBJECTIVES, value: "bulged-diameter" },
-  ],
+  ["for", "objective", "Rank by", { options: OBJECTIVES, value: "bulged-diameter" }],
 ]);
 /** What the muscle must do, each with its fields. @type {[string, string, string[]][]} */
 const KINDS = [
@@ -84,36 +67,12 @@ const KINDS = [
 /** @type {() => Field[]} */
 export const choices = () =>
   fieldsOf([
-    [
-      "D",
-      "outer_diameter_mm",
-      "Outer diameters",
-      "length",
-      { list: true, hint: "10..60 mm" },
-    ],
+    ["D", "outer_diameter_mm", "Outer diameters", "length", { list: true, hint: "10..60 mm" }],
     ["s", "wall_mm", "Walls", "length", { list: true, hint: "1..4:0.5 mm" }],
     ["L", "length_mm", "Length", "length", { list: true, hint: "285 mm" }],
-    [
-      "angle",
-      "angle_deg",
-      "Braid angles",
-      "angle",
-      { list: true, hint: "28 deg" },
-    ],
-    [
-      "rubber",
-      "rubbers",
-      "Rubbers",
-
-      { words: true, hint: "paper, ecoflex-00-30" },
-    ],
-    [
-      "braid",
-      "braids",
-      "Sleeves as sold",
-
-      { words: true, hint: "names of the list" },
-    ],
+    ["angle", "angle_deg", "Braid angles", "angle", { list: true, hint: "28 deg" }],
+    ["rubber", "rubbers", "Rubbers", { words: true, hint: "paper, ecoflex-00-30" }],
+    ["braid", "braids", "Sleeves as sold", { words: true, hint: "names of the list" }],
     [
       "sd",
       "strand_diameter_mm",
@@ -135,27 +94,9 @@ export const choices = () =>
       "stiffness",
       { or: STIFFNESS_NAMES, hint: "500 N/mm; inextensible" },
     ],
-    [
-      "r",
-      "radius_mm",
-      "Pulley of a joint",
-      "length",
-      { list: true, hint: "20..40 mm" },
-    ],
-    [
-      "liquid",
-      "liquid",
-      "Liquid in the place of air",
-
-      { hint: "water, oil or glycol" },
-    ],
-    [
-      "most",
-      "max_liquid_volume_mm3",
-      "Largest liquid volume",
-      "volume",
-      { hint: "20 mL" },
-    ],
+    ["r", "radius_mm", "Pulley of a joint", "length", { list: true, hint: "20..40 mm" }],
+    ["liquid", "liquid", "Liquid in the place of air", { hint: "water, oil or glycol" }],
+    ["most", "max_liquid_volume_mm3", "Largest liquid volume", "volume", { hint: "20 mL" }],
     [
       "burst",
       "min_burst_margin",
@@ -187,9 +128,7 @@ function specification(submit) {
         .filter(Boolean);
     return [
       ...new Set(
-        names.flatMap((braid) =>
-          missing({ said: k ? { braid, k } : { braid } }, muscle.sleeves),
-        ),
+        names.flatMap((braid) => missing({ said: k ? { braid, k } : { braid } }, muscle.sleeves)),
       ),
     ];
   };
@@ -211,10 +150,7 @@ function specification(submit) {
     },
     /** The request, or nothing where a text cannot be read. @returns {Promise<Design["request"] | undefined>} */
     async read() {
-      const [want, space] = await Promise.all([
-        wanted.read(),
-        choice.read({ intervals: true }),
-      ]);
+      const [want, space] = await Promise.all([wanted.read(), choice.read({ intervals: true })]);
       if (!want || !space) return undefined;
       // The stroke of a load says how far.
       if (want.load && want.stroke_mm) delete want.contraction;
@@ -242,9 +178,7 @@ const priced = () =>
         new Map(
           tubes.flatMap((part) => {
             const { price } = /** @type {{ price?: string | null }} */ (part);
-            return price
-              ? [/** @type {[string, string]} */ ([part.name, price])]
-              : [];
+            return price ? [/** @type {[string, string]} */ ([part.name, price])] : [];
           }),
         ),
       () => new Map(),
@@ -254,8 +188,7 @@ const priced = () =>
  * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
  * @param {Chosen} c @param {Design["request"]} of the request @param {{ p: number, e: number }} at
  */
-const linked = (c, of, at) =>
-  address("muscle", muscle.paramsOf(candidate(c, of, at)));
+const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -297,8 +230,7 @@ export const mount = (main) => {
       shown: [drawn, side, list, target.element, ...map.elements],
     },
   );
-  const place = () =>
-    write(address("design", { ...spec.texts(), m: muscle.word() }));
+  const place = () => write(address("design", { ...spec.texts(), m: muscle.word() }));
 
   async function paint() {
     if (!found) return;
@@ -315,14 +247,9 @@ export const mount = (main) => {
         best.length_mm,
         best.bulged_diameter_mm ?? best.outer_diameter_mm,
       );
-    side.replaceChildren(
-      ...(best ? headView(answer, certain) : closestView(answer)),
-    );
+    side.replaceChildren(...(best ? headView(answer, certain) : closestView(answer)));
     const show = (/** @type {Map<string, string>} */ known) =>
-      list.replaceChildren(
-        ...(best ? foundView(answer, known) : []),
-        ...rejectedView(answer),
-      );
+      list.replaceChildren(...(best ? foundView(answer, known) : []), ...rejectedView(answer));
     show(new Map());
     if (!answer.candidates.some((c) => c.tube || c.sleeve)) return;
     const known = await priced();
@@ -332,12 +259,7 @@ export const mount = (main) => {
   main.replaceChildren(
     block(
       "bench",
-      inputs(
-        "Specification",
-        heading("Specification"),
-        ...spec.elements,
-        search.element,
-      ),
+      inputs("Specification", heading("Specification"), ...spec.elements, search.element),
       block("middle", drawn, ...map.elements, target.element),
       block("side", side),
       list,

@@ -40,13 +40,7 @@ export const BOX = fieldsOf([
   ["target", "target", "Target", { value: "c", options: [["c", "c"]] }],
   ["supply", "pressure_mpa", "Pressure of the supply", "pressure"],
   ["elow", "contraction_low", "Contraction from", "ratio", { hint: "−5 %" }],
-  [
-    "ehigh",
-    "contraction_high",
-    "Contraction to",
-    "ratio",
-    { hint: "free contraction" },
-  ],
+  ["ehigh", "contraction_high", "Contraction to", "ratio", { hint: "free contraction" }],
 ]);
 /** @type {Field[]} */
 export const ELEMENTS = fieldsOf([
@@ -153,8 +147,8 @@ const workshop = () =>
     ["Make the build sheet", "build"],
     () => ({ ...atPressure(), units: readUnits() }),
     (answer) => {
-      const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map(
-        (p) => showPressure(p, 3),
+      const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map((p) =>
+        showPressure(p, 3),
       );
       const cut = `At ${at}: cut ${showLength(answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
       return [
@@ -195,9 +189,7 @@ const code = () =>
       ...atPressure(),
       ...read,
       target: read.target,
-      name: muscle.given
-        ? fileName(muscle.given, "").replace(/\W/g, "_")
-        : undefined,
+      name: muscle.given ? fileName(muscle.given, "").replace(/\W/g, "_") : undefined,
     }),
     (answer) => [
       paragraph(`Error: ${errorLine(answer)}`),
@@ -236,10 +228,7 @@ const elements = () =>
         : [];
       return [
         warnings([...answer.notes, ...answer.warnings]),
-        filesView(
-          [...(answer.files ?? []), ...deck],
-          fileName(muscle.name, `-${answer.model}`),
-        ),
+        filesView([...(answer.files ?? []), ...deck], fileName(muscle.name, `-${answer.model}`)),
       ];
     },
   );
@@ -255,13 +244,10 @@ export const mount = (main) => {
   let target = "";
   box.element.prepend(about);
   main.replaceChildren(element);
-  const place = () =>
-    muscle.place("files", Object.assign({}, ...forms.map((f) => f.texts())));
+  const place = () => muscle.place("files", Object.assign({}, ...forms.map((f) => f.texts())));
   function paint() {
     const one = targets.find(({ name }) => name === box.text("target"));
-    about.textContent = one
-      ? `${one.about}. Needs ${one.needs}. Loses ${one.loses}.`
-      : "";
+    about.textContent = one ? `${one.about}. Needs ${one.needs}. Loses ${one.loses}.` : "";
     box.usual("supply", muscle.p ? showPressure(muscle.p) : "");
   }
   const changed = () => {
@@ -334,7 +320,6 @@ export function filesView(files, archive) {
   return block(
     "files",
     el("ul", { class: "plain" }, ...rows),
-    files.length > 1 &&
-      paragraph(mainButton(`All files (${archive}.zip)`, every)),
+    files.length > 1 && paragraph(mainButton(`All files (${archive}.zip)`, every)),
   );
 }

@@ -14,15 +14,7 @@ import {
 import { bench, fieldsOf, form, job, table } from "../form.js";
 import { fileOf, keepFile } from "../kept.js";
 import { muscle } from "../muscle.js";
-import {
-  evenly,
-  onUnits,
-  outside,
-  ratioAxis,
-  showLength,
-  showRatio,
-  unitName,
-} from "../units.js";
+import { evenly, onUnits, outside, ratioAxis, showLength, showRatio, unitName } from "../units.js";
 import { engine } from "../ask.js";
 import { chartOf, viridisAt } from "../chart.js";
 import { Figures } from "../figure.js";
@@ -68,13 +60,7 @@ export const HOW = fieldsOf([
       value: "paper",
     },
   ],
-  [
-    "hold",
-    "hold_out_mm",
-    "Diameters kept out",
-    "length",
-    { list: true, hint: "45 mm" },
-  ],
+  ["hold", "hold_out_mm", "Diameters kept out", "length", { list: true, hint: "45 mm" }],
   ["at", "at", "Maps at", "pressure", "2.5 bar"],
 ]);
 
@@ -82,12 +68,11 @@ export const HOW = fieldsOf([
 /** The paper's formula, with the box that it was fitted in. */
 const PUBLISHED = {
   name: "Formula (Antonelli 2018)",
-  range:
-    /** @type {Record<"outer_diameter_mm" | "wall_mm" | "contraction", [number, number]>} */ ({
-      outer_diameter_mm: [30, 50],
-      wall_mm: [1, 5],
-      contraction: [0, 0.2],
-    }),
+  range: /** @type {Record<"outer_diameter_mm" | "wall_mm" | "contraction", [number, number]>} */ ({
+    outer_diameter_mm: [30, 50],
+    wall_mm: [1, 5],
+    contraction: [0, 0.2],
+  }),
 };
 
 /**
@@ -99,10 +84,7 @@ const PUBLISHED = {
 function errorsView(file) {
   const e = file.errors,
     share = (/** @type {number} */ x) => showRatio(x, 3);
-  const row = (
-    /** @type {string} */ name,
-    /** @type {File["errors"]["fit"]} */ x,
-  ) => [
+  const row = (/** @type {string} */ name, /** @type {File["errors"]["fit"]} */ x) => [
     name,
     String(x.points),
     share(x.rms_of_blocked),
@@ -110,20 +92,14 @@ function errorsView(file) {
     share(x.max_of_blocked),
   ];
   const kept = "held_out" in e ? e.held_out : undefined;
-  const rows = [
-    row("fitted to", e.fit),
-    ...(kept ? [row("kept out", kept)] : []),
-  ];
-  const save = () =>
-    download(`${file.name}.json`, JSON.stringify(file, null, 2) + "\n");
+  const rows = [row("fitted to", e.fit), ...(kept ? [row("kept out", kept)] : [])];
+  const save = () => download(`${file.name}.json`, JSON.stringify(file, null, 2) + "\n");
   return [
     heading(file.name),
     smallPrint(el("code", file.equation)),
-    table(
-      ["against finite elements", "points", "rms", "95 %", "largest"],
-      rows,
-      { label: "errors of the formula, of the blocked force" },
-    ),
+    table(["against finite elements", "points", "rms", "95 %", "largest"], rows, {
+      label: "errors of the formula, of the blocked force",
+    }),
     remark("Errors as shares of the blocked force."),
     paragraph(button("Download the formula", save)),
   ];
@@ -175,14 +151,10 @@ function surfaces() {
     const x = E.map((e) => 100 * e),
       y = list.map((v) => outside("length", v)),
       unit = unitName("force");
-    const field = sampled(x, y, 8, (px, py) =>
-      valueBetween({ x, y, values }, px, py),
-    );
+    const field = sampled(x, y, 8, (px, py) => valueBetween({ x, y, values }, px, py));
     const [low, high] = span(values);
     const image = picture(field, (v) =>
-      v === null
-        ? [0, 0, 0, 0]
-        : [...viridisAt((v - low) / (high - low || 1), 1), 255],
+      v === null ? [0, 0, 0, 0] : [...viridisAt((v - low) / (high - low || 1), 1), 255],
     );
     chart.show({
       x: ratioAxis,
@@ -212,36 +184,24 @@ function surfaces() {
       wallTitle.textContent = `Pull over contraction and wall, D0 ${showLength(D[5])}`;
       diameterTitle.textContent = `Pull over contraction and diameter, s ${showLength(S[5])}`;
       const name =
-        formula === PUBLISHED
-          ? "paper"
-          : { name: formula.name, text: JSON.stringify(formula) };
-      const line =
-        (/** @type {string} */ field) =>
-        async (/** @type {number} */ value) => {
-          const answer = await engine().ask(
-            "curve",
-            {
-              muscle: { ...middle, [field]: value },
-              model: { name },
-              test: "isobaric",
-              pressures_mpa: [at],
-              contractions: E,
-              extrapolate: true,
-            },
-            { signal: ends.signal },
-          );
-          return answer.points.map((q) =>
-            "force_n" in q ? outside("force", q.force_n) : null,
-          );
-        };
+        formula === PUBLISHED ? "paper" : { name: formula.name, text: JSON.stringify(formula) };
+      const line = (/** @type {string} */ field) => async (/** @type {number} */ value) => {
+        const answer = await engine().ask(
+          "curve",
+          {
+            muscle: { ...middle, [field]: value },
+            model: { name },
+            test: "isobaric",
+            pressures_mpa: [at],
+            contractions: E,
+            extrapolate: true,
+          },
+          { signal: ends.signal },
+        );
+        return answer.points.map((q) => ("force_n" in q ? outside("force", q.force_n) : null));
+      };
       await draw(overWall, `s [${unitName("length")}]`, S, E, line("wall_mm"));
-      await draw(
-        overDiameter,
-        `D0 [${unitName("length")}]`,
-        D,
-        E,
-        line("outer_diameter_mm"),
-      );
+      await draw(overDiameter, `D0 [${unitName("length")}]`, D, E, line("outer_diameter_mm"));
     },
   };
 }
@@ -274,9 +234,7 @@ export const mount = (main) => {
       keepFile(COMPUTED, plan.value);
       table1.replaceChildren(
         `${answer.muscles} muscles, ${answer.points} points, ${answer.failed} without an answer. `,
-        button("Download the table", () =>
-          download(answer.table.name, answer.table.text),
-        ),
+        button("Download the table", () => download(answer.table.name, answer.table.text)),
       );
       fit.run();
     },
@@ -326,10 +284,7 @@ export const mount = (main) => {
       [errors, shown.element, figures],
     ),
   );
-  errors.append(
-    heading(PUBLISHED.name),
-    faded("Below is the published formula."),
-  );
+  errors.append(heading(PUBLISHED.name), faded("Below is the published formula."));
 
   const place = () => muscle.place("formula", how.texts());
   async function paint() {

@@ -2,33 +2,10 @@
 import { Slot } from "../ask.js";
 import { chartOf } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
-import {
-  block,
-  button,
-  dim,
-  dragging,
-  el,
-  folded,
-  heading,
-  problemBox,
-  remark,
-} from "../dom.js";
+import { block, button, dim, dragging, el, folded, heading, problemBox, remark } from "../dom.js";
 import { inputs, job, warnings } from "../form.js";
-import {
-  angleAt,
-  jointDrawing,
-  numbersView,
-  reachChart,
-  torqueChart,
-} from "../joint-view.js";
-import {
-  FILES,
-  JointWords,
-  KEYS,
-  KINDS_OF,
-  angles,
-  drive,
-} from "../joint-words.js";
+import { angleAt, jointDrawing, numbersView, reachChart, torqueChart } from "../joint-view.js";
+import { FILES, JointWords, KEYS, KINDS_OF, angles, drive } from "../joint-words.js";
 import { atEnd } from "../life.js";
 import { muscle, visit } from "../muscle.js";
 import { clamp, evenly, onUnits } from "../units.js";
@@ -119,9 +96,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     folded(
       "Joint file",
       ofFile,
-      fileField("Open a joint file (TOML)", ".toml", (_, text) =>
-        takeJoint(text),
-      ),
+      fileField("Open a joint file (TOML)", ".toml", (_, text) => takeJoint(text)),
       leave,
     ),
   );
@@ -235,10 +210,8 @@ function questions({ take, fail, family }) {
         [0.25, 0.75],
         [0, 1],
       ].map((pair) => pair.map((x) => x * v.pmax));
-      curves.ask(
-        "joint",
-        { ...request, pressures_mpa: pairs, angles_deg: angles },
-        (answer) => family({ answer, angles, pairs }),
+      curves.ask("joint", { ...request, pressures_mpa: pairs, angles_deg: angles }, (answer) =>
+        family({ answer, angles, pairs }),
       );
     },
   };
@@ -325,12 +298,7 @@ export const mount = (main) => {
     block(
       "bench",
       element,
-      block(
-        "middle",
-        arm,
-        block("charts", torque.element, reach.element),
-        map.element,
-      ),
+      block("middle", arm, block("charts", torque.element, reach.element), map.element),
       block("side", said, numbers, notes),
     ),
   );
@@ -377,9 +345,7 @@ export const mount = (main) => {
     });
   }
   function paint() {
-    const which = files.file2
-      ? "Muscle 2 is that of its file."
-      : "Both muscles are the one above.";
+    const which = files.file2 ? "Muscle 2 is that of its file." : "Both muscles are the one above.";
     drawArm();
     if (family) torque.show(torqueChart(family, point));
     numbers.replaceChildren(...(point ? numbersView(point, which) : []));

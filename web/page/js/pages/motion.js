@@ -2,15 +2,7 @@
 import { Slot } from "../ask.js";
 import { chartOf, KINDS } from "../chart.js";
 import { fileField } from "../controls.js";
-import {
-  block,
-  button,
-  el,
-  folded,
-  heading,
-  problemBox,
-  remark,
-} from "../dom.js";
+import { block, button, el, folded, heading, problemBox, remark } from "../dom.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
@@ -91,11 +83,7 @@ function player() {
       at(Number(slider.value) / 1000);
     },
   });
-  const play = playing(
-    "Play",
-    at,
-    () => 1000 * (run?.series.time_s.at(-1) ?? 1),
-  );
+  const play = playing("Play", at, () => 1000 * (run?.series.time_s.at(-1) ?? 1));
 
   /** The state at a share of the time. @param {number} share */
   function at(share) {
@@ -104,15 +92,9 @@ function player() {
       i = Math.min(times.length - 1, Math.round(share * (times.length - 1)));
     slider.value = String(1000 * share);
     slider.ariaValueText = `${times[i].toFixed(2)} s`;
-    clock.replaceChildren(
-      el("b", `${times[i].toFixed(2)} s`),
-      el("br"),
-      stateLine(run, i),
-    );
-    slot.ask(
-      "shape",
-      { muscle: muscle.fields(), ...stateAt(run, i) },
-      (shape) => view.stretched(shape),
+    clock.replaceChildren(el("b", `${times[i].toFixed(2)} s`), el("br"), stateLine(run, i));
+    slot.ask("shape", { muscle: muscle.fields(), ...stateAt(run, i) }, (shape) =>
+      view.stretched(shape),
     );
   }
   return {
@@ -137,8 +119,7 @@ const EXAMPLES = [
 function driveBox(take) {
   const words = remark(),
     said = block();
-  const fail = (/** @type {unknown} */ problem) =>
-    said.replaceChildren(problemBox(problem));
+  const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
   const leave = button("Close the drive file", () => take(""), {
     hidden: true,
   });
@@ -224,9 +205,7 @@ function wayChart(run) {
       x: "time [s]",
       y: "angle φ [°]",
       yaxis: {},
-      series: [
-        { name: "angle", x: s.time_s, y: s.angle_deg ?? [], colour: KINDS[1] },
-      ],
+      series: [{ name: "angle", x: s.time_s, y: s.angle_deg ?? [], colour: KINDS[1] }],
     };
   return {
     x: "time [s]",
@@ -244,8 +223,7 @@ function wayChart(run) {
 
 /** Largest speed, of the motion itself. @param {Run} run */
 function speed(run) {
-  if (isJoint(run))
-    return `${number(run.largest_velocity_deg_per_s ?? 0, 3)} °/s`;
+  if (isJoint(run)) return `${number(run.largest_velocity_deg_per_s ?? 0, 3)} °/s`;
   const inside = run.largest_velocity_mm_per_s ?? 0;
   return `${number(outside("length", inside), 3)} ${unitName("length")}/s`;
 }
@@ -262,10 +240,7 @@ function figures(run) {
       ["Overshoot", showRatio(run.overshoot, 3)],
       ["Filled within 2 % after", time(run.fill_time_s)],
       run.liquid_volume_mm3 == null
-        ? [
-            "Air from the supply",
-            `${number(run.air_normal_litres, 3)} normal L`,
-          ]
+        ? ["Air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
         : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
       ["Largest speed", speed(run)],
       ["Largest power", `${number(run.largest_power_w, 3)} W`],
@@ -280,17 +255,13 @@ function stateLine(run, i) {
   const both = [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) =>
     p ? [showPressure(p[i], 3)] : [],
   );
-  if (isJoint(run))
-    return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
+  if (isJoint(run)) return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
   return `${showPressure(s.pressure_mpa?.[i], 3)}, ${showRatio(s.contraction?.[i], 3)}`;
 }
 
 /** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */
 function stateAt({ series: s }, i) {
-  const [p, e] = [
-    s.pressure_mpa ?? s.pressure_1_mpa ?? [],
-    s.contraction ?? s.contraction_1 ?? [],
-  ];
+  const [p, e] = [s.pressure_mpa ?? s.pressure_1_mpa ?? [], s.contraction ?? s.contraction_1 ?? []];
   return { pressure_mpa: Math.max(0, p[i]), contraction: e[i] };
 }
 
@@ -344,9 +315,7 @@ export const mount = (main) => {
   function offer() {
     for (const { key } of STEP) fields.shown(key, !drive || key === "model");
     box.show(drive);
-    title.textContent = drive
-      ? "Commands of a drive file"
-      : "A step on a valve";
+    title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
   }
 
   function paint() {

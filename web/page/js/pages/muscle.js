@@ -39,14 +39,11 @@ export const mount = (main) => {
     said.replaceChildren();
     stale(false);
     const { point } = store;
-    if (!pumped && point)
-      say(`Pulls ${asBuilt(point)} as built, ${modelPull(point)}`);
+    if (!pumped && point) say(`Pulls ${asBuilt(point)} as built, ${modelPull(point)}`);
   });
   store.on("problem", ({ problem }) => {
     const again = mainButton("Try again", () => store.ask());
-    const old = remark(
-      "The page shows the last result, which is for another muscle or state.",
-    );
+    const old = remark("The page shows the last result, which is for another muscle or state.");
     said.replaceChildren(
       problemBox(problem),
       store.shape ? old : "",
@@ -65,8 +62,7 @@ export const mount = (main) => {
     async load(params) {
       await muscle.read(params, OWN);
       controls.braids();
-      const word = (/** @type {string} */ key, usual = "") =>
-        params.get(key) ?? usual;
+      const word = (/** @type {string} */ key, usual = "") => params.get(key) ?? usual;
       Object.assign(store.wanted, {
         test: word("test", "isobaric"),
         show: word("show", "max_stretch"),

@@ -15,15 +15,7 @@ import {
 } from "../dom.js";
 import { table } from "../form.js";
 import { muscle } from "../muscle.js";
-import {
-  inWords,
-  number,
-  onUnits,
-  show,
-  showLength,
-  showPressure,
-  showRatio,
-} from "../units.js";
+import { inWords, number, onUnits, show, showLength, showPressure, showRatio } from "../units.js";
 import { library } from "../gallery.js";
 
 /** @typedef {Commands["parts-list"]["answer"]} Parts */
@@ -42,27 +34,14 @@ const KINDS = /** @type {[string, string][]} */ ([
  * @typedef {{ name: string, cells: (string | Node)[], words: string, low: number, high: number, said: Said }} Row
  */
 
-const estimate = (/** @type {string} */ text) =>
-  el("span", { class: "estimated" }, text);
+const estimate = (/** @type {string} */ text) => el("span", { class: "estimated" }, text);
 /** A source that may be long. @param {string | null | undefined} source @param {string | null | undefined} [note] */
-const source = (source, note) =>
-  folded("Source", [source, note].filter(Boolean).join(" "));
+const source = (source, note) => folded("Source", [source, note].filter(Boolean).join(" "));
 
 /** @type {{ [K in Kind]: { head: string[], text: number[], rows: (parts: Parts) => Row[] } }} */
 const LISTS = {
   tubes: {
-    head: [
-      "tube",
-      "",
-      "inside",
-      "outside",
-      "wall",
-      "rubber",
-      "made",
-      "price",
-      "rated",
-      "source",
-    ],
+    head: ["tube", "", "inside", "outside", "wall", "rubber", "made", "price", "rated", "source"],
     text: [0, 5, 6, 7, 9],
     rows: ({ tubes }) =>
       tubes.map((t) => ({
@@ -119,15 +98,7 @@ const LISTS = {
       })),
   },
   rubbers: {
-    head: [
-      "rubber",
-      "",
-      "what it is",
-      "law",
-      "shear modulus",
-      "breaks at",
-      "source",
-    ],
+    head: ["rubber", "", "what it is", "law", "shear modulus", "breaks at", "source"],
     text: [0, 2, 3, 6],
     rows: ({ rubbers }) =>
       rubbers.map((r) => ({
@@ -251,11 +222,8 @@ export const mount = (main) => {
     cast.row.hidden = state.kind !== "tubes";
     fits.row.hidden = state.kind !== "sleeves";
     if (find.disabled) {
-      count.textContent =
-        "Muscles whose pulls were measured. Open one: it becomes the muscle.";
-      return list.replaceChildren(
-        library((problem) => list.replaceChildren(problemBox(problem))),
-      );
+      count.textContent = "Muscles whose pulls were measured. Open one: it becomes the muscle.";
+      return list.replaceChildren(library((problem) => list.replaceChildren(problemBox(problem))));
     }
     const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)],
       all = rows(parts),
@@ -289,8 +257,7 @@ export const mount = (main) => {
       const asked = params.get("kind") ?? "tubes";
       state.kind = KINDS.some(([name]) => name === asked) ? asked : "tubes";
       kind.set(state.kind);
-      if (document.activeElement !== find)
-        find.value = params.get("find") ?? "";
+      if (document.activeElement !== find) find.value = params.get("find") ?? "";
       state.find = find.value.trim();
       fits.box.checked = params.has("fits");
       cast.box.checked = params.has("sold");

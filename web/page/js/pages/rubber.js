@@ -14,20 +14,8 @@ import { number, onUnits, show } from "../units.js";
 /** @type {Field[]} */
 export const FIELDS = fieldsOf([
   ["laws", "laws", "Laws", { words: true, hint: "all" }],
-  [
-    "set",
-    "set",
-    "Constants of the table",
-
-    { words: true, hint: "area 8 mm², gauge length 25 mm" },
-  ],
-  [
-    "upto",
-    "up_to_stretch",
-    "Up to a stretch of",
-    "number",
-    { hint: "all points" },
-  ],
+  ["set", "set", "Constants of the table", { words: true, hint: "area 8 mm², gauge length 25 mm" }],
+  ["upto", "up_to_stretch", "Up to a stretch of", "number", { hint: "all points" }],
   [
     "stable",
     "stable",
@@ -45,25 +33,16 @@ export const FIELDS = fieldsOf([
 ]);
 const EXAMPLE = "treloar.csv";
 /** A constant as the engine reads it: `gauge length 25 mm`. @param {string} text */
-const keyed = (text) =>
-  text.replace(/\s+(?=[\d.])/, "=").replace(/^(\w+) (?=\w+=)/, "$1_");
+const keyed = (text) => text.replace(/\s+(?=[\d.])/, "=").replace(/^(\w+) (?=\w+=)/, "$1_");
 
 /** A law in a row. @param {Law} law @param {Answer} answer */
 function row(law, answer) {
   const constant = (/** @type {Law["parameters"][number]} */ p) => {
-    const half = p.standard_error
-      ? ` ± ${number(1.96 * p.standard_error, 2)}`
-      : "";
+    const half = p.standard_error ? ` ± ${number(1.96 * p.standard_error, 2)}` : "";
     return `${p.name} ${number(p.value, 4)}${half} ${p.unit}`.trim();
   };
-  const best = answer.laws.find(
-    ({ name, stable }) => name === answer.recommended && stable,
-  );
-  const fitted = law.constrained
-    ? "kept stable"
-    : law.stable
-      ? ""
-      : "unstable in a muscle";
+  const best = answer.laws.find(({ name, stable }) => name === answer.recommended && stable);
+  const fitted = law.constrained ? "kept stable" : law.stable ? "" : "unstable in a muscle";
   const taken = law === best ? "recommended" : fitted;
   return [
     law.name,
@@ -81,9 +60,7 @@ export const mount = (main) => {
   let data = fileOf("rubber");
   const fields = form(FIELDS, () => fit.run()),
     figures = new Figures("rubber");
-  const cells = grid(["stretch", "stress [MPa]"], (text) =>
-    take(data?.name ?? "typed.csv", text),
-  );
+  const cells = grid(["stretch", "stress [MPa]"], (text) => take(data?.name ?? "typed.csv", text));
   const understood = paragraph(),
     laws = block();
   const fit = job(
@@ -119,9 +96,7 @@ export const mount = (main) => {
       "Rubber test",
       [
         heading("Rubber test"),
-        fileField("Open a table (CSV, XLSX, ODS)", TABLES, (name, text) =>
-          take(name, text),
-        ),
+        fileField("Open a table (CSV, XLSX, ODS)", TABLES, (name, text) => take(name, text)),
         remark(
           "A test of rubber: stretches or strains with stresses, or extensions with forces of a specimen.",
         ),
@@ -147,20 +122,9 @@ export const mount = (main) => {
     understood.textContent =
       `${fileOf("rubber") ? "" : "An example, Treloar (1944): "}${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a ` +
       `stretch of ${number(answer.fitted_to_stretch, 3)}. ${columnLine(answer.understood[0].columns)}`;
-    const head = [
-      "law",
-      "constants (± 95 %)",
-      "shear modulus",
-      "rms",
-      "R²",
-      "",
-    ];
+    const head = ["law", "constants (± 95 %)", "shear modulus", "rms", "R²", ""];
     laws.replaceChildren(
-      heading(
-        answer.recommended
-          ? `Recommended: ${answer.recommended}`
-          : "No law is stable",
-      ),
+      heading(answer.recommended ? `Recommended: ${answer.recommended}` : "No law is stable"),
       table(
         head,
         answer.laws.map((law) => row(law, answer)),

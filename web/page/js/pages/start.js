@@ -2,15 +2,7 @@
 import { address } from "../address.js";
 import { Slot, engine } from "../ask.js";
 import { closestView, decisionView, openCandidate } from "../design-view.js";
-import {
-  block,
-  button,
-  dim,
-  el,
-  mainButton,
-  problemBox,
-  rowOf,
-} from "../dom.js";
+import { block, button, dim, el, mainButton, problemBox, rowOf } from "../dom.js";
 import { fieldsOf, form, kindsOf, warnings } from "../form.js";
 import { liftView } from "../lift.js";
 import { openDialog } from "../open.js";
@@ -20,10 +12,7 @@ import { onUnits, showLength, showPressure } from "../units.js";
 const WISHES = [
   ["Slimmest when inflated", { objective: "bulged-diameter" }],
   ["Least air", { objective: "air" }],
-  [
-    "Strong enough with 95 % certainty",
-    { objective: "bulged-diameter", guaranteed: 0.95 },
-  ],
+  ["Strong enough with 95 % certainty", { objective: "bulged-diameter", guaranteed: 0.95 }],
 ];
 /** @type {Field[]} */
 const WANTED = fieldsOf([
@@ -132,15 +121,10 @@ export const mount = (main) => {
       paint();
       then?.();
     };
-    slots[i].ask(
-      "design",
-      { ...request, ...WISHES[i][1], top: 1 },
-      take,
-      (problem) => {
-        fields.at(problem);
-        take(problem);
-      },
-    );
+    slots[i].ask("design", { ...request, ...WISHES[i][1], top: 1 }, take, (problem) => {
+      fields.at(problem);
+      take(problem);
+    });
   }
   async function ask() {
     const read = await fields.read();

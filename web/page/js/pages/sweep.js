@@ -2,71 +2,36 @@
 import { engine } from "../ask.js";
 import { chartOf, KINDS, withBuilt } from "../chart.js";
 import { choice } from "../controls.js";
-import {
-  block,
-  capital,
-  el,
-  heading,
-  mainButton,
-  problemBox,
-  rowOf,
-  smallPrint,
-} from "../dom.js";
+import { block, capital, el, heading, mainButton, problemBox, rowOf, smallPrint } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
 import { bench, fieldsOf, form } from "../form.js";
 import { renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
 import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
-import {
-  clamp,
-  evenly,
-  inWords,
-  number,
-  onUnits,
-  outside,
-  show,
-  unitName,
-} from "../units.js";
+import { clamp, evenly, inWords, number, onUnits, outside, show, unitName } from "../units.js";
 
 /** @typedef {Commands["shape"]["answer"]} Answer */
 /** @typedef {{ value: number, answer?: Answer, why?: string }} Row */
 /** A result: name, kind, its field, and those of a muscle that is built where they are known. */
-const RESULTS =
-  /** @type {[string, string, Kind, keyof Answer, (keyof Answer)[]?][]} */ ([
-    [
-      "F",
-      "pull",
-      "force",
-      "force_n",
-      ["predicted_n", "predicted_low_n", "predicted_high_n"],
-    ],
-    ["k", "stiffness", "stiffness", "stiffness_n_per_mm"],
-    ["e", "contraction", "ratio", "contraction"],
-    ["b", "bulged diameter", "length", "bulged_diameter_mm"],
-    ["V", "volume of the cavity", "volume", "volume_mm3"],
-    ["l", "largest stretch of the rubber", "number", "max_stretch"],
-    ["T", "tension of all strands", "force", "braid_tension_n"],
-  ]).map(([key, label, kind, of, built]) => ({ key, label, kind, of, built }));
+const RESULTS = /** @type {[string, string, Kind, keyof Answer, (keyof Answer)[]?][]} */ ([
+  ["F", "pull", "force", "force_n", ["predicted_n", "predicted_low_n", "predicted_high_n"]],
+  ["k", "stiffness", "stiffness", "stiffness_n_per_mm"],
+  ["e", "contraction", "ratio", "contraction"],
+  ["b", "bulged diameter", "length", "bulged_diameter_mm"],
+  ["V", "volume of the cavity", "volume", "volume_mm3"],
+  ["l", "largest stretch of the rubber", "number", "max_stretch"],
+  ["T", "tension of all strands", "force", "braid_tension_n"],
+]).map(([key, label, kind, of, built]) => ({ key, label, kind, of, built }));
 const POINTS = 21,
   MOST = 201;
 
 /** @param {Measure} measure @returns {[number, number]} the range where none is typed */
-function usualRange({
-  key,
-  low = 0,
-  high = Infinity,
-  minimum = -Infinity,
-  maximum = Infinity,
-}) {
-  if (key === PRESSURE.key || key === CONTRACTION.key)
-    return [low, key === "e" ? 0.3 : high];
-  const now =
-    muscle.value(key) ?? (Number.isFinite(high) ? (low + high) / 2 : 1);
-  const ends =
-    now === 0 ? [0, 1] : [0.7 * now, 1.3 * now].sort((a, b) => a - b);
-  const at = (/** @type {number} */ v) =>
-    Number(clamp(v, minimum, maximum).toPrecision(3));
+function usualRange({ key, low = 0, high = Infinity, minimum = -Infinity, maximum = Infinity }) {
+  if (key === PRESSURE.key || key === CONTRACTION.key) return [low, key === "e" ? 0.3 : high];
+  const now = muscle.value(key) ?? (Number.isFinite(high) ? (low + high) / 2 : 1);
+  const ends = now === 0 ? [0, 1] : [0.7 * now, 1.3 * now].sort((a, b) => a - b);
+  const at = (/** @type {number} */ v) => Number(clamp(v, minimum, maximum).toPrecision(3));
   return [at(ends[0]), at(ends[1])];
 }
 
@@ -198,13 +163,9 @@ export const mount = (main) => {
     if (!rows.length) return;
     const { kind, label, symbol } = measure(),
       y = RESULTS.find(({ key }) => key === asked.y) ?? RESULTS[0];
-    const at = (
-      /** @type {Row} */ { answer },
-      /** @type {keyof Answer} */ of,
-    ) =>
+    const at = (/** @type {Row} */ { answer }, /** @type {keyof Answer} */ of) =>
       typeof answer?.[of] === "number" ? outside(y.kind, answer[of]) : null;
-    const unit = (/** @type {Kind} */ k) =>
-      k === "number" ? "–" : unitName(k);
+    const unit = (/** @type {Kind} */ k) => (k === "number" ? "–" : unitName(k));
     const name = `${y.label} over ${label.toLowerCase()}`,
       now = outside(kind, muscle.value(asked.x) ?? NaN);
     const curve = {
@@ -232,13 +193,10 @@ export const mount = (main) => {
     const failed = rows.filter(({ why }) => why);
     const [one] = failed,
       such =
-        one &&
-        `${number(outside(kind, one.value))} ${unitName(kind)}: ${inWords(one.why ?? "")}`;
+        one && `${number(outside(kind, one.value))} ${unitName(kind)}: ${inWords(one.why ?? "")}`;
     said.replaceChildren(
       one
-        ? smallPrint(
-            `${failed.length} of ${rows.length} values have no answer, such as ${such}`,
-          )
+        ? smallPrint(`${failed.length} of ${rows.length} values have no answer, such as ${such}`)
         : "",
     );
   }
@@ -256,10 +214,7 @@ export const mount = (main) => {
         /** @type {{ key: string }[]} */ list,
         /** @type {string} */ key,
         /** @type {string} */ usual,
-      ) =>
-        list.some((one) => one.key === params.get(key))
-          ? (params.get(key) ?? usual)
-          : usual;
+      ) => (list.some((one) => one.key === params.get(key)) ? (params.get(key) ?? usual) : usual);
       Object.assign(asked, {
         x: known(measures, "x", "p"),
         y: known(RESULTS, "y", "F"),
