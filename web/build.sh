@@ -84,7 +84,7 @@ if command -v npx >/dev/null; then
         xargs -0 npx --yes esbuild@0.28.2 --minify --format=esm --log-level=error \
             --allow-overwrite --outbase="$made/js" --outdir="$made/js"
     # The report takes the modules of the view as text, line by line.
-    for module in $(sed -n '/^const MODULES/,/^]/s/.*"\(.*\)".*/\1/p' web/page/js/report.js); do
+    for module in $(sed -n '/^const MODULES/,/;/p' web/page/js/report.js | grep -oE '[a-z0-9-]+\.js'); do
         cp "web/page/js/$module" "$made/js"
     done
 else
