@@ -836,6 +836,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Pump" }).waitFor();
     await soon(async () => assert.equal(await pull(page), before));
     await page.locator(".brand a").click();
+    await page.getByLabel("It must pull", { exact: true }).focus();
     await head.filter({ hasText: "Yes" }).waitFor({ timeout: 30_000 });
     assert.deepEqual(errors, []);
     await context.close();

@@ -245,9 +245,8 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         read_history(&first.text, &request.tables.columns)
             .map_err(|error| Problem::of_table(&first.name, &error))
     };
-    let relaxes = |branches: Count<1, 8>| {
-        form().and_then(|form| Ok(fit_prony(&history()?, form, branches.0)?))
-    };
+    let relaxes =
+        |Count(branches)| form().and_then(|form| Ok(fit_prony(&history()?, form, branches)?));
     let relaxation = request.relaxation.map(relaxes).transpose()?;
     let softens = || form().and_then(|form| Ok(fit_softening(&history()?, form)?));
     let softening = request.softening.then(softens).transpose()?;

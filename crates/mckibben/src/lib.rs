@@ -28,8 +28,8 @@
 //! | `export` | code for controllers and simulators |
 //! | `threads` | searches, lists of points and campaigns on all cores |
 //!
-//! The first four and `threads` are in the default. Without any there are muscles, rubbers, the closed forms with
-//! their inverses, and joints.
+//! The first four and `threads` are in the default. Without any there are muscles, rubbers, the
+//! closed forms with their inverses, and joints.
 
 #![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]

@@ -26,7 +26,7 @@ async fn the_page_is_that_of_a_server() {
         }
     }
     assert!(client.get("/").await.bytes == *mckibben_web::file("index.html").unwrap());
-    let kind = client.get(&format!("/{}", KIND)).await;
+    let kind = client.get(&format!("/{KIND}")).await;
     assert!(kind.bytes == mckibben_web::KIND_OF_SERVER.as_bytes());
     for (path, kind) in [
         ("/", "text/html; charset=utf-8"),
