@@ -9,7 +9,7 @@ found=$(find "$made" -name '*.pyi')
 {
     printf '# Written by python/stubs.sh (maturin generate-stubs); do not edit.\n'
     # What annotations are given as texts in the Rust source refer to.
-    printf 'import numpy\nimport numpy.typing\nimport typing\n'
+    printf 'import numpy\nimport numpy.typing\nimport typing\nArray: typing.TypeAlias = numpy.typing.NDArray[numpy.float64]\n'
     cat "$found"
 } >"$made/whole"
 place=python/mckibben/_native.pyi

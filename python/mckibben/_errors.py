@@ -105,8 +105,9 @@ KINDS: dict[str, type[MckibbenError]] = {
 # Arguments that have another name since.
 RENAMED = {"direction": "branch", "branches": "branch", "both": 'branch="both"'}
 
-# What keywords make is no file, and is named by what it is.
+# What keywords make is no file, and is named by what it is; so are tables.
 _TEXTS = ("muscle", "rubber", "joint", "drive")
+TABLES = ("data", "log", "table", "tables", "load_tables")
 
 
 def of(values: dict[str, Any]) -> MckibbenError:
@@ -125,11 +126,13 @@ def of(values: dict[str, Any]) -> MckibbenError:
     if unknown and not values["field"]:
         values["field"] = unknown[1].replace("part", "name")
     name, _, rest = message.partition(":")
-    if kind is FileError:
+    if name in TABLES or (kind is FileError and name in _TEXTS):
+        kind = InputError
+        values |= {"field": name, "message": rest.strip()}
         if name in _TEXTS:
-            values |= {"field": name, "message": rest.strip(), "kind": "usage"}
-            kind = InputError
-        elif message.startswith("there is no"):
+            values["kind"] = "usage"
+    elif kind is FileError:
+        if message.startswith("there is no"):
             kind = InputError
         elif re.search(r"\(os error 2\)|does not exist", message):
             kind = MissingFileError

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 import os
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from difflib import get_close_matches
 from functools import cached_property
@@ -44,52 +43,18 @@ if TYPE_CHECKING:
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
-# A pressure in MPa above which a bare number was likely meant in bar, and one up to which nothing is said of a burst pressure that is not known.
-_LIKELY_MPA, _QUIET_MPA = 1.0, 0.6
+# A pressure in MPa above which a bare number was likely meant in bar.
+_LIKELY_MPA = 1.0
 # Types of a single number.
 _ONE = (float, int)
-# Contractions at which a muscle is looked at for what is to be said of it, and of how many points of an array, those of the highest pressures.
-_PROBED, _MOST = (0.0, 0.1, 0.2, 0.25, 0.3, 0.35), 64
 
 
-class Bound:
-    """A model that is bound to a muscle, and up to which pressure nothing is to be said of its points."""
-
-    def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
-        made = muscle._held.model
-        self.native = made(fields(modelled(known(given, _api.Options))))
-        (_, allowed), _ = self.native.bounds()
-        highest = min(_LIKELY_MPA, _QUIET_MPA if allowed == float("inf") else allowed)
-        # Elements would take long, and warn of what a long muscle does.
-        probe = (
-            made({"model": "thick-wall"}) if self.native.is_elements else self.native
-        )
-        # Up to which pressure and contraction a muscle says nothing.
-        self.quiet = 0.0, 0.0
-        for pressure in (highest, highest / 2, highest / 4):
-            rows = probe.solve([pressure] * len(_PROBED), list(_PROBED), True)
-            loud = [bool(row.get("warnings")) for row in rows]
-            quiet = (*loud, True).index(True)
-            if quiet > 2:
-                self.quiet = pressure, _PROBED[quiet - 1]
-                break
-
-    def is_quiet(self, pressure: Any, contraction: Any) -> Any:
-        """Whether nothing is to be said of a point, or of each of several."""
-        most, last = self.quiet
-        return (pressure <= most) & (contraction >= 0.0) & (contraction <= last)
-
-    def say(self, rows: Sequence[Mapping[str, Any]]) -> list[str]:
-        """Warns of points that were solved, once of each text; which these are."""
-        said = dict.fromkeys(text for row in rows for text in row.get("warnings", ()))
-        if said:
-            warned("; ".join(said), MuscleWarning)
-        return list(said)
-
-    def look(self, p: list[float], e: list[float], nan: bool = True) -> list[float]:
-        """Pulls at points, with what is to be said of these."""
-        self.say(rows := self.native.solve(p, e, nan))
-        return [row.get("force_n", math.nan) for row in rows]
+def _say(texts: Iterable[str]) -> list[str]:
+    """Warns of what is to be said of points, once of each text; which these are."""
+    said = list(dict.fromkeys(texts))
+    if said:
+        warned("; ".join(said), MuscleWarning)
+    return said
 
 
 def _plain(value: Any) -> Any:
@@ -115,7 +80,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
 
     _kind = "muscle"
     _held: _native.Muscle
-    _models: dict[Any, Bound]
+    _models: dict[Any, _native.Model]
 
     def _take(self, native: _native.Muscle) -> Self:
         return self._hold(_held=native, _models={})
@@ -196,17 +161,16 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
                 return {**out, **held}
         return {"toml": self.to_toml()}
 
-    def _bound(self, given: Mapping[str, Any]) -> Bound:
+    def _bound(self, given: Mapping[str, Any]) -> _native.Model:
         """The model that is asked, kept for the next question."""
         key = tuple(given.items())
-        try:
+        with suppress(KeyError, TypeError):
             return self._models[key]
-        except KeyError:
-            self._models[key] = bound = Bound(self, given)
-            return bound
-        except TypeError:
-            # Options that are maps or lists.
-            return Bound(self, given)
+        made = self._held.model(fields(modelled(known(given, _api.Options))))
+        # Options that are maps or lists are no key.
+        with suppress(TypeError):
+            self._models[key] = made
+        return made
 
     def _asked(
         self,
@@ -226,23 +190,18 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             if stated > _LIKELY_MPA:
                 number("pressure_mpa", stated)
             try:
-                # One solve gives both.
-                if wanted == "force" and not bound.is_quiet(a, b):
-                    return bound.look([a], [b], nan)[0]
-                found = bound.native.answer_pair(wanted, a, b, nan)
+                found, said = bound.answer_pair(wanted, a, b, nan)
             except MckibbenError as error:
                 # It is not one of several.
                 error.index = None
                 raise
-            p, e = {"force": (a, b), "pressure": (found, b)}.get(wanted, (b, found))
-            if found == found and not bound.is_quiet(p, e):
-                bound.look([p], [e])
+            _say(said)
             return found
         return self._arrays(bound, wanted, a, b, jac, nan, progress)
 
     def _arrays(
         self,
-        bound: Bound,
+        bound: _native.Model,
         wanted: str,
         a: Any,
         b: Any,
@@ -266,22 +225,17 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             said = f"True, or names of constants and measures, not {jac!r}"
             raise WrongTypeError(said, field="jac")
         first, second = np.broadcast_arrays(a, b)
-        how = first, second, nan, heard(progress, wanted)
+        how = first, second, nan, True, heard(progress, wanted)
         try:
             chain = self._chain(list(names)) if (jac if flag else names) else None
-            out: Any = filled(bound.native, wanted, chain, *how)
+            out: Any
+            out, said = filled(bound, wanted, chain, *how)
         except InputError as error:
             if error.kind == "parameter":
                 self._refuse(names, "jac")
                 error.field = "jac"
             raise
-        found = out if chain is None else out[..., 0]
-        pairs = {"force": (first, second), "pressure": (found, second)}
-        p, e = map(np.ravel, pairs.get(wanted, (second, found)))
-        loud = np.flatnonzero(~bound.is_quiet(p, e) & np.isfinite(p) & np.isfinite(e))
-        if loud.size:
-            loud = loud[np.argsort(p[loud], kind="stable")[-_MOST:]]
-            bound.look(p[loud].tolist(), e[loud].tolist())
+        _say(said)
         if mask is not None:
             out = np.ma.array(out, mask=False)
             out[mask] = np.ma.masked
@@ -317,13 +271,13 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         given = ("pressure_mpa", pressure_mpa), ("contraction", contraction)
         held, labelled = arrays(*given)
         p, e = np.broadcast_arrays(*held)
-        rows = bound.native.solve(
+        rows = bound.solve(
             p.ravel().tolist(),
             e.ravel().tolist(),
             is_nan(errors),
             heard(progress, "solve"),
         )
-        texts = bound.say(rows)
+        texts = _say(text for row in rows for text in row.get("warnings", ()))
         usual = {"slack": False, "status": "ok", "cause": ""}
         for row in rows:
             # They add as squares.
@@ -338,7 +292,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
                 **of_rows([{**usual, **row} for row in rows]),
                 "pressure_mpa": p,
                 "contraction": e,
-                "model": bound.native.name,
+                "model": bound.name,
                 "warnings": texts,
             }
         )
@@ -355,7 +309,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         >>> mk.Muscle.prototype().bounds(model="paper")
         [(0.0, 0.25), (0.0, 0.2)]
         """
-        return self._bound(options).native.bounds()
+        return self._bound(options).bounds()
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -497,20 +451,23 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
 
 
 def filled(
-    native: _native.Model,
+    model: _native.Model,
     wanted: str,
     chain: tuple[list[str], Array] | None,
     first: Array,
     second: Array,
     nan: bool,
+    warnings: bool = False,
     progress: Any = None,
-) -> Array:
-    """Answers to a pair of arrays of one shape; with a chain of parameters, which may be of none, an axis more at the end: answer, slopes by the pair, and those by
-    what is named.
+) -> tuple[Array, list[str]]:
+    """Answers to a pair of arrays of one shape, and if wanted what is to be said of them; with a chain of parameters, which may be of none, an axis more at the end:
+    answer, slopes by the pair, and those by what is named.
     """
     names, by = chain or ([], np.empty(0))
     out = np.empty(first.shape if chain is None else (*first.shape, 3 + len(names)))
     a, b = (np.ascontiguousarray(v).reshape(-1) for v in (first, second))
-    slopes = chain is not None
-    native.fill(wanted, a, b, out.reshape(-1), slopes, names, nan, progress)
-    return np.concatenate([out[..., :3], out[..., 3:] @ by], -1) if slopes else out
+    flat, slopes = out.reshape(-1), chain is not None
+    said = model.fill(wanted, a, b, flat, slopes, names, nan, warnings, progress)
+    if slopes:
+        out = np.concatenate([out[..., :3], out[..., 3:] @ by], -1)
+    return out, said

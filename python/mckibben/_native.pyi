@@ -2,6 +2,7 @@
 import numpy
 import numpy.typing
 import typing
+Array: typing.TypeAlias = numpy.typing.NDArray[numpy.float64]
 """
 The compiled half of mckibben; what users call is in the package `mckibben`.
 """
@@ -28,7 +29,7 @@ class Formula:
         """
         The formula of a file's text.
         """
-    def fill(self, /, points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate: bool, two_sided: bool, nan: bool) -> None:
+    def fill(self, /, points: "Array", out: "Array", extrapolate: bool, two_sided: bool, nan: bool) -> None:
         """
         Pulls in N at points: in each row pressure, contraction, wall and diameter. The first one
         outside of the range raises, unless this is not looked at; or it is NaN.
@@ -60,19 +61,20 @@ class Model:
     """
     A model bound to its muscle.
     """
-    def answer_pair(self, /, wanted: str, first: SupportsFloat | SupportsIndex, second: SupportsFloat | SupportsIndex, nan: bool) -> float:
+    def answer_pair(self, /, wanted: str, first: SupportsFloat | SupportsIndex, second: SupportsFloat | SupportsIndex, nan: bool) -> tuple[float, list[str]]:
         """
-        The answer to one pair of numbers; NaN where it has none and `nan` is true.
+        The answer to one pair of numbers, NaN where it has none and `nan` is true, and what is to
+        be said of it.
         """
     def bounds(self, /) -> list[tuple[float, float]]:
         """
         Lowest and highest pressure in MPa of the model, at most the allowed one, and contraction.
         """
-    def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: Any | None = None) -> int:
+    def fill(self, /, wanted: str, first: "Array", second: "Array", out: "Array", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, warnings: bool = False, progress: Any | None = None) -> list[str]:
         """
         Answers every pair of two lists into `out`, with slopes all numbers of a point one after the
-        other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the
-        first one raises).
+        other. Points without an answer are NaN where `nan` is true, else the first one raises.
+        Returns what is to be said of the points, where `warnings` is true.
         """
     @property
     def is_elements(self, /) -> bool:
@@ -163,7 +165,7 @@ class Simulation:
         """
         The names of the numbers that are recorded.
         """
-    def numbers(self, /) -> "numpy.typing.NDArray[numpy.float64]":
+    def numbers(self, /) -> "Array":
         """
         Where it is, as numbers.
         """
@@ -175,7 +177,7 @@ class Simulation:
         """
         Goes to where a simulation of the same drive was, by its numbers.
         """
-    def rows(self, /) -> "numpy.typing.NDArray[numpy.float64]":
+    def rows(self, /) -> "Array":
         """
         All that was recorded: a row for the start and for each step, one after the other.
         """
@@ -221,7 +223,7 @@ def read(path: str | PathLike[str], kind: str) -> "dict[str, typing.Any]":
     several, with those that it names: a `joint`, a `drive`.
     """
 
-def rollout(simulation: Simulation, steps: SupportsIndex, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan: bool, progress: Any | None = None) -> None:
+def rollout(simulation: Simulation, steps: SupportsIndex, commands: "Array", out: "Array", nan: bool, progress: Any | None = None) -> None:
     """
     Copies of a simulation, each with its own commands: a row of `commands` for each step of each
     copy in turn, and into `out` what is recorded at the start and the end of each step. Copies run

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar, Union, cast
 from . import _native
 from ._errors import (
     RENAMED,
+    TABLES,
     ExistingFileError,
     InputError,
     WrongTypeError,
@@ -81,8 +82,7 @@ else:
 
     np = numpy = _NumPy()
 
-# Fields that are tables, those of a model by their arguments, and those that a design searches through.
-TABLES = ("data", "log", "table", "tables", "load_tables")
+# Fields of a model by their arguments, and those that a design searches through.
 MODEL = {"model": "name", "mesh": "mesh", "match": "match", "terminal": "terminal"}
 _NUMBERS = "numbers, a text with its unit or quantities of pint"
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
@@ -326,7 +326,7 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
             held = [
                 plain(name, item)
                 if isinstance(item, (str, os.PathLike))
-                else table(item)
+                else table(item, name)
                 for item in items
             ]
             out[name] = held[0] if len(held) == 1 else held
@@ -416,14 +416,14 @@ def put(
         _native.write_file(path, content)
 
 
-def table(value: Any) -> dict[str, str]:
+def table(value: Any, name: str = "data") -> dict[str, str]:
     """A table: a path, its text, a data frame, an answer, or columns by name."""
     if isinstance(value, Mapping) and set(value) == {"name", "text"}:
         return dict(value)
     return (
         _native.read(value, "table")
         if isinstance(value, (str, os.PathLike))
-        else {"name": "data", "text": to_csv(value)}
+        else {"name": name, "text": to_csv(value)}
     )
 
 

@@ -42,7 +42,7 @@ class _Asked:
         self.nan = is_nan(options.pop("errors", "raise"))
         self.request = fields(modelled(options))
         # Which model it is, and whether there is one.
-        self.has_second = not muscle._bound(options).native.is_elements
+        self.has_second = not muscle._bound(options).is_elements
         # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
         width = len(self.usual) + len(self.names)
         self.widths: Any = (), (1 + width,), (width, width)
@@ -130,10 +130,10 @@ class _OfMuscle(_Asked):
         native = (
             muscle._held.model({**self.request, **more})
             if values
-            else muscle._bound({**self.options, **more}).native
+            else muscle._bound({**self.options, **more})
         )
         pair = points[..., 0], points[..., 1]
-        return filled(native, self.wanted, chain, *pair, self.nan)
+        return filled(native, self.wanted, chain, *pair, self.nan)[0]
 
     def second(self, points: Array, theta: Array) -> Array:
         out = super().second(points, theta)

@@ -778,6 +778,11 @@ def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
             lambda: mk.identify(three, {}),
             lambda: mk.identify(several, {}),
         ],
+        "data": [
+            lambda: mk.identify(muscle, {"pressure": [0.1], "contraction": [0.1]}),
+            lambda: mk.identify(muscle, {"pressure_mpa": ["a"], "force_n": [1]}),
+            lambda: muscle.compare(data={"pressure_mpa": [0.1]}),
+        ],
         "jac": [
             lambda: muscle.force(0.2, 0.1, jac=["typo"]),
             lambda: muscle.force(0.2, 0.1, jac=["stiffness"]),

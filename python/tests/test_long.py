@@ -180,7 +180,7 @@ def test_a_number_costs_little_more_than_its_model() -> None:
     """Beside the compiled half at most what 60 calls of an empty function cost (3 µs), best of seven; NumPy is not imported for numbers."""
     muscle = mk.Muscle.prototype()
     muscle.force(0.2, 0.1, model="universal")
-    native = muscle._bound({"model": "universal"}).native
+    native = muscle._bound({"model": "universal"})
 
     def empty(pressure_mpa: float, contraction: float, *, model: str) -> None:
         pass

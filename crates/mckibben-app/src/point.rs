@@ -341,6 +341,7 @@ impl QuestionFields {
             model,
             options,
             choice,
+            ..
         } = BoundModel::new(&muscle, choice, self.asking)?;
         Ok(Question {
             muscle,

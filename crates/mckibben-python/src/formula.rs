@@ -36,7 +36,7 @@ impl Formula {
 
     /// Pulls in N at points: in each row pressure, contraction, wall and diameter. The first one
     /// outside of the range raises, unless this is not looked at; or it is NaN.
-    #[pyo3(signature = (points: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", extrapolate, two_sided, nan))]
+    #[pyo3(signature = (points: "Array", out: "Array", extrapolate, two_sided, nan))]
     fn fill(
         &self,
         py: Python<'_>,

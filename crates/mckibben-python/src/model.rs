@@ -1,9 +1,8 @@
 //! A model bound to its muscle, evaluated for arrays.
 
 use crate::{error::Wrong, run, value};
-use mckibben_app::{BoundModel, Many, PointQuantity, Problem};
-use mckibben_core::progress::Progress;
-use mckibben_fit::identify::Target;
+use mckibben_app::{BoundModel, Many, Problem};
+use mckibben_core::{progress::Progress, units::named};
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::prelude::*;
 use serde_json::json;
@@ -64,9 +63,9 @@ impl Model {
     }
 
     /// Answers every pair of two lists into `out`, with slopes all numbers of a point one after the
-    /// other. Returns how many points have no answer (theirs are NaN where `nan` is true, else the
-    /// first one raises).
-    #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress=None))]
+    /// other. Points without an answer are NaN where `nan` is true, else the first one raises.
+    /// Returns what is to be said of the points, where `warnings` is true.
+    #[pyo3(signature = (wanted, first: "Array", second: "Array", out: "Array", slopes, parameters, nan, warnings=false, progress=None))]
     #[expect(clippy::too_many_arguments, reason = "called by the package alone")]
     fn fill(
         &self,
@@ -78,16 +77,24 @@ impl Model {
         slopes: bool,
         parameters: Vec<String>,
         nan: bool,
+        warnings: bool,
         progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<usize> {
+    ) -> PyResult<Vec<String>> {
         let parameters = parameters.iter().map(|name| self.bound.parameter(name));
         let parameters = parameters.collect::<Result<_, _>>().map_err(Wrong::from)?;
-        let many = many(wanted, slopes, parameters, nan);
+        let many = Many {
+            wanted: named(wanted).unwrap_or_default(),
+            slopes,
+            parameters,
+            nan,
+            warnings,
+        };
         let pairs = [first.as_slice()?, second.as_slice()?];
         self.answer(py, pairs, &many, out.as_slice_mut()?, progress)
     }
 
-    /// The answer to one pair of numbers; NaN where it has none and `nan` is true.
+    /// The answer to one pair of numbers, NaN where it has none and `nan` is true, and what is to
+    /// be said of it.
     fn answer_pair(
         &self,
         py: Python<'_>,
@@ -95,16 +102,21 @@ impl Model {
         first: f64,
         second: f64,
         nan: bool,
-    ) -> PyResult<f64> {
-        let many = many(wanted, false, vec![], nan);
+    ) -> PyResult<(f64, Vec<String>)> {
+        let many = Many {
+            wanted: named(wanted).unwrap_or_default(),
+            nan,
+            warnings: true,
+            ..Many::default()
+        };
         let mut place = [f64::NAN];
-        self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
-        Ok(place[0])
+        let said = self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
+        Ok((place[0], said))
     }
 }
 
 impl Model {
-    /// Answers pairs into their places; how many have no answer.
+    /// Answers pairs into their places; what is to be said of them.
     fn answer(
         &self,
         py: Python<'_>,
@@ -112,10 +124,14 @@ impl Model {
         many: &Many,
         places: &mut [f64],
         progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<usize> {
+    ) -> PyResult<Vec<String>> {
         let numbers = places.len();
         let work = |progress: &dyn Progress| Ok(self.bound.fill(pairs, many, places, progress)?);
-        self.work(py, numbers, progress, work)
+        let said = self.work(py, numbers, progress, work)?;
+        Ok(said
+            .iter()
+            .map(|warning| warning.to_string().replace('\u{a0}', " "))
+            .collect())
     }
 
     /// Work on so many numbers, on a thread of its own where it may take long.
@@ -131,19 +147,5 @@ impl Model {
         } else {
             run::long(py, progress, work)
         }
-    }
-}
-
-fn many(wanted: &str, slopes: bool, parameters: Vec<Target>, nan: bool) -> Many {
-    let wanted = match wanted {
-        "force" => PointQuantity::Force,
-        "pressure" => PointQuantity::Pressure,
-        _ => PointQuantity::Contraction,
-    };
-    Many {
-        wanted,
-        slopes,
-        parameters,
-        nan,
     }
 }

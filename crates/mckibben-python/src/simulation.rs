@@ -78,7 +78,7 @@ impl Simulation {
     }
 
     /// Where it is, as numbers.
-    #[pyo3(signature = () -> "numpy.typing.NDArray[numpy.float64]")]
+    #[pyo3(signature = () -> "Array")]
     fn numbers<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         py.detach(|| self.drive().numbers()).into_pyarray(py)
     }
@@ -102,7 +102,7 @@ impl Simulation {
     }
 
     /// All that was recorded: a row for the start and for each step, one after the other.
-    #[pyo3(signature = () -> "numpy.typing.NDArray[numpy.float64]")]
+    #[pyo3(signature = () -> "Array")]
     fn rows<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let rows = py.detach(|| {
             let drive = self.drive();
@@ -146,7 +146,7 @@ impl Simulation {
 /// copy in turn, and into `out` what is recorded at the start and the end of each step. Copies run
 /// side by side. Returns the first step that failed; from there on its copy is NaN.
 #[pyfunction]
-#[pyo3(signature = (simulation, steps, commands: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", nan, progress=None))]
+#[pyo3(signature = (simulation, steps, commands: "Array", out: "Array", nan, progress=None))]
 pub fn rollout(
     py: Python<'_>,
     simulation: &Simulation,

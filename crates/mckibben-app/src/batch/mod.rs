@@ -8,11 +8,12 @@
 //! is checked, a muscle that would have to push is slack.
 
 mod point;
+use point::Known;
 pub use point::with_parameters;
 
 use crate::{
-    AskFields, Model, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of,
-    check_branch, finite, ratio,
+    AskFields, Model, ModelFields, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
+    burst_of, check_branch, finite, ratio,
 };
 use mckibben::gradient;
 use mckibben_core::{
@@ -25,14 +26,20 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_fit::identify::Target;
-use std::sync::{
-    Mutex, PoisonError,
-    atomic::{AtomicUsize, Ordering},
+use serde::Deserialize;
+use std::{
+    collections::BTreeMap,
+    sync::{
+        Mutex, OnceLock, PoisonError,
+        atomic::{AtomicUsize, Ordering},
+    },
 };
 
 /// The quantity that follows from each pair of numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum PointQuantity {
+    #[default]
     /// F in N, of P in MPa and ε.
     Force,
     /// P in MPa, of F in N and ε.
@@ -42,7 +49,7 @@ pub enum PointQuantity {
 }
 
 /// How many points are answered.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Many {
     pub wanted: PointQuantity,
     /// Also the derivatives by both numbers of a pair.
@@ -52,6 +59,8 @@ pub struct Many {
     /// The numbers of a point without an answer are NaN; else the first one ends the work with its
     /// reason.
     pub nan: bool,
+    /// Also what is to be said of the points.
+    pub warnings: bool,
 }
 
 impl Many {
@@ -82,12 +91,15 @@ impl From<Problem> for ArrayError {
 const BLOCK: usize = 1024;
 /// Points of finite elements that one thread takes.
 const BLOCK_OF_ELEMENTS: usize = 32;
+/// Contractions at which a muscle is looked at for what is to be said of it.
+const PROBED: [f64; 6] = [0.0, 0.1, 0.2, 0.25, 0.3, 0.35];
 
 /// A model bound to its muscle.
 pub struct BoundModel {
     pub(crate) model: Box<dyn ForceModel>,
     pub(crate) options: Options,
     pub(crate) choice: Model,
+    quiet: OnceLock<(f64, f64)>,
 }
 
 impl BoundModel {
@@ -103,6 +115,7 @@ impl BoundModel {
             model,
             options,
             choice,
+            quiet: OnceLock::new(),
         })
     }
 
@@ -127,20 +140,47 @@ impl BoundModel {
         points: &[(f64, f64)],
         progress: &dyn Progress,
     ) -> Result<Vec<Result<Answer>>> {
-        let burst = burst_of(&self.choice, &*self.model)?;
         let done = AtomicUsize::new(0);
         let answer = |&(p, e): &(f64, f64)| {
             let p = finite("pressure_mpa", p)?;
             let e = ratio(e)?;
-            let workspace = &mut Workspace::new();
-            let mut answer = Evaluation::new(&*self.model, workspace, self.options).point(p, e)?;
-            Warning::put_first(&mut answer.warnings, burst.warnings(p, QUIET_MPA));
+            let answer = self.point(&mut Workspace::new(), p, e)?;
             progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, points.len());
             Ok(answer)
         };
         let answers = threads::map(points, answer);
         progress.check().map_err(Problem::from)?;
         Ok(answers)
+    }
+
+    /// Pressure in MPa and contraction up to which nothing is to be said of the muscle; with finite
+    /// elements those of the infinitely long muscle.
+    fn quiet(&self) -> Result<(f64, f64)> {
+        if let Some(known) = self.quiet.get() {
+            return Ok(*known);
+        }
+        let burst = burst_of(&self.choice, &*self.model)?;
+        let allowed_mpa = burst.allowed().map_or(QUIET_MPA, |allowed| allowed.mpa);
+        let highest_mpa = allowed_mpa.min(self.info().range.pressure_mpa.1);
+        let choice = if self.is_elements() {
+            ModelFields::named("thick-wall").choose()?
+        } else {
+            self.choice.clone()
+        };
+        let model = choice.bound(self.muscle())?;
+        let workspace = &mut Workspace::new();
+        let mut is_quiet = |&(p, e): &(f64, f64)| {
+            let answer = Evaluation::new(&*model, workspace, self.options).point(p, e);
+            answer.map_or(true, |answer| answer.warnings.is_empty())
+        };
+        let quiet = [1.0, 0.5, 0.25].into_iter().find_map(|share| {
+            let points = PROBED.map(|e| (share * highest_mpa, e)).into_iter();
+            points
+                .take_while(&mut is_quiet)
+                .last()
+                .filter(|at| at.1 > 0.1)
+        });
+        Ok(*self.quiet.get_or_init(|| quiet.unwrap_or_default()))
     }
 
     /// Whether a point takes finite elements, and so about a million times as long as a formula.
@@ -159,56 +199,53 @@ impl BoundModel {
     }
 
     /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the
-    /// process; returns how many have no answer. The numbers do not depend on the number of
-    /// threads.
+    /// process; returns what is to be said of them, of each kind the gravest. Neither depends on
+    /// the number of threads.
     pub fn fill(
         &self,
         pairs: [&[f64]; 2],
         many: &Many,
         out: &mut [f64],
         progress: &dyn Progress,
-    ) -> Result<usize, ArrayError> {
+    ) -> Result<Vec<Warning>, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
         if count != other || count.checked_mul(width) != Some(out.len()) {
             let places = out.len();
             let message = format!("{count} and {other} numbers for {places} places of {width}");
             return Err(ProblemKind::Usage.problem(message).into());
         }
+        let quiet = many.warnings.then(|| self.quiet()).transpose()?;
         let share = if self.is_elements() {
             BLOCK_OF_ELEMENTS
         } else {
             BLOCK
         };
         let done = AtomicUsize::new(0);
-        let failed = AtomicUsize::new(0);
-        let reason: Mutex<Option<(usize, Problem)>> = Mutex::new(None);
-        // Whoever panicked with it left it whole.
-        let reason = || reason.lock().unwrap_or_else(PoisonError::into_inner);
-        let work = |place: usize, part: &mut [f64]| {
-            for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
-                let from = place / width + i * BLOCK;
-                let length = places.len() / width;
-                // Points behind one without an answer are left out.
-                if reason().as_ref().is_some_and(|(first, _)| *first < from) || progress.cancelled()
-                {
-                    return;
-                }
-                let pairs = pairs.map(|list| list.get(from..from + length).unwrap_or_default());
-                match self.block(pairs, many, places) {
-                    Ok(count) => drop(failed.fetch_add(count, Ordering::Relaxed)),
-                    Err((index, problem)) => {
-                        let mut first = reason();
-                        if first
-                            .as_ref()
-                            .is_none_or(|(known, _)| *known > from + index)
-                        {
-                            *first = Some((from + index, problem));
-                        }
-                        return;
-                    }
-                }
-                progress.report(done.fetch_add(length, Ordering::Relaxed) + length, count);
+        let first_failed = AtomicUsize::new(usize::MAX);
+        let found = Mutex::new(BTreeMap::new());
+        let work = |place: usize, places: &mut [f64]| {
+            let (from, length) = (place / width, places.len() / width);
+            // Points behind one without an answer are left out.
+            if first_failed.load(Ordering::Relaxed) < from || progress.cancelled() {
+                return;
             }
+            let pairs = pairs.map(|list| list.get(from..from + length).unwrap_or_default());
+            let known = Known {
+                quiet,
+                ..Known::default()
+            };
+            let block = self.block(pairs, many, known, places);
+            if block.is_err() {
+                first_failed.fetch_min(from, Ordering::Relaxed);
+            }
+            let block = block.map_err(|(index, problem)| ArrayError {
+                index: Some(from + index),
+                problem,
+            });
+            // Whoever panicked with it left it whole.
+            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+            found.insert(from, block);
+            progress.report(done.fetch_add(length, Ordering::Relaxed) + length, count);
         };
         // A look at the threads of the process takes as long as some hundred points.
         if out.len() <= share * width {
@@ -217,12 +254,8 @@ impl BoundModel {
             Threads::shared().fill(out, share * width, work)
         }
         progress.check().map_err(Problem::from)?;
-        match reason().take() {
-            Some((index, problem)) => Err(ArrayError {
-                index: Some(index),
-                problem,
-            }),
-            None => Ok(failed.into_inner()),
-        }
+        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let said: Vec<Vec<Warning>> = found.into_values().collect::<Result<_, _>>()?;
+        Ok(Warning::gravest(said.iter().flatten()))
     }
 }

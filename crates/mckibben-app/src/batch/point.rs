@@ -11,149 +11,127 @@
 //! N/mm stays what it is, also where the braid's k follows the diameter.
 
 use super::{BoundModel, Many, PointQuantity};
-use crate::{Problem, ProblemKind, Result, finite, ratio};
+use crate::{Problem, ProblemKind, QUIET_MPA, Result, burst_of, finite, ratio};
 use mckibben::gradient::{self, GradientError};
 use mckibben_core::{
-    analysis::{ATMOSPHERE_MPA, Evaluation},
-    cancel,
-    model::Workspace,
-    muscle::Muscle,
-    warning::strand_strength_n,
+    analysis::Evaluation, answer::Answer, cancel, model::Workspace, muscle::Muscle,
+    warning::Warning,
 };
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
 const ROUNDING: f64 = 1e-9;
 
+/// What is known of a muscle while a block is answered.
+#[derive(Default)]
+pub(super) struct Known {
+    /// Pressure and contraction up to which nothing is to be said of it; nothing at all where they
+    /// are none.
+    pub quiet: Option<(f64, f64)>,
+    /// A pressure, and a contraction from which on it is slack there: finite elements that push
+    /// take long.
+    pub free: Option<(f64, f64)>,
+    pub said: Vec<Warning>,
+}
+
 impl BoundModel {
-    /// Answers a block; how many points have no answer, or the first of them with its reason.
+    /// Answers a block; what is to be said of it, or the first point without an answer and its
+    /// reason.
     pub(super) fn block(
         &self,
         [first, second]: [&[f64]; 2],
         many: &Many,
+        mut known: Known,
         out: &mut [f64],
-    ) -> Result<usize, (usize, Problem)> {
-        if many.wanted == PointQuantity::Force
-            && many.width() == 1
-            && self.at_once(first, second, out)
-        {
-            return Ok(0);
-        }
-        let mut failed = 0;
-        let mut free = None;
-        for (index, ((&a, &b), places)) in first
-            .iter()
-            .zip(second)
-            .zip(out.chunks_mut(many.width()))
-            .enumerate()
-        {
+    ) -> Result<Vec<Warning>, (usize, Problem)> {
+        let pairs = first.iter().zip(second).zip(out.chunks_mut(many.width()));
+        for (index, ((&a, &b), places)) in pairs.enumerate() {
             // A point has the same digits alone and among others: nothing is kept of the one
             // before.
-            match self.answer_point((a, b), many, &mut Workspace::new(), &mut free, places) {
+            match self.answer_point((a, b), many, &mut Workspace::new(), &mut known, places) {
                 Ok(()) => {}
                 // Work that is to end says so of every point.
                 Err(problem) if !many.nan || cancel::check().is_err() => {
                     return Err((index, problem));
                 }
-                Err(_) => {
-                    places.fill(f64::NAN);
-                    failed += 1;
-                }
+                Err(_) => places.fill(f64::NAN),
             }
         }
-        Ok(failed)
+        Ok(Warning::gravest(&known.said))
     }
 
-    /// All pulls of a block by the model alone; false where a point needs to be looked at by
-    /// itself.
-    fn at_once(&self, p: &[f64], e: &[f64], out: &mut [f64]) -> bool {
-        let may_break = strand_strength_n(self.muscle()).is_some();
-        if may_break || self.is_elements() || !self.options.direction.is_mean() {
-            return false;
+    /// The pull of a point of which something may be said, with what is.
+    fn heeded(
+        &self,
+        workspace: &mut Workspace,
+        (p, e): (f64, f64),
+        known: &mut Known,
+    ) -> Result<Option<f64>> {
+        if known
+            .quiet
+            .is_none_or(|most| p <= most.0 && (0.0..=most.1).contains(&e))
+        {
+            return Ok(None);
         }
-        let range = &self.model.info().range;
-        // No muscle shortens by its whole length: the same bounds as those of a single question.
-        let (pressures, contractions) = if self.options.extrapolate {
-            ((-ATMOSPHERE_MPA, f64::INFINITY), (-1.0 + 1e-9, 1.0 - 1e-9))
-        } else {
-            (
-                range.pressure_mpa,
-                (range.contraction.0, range.contraction.1.min(1.0 - 1e-9)),
-            )
-        };
-        let is_checked =
-            self.options.extrapolate || range.muscle.is_empty() && range.make.is_empty();
-        let holds = |(low, high): (f64, f64), v: f64| (low - 1e-12..=high + 1e-12).contains(&v);
-        let rounding_mm2 = ROUNDING * self.outer_area_mm2();
-        let pushes = self.options.two_sided;
-        let mut points = p.iter().zip(e).zip(out);
-        is_checked
-            && points.all(|((&p, &e), place)| {
-                let is_inside = holds(pressures, p) && holds(contractions, e) && p.is_finite();
-                let pull = if is_inside {
-                    self.model.force_n(&mut Workspace::new(), p, e).ok()
-                } else {
-                    None
-                };
-                let Some(pull) = pull.filter(|pull| pull.is_finite()) else {
-                    return false;
-                };
-                let hangs = pull.abs() <= rounding_mm2 * p || pull < 0.0 && !pushes;
-                *place = if hangs { 0.0 } else { pull };
-                true
-            })
+        let answer = self.point(workspace, p, e)?;
+        known.free = answer.free_contraction.map(|e| (p, e)).or(known.free);
+        known.said.extend(answer.warnings);
+        Ok(Some(answer.response.force_n))
     }
 
     fn evaluation<'a>(&'a self, workspace: &'a mut Workspace) -> Evaluation<'a> {
         Evaluation::new(&*self.model, workspace, self.options)
     }
 
-    fn outer_area_mm2(&self) -> f64 {
-        PI * self.muscle().tube().outer_radius_mm().powi(2)
+    /// All that is known of a point but P′, and what is to be said of it.
+    pub(super) fn point(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Answer> {
+        let burst = burst_of(&self.choice, &*self.model)?;
+        let mut answer = self.evaluation(w).point(p, e)?;
+        Warning::put_first(&mut answer.warnings, burst.warnings(p, QUIET_MPA));
+        Ok(answer)
     }
 
-    /// One point with its derivatives. `free` holds a pressure, and a contraction from which on the
-    /// muscle is slack there: finite elements that push take long.
+    /// One point with its derivatives.
     fn answer_point(
         &self,
         (a, b): (f64, f64),
         many: &Many,
         workspace: &mut Workspace,
-        free: &mut Option<(f64, f64)>,
+        known: &mut Known,
         places: &mut [f64],
     ) -> Result<()> {
-        let (value, p, e) = match many.wanted {
+        let value = match many.wanted {
             PointQuantity::Force => {
-                let p = finite("pressure_mpa", a)?;
-                let e = ratio(b)?;
-                (self.force(workspace, p, e, free)?, p, e)
+                let at = (finite("pressure_mpa", a)?, ratio(b)?);
+                self.force(workspace, at, known)?
             }
             PointQuantity::Pressure => {
-                let f = self.pull(a)?;
-                let e = ratio(b)?;
-                let p = self.evaluation(workspace).sought_pressure(f, e)?;
-                (p, p, e)
+                let (pull_n, e) = (self.pull(a)?, ratio(b)?);
+                self.evaluation(workspace).sought_pressure(pull_n, e)?
             }
             PointQuantity::Contraction => {
-                let f = self.pull(a)?;
-                let p = finite("pressure_mpa", b)?;
-                let e = self.evaluation(workspace).sought_contraction(f, p)?;
-                (e, p, e)
+                let (pull_n, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
+                self.evaluation(workspace).sought_contraction(pull_n, p)?
             }
         };
-        let Some((first, rest)) = places.split_first_mut() else {
-            return Ok(());
+        let (p, e) = match many.wanted {
+            PointQuantity::Force => (a, b),
+            PointQuantity::Pressure => (value, b),
+            PointQuantity::Contraction => (b, value),
         };
-        *first = value;
-        if rest.is_empty() {
-            return Ok(());
+        let is_force = many.wanted == PointQuantity::Force;
+        if !is_force {
+            self.heeded(workspace, (p, e), known)?;
         }
+        let (first, rest) = places.split_at_mut(1);
+        first.fill(value);
         // A slack muscle hangs: its pull is 0, and stays so.
-        if many.wanted == PointQuantity::Force && value == 0.0 && !self.options.two_sided {
+        if is_force && value == 0.0 && !self.options.two_sided {
             rest.fill(0.0);
-            return Ok(());
+        } else if !rest.is_empty() {
+            self.slopes(workspace, (p, e), many, rest)?;
         }
-        self.slopes(workspace, (p, e), many, rest)
+        Ok(())
     }
 
     fn pull(&self, force_n: f64) -> Result<f64> {
@@ -166,19 +144,22 @@ impl BoundModel {
     fn force(
         &self,
         workspace: &mut Workspace,
-        p: f64,
-        e: f64,
-        free: &mut Option<(f64, f64)>,
+        (p, e): (f64, f64),
+        known: &mut Known,
     ) -> Result<f64> {
         self.evaluation(workspace).check_range(p, e)?;
-        let hangs = free.is_some_and(|(at, free)| at == p && e > free);
+        let hangs = known.free.is_some_and(|(at, free)| at == p && e > free);
         if hangs && !self.options.two_sided {
             return Ok(0.0);
         }
+        if let Some(force) = self.heeded(workspace, (p, e), known)? {
+            return Ok(force);
+        }
+        let rounding_n = ROUNDING * p * PI * self.muscle().tube().outer_radius_mm().powi(2);
         let force = match self.evaluation(workspace).borne_force_n(p, e) {
-            Ok(force) if force.abs() <= ROUNDING * p * self.outer_area_mm2() => 0.0,
+            Ok(force) if force.abs() <= rounding_n => 0.0,
             Ok(force) if force < 0.0 && !self.options.two_sided => {
-                *free = Some((p, e));
+                known.free = Some((p, e));
                 0.0
             }
             Ok(force) => force,
@@ -186,7 +167,7 @@ impl BoundModel {
             // equilibrium: it hangs slack.
             Err(error) => {
                 let point = self.evaluation(workspace).point(p, e).map_err(|_| error)?;
-                *free = point.free_contraction.map(|e| (p, e));
+                known.free = point.free_contraction.map(|e| (p, e));
                 point.response.force_n
             }
         };

@@ -11,6 +11,7 @@ use mckibben_core::{
         measures::{OUTER_DIAMETER, WALL},
     },
     progress::Silent,
+    warning::Warning,
 };
 use mckibben_fit::identify::Target;
 
@@ -36,7 +37,7 @@ fn many(slopes: bool, parameters: Vec<Target>) -> Many {
         wanted: PointQuantity::Force,
         slopes,
         parameters,
-        nan: false,
+        ..Many::default()
     }
 }
 
@@ -117,7 +118,7 @@ fn derivatives_are_those_of_differences() {
 }
 
 /// Of many points without an answer the first one is named, on any number of threads; or all are
-/// NaN and counted.
+/// NaN.
 #[test]
 fn the_first_point_without_an_answer_ends_the_work() {
     let mut p = vec![0.1; 50_000];
@@ -136,7 +137,7 @@ fn the_first_point_without_an_answer_ends_the_work() {
         nan: true,
         ..many(false, vec![])
     };
-    assert_eq!(model.fill([&p, &e], &all, &mut out, &Silent), Ok(3));
+    assert_eq!(model.fill([&p, &e], &all, &mut out, &Silent), Ok(vec![]));
     assert!(out[20_001].is_nan() && out.iter().filter(|f| f.is_nan()).count() == 3);
     let wrong = model
         .fill([&p, &e[1..]], &all, &mut out, &Silent)
@@ -158,4 +159,36 @@ fn work_that_is_cancelled_says_so() {
         let done = bound(model).fill([&p, &e], &many(false, vec![]), &mut [0.0; 100], &Silent);
         assert_eq!(done.unwrap_err().problem.kind, ProblemKind::Cancelled);
     }
+}
+
+/// An identity: what is said of a list is the gravest of what is said of each of its points, on any
+/// number of threads, and points of which nothing is said are found without asking each.
+#[test]
+fn what_is_said_of_a_list_is_what_is_said_of_its_points() {
+    let thin = [(&OUTER_DIAMETER, 30.0), (&WALL, 2.0)];
+    let thin = MuscleFields::from(thin).resolve().unwrap();
+    let mut told = 0;
+    for (model, most_mpa) in [("thick-wall", 0.9), ("universal", 0.5), ("fe", 0.5)] {
+        let model = bound_to(&thin, model);
+        let count = if model.is_elements() { 40 } else { 3000 };
+        let at = |i: usize, step: f64, most: f64| most * (step * i as f64).fract();
+        let p: Vec<f64> = (0..count).map(|i| at(i, 0.618, most_mpa)).collect();
+        let e: Vec<f64> = (0..count).map(|i| at(i, 0.754, 0.3)).collect();
+        let points: Vec<_> = p.iter().copied().zip(e.iter().copied()).collect();
+        let answers = model.answers(&points, &Silent).unwrap();
+        let of_points = answers.iter().flat_map(|a| &a.as_ref().unwrap().warnings);
+        let mut out = vec![0.0; count];
+        let all = Many {
+            warnings: true,
+            ..many(false, vec![])
+        };
+        let said = model.fill([&p, &e], &all, &mut out, &Silent).unwrap();
+        assert_eq!(said, Warning::gravest(of_points), "{}", model.info().name);
+        told += said.len();
+        for (pull, answer) in out.iter().zip(&answers) {
+            let alone = answer.as_ref().unwrap().response.force_n;
+            assert!((pull - alone).abs() < 1e-5, "{pull} {alone}");
+        }
+    }
+    assert!(told > 2, "{told}");
 }

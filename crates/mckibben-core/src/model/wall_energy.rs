@@ -35,6 +35,7 @@ impl Add for WallEnergy {
 }
 
 /// W and its derivatives in λ and x = ro² at one state.
+#[derive(Default)]
 pub struct SquareEnergy {
     pub w: f64,
     pub l: f64,
@@ -42,4 +43,18 @@ pub struct SquareEnergy {
     pub ll: f64,
     pub lx: f64,
     pub xx: f64,
+}
+
+impl SquareEnergy {
+    /// Its derivatives by ro itself, in mm.
+    pub fn by_radius(self, r: f64) -> WallEnergy {
+        WallEnergy {
+            w: self.w,
+            l: self.l,
+            ll: self.ll,
+            r: 2.0 * r * self.x,
+            lr: 2.0 * r * self.lx,
+            rr: 4.0 * r * r * self.xx + 2.0 * self.x,
+        }
+    }
 }

@@ -8,7 +8,7 @@
 //!
 //! Derived here; Q carries all of the bulge.
 
-use super::wall_energy::{SquareEnergy, WallEnergy};
+use super::wall_energy::SquareEnergy;
 use std::f64::consts::PI;
 
 /// A wall of Mooney–Rivlin rubber.
@@ -24,21 +24,7 @@ pub struct Mooney {
 }
 
 impl Mooney {
-    /// W and its derivatives at λ and ro.
-    pub fn energy(&self, l: f64, r: f64) -> WallEnergy {
-        let x = r * r;
-        let e = self.of_square(l, x);
-        WallEnergy {
-            w: e.w,
-            l: e.l,
-            ll: e.ll,
-            r: 2.0 * r * e.x,
-            lr: 2.0 * r * e.lx,
-            rr: 4.0 * x * e.xx + 2.0 * e.x,
-        }
-    }
-
-    /// The same at λ and x = ro².
+    /// W and its derivatives at λ and x = ro².
     #[inline(always)]
     pub fn of_square(&self, l: f64, x: f64) -> SquareEnergy {
         let c10 = self.c10_mpa;

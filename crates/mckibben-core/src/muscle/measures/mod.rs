@@ -127,9 +127,9 @@ pub struct Identify {
     pub also: &'static [&'static str],
     scale: Scale,
     start: Option<f64>,
-    bounds: Option<(f64, f64)>,
+    bounds: (f64, f64),
     limit: Option<f64>,
-    share: Option<f64>,
+    share: f64,
     /// Whether it is a size of the muscle, as a ruler measures it.
     pub is_geometry: bool,
 }
@@ -140,9 +140,9 @@ impl Identify {
         also: &[],
         scale: Scale::One,
         start: None,
-        bounds: None,
+        bounds: (0.0, f64::INFINITY),
         limit: None,
-        share: None,
+        share: 0.5,
         is_geometry: false,
     };
 
@@ -153,17 +153,17 @@ impl Identify {
 
     /// Lowest and highest value that a muscle can have.
     pub fn bounds(&self, muscle: &Muscle) -> (f64, f64) {
-        let times = |end| self.scale.times(end, muscle);
-        self.bounds.map_or((0.0, f64::INFINITY), |(low, high)| {
-            (times(low), times(high))
-        })
+        let (low, high) = self.bounds;
+        (
+            self.scale.times(low, muscle),
+            self.scale.times(high, muscle),
+        )
     }
 
     /// A half-width of the 95 % interval above this means that the data do not determine it; of the
     /// value found.
     pub fn limit(&self, value: f64) -> f64 {
-        self.limit
-            .unwrap_or(self.share.unwrap_or(0.5) * value.abs())
+        self.limit.unwrap_or(self.share * value.abs())
     }
 }
 

@@ -80,7 +80,7 @@ pub static OUTER_DIAMETER: Measure = Measure {
     short: Some('D'),
     dimension: Length,
     identify: Some(Identify {
-        share: Some(0.1),
+        share: 0.1,
         is_geometry: true,
         ..Identify::UNKNOWN
     }),
@@ -99,7 +99,7 @@ pub static WALL: Measure = Measure {
     dimension: Length,
     identify: Some(Identify {
         scale: Scale::Diameter,
-        bounds: Some((0.0, 0.5)),
+        bounds: (0.0, 0.5),
         is_geometry: true,
         ..Identify::UNKNOWN
     }),
@@ -155,7 +155,7 @@ pub static PRESTRETCH: Measure = Measure {
     identify: Some(Identify {
         also: &["prestretch"],
         start: Some(1.02),
-        bounds: Some((0.5, 2.0)),
+        bounds: (0.5, 2.0),
         limit: Some(0.05),
         ..Identify::UNKNOWN
     }),
@@ -193,7 +193,7 @@ pub static ANGLE: Measure = Measure {
     has_rules: true,
     bounds: OfPart,
     identify: Some(Identify {
-        bounds: Some((1.0, 54.23561031724535)),
+        bounds: (1.0, 54.23561031724535),
         limit: Some(3.0),
         is_geometry: true,
         ..Identify::UNKNOWN
@@ -230,7 +230,7 @@ pub static SEATING: Measure = Measure {
         also: &["seating"],
         scale: Scale::Length,
         start: Some(0.002),
-        bounds: Some((0.0, 0.2)),
+        bounds: (0.0, 0.2),
         ..Identify::UNKNOWN
     }),
     ..optional!(terminals.seating_mm)
@@ -253,7 +253,7 @@ pub static SLIP: Measure = Measure {
         also: &["slip"],
         scale: Scale::LengthPerPull,
         start: Some(0.002),
-        bounds: Some((0.0, 0.2)),
+        bounds: (0.0, 0.2),
         ..Identify::UNKNOWN
     }),
     ..optional!(terminals.slip_mm_per_n)
@@ -276,7 +276,7 @@ pub static GRIP: Measure = Measure {
         also: &["grip"],
         scale: Scale::Length,
         start: Some(0.005),
-        bounds: Some((0.0, 0.2)),
+        bounds: (0.0, 0.2),
         ..Identify::UNKNOWN
     }),
     ..optional!(terminals.grip_mm)
@@ -299,8 +299,8 @@ pub static PLUG_DIAMETER: Measure = Measure {
         also: &["plug-diameter"],
         scale: Scale::Bore,
         start: Some(1.0),
-        bounds: Some((0.5, 2.0)),
-        share: Some(0.1),
+        bounds: (0.5, 2.0),
+        share: 0.1,
         ..Identify::UNKNOWN
     }),
     ..optional!(terminals.plug_diameter_mm)
@@ -346,7 +346,7 @@ pub static END_FACTOR: Measure = Measure {
     identify: Some(Identify {
         also: &["end-factor"],
         start: Some(1.0),
-        share: Some(0.2),
+        share: 0.2,
         ..Identify::UNKNOWN
     }),
     get: |p| p.terminals.end_factor.map(|k| k.at(0.0)),
@@ -556,7 +556,7 @@ pub static TAKE_UP: Measure = Measure {
     identify: Some(Identify {
         also: &["take-up"],
         start: Some(0.02),
-        bounds: Some((0.0, 0.2)),
+        bounds: (0.0, 0.2),
         limit: Some(0.02),
         ..Identify::UNKNOWN
     }),
@@ -578,7 +578,7 @@ pub static THICKNESS: Measure = Measure {
     identify: Some(Identify {
         scale: Scale::Diameter,
         start: Some(0.02),
-        bounds: Some((1e-6, 0.3)),
+        bounds: (1e-6, 0.3),
         ..Identify::UNKNOWN
     }),
     get: |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0),
@@ -600,8 +600,8 @@ pub static SLEEVE_DIAMETER: Measure = Measure {
     identify: Some(Identify {
         scale: Scale::Diameter,
         start: Some(1.01),
-        bounds: Some((1.0, 1.5)),
-        share: Some(0.1),
+        bounds: (1.0, 1.5),
+        share: 0.1,
         ..Identify::UNKNOWN
     }),
     ..optional!(braid.diameter_mm)
@@ -618,7 +618,7 @@ pub static CRIMP: Measure = Measure {
     is_shown: true,
     identify: Some(Identify {
         start: Some(0.005),
-        bounds: Some((1e-6, 0.1)),
+        bounds: (1e-6, 0.1),
         ..Identify::UNKNOWN
     }),
     is_share: true,
@@ -686,7 +686,7 @@ pub static FRICTION_EXPONENT: Measure = Measure {
     identify: Some(Identify {
         also: &["friction.beta"],
         start: Some(0.6),
-        bounds: Some((0.0, 3.0)),
+        bounds: (0.0, 3.0),
         limit: Some(0.5),
         ..Identify::UNKNOWN
     }),
@@ -727,7 +727,7 @@ pub static FRICTION_PRESLIDING: Measure = Measure {
     is_shown: true,
     identify: Some(Identify {
         start: Some(0.5),
-        bounds: Some((0.001, 100.0)),
+        bounds: (0.001, 100.0),
         ..Identify::UNKNOWN
     }),
     get: |p| p.friction?.presliding_mm,
