@@ -715,6 +715,17 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
+  test("a mistake in a muscle file is said with the keys that there are", async () => {
+    const text = '[tube]\nouter_diameter = "30 mm"\nwal = "2 mm"\nlength = "285 mm"\n';
+    const { page, context } = await open(`#muscle?file=${encodeURIComponent(text)}`);
+    await page
+      .getByText(
+        /^muscle.toml:3:1: tube.wal: .*did you mean wall_thickness.*known here: outer_diameter/,
+      )
+      .waitFor();
+    await context.close();
+  });
+
   test("a place that was not loaded while the server was away opens once it is back", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);

@@ -56,15 +56,16 @@ const PATIENCE = 1500;
 
 /** A place for questions of a page: one is on its way at most, and of those that wait only the newest is asked. */
 export class Slot {
+  /** @type {AbortController | undefined} */ flying;
+  /** @type {(() => void) | undefined} */ waiting;
+  since = 0;
+  timer = 0;
+  patience = 0;
+
   /** @param {{ lane?: LaneName, busy?: (on: boolean) => void }} [options] */
   constructor({ lane = "side", busy } = {}) {
     this.lane = lane;
     this.busy = busy;
-    /** @type {AbortController | undefined} */ this.flying = undefined;
-    /** @type {(() => void) | undefined} */ this.waiting = undefined;
-    this.since = 0;
-    this.timer = 0;
-    this.patience = 0;
     atEnd(() => this.end());
   }
 
@@ -75,18 +76,13 @@ export class Slot {
    */
   ask(command, request, take, fail) {
     const go = async () => {
-      const mine = (this.flying = new AbortController());
+      const { signal } = (this.flying = new AbortController());
       this.since = performance.now();
       this.timer ||= window.setTimeout(() => this.busy?.(true), 150);
       try {
-        take(
-          await engine().ask(command, request, {
-            lane: this.lane,
-            signal: mine.signal,
-          }),
-        );
+        take(await engine().ask(command, request, { lane: this.lane, signal }));
       } catch (problem) {
-        if (!mine.signal.aborted) fail?.(problemOf(problem));
+        if (!signal.aborted) fail?.(problemOf(problem));
       }
       clearTimeout(this.patience);
       this.flying = undefined;

@@ -86,13 +86,7 @@ export function quantity(spec) {
   const tell = saying(field, below);
   const element = block(
     "quantity",
-    el(
-      "label",
-      { for: id },
-      label,
-      symbol ? " " : "",
-      symbol ? el("i", { class: "soft" }, symbol) : null,
-    ),
+    el("label", { for: id }, label, ...(symbol ? [" ", el("i", { class: "soft" }, symbol)] : [])),
     field,
     unit,
     Number.isNaN(low) ? null : slider,
@@ -182,11 +176,9 @@ export function quantity(spec) {
   /** What may be typed. */
   function hint() {
     const { above, minimum, maximum, usual } = spec;
-    const bounds = [
-      above === undefined ? "" : `above ${show(kind, above)}`,
-      minimum === undefined ? "" : `from ${show(kind, minimum)}`,
-      maximum === undefined ? "" : `up to ${show(kind, maximum)}`,
-    ];
+    const bound = (/** @type {string} */ word, /** @type {number | undefined} */ v) =>
+      v === undefined ? "" : `${word} ${show(kind, v)}`;
+    const bounds = [bound("above", above), bound("from", minimum), bound("up to", maximum)];
     const words = capital([expectation(kind), ...bounds].filter(Boolean).join(", "));
     field.title = [about, words].filter(Boolean).join(" ");
     field.placeholder = usual !== undefined ? asText(usual) : kind === "ratio" ? "%" : "";
@@ -266,7 +258,7 @@ export function choice(label, options, value, change) {
     },
     /** The name of the first one, which is the usual. @param {string} text */
     first(text) {
-      if (select.options[0].textContent !== text) select.options[0].textContent = text;
+      select.options[0].textContent = text;
     },
     /** All to choose from, by name and text. @param {[string, string][]} list */
     labels(list) {

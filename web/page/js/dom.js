@@ -95,20 +95,19 @@ let spoken = 0;
 /** Says something to screen readers once things have settled. @param {string} text */
 export function say(text) {
   clearTimeout(spoken);
-  spoken = setTimeout(() => {
-    byId("live").textContent = text;
-  }, 700);
+  spoken = setTimeout(() => (byId("live").textContent = text), 700);
 }
 
 /** A problem as people read it. @param {unknown} thrown */
 export function problemBox(thrown) {
-  const problem = problemOf(thrown);
-  const hint = problem.hint ? el("p", { class: "small" }, capital(inWords(problem.hint))) : null;
+  const { kind, message, hint } = problemOf(thrown);
+  // What stands in a file is named as it is written there.
+  const words = kind === "file" ? message.replaceAll("`", "") : capital(inWords(message));
   return el(
     "div",
     { class: "problem", role: "alert" },
-    el("p", capital(inWords(problem.message))),
-    hint,
+    paragraph(words),
+    hint && smallPrint(capital(inWords(hint))),
   );
 }
 
@@ -203,13 +202,10 @@ export function tabs(label, tabs, chosen, choose) {
 /** @param {string} text @param {(Node | string)[]} more */
 export function notice(text, ...more) {
   const box = byId("notice");
-  const close = button(
-    "Close",
-    () => {
-      box.hidden = true;
-    },
-    { class: "bare", ariaLabel: "Close this message" },
-  );
+  const close = button("Close", () => (box.hidden = true), {
+    class: "bare",
+    ariaLabel: "Close this message",
+  });
   box.replaceChildren(el("span", text), ...more, close);
   box.hidden = false;
 }
@@ -233,7 +229,7 @@ export function dialog(title, inside) {
     if (event.target === box) close();
   });
   const head = block("row head", el("h2", { id }, title), button("Close", close));
-  box.append(block("inside", head, ...inside(close).filter((part) => part !== null)));
+  box.append(block("inside", head, ...inside(close)));
   document.body.append(box);
   box.showModal();
   return box;

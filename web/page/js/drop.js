@@ -81,10 +81,8 @@ async function take(files) {
       file2: second?.text,
     });
   // Over the curves of the page Muscle they are at their place too.
-  if (data && document.body.dataset.page !== "muscle") return visit("data", {});
-  if (plan) return visit("formula", {});
-  if (rubber) return visit("rubber", {});
-  return visit("muscle", {});
+  const isElsewhere = data && document.body.dataset.page !== "muscle";
+  return visit(isElsewhere ? "data" : plan ? "formula" : rubber ? "rubber" : "muscle", {});
 }
 
 /** @param {readonly File[]} files */

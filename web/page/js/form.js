@@ -97,15 +97,11 @@ class Reading {
 
   /** @param {Field} f @param {string} text */
   add(f, text) {
-    const { values } = this,
-      list = () =>
-        text
-          .split(",")
-          .map((word) => word.trim())
-          .filter(Boolean);
+    const { values } = this;
     if (f.pair) values[f.field] = text.split(",").map((one) => this.#pair(f, one.split(/@| at /)));
     else if (f.field === "load") values.load = loadOf(text);
-    else if (!f.kind || f.or?.includes(text)) values[f.field] = f.words ? list() : text;
+    else if (f.words) values[f.field] = text.split(",").flatMap((word) => word.trim() || []);
+    else if (!f.kind || f.or?.includes(text)) values[f.field] = text;
     else
       this.#ask(f, f.kind, text, (value) => {
         values[f.field] = value;
@@ -253,9 +249,8 @@ export function kindsOf(of, kinds, choose) {
   );
   function select(/** @type {string} */ chosen) {
     set(chosen);
-    for (const [kind, , keys] of kinds)
-      if (kind !== chosen) for (const key of keys) of.shown(key, false);
-    for (const key of kinds.find(([kind]) => kind === chosen)?.[2] ?? []) of.shown(key, true);
+    const own = kinds.find(([kind]) => kind === chosen)?.[2] ?? [];
+    for (const key of kinds.flatMap(([, , keys]) => keys)) of.shown(key, own.includes(key));
   }
   select(kinds[0][0]);
   return { list, select };

@@ -2,6 +2,7 @@
 import { address, pack } from "./address.js";
 import { block, button, capital, download, el, heading, mainButton, rowOf } from "./dom.js";
 import { keepFile, measured } from "./kept.js";
+import { SCRIPTS } from "./place.js";
 import { card, thumbnail } from "./thumbnail.js";
 import { showForce, showLength, showPressure, unitsInAddress } from "./units.js";
 import { engine } from "./ask.js";
@@ -104,7 +105,7 @@ export const GALLERY = [
 
 /** @param {string} name */
 export async function example(name) {
-  const answer = await fetch(new URL(`../examples/${name}`, import.meta.url));
+  const answer = await fetch(new URL(`../examples/${name}`, SCRIPTS));
   if (!answer.ok) throw new Error(`The example ${name} cannot be loaded (${answer.status}).`);
   return answer.text();
 }

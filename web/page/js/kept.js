@@ -38,9 +38,7 @@ function save() {
 export const wordsOf = (page) => kept.words[page] ?? {};
 /** @param {string} page @param {Record<string, string | undefined>} words */
 export function keepWords(page, words) {
-  const said = Object.fromEntries(
-    Object.entries(words).filter(([, word]) => word !== undefined && word !== ""),
-  );
+  const said = Object.fromEntries(Object.entries(words).filter(([, word]) => word));
   if (JSON.stringify(said) === JSON.stringify(wordsOf(page))) return;
   kept.words[page] = /** @type {Words} */ (said);
   save();
@@ -113,9 +111,9 @@ export function thinned(text, most = MOST_ROWS) {
     step = Math.ceil(rows / most);
   if (step < 2) return { text, said: "" };
   let at = 0;
-  const some = lines.filter((line) => !isRow(line) || at++ % step === 0);
+  const some = lines.filter((line) => !isRow(line) || !(at++ % step));
   const [all, few, used] = [rows, most, Math.ceil(rows / step)].map((n) => n.toLocaleString("en"));
-  const which = step === 2 ? "second" : step === 3 ? "third" : `${step}th`;
+  const which = ["second", "third"][step - 2] ?? `${step}th`;
   return {
     text: some.join("\n"),
     said: `The table has ${all} rows, more than ${few}: every ${which} one is used, ${used} points.`,

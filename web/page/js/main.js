@@ -9,6 +9,7 @@ import { keepWords, keeping, onKept, wordsOf } from "./kept.js";
 import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
 import { offline } from "./offline.js";
+import { SCRIPTS } from "./place.js";
 import { PLACES, pageOf, viewsOf } from "./pages.js";
 // The first screen comes with the frame.
 import "./pages/start.js";
@@ -132,7 +133,7 @@ const failures = {};
 async function pageOfServer(name) {
   const again = failures[name] ? `?again=${failures[name]}` : "";
   try {
-    return await import(`./pages/${name}.js${again}`);
+    return await import(new URL(`pages/${name}.js${again}`, SCRIPTS).href);
   } catch (problem) {
     failures[name] = (failures[name] ?? 0) + 1;
     throw problem;

@@ -1,6 +1,6 @@
 // Use without a network. The service worker keeps the page and what was used; what is large and was not used yet (the
 // whole engine) is fetched for an installed app, for who comes back, or when one asks for it: the
-// first visit does not pay for it. The page of a server computes nothing without it, and is not kept.
+// first visit does not pay for it. The page of a server is not kept.
 import { engine } from "./ask.js";
 
 const PREFIX = "mckibben-page";
@@ -13,7 +13,8 @@ const saves = () =>
     /** @type {Navigator & { connection?: { saveData?: boolean } }} */ (navigator).connection
       ?.saveData,
   );
-const large = () => engine().files;
+/** The page of a server computes nothing without it. @returns {string[]} */
+const large = () => engine().files ?? [];
 
 /** What the worker keeps its files in, once it is installed. */
 async function shelf() {
@@ -29,7 +30,7 @@ async function lacking() {
 }
 
 const canKeep = () =>
-  engine().files.length > 0 &&
+  large().length > 0 &&
   "serviceWorker" in navigator &&
   window.isSecureContext &&
   "caches" in window;

@@ -1,4 +1,5 @@
 // The report as one HTML file that turns the muscle: the engine's page with the page's own view in it.
+import { SCRIPTS } from "./place.js";
 
 /** Modules of the view, in the order in which they need each other (crate mckibben-web has the same list). */
 const MODULES = ["body.js", "dom.js", "life.js", "shaders.js", "view3d.js", "report-viewer.js"];
@@ -7,7 +8,7 @@ const MODULES = ["body.js", "dom.js", "life.js", "shaders.js", "view3d.js", "rep
 /** The modules as one script without imports. */
 function script() {
   const load = async (/** @type {string} */ name) => {
-    const answer = await fetch(new URL(name, import.meta.url));
+    const answer = await fetch(new URL(`../js/${name}`, SCRIPTS));
     if (!answer.ok) throw new Error(`${name} cannot be loaded (${answer.status}).`);
     const text = (await answer.text()).replaceAll("\nexport ", "\n");
     return text

@@ -1,16 +1,13 @@
 // The engine behind HTTP: `mckibben serve`.
+import { SCRIPTS } from "../place.js";
 import { unpack } from "./packed.js";
 import { Problem, gone } from "./problem.js";
 
-const API = new URL("../../api/", import.meta.url);
+const API = new URL("../api/", SCRIPTS);
 
 export class Engine {
   get about() {
     return "mckibben serve";
-  }
-  /** Without its server there is no answer: nothing is kept. */
-  get files() {
-    return /** @type {string[]} */ ([]);
   }
 
   /**

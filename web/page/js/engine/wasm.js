@@ -1,5 +1,6 @@
 // The engine as WebAssembly: in workers, so that the page never waits for it. A small module answers what is asked
 // while somebody drags; the whole one is loaded when it is first needed.
+import { SCRIPTS } from "../place.js";
 import { Problem, gone } from "./problem.js";
 
 /** Commands of the small module; its one model is `fe`, and it reads no files of loads. */
@@ -29,19 +30,20 @@ const LISTED = ["sleeves", "rubbers", "models"];
 
 /** A worker, asked one question after the other: one that is given up costs those behind it nothing. */
 class Lane {
+  /** @type {Worker | undefined} */ worker;
+  /** Questions; the first is the one that the worker has. @type {Asked[]} */ open = [];
+  next = 1;
+
   /** @param {() => Promise<WebAssembly.Module>} module */
   constructor(module) {
     this.module = module;
-    /** @type {Worker | undefined} */ this.worker = undefined;
-    /** Questions; the first is the one that the worker has. @type {Asked[]} */ this.open = [];
-    this.next = 1;
   }
 
   async start() {
     if (this.worker) return this.worker;
     const module = await this.module();
     if (this.worker) return this.worker;
-    const worker = new Worker(new URL("./worker.js", import.meta.url), {
+    const worker = new Worker(new URL("engine/worker.js", SCRIPTS), {
       type: "module",
     });
     worker.postMessage({ module });
@@ -59,12 +61,8 @@ class Lane {
     try {
       const worker = await this.start();
       // It may have been given up meanwhile.
-      if (this.open[0] === first)
-        worker.postMessage({
-          id: first.id,
-          command: first.command,
-          request: first.request,
-        });
+      const { id, command, request } = first;
+      if (this.open[0] === first) worker.postMessage({ id, command, request });
     } catch (problem) {
       this.refuse(problem);
     }
@@ -143,15 +141,15 @@ function loaded(name) {
   /** @type {Promise<WebAssembly.Module> | undefined} */ let module;
   return () => {
     const load = async () => {
-      const answer = await fetch(new URL(`../../${name}`, import.meta.url));
-      if (!answer.ok) throw gone(`${name}: ${answer.status} ${answer.statusText}`);
+      const answer = await fetch(new URL(`../${name}`, SCRIPTS));
+      if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
       return answer.headers.get("content-type")?.startsWith("application/wasm")
         ? WebAssembly.compileStreaming(answer)
         : WebAssembly.compile(await answer.arrayBuffer());
     };
     module ??= load().catch((error) => {
       module = undefined;
-      throw error instanceof Problem ? error : gone(String(error.message ?? error));
+      throw gone(error.message);
     });
     return module;
   };
@@ -192,6 +190,12 @@ export class Engine {
     const known =
       LIVE.includes(command) || (command === "parts-list" && LISTED.includes(of.kind ?? ""));
     const small = known && (of.model?.name ?? "fe") === "fe" && !of.load_tables?.length;
-    return this.lanes[small || lane === "job" ? lane : "whole"].ask(command, request, how);
+    const { whole } = this.lanes,
+      own = small || lane === "job" ? this.lanes[lane] : whole;
+    return own.ask(command, request, how).catch((problem) => {
+      // The small module does not say which keys a file may have.
+      if (!small || problem.kind !== "file") throw problem;
+      return whole.ask(command, request, how);
+    });
   }
 }

@@ -68,7 +68,7 @@ export const mount = (main) => {
     "rubber",
     async () => {
       const read = await fields.read();
-      if (!read) return undefined;
+      if (!read) return;
       place();
       // Until there is a table of one's own the page shows what it does.
       data ??= { name: EXAMPLE, text: await example(EXAMPLE) };

@@ -2,6 +2,7 @@
 
 use super::layout::Field;
 use crate::columns::{PointRow, Slot};
+use mckibben_core::units::named;
 use mckibben_io::parquet::{Column, Text};
 use std::sync::Arc;
 
@@ -46,9 +47,9 @@ fn fill(
         }
         (Column::Flag(c), Slot::Flag(v)) => *v = *c.get(i)?,
         (Column::Text(c), Slot::Text(v)) => *v = text(c)?,
-        (Column::Text(c), Slot::Status(v)) => match text(c)?.parse() {
-            Ok(status) => *v = status,
-            Err(error) => return Some(Err(format!("{}: {error}", field.name))),
+        (Column::Text(c), Slot::Status(v)) => match named(&text(c)?) {
+            Some(status) => *v = status,
+            None => return Some(Err(format!("{}: an unknown word", field.name))),
         },
         _ => return None,
     }

@@ -84,7 +84,8 @@ fn dimension(schema: &Value) -> Option<Dimension> {
     Dimension::deserialize(schema.get("x-quantity")?).ok()
 }
 
-/// The keys of a file that is read into a struct.
+/// The keys of a file that is read into a struct; by default of one of which nothing is known.
+#[derive(Default)]
 pub struct Keys(Value);
 
 impl Keys {
@@ -165,11 +166,10 @@ impl Keys {
             .or_else(|| nearest(key, known.iter().copied()));
         let suggestion =
             suggestion.or_else(|| all().find(|k| nearest(key, k.rsplit('.').next()).is_some()));
-        let problem = format!(
-            "unknown key{}; known here: {}",
-            meant(suggestion),
-            known.join(", ")
-        );
+        let mut problem = format!("unknown key{}", meant(suggestion));
+        if !known.is_empty() {
+            problem += &format!("; known here: {}", known.join(", "));
+        }
         source.key_error(&join(path, &shortened(key)), span, problem)
     }
 }

@@ -58,7 +58,14 @@ impl<'t> Source<'t> {
     /// [`FileError`] with line, column, key, what stood there and what is expected.
     pub fn read<'s, T: Deserialize<'s> + JsonSchema>(&'s self) -> Result<T, FileError> {
         let root = At::root(self.document.as_item());
-        T::deserialize(root).map_err(|wrong| Keys::of::<T>().error(self, wrong))
+        T::deserialize(root).map_err(|wrong| {
+            let keys = if cfg!(feature = "keys") {
+                Keys::of::<T>()
+            } else {
+                Keys::default()
+            };
+            keys.error(self, wrong)
+        })
     }
 
     fn table(&self, dotted: &str) -> Option<&dyn TableLike> {
