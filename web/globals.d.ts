@@ -8,9 +8,7 @@ declare global {
   type View = ReturnType<typeof import("./page/js/view3d.js").viewOf>;
 
   /** A page: what it shows, by the words of its address. */
-  type Mount = (main: HTMLElement) => {
-    load(params: URLSearchParams): Promise<void>;
-  };
+  type Mount = (main: HTMLElement) => { load(params: URLSearchParams): Promise<void> };
 
   /** Kinds of the engine, moduli (pressures that are always in MPa), and plain numbers (ratios that nobody writes in %). */
   type EngineKind = All["units"]["answer"]["kinds"][number]["kind"];
@@ -140,13 +138,7 @@ declare global {
     exact?: (s: Series, x: number, take: (found: number[]) => void) => void;
   }
   /** What is below a pointer: of which curve, and where. */
-  type Found = {
-    which: number;
-    x: number;
-    y: number;
-    low?: number;
-    high?: number;
-  };
+  type Found = { which: number; x: number; y: number; low?: number; high?: number };
   type Reach = { x: [number, number]; y: [number, number] };
 
   type Design = All["design"];
@@ -159,38 +151,21 @@ declare global {
   /**
    * A muscle of the map of a design. `margin`: of the pull, to spare; `limit` and `misses`: the limit that it misses, and by what share.
    */
-  type GridNode = {
-    fits: boolean;
-    value: number;
-    margin: number;
-    limit: string;
-    misses: number;
-  };
+  type GridNode = { fits: boolean; value: number; margin: number; limit: string; misses: number };
   /** From a place to another one. */
   type Segment = [number, number, number, number];
 
   type JointAnswer = All["joint"]["answer"];
   /** A point as the page shows it. */
-  type JointPoint = JointAnswer["points"][number] & {
-    model: string;
-    words?: string | null;
-  };
+  type JointPoint = JointAnswer["points"][number] & { model: string; words?: string | null };
   type Family = { answer: JointAnswer; angles: number[]; pairs: number[][] };
   type Run = All["motion"]["answer"];
   /** The pull of a muscle that is built. */
-  type Built = {
-    predicted_n?: number;
-    predicted_low_n?: number;
-    predicted_high_n?: number;
-  };
+  type Built = { predicted_n?: number; predicted_low_n?: number; predicted_high_n?: number };
   type CurveAnswer = All["curve"]["answer"];
 
   /** A muscle of the project: its file with its name, and where it was looked at. */
-  type KeptMuscle = {
-    name: string;
-    file: string;
-    point: Record<string, string>;
-  };
+  type KeptMuscle = { name: string; file: string; point: Record<string, string> };
   /**
    * Muscles of the project; measured points, and what to say of them; a test of a rubber; a plan, and the one that was computed; whether
    * constants were identified, and the verification computed.

@@ -13,9 +13,7 @@ const [folder, shots] = process.argv.slice(2),
 /** @type {[string, string, string][]} */ const links = [];
 /** @type {string[]} */ const wrong = [];
 if (shots) mkdirSync(shots, { recursive: true });
-const { page, errors, context } = await tab(browser, {
-  viewport: { width: 1440, height: 900 },
-});
+const { page, errors, context } = await tab(browser, { viewport: { width: 1440, height: 900 } });
 page.setDefaultTimeout(120_000);
 await context.route(
   (url) => !url.href.startsWith(site.url),
@@ -64,10 +62,7 @@ for (let address; (address = todo.shift());) {
     const rules = theme === "navy" ? { runOnly: ["color-contrast"] } : {};
     const { violations } = await page.evaluate(
       (asked) =>
-        /** @type {any} */ (window).axe.run(document, {
-          resultTypes: ["violations"],
-          ...asked,
-        }),
+        /** @type {any} */ (window).axe.run(document, { resultTypes: ["violations"], ...asked }),
       rules,
     );
     for (const v of violations)
@@ -85,9 +80,7 @@ for (const [from, to, anchor] of links) {
 }
 await page.goto(`${site.url}index.html?search=seating`);
 await page
-  .waitForSelector("#mdbook-searchresults li, #searchresults li", {
-    timeout: 5000,
-  })
+  .waitForSelector("#mdbook-searchresults li, #searchresults li", { timeout: 5000 })
   .catch(() => wrong.push("the search finds nothing"));
 await browser.close();
 site.end();

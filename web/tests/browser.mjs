@@ -24,9 +24,7 @@ export async function statically(folder) {
     try {
       const bytes = await readFile(join(folder, file));
       answer
-        .writeHead(200, {
-          "content-type": TYPES[extname(file)] ?? "application/octet-stream",
-        })
+        .writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" })
         .end(bytes);
     } catch {
       answer.writeHead(404).end();
@@ -34,17 +32,12 @@ export async function statically(folder) {
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(undefined)));
   const { port } = /** @type {any} */ (server.address());
-  return {
-    url: `http://127.0.0.1:${port}/tools/muscles/`,
-    end: () => server.close(),
-  };
+  return { url: `http://127.0.0.1:${port}/tools/muscles/`, end: () => server.close() };
 }
 
 /** `mckibben serve`; with PAGE=FOLDER in the environment, that folder's page in front of it. @param {string} program */
 export async function served(program) {
-  const child = spawn(program, ["serve", "--port", "0"], {
-    stdio: ["ignore", "pipe", "inherit"],
-  });
+  const child = spawn(program, ["serve", "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
   const url = await new Promise((resolve, reject) => {
     child.stdout.on("data", (data) => {
       const found = /http:\/\/\S+/.exec(String(data));

@@ -119,9 +119,7 @@ inBrowser(({ name, open, blank, url }) => {
       );
     await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
     await page.mouse.down();
-    await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, {
-      steps: 3,
-    });
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, { steps: 3 });
     await page.mouse.up();
     await soon(async () => assert.notDeepEqual(await lower(page), all));
     await soon(async () =>

@@ -31,17 +31,12 @@ function entries(bytes) {
   const script =
     "import sys, zipfile, json; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; " +
     "print(json.dumps({n: z.read(n).decode('latin1') for n in z.namelist()}))";
-  const said = execFileSync("python3", ["-c", script, file], {
-    encoding: "utf8",
-    maxBuffer: 1e8,
-  });
+  const said = execFileSync("python3", ["-c", script, file], { encoding: "utf8", maxBuffer: 1e8 });
   return /** @type {Record<string, string>} */ (JSON.parse(said));
 }
 /** Rows of a chart's CSV. @param {Page} page */
 async function saved(page) {
-  const { bytes } = await downloaded(page, {
-    click: () => ofChart(page, "CSV"),
-  });
+  const { bytes } = await downloaded(page, { click: () => ofChart(page, "CSV") });
   return bytes
     .toString()
     .trim()
@@ -50,11 +45,7 @@ async function saved(page) {
 }
 
 test("an archive has its files as they were, for a reader that is not ours", async () => {
-  const texts = {
-    "a.txt": "one\n",
-    "folder/b.bin": "\u0000\u00ff\n",
-    empty: "",
-  };
+  const texts = { "a.txt": "one\n", "folder/b.bin": "\u0000\u00ff\n", empty: "" };
   const made = zip(
     Object.entries(texts).map(([name, text]) => ({
       name,
@@ -105,9 +96,7 @@ inBrowser(({ name, url, open, blank }) => {
       const { page, context } = await open("#design");
       await page.locator(".chart h3").first().waitFor({ timeout: 120_000 });
       const chart = page.locator(".chart").filter({ has: page.locator("h3") });
-      const { bytes } = await downloaded(page, {
-        click: () => ofChart(chart.first(), "CSV"),
-      });
+      const { bytes } = await downloaded(page, { click: () => ofChart(chart.first(), "CSV") });
       const rows = bytes
         .toString()
         .trim()
@@ -337,13 +326,11 @@ inBrowser(({ name, url, open, blank }) => {
         const data = new DataTransfer();
         data.items.add(new File([text], "tension.csv"));
         for (const kind of ["dragover", "drop"])
-          document.querySelector("#bar")?.dispatchEvent(
-            new DragEvent(kind, {
-              dataTransfer: data,
-              bubbles: true,
-              cancelable: true,
-            }),
-          );
+          document
+            .querySelector("#bar")
+            ?.dispatchEvent(
+              new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }),
+            );
       },
       readFileSync(`${root}data/treloar/tension.csv`, "utf8"),
     );

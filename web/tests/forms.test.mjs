@@ -30,10 +30,9 @@ function kinds(of) {
     }));
   const several = of.anyOf ?? of.oneOf;
   if (several)
-    return several.flatMap(kinds).map((/** @type {any} */ one) => ({
-      "x-quantity": of["x-quantity"],
-      ...one,
-    }));
+    return several
+      .flatMap(kinds)
+      .map((/** @type {any} */ one) => ({ "x-quantity": of["x-quantity"], ...one }));
   return [of];
 }
 /** @param {any} of */

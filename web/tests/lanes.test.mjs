@@ -2,11 +2,7 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
-const usual = {
-  Worker: globalThis.Worker,
-  fetch: globalThis.fetch,
-  window: globalThis.window,
-};
+const usual = { Worker: globalThis.Worker, fetch: globalThis.fetch, window: globalThis.window };
 afterEach(() => {
   Object.assign(globalThis, usual);
 });

@@ -90,9 +90,7 @@ const measure = () =>
     });
     // A problem is an answer too.
     for (const where of [".stage .say", ".bench > .side > div"])
-      answered.observe(/** @type {any} */ (document.querySelector(where)), {
-        childList: true,
-      });
+      answered.observe(/** @type {any} */ (document.querySelector(where)), { childList: true });
     document.querySelector("[aria-label=Nothing]")?.remove();
     const slider = Object.assign(document.createElement("input"), {
       type: "range",

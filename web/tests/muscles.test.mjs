@@ -42,10 +42,7 @@ const maybe = (answer) =>
  * step is accepted, the two integrate with other steps: each is within 2e-7 of the solution at the tolerance of 1e-6 (docs/motion-integration.md), and
  * they differ by twice that at most (of 100 muscles three differ by more than 1e-8, the worst by 4e-8).
  */
-const WITHIN = {
-  serve: { point: 0, motion: 1e-9 },
-  static: { point: 1e-9, motion: 4e-7 },
-};
+const WITHIN = { serve: { point: 0, motion: 1e-9 }, static: { point: 1e-9, motion: 4e-7 } };
 /** Motions that were integrated with the same steps differ by less; one of ten may have other steps. */
 const SAME_STEPS = 1e-8;
 
@@ -74,10 +71,7 @@ function same(a, b, within, where) {
 
 /** @typedef {{ ask: import("./engines.mjs").Ask, end: () => void }} Engine */
 for (const [name, { start, point: within, motion }] of engines({
-  static: {
-    start: async () => ({ ask: await inWasm(dist), end: () => {} }),
-    ...WITHIN.static,
-  },
+  static: { start: async () => ({ ask: await inWasm(dist), end: () => {} }), ...WITHIN.static },
   serve: {
     start: async () => {
       const site = await served(program);
@@ -107,10 +101,7 @@ for (const [name, { start, point: within, motion }] of engines({
       texts.length
         ? (
             await engine.ask("quantities", {
-              texts: texts.map(({ text, kind }) => ({
-                text,
-                kind: kindOf(kind),
-              })),
+              texts: texts.map(({ text, kind }) => ({ text, kind: kindOf(kind) })),
             })
           ).readings
         : [];
@@ -195,10 +186,7 @@ for (const [name, { start, point: within, motion }] of engines({
         warnings: _,
         findings: __,
         ...numbers
-      } = await engine.ask("check", {
-        muscle: page.fields(again),
-        only_data: true,
-      });
+      } = await engine.ask("check", { muscle: page.fields(again), only_data: true });
       same(numbers, shown, Math.max(within, 1e-15), `the saved muscle ${seed}`);
 
       // Muscle: the pull, of the state, of what was saved, and what the shape carries.
@@ -317,11 +305,7 @@ for (const [name, { start, point: within, motion }] of engines({
       // Compare: the muscle itself, and with a length and stiffness of the side's own.
       const [length, k] = [d.between(150, 300), d.pick(["inextensible", 400])];
       const plain = page.side(state, "", { model }),
-        changed = page.side(state, "", {
-          model,
-          length_mm: length,
-          stiffness: k,
-        });
+        changed = page.side(state, "", { model, length_mm: length, stiffness: k });
       const without = flags.flatMap((flag, i) =>
         ["-L", "--stiffness", "--strand-diameter", "--strand-modulus"].includes(flags[i - (i % 2)])
           ? []
@@ -398,10 +382,7 @@ for (const [name, { start, point: within, motion }] of engines({
         assert.equal(reading.value, value, text);
         // Of a bare number the command line has the unit inside, but for pressures, which stand in bar here.
         const [own] = await read([
-          {
-            text: kind === "pressure" && !/[a-z]/i.test(text) ? `${text} bar` : text,
-            kind,
-          },
+          { text: kind === "pressure" && !/[a-z]/i.test(text) ? `${text} bar` : text, kind },
         ]);
         assert.equal(own.value, value, text);
       }

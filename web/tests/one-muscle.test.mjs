@@ -217,10 +217,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () => assert.equal(await box.getAttribute("open"), null));
     await page.getByText("Ends", { exact: true }).first().click();
     await page.getByText("More properties", { exact: true }).click();
-    await page.screenshot({
-      path: `${shots}/more-${name}.png`,
-      fullPage: true,
-    });
+    await page.screenshot({ path: `${shots}/more-${name}.png`, fullPage: true });
     const { measures } = await page.evaluate(async () =>
         (await import(new URL("js/ask.js", document.baseURI).href)).engine().ask("measures", {}),
       ),

@@ -42,9 +42,7 @@ const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-pra
 inBrowser(({ name, url, open, blank }) => {
   test("every page opens, does its first work and says nothing wrong, light and dark, and axe finds nothing", async () => {
     for (const page_name of PAGES) {
-      const { page, errors, context } = await open(`#${page_name}`, {
-        colorScheme: "light",
-      });
+      const { page, errors, context } = await open(`#${page_name}`, { colorScheme: "light" });
       await page.waitForSelector(DONE[page_name], { timeout: 60_000 });
       await page.waitForTimeout(1200);
       await page.evaluate(axe.source);
@@ -117,9 +115,7 @@ inBrowser(({ name, url, open, blank }) => {
     const box = /** @type {any} */ (await slider.boundingBox());
     await page.mouse.move(box.x + box.width * 0.42, box.y + box.height / 2);
     await page.mouse.down();
-    await page.mouse.move(box.x + box.width * 0.7, box.y + box.height / 2, {
-      steps: 8,
-    });
+    await page.mouse.move(box.x + box.width * 0.7, box.y + box.height / 2, { steps: 8 });
     await page.mouse.up();
     await page.waitForFunction(
       (before) => document.querySelector(".stage .say b")?.textContent !== before,
@@ -323,9 +319,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page
       .locator(".side h2")
       .first()
-      .filter({
-        hasText: `${Number(best.outer_diameter_mm.toPrecision(4))} mm`,
-      })
+      .filter({ hasText: `${Number(best.outer_diameter_mm.toPrecision(4))} mm` })
       .waitFor();
     const map = page.getByRole("region", { name: "design map" });
     await map.locator("svg image").waitFor({ timeout: 30_000 });
@@ -428,9 +422,7 @@ inBrowser(({ name, url, open, blank }) => {
     const { page, errors, context } = await open(
       "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=25mL",
     );
-    const muscles = page.getByRole("region", {
-      name: "Muscles that fit, best first",
-    });
+    const muscles = page.getByRole("region", { name: "Muscles that fit, best first" });
     await muscles.getByText("liquid per stroke").waitFor({ timeout: 60_000 });
     const [best] = ask("design", ...wanted, "--max-liquid", "25mL").candidates;
     await muscles
@@ -453,9 +445,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page
       .locator(".side h2")
       .first()
-      .filter({
-        hasText: `${Number(said.candidates[0].outer_diameter_mm.toPrecision(4))} mm`,
-      })
+      .filter({ hasText: `${Number(said.candidates[0].outer_diameter_mm.toPrecision(4))} mm` })
       .waitFor();
     await page.goto(url() + "#design?joint=8Nm@45deg&pmax=2.5bar&D=30mm&s=1mm");
     await page.getByText(/^Pulley of radius/).waitFor({ timeout: 60_000 });
@@ -485,11 +475,13 @@ inBrowser(({ name, url, open, blank }) => {
   test("tables of data, good and broken; constants identified", async () => {
     const { page, errors, context } = await open("#data");
     await page.waitForSelector(".drop");
-    await page.locator("input[type=file]").setInputFiles({
-      name: "broken.csv",
-      mimeType: "text/csv",
-      buffer: Buffer.from("pressure_bar,contraction,force_n\n1,0.1,abc\n"),
-    });
+    await page
+      .locator("input[type=file]")
+      .setInputFiles({
+        name: "broken.csv",
+        mimeType: "text/csv",
+        buffer: Buffer.from("pressure_bar,contraction,force_n\n1,0.1,abc\n"),
+      });
     await page.waitForSelector(".problem");
     await soon(async () => assert.match(await page.locator(".problem").innerText(), /line 2|row/i));
     await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
@@ -504,11 +496,13 @@ inBrowser(({ name, url, open, blank }) => {
       readFileSync(/** @type {string} */ (await download.path())).toString(),
       /# Identified from/,
     );
-    await page.locator("input[type=file]").setInputFiles({
-      name: "unnamed.csv",
-      mimeType: "text/csv",
-      buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n"),
-    });
+    await page
+      .locator("input[type=file]")
+      .setInputFiles({
+        name: "unnamed.csv",
+        mimeType: "text/csv",
+        buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n"),
+      });
     await page.waitForSelector(".problem");
     await soon(async () =>
       assert.match(
@@ -534,11 +528,7 @@ inBrowser(({ name, url, open, blank }) => {
       const clipboardData = new DataTransfer();
       clipboardData.setData("text/plain", "4\t0.1\t800\n5\t0.1\t1000\n");
       one.dispatchEvent(
-        new ClipboardEvent("paste", {
-          clipboardData,
-          bubbles: true,
-          cancelable: true,
-        }),
+        new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }),
       );
     });
     await page.getByText("unnamed.csv: 5 points.").waitFor({ timeout: 30_000 });
@@ -579,20 +569,20 @@ inBrowser(({ name, url, open, blank }) => {
     const box = /** @type {any} */ (await page.locator(".stage").boundingBox());
     await page.mouse.move(box.x + 0.75 * box.width, box.y + 0.4 * box.height);
     await page.mouse.down();
-    await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.8 * box.height, {
-      steps: 5,
-    });
+    await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.8 * box.height, { steps: 5 });
     await page.mouse.up();
     await page.waitForFunction(() =>
       /Equilibrium angle\s*−\d/.test(document.querySelector(".numbers")?.textContent ?? ""),
     );
     await page.locator("summary").filter({ hasText: "Different second muscle" }).click();
     const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
-    await page.getByLabel("Open muscle 2 (TOML)").setInputFiles({
-      name: "thin.toml",
-      mimeType: "application/toml",
-      buffer: Buffer.from(thin),
-    });
+    await page
+      .getByLabel("Open muscle 2 (TOML)")
+      .setInputFiles({
+        name: "thin.toml",
+        mimeType: "application/toml",
+        buffer: Buffer.from(thin),
+      });
     await page.getByText("Muscle 2 is that of its file.").waitFor();
     await soon(async () => assert.match(page.url(), /file2=/));
     await page.getByRole("button", { name: "Use the same muscle twice" }).click();
@@ -685,10 +675,7 @@ inBrowser(({ name, url, open, blank }) => {
     test("an engine that panics says its last words, and another one is started", async () => {
       const { page, context } = await blank();
       await page.route("**/live.wasm", (route) =>
-        route.fulfill({
-          contentType: "application/wasm",
-          body: trapping("panicked at row 7"),
-        }),
+        route.fulfill({ contentType: "application/wasm", body: trapping("panicked at row 7") }),
       );
       await page.goto(url() + "#muscle?D=25");
       await page.getByText("panicked at row 7").first().waitFor();

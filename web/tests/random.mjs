@@ -13,12 +13,7 @@ export function dice(seed) {
     Number((low + (high - low) * next()).toPrecision(digits));
   /** @template T @param {readonly T[]} list @returns {T} */
   const pick = (list) => list[Math.floor(next() * list.length)];
-  return {
-    next,
-    between,
-    pick,
-    chance: (/** @type {number} */ share) => next() < share,
-  };
+  return { next, between, pick, chance: (/** @type {number} */ share) => next() < share };
 }
 
 const LAWS = [
@@ -216,11 +211,7 @@ export function muscle(seed) {
   if (d.chance(0.4)) base.seating = `${d.between(0.1, 2)} mm`;
   if (d.chance(0.3)) base.slip = `${d.between(0.1, 2)} mm/kN`;
   if (d.chance(0.3)) base.grip = `${d.between(1, 5)} mm`;
-  if (d.chance(0.2))
-    Object.assign(base, {
-      friction_coefficient: "40",
-      friction_exponent: "0.8",
-    });
+  if (d.chance(0.2)) Object.assign(base, { friction_coefficient: "40", friction_exponent: "0.8" });
   const filed = d.chance(0.75);
 
   /** @param {Record<string, string>} into @param {string[]} lacks */

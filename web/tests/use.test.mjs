@@ -45,13 +45,11 @@ const drop = (page, file) =>
     const data = new DataTransfer();
     data.items.add(new File([text], name));
     for (const kind of ["dragover", "drop"])
-      document.querySelector("#bar")?.dispatchEvent(
-        new DragEvent(kind, {
-          dataTransfer: data,
-          bubbles: true,
-          cancelable: true,
-        }),
-      );
+      document
+        .querySelector("#bar")
+        ?.dispatchEvent(
+          new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }),
+        );
   }, file);
 
 inBrowser(({ open }) => {

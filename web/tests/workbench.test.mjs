@@ -50,13 +50,11 @@ const drop = (page, dropped) =>
     const data = new DataTransfer();
     for (const [name, text] of Object.entries(all)) data.items.add(new File([text], name));
     for (const kind of ["dragover", "drop"])
-      document.querySelector("main")?.dispatchEvent(
-        new DragEvent(kind, {
-          dataTransfer: data,
-          bubbles: true,
-          cancelable: true,
-        }),
-      );
+      document
+        .querySelector("main")
+        ?.dispatchEvent(
+          new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }),
+        );
   }, dropped);
 /** What a click downloads. @param {Page} page @param {import("playwright-core").Locator} button */
 async function downloaded(page, button) {
@@ -284,9 +282,7 @@ inBrowser(({ name, url, open, blank }) => {
       }, `#${where}`);
       await there(page, where);
       await page.waitForLoadState("networkidle");
-      const { length } = await page.evaluate(() => ({
-        length: history.length,
-      }));
+      const { length } = await page.evaluate(() => ({ length: history.length }));
       await page.goBack();
       await there(page, "about");
       assert.ok(length <= 3, `${where}: ${length} entries`);
@@ -396,9 +392,7 @@ inBrowser(({ name, url, open, blank }) => {
     await again.page.getByRole("button", { name: "Show Calf" }).click();
     await reads(again.page, ".muscle-bar", "D0 45 mm");
     assert.deepEqual([...errors, ...again.errors], []);
-    await drop(again.page, {
-      "x.json": '{"format":"mckibben-project","version":9,"muscles":[]}',
-    });
+    await drop(again.page, { "x.json": '{"format":"mckibben-project","version":9,"muscles":[]}' });
     await reads(again.page, "#notice", "version 9");
     await again.context.close();
   });
@@ -574,10 +568,7 @@ inBrowser(({ name, url, open, blank }) => {
           [1.5, 0.3],
           [1.75, 0.4],
         ]),
-      }).map(([name, text]) => ({
-        name,
-        bytes: new TextEncoder().encode(text),
-      })),
+      }).map(([name, text]) => ({ name, bytes: new TextEncoder().encode(text) })),
     );
     const path = join(mkdtempSync(join(tmpdir(), "tabs-")), "tabs.xlsx");
     writeFileSync(path, Buffer.from(await packed.arrayBuffer()));
@@ -854,9 +845,7 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("the first screen asks for a joint and a load too, leads to Design with the same words, stands still where motion is not wanted, and axe finds nothing", async () => {
-    const { page, errors, context } = await open("", {
-      reducedMotion: "reduce",
-    });
+    const { page, errors, context } = await open("", { reducedMotion: "reduce" });
     await page.getByLabel("It must pull", { exact: true }).focus();
     await page.locator(".question .decision li").first().waitFor({ timeout: 30_000 });
     const picture = page.getByRole("img", { name: /beside a coin/ });
@@ -875,17 +864,13 @@ inBrowser(({ name, url, open, blank }) => {
     ).candidates;
     await page
       .locator(".question h2")
-      .filter({
-        hasText: `${Number(lifts.bulged_diameter_mm.toPrecision(3))} mm wide`,
-      })
+      .filter({ hasText: `${Number(lifts.bulged_diameter_mm.toPrecision(3))} mm wide` })
       .waitFor({ timeout: 30_000 });
     await page.getByRole("tab", { name: "Joint" }).click();
     const [turns] = ask("design", "--joint", "8Nm@45deg", "-p", "2.5bar").candidates;
     await page
       .locator(".question h2")
-      .filter({
-        hasText: `${Number(turns.bulged_diameter_mm.toPrecision(3))} mm wide`,
-      })
+      .filter({ hasText: `${Number(turns.bulged_diameter_mm.toPrecision(3))} mm wide` })
       .waitFor({ timeout: 30_000 });
     await page.evaluate(axe.source);
     for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
@@ -916,10 +901,7 @@ inBrowser(({ name, url, open, blank }) => {
     await card("A thin muscle");
     await reads(page, ".muscle-bar", "D0 2 mm");
     await page.waitForFunction(() => /u=psi/.test(location.hash) && /p=1bar/.test(location.hash));
-    const slider = page.getByRole("slider", {
-      name: "Outer diameter",
-      exact: true,
-    });
+    const slider = page.getByRole("slider", { name: "Outer diameter", exact: true });
     await soon(async () =>
       assert.ok(Math.abs(Number(await slider.inputValue()) - 500) < 100, await slider.inputValue()),
     );
@@ -1061,9 +1043,7 @@ inBrowser(({ name, url, open, blank }) => {
           [],
           `${button}, ${colorScheme}`,
         );
-        await page.screenshot({
-          path: `${shots}/window-${button}-${colorScheme}-${name}.png`,
-        });
+        await page.screenshot({ path: `${shots}/window-${button}-${colorScheme}-${name}.png` });
         await page.keyboard.press("Escape");
         await page.locator("dialog").waitFor({ state: "detached" });
       }
@@ -1101,11 +1081,7 @@ inBrowser(({ name, url, open, blank }) => {
       assert.ok((await page.locator(".estimated").count()) > 0, "estimates are marked"),
     );
     await page.screenshot({ path: `${shots}/parts-${name}.png` });
-    await page
-      .getByRole("button", {
-        name: "Use this sleeve: flexo-overexpanded-0.38in",
-      })
-      .click();
+    await page.getByRole("button", { name: "Use this sleeve: flexo-overexpanded-0.38in" }).click();
     await page.getByRole("link", { name: "See it move" }).click();
     await alive(page);
     const said = ask(
@@ -1133,9 +1109,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.waitForSelector("tr.pick", { timeout: 60_000 });
     const said = ask("design", "-F", "700N", "-e", "15%", "-p", "2.5bar"),
       [best] = said.candidates;
-    const table = page.getByRole("region", {
-      name: "Muscles that fit, best first",
-    });
+    const table = page.getByRole("region", { name: "Muscles that fit, best first" });
     for (const head of ["± of the pull", "95 % certain at", "mass", "price"])
       await soon(async () =>
         assert.equal(
@@ -1211,9 +1185,7 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
     const design = await open("#design?u=psi");
     await design.page.waitForSelector("form");
-    const supply = design.page.getByRole("textbox", {
-      name: "Pressure of the supply",
-    });
+    const supply = design.page.getByRole("textbox", { name: "Pressure of the supply" });
     await supply.focus();
     await soon(async () =>
       assert.doesNotMatch(String(await supply.getAttribute("title")), /bare number is MPa/),
@@ -1343,11 +1315,13 @@ inBrowser(({ name, url, open, blank }) => {
       { length: 30_000 },
       (_, i) => `${1 + (i % 5) * 0.5},${(i % 200) / 1000},${900 - 4 * (i % 200)}`,
     );
-    await page.locator(".controls input[type=file]").setInputFiles({
-      name: "long.csv",
-      mimeType: "text/csv",
-      buffer: Buffer.from(`pressure_bar,contraction,force_n\n${rows.join("\n")}\n`),
-    });
+    await page
+      .locator(".controls input[type=file]")
+      .setInputFiles({
+        name: "long.csv",
+        mimeType: "text/csv",
+        buffer: Buffer.from(`pressure_bar,contraction,force_n\n${rows.join("\n")}\n`),
+      });
     await page
       .getByText(
         "The table has 30,000 rows, more than 20,000: every second one is used, 15,000 points.",
@@ -1407,10 +1381,7 @@ inBrowser(({ name, url, open, blank }) => {
     );
     const shown = await pull(page);
     await page.emulateMedia({ media: "print" });
-    const pdf = await page.pdf({
-      format: "A4",
-      path: `${shots}/sheet-${name}.pdf`,
-    });
+    const pdf = await page.pdf({ format: "A4", path: `${shots}/sheet-${name}.pdf` });
     assert.equal(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)?.length, 1, "one page");
     await page.emulateMedia({ media: "print" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
@@ -1431,9 +1402,7 @@ inBrowser(({ name, url, open, blank }) => {
 
   if (name === "static")
     test("the page is an app that is installed, and opens without a network", async () => {
-      const { page, context } = await open("#muscle?D=38", {
-        serviceWorkers: "allow",
-      });
+      const { page, context } = await open("#muscle?D=38", { serviceWorkers: "allow" });
       await alive(page);
       /** @type {string[]} */ const fetched = [];
       context.on("request", (request) =>

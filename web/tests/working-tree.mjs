@@ -46,11 +46,7 @@ export async function workingTree(behind, page) {
     const url = new URL(request.url ?? "/", "http://x");
     if (url.pathname.startsWith("/api/")) {
       const { host, origin, ...rest } = request.headers;
-      const sent = {
-        ...rest,
-        host: back.host,
-        ...(origin && { origin: back.origin }),
-      };
+      const sent = { ...rest, host: back.host, ...(origin && { origin: back.origin }) };
       const to = {
         host: back.hostname,
         port: back.port,

@@ -73,10 +73,7 @@ const MOST = 4_000_000;
 /** Texts as they stand in an address. @type {Map<string, string>} */ const known = new Map();
 
 /** Base64 that an address may hold as it is. */
-const ALPHABET = /** @type {const} */ ({
-  alphabet: "base64url",
-  omitPadding: true,
-});
+const ALPHABET = /** @type {const} */ ({ alphabet: "base64url", omitPadding: true });
 
 /** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
 /**

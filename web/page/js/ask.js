@@ -17,10 +17,7 @@ export async function loadUnits() {
  */
 export async function understood(texts) {
   if (!texts.length) return [];
-  const asked = texts.map(({ kind, ...rest }) => ({
-    ...rest,
-    kind: kindOf(kind),
-  }));
+  const asked = texts.map(({ kind, ...rest }) => ({ ...rest, kind: kindOf(kind) }));
   const { readings } = await engine().ask("quantities", { texts: asked }, { lane: "read" });
   // A number alone is in the unit that is shown, which the engine does not know.
   return /** @type {Readings} */ (readings).map(({ problem, ...rest }, i) => ({

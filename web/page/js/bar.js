@@ -47,9 +47,7 @@ function shareButton() {
         () => prompt("The link to this view", location.href),
       );
     },
-    {
-      title: "Copy the link to this view, or save the file",
-    },
+    { title: "Copy the link to this view, or save the file" },
   );
 }
 

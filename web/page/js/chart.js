@@ -37,10 +37,7 @@ export function chartOf(name, { tools, tall, drag } = {}) {
   );
   const element = el(
     "section",
-    {
-      class: tall ? "chart tall" : "chart",
-      ariaLabel: name.replaceAll("-", " "),
-    },
+    { class: tall ? "chart tall" : "chart", ariaLabel: name.replaceAll("-", " ") },
     block("row", tools ?? null, el("span", { class: "grow" }), menu(asTable, ...saved)),
     host,
     cells,

@@ -68,19 +68,10 @@ export function quantity(spec) {
   let painted = "";
   /** Counts what was typed or dragged. */
   let turn = 0;
-  const slider = el("input", {
-    type: "range",
-    min: 0,
-    max: 1000,
-    step: "any",
-    ariaLabel: label,
-  });
+  const slider = el("input", { type: "range", min: 0, max: 1000, step: "any", ariaLabel: label });
   const field = textField({ id, "aria-describedby": `${id}w` });
   const unit = hasChoice(kind)
-    ? button("", () => changeUnit(kind), {
-        class: "bare",
-        title: "Change the unit everywhere",
-      })
+    ? button("", () => changeUnit(kind), { class: "bare", title: "Change the unit everywhere" })
     : el("span", { class: "soft" });
   const below = el("p", { id: `${id}w`, hidden: true, role: "status" });
   const tell = saying(field, below);

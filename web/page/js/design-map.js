@@ -132,10 +132,7 @@ function asked(of, best, across = ACROSS, up = UP) {
   // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
   const part =
     best.sleeve && !of.braids?.length
-      ? {
-          rubbers: best.rubber ? [best.rubber] : undefined,
-          braids: [best.sleeve],
-        }
+      ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] }
       : {};
   const angle = of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
   const length = { length_mm: of.stroke_mm ? undefined : best.length_mm };
@@ -197,10 +194,7 @@ const rgb = (/** @type {string} */ hex) =>
 function spec({ D, S, fits, nodes, limits }, best, finer) {
   const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];
   const shown = nodes.map((row) =>
-    row.map((n) => ({
-      ...n,
-      value: n.fits ? outside("pressure", n.value) : NaN,
-    })),
+    row.map((n) => ({ ...n, value: n.fits ? outside("pressure", n.value) : NaN })),
   );
   const edge = border({ x, y, nodes: shown }),
     grid = { x, y, values: extended({ x, y, nodes: shown }) };

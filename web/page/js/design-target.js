@@ -46,10 +46,7 @@ export function designTarget(act) {
     if (!target) return;
     // In the shown unit to three digits: a value that one would type.
     const force = digits(Math.max(y, 1e-3), 3) / outside("force", 1);
-    target = {
-      force_n: digits(force, 12),
-      contraction: Math.max(0, Math.round(2 * x) / 200),
-    };
+    target = { force_n: digits(force, 12), contraction: Math.max(0, Math.round(2 * x) / 200) };
     mark();
     if (settled) act.settled(target);
     else act.moved(target);
@@ -68,10 +65,7 @@ export function designTarget(act) {
         !of.load;
       element.hidden = !one;
       if (!one) return;
-      target = {
-        force_n: Number(of.force_n),
-        contraction: Number(of.contraction),
-      };
+      target = { force_n: Number(of.force_n), contraction: Number(of.contraction) };
       const [best] = answer.candidates,
         file = answer.muscle_files?.[0];
       series = [];

@@ -132,12 +132,7 @@ function rowsOf(candidates, prices) {
 /** A candidate as its own file: branch and required pulls are in it. @param {Design["answer"]} answer */
 export async function openCandidate({ candidates, muscle_files = [] }, i = 0) {
   const { pressure_mpa: p, points } = candidates[i],
-    state = {
-      ...prototype(),
-      file: muscle_files[i].text,
-      p,
-      e: points[0].contraction,
-    };
+    state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction };
   await pack(state.file);
   location.hash = address("muscle", muscle.paramsOf(state));
 }
@@ -260,9 +255,7 @@ export function foundView(answer, prices) {
       "p",
       { class: "row small soft" },
       el("span", { class: "grow" }, words),
-      button("CSV of the table", save, {
-        title: "The table of the muscles as a file",
-      }),
+      button("CSV of the table", save, { title: "The table of the muscles as a file" }),
     ),
     points(candidates[0]),
     boughtView(answer),

@@ -74,12 +74,7 @@ async function take(files) {
       : "",
   );
   if (drive) return visit("motion", { drive: drive.text });
-  if (joint)
-    return visit("joint", {
-      ...ofFile,
-      joint: joint.text,
-      file2: second?.text,
-    });
+  if (joint) return visit("joint", { ...ofFile, joint: joint.text, file2: second?.text });
   // Over the curves of the page Muscle they are at their place too.
   const isElsewhere = data && document.body.dataset.page !== "muscle";
   return visit(isElsewhere ? "data" : plan ? "formula" : rubber ? "rubber" : "muscle", {});

@@ -25,9 +25,7 @@ export class Figures {
     if (!figure) return;
     while (this.charts.length < figure.panels.length) {
       const title = el("h3", { class: "grow" });
-      const chart = chartOf(`${this.name}-${this.charts.length + 1}`, {
-        tools: title,
-      });
+      const chart = chartOf(`${this.name}-${this.charts.length + 1}`, { tools: title });
       this.charts.push(chart);
     }
     this.grid.replaceChildren(...this.charts.slice(0, figure.panels.length).map((c) => c.element));
@@ -76,14 +74,7 @@ function spec(panel, figure) {
     if (s.style === "band") return { ...line, name: "±", band: true, legend: "" };
     const name = s.label || s.end_label || panel.y.label,
       mode = s.style === "points" ? "markers" : "lines";
-    return {
-      ...line,
-      name,
-      end: s.end_label || undefined,
-      dash,
-      mode,
-      legend: s.label,
-    };
+    return { ...line, name, end: s.end_label || undefined, dash, mode, legend: s.label };
   };
   const range = (/** @type {Panel["x"]} */ axis) =>
     axis.range
@@ -93,11 +84,7 @@ function spec(panel, figure) {
     x: words(panel.x),
     y: words(panel.y),
     series: panel.series.map(one),
-    marks: panel.marks.map((m) => ({
-      x: kx * m.x,
-      y: ky * m.y,
-      text: m.label,
-    })),
+    marks: panel.marks.map((m) => ({ x: kx * m.x, y: ky * m.y, text: m.label })),
     xaxis: range(panel.x),
     yaxis: range(panel.y),
   };

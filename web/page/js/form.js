@@ -42,11 +42,7 @@ function fieldRow(f, submit) {
     { kind } = f;
   const input = f.options
     ? el("select", { id }, ...optionsOf(f.options))
-    : textField({
-        id,
-        placeholder: f.hint ?? "",
-        "aria-describedby": `${id}w`,
-      });
+    : textField({ id, placeholder: f.hint ?? "", "aria-describedby": `${id}w` });
   input.value = f.value ?? "";
   // What a number alone means follows the unit that is shown.
   const hint = () => {
@@ -272,10 +268,7 @@ export const form = (fields, submit) => new Form(fields, submit);
 export function job(label, command, request, take, { fields, shown = [], minor = false } = {}) {
   const start = (minor ? button : mainButton)(label, () => run());
   const stop = button("Cancel", () => ends?.abort(), { hidden: true });
-  const bar = el("progress", {
-    hidden: true,
-    ariaLabel: `${label}: progress`,
-  });
+  const bar = el("progress", { hidden: true, ariaLabel: `${label}: progress` });
   const words = el("span", { class: "small soft" });
   const said = block();
   /** @type {AbortController | undefined} */ let ends;
@@ -320,10 +313,7 @@ export function job(label, command, request, take, { fields, shown = [], minor =
     if (ends === mine) bar.hidden = stop.hidden = true;
   }
   atEnd(() => ends?.abort());
-  return {
-    element: block("", block("row", start, stop, bar, words), said),
-    run,
-  };
+  return { element: block("", block("row", start, stop, bar, words), said), run };
 }
 
 /**
@@ -340,10 +330,7 @@ export function table(head, rows, { text = [0], pick, label } = {}) {
   ) =>
     el(
       tag,
-      {
-        class: text.includes(i) ? "text" : undefined,
-        scope: tag === "th" ? "col" : undefined,
-      },
+      { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined },
       value,
     );
   const picked = (/** @type {number} */ i) =>

@@ -124,12 +124,7 @@ async function openEntry({ file = "", part, page = "muscle", words = {}, joint, 
     keepFile("constants", true);
   }
   await Promise.all([text, jointText ?? ""].map(pack));
-  location.hash = address(page, {
-    ...words,
-    u: unitsInAddress(),
-    file: text,
-    joint: jointText,
-  });
+  location.hash = address(page, { ...words, u: unitsInAddress(), file: text, joint: jointText });
 }
 
 /** Cards of muscles. @param {(problem: unknown) => void} fail @param {() => void} [opened] @param {Entry[]} [list] */
@@ -138,12 +133,7 @@ export const gallery = (fail, opened, list = GALLERY) =>
     "gallery",
     ...list.map(([title, about, size, entry]) => {
       const [outer_diameter_mm, wall_mm, length_mm, angle_deg] = size;
-      const picture = thumbnail({
-        outer_diameter_mm,
-        wall_mm,
-        length_mm,
-        angle_deg,
-      });
+      const picture = thumbnail({ outer_diameter_mm, wall_mm, length_mm, angle_deg });
       return card(
         () => openEntry(entry).then(() => opened?.(), fail),
         el("span", picture),

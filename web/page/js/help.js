@@ -38,11 +38,7 @@ export function helpLink() {
         ": accuracy, verification, models, sources.",
       ),
       DOCUMENTATION
-        ? el("iframe", {
-            class: "book",
-            title: "The book",
-            src: book(pageOf(page).help),
-          })
+        ? el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
         : remark(
             "The book comes with the program: ",
             el("code", `docs/${pageOf(page).help.split("#")[0]}.md`),

@@ -98,13 +98,7 @@ export function torqueChart({ answer, angles, pairs }, point) {
     };
   });
   const marks = point
-    ? [
-        {
-          x: point.angle_deg,
-          y: outside("torque", point.torque_nm ?? 0),
-          text: "required",
-        },
-      ]
+    ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }]
     : [];
   return {
     x: "angle φ [°]",
@@ -143,15 +137,7 @@ export function reachChart(map) {
       colour = pressureColour(i + 0.5, count);
     const legend = i ? name : `mean pressure ${name}`,
       z = of.map(mean);
-    return {
-      name,
-      legend,
-      mode: /** @type {const} */ ("markers"),
-      colour,
-      x,
-      y,
-      z,
-    };
+    return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y, z };
   });
   return {
     x: "rest angle φ [°]",

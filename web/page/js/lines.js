@@ -38,10 +38,7 @@ export function linesOf(name, drag) {
   const drawn = block(),
     [ring, dot, hair, box] = ["ring", "dot", "hair", "box"].map(over),
     tip = el("div", { class: "tip small", hidden: true });
-  const all = button("Show all", () => zoom(undefined), {
-    class: "all small",
-    hidden: true,
-  });
+  const all = button("Show all", () => zoom(undefined), { class: "all small", hidden: true });
   const host = el(
     "div",
     {
@@ -199,12 +196,9 @@ export function linesOf(name, drag) {
   /** @param {string} key @returns whether it means something here */
   function pressed(key) {
     pointer = undefined;
-    const step = {
-      ArrowRight: [0, 1],
-      ArrowLeft: [0, -1],
-      ArrowUp: [1, 0],
-      ArrowDown: [-1, 0],
-    }[key];
+    const step = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 0], ArrowDown: [-1, 0] }[
+      key
+    ];
     if (step) walk(step[0], step[1]);
     else if (key === "+" || key === "=") zoomAbout(0.7);
     else if (key === "-") zoomAbout(1 / 0.7);

@@ -101,13 +101,7 @@ export const PAGES = [
     "verified",
     "How accurate the results are, how they were verified, and where the data come from.",
   ],
-].map(([name, place, text, help, about]) => ({
-  name,
-  place,
-  text,
-  help,
-  about,
-}));
+].map(([name, place, text, help, about]) => ({ name, place, text, help, about }));
 /** @param {string} name */
 export const pageOf = (name) => PAGES.find((page) => page.name === name) ?? PAGES[0];
 /** The views of a place. @param {string} place */

@@ -3,11 +3,7 @@ import { clamp, niceUp, number } from "./units.js";
 
 /** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
 export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a"];
-const DASHES = {
-  solid: "",
-  dash: ' stroke-dasharray="7 4"',
-  dot: ' stroke-dasharray="2 3"',
-};
+const DASHES = { solid: "", dash: ' stroke-dasharray="7 4"', dot: ' stroke-dasharray="2 3"' };
 /** Signs of points, from their middle: of no branch, of a muscle that shortens, and that lengthens. */
 const GLYPHS = {
   mean: "m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0",

@@ -41,14 +41,7 @@ async function saved() {
     files: { muscles = [], ...files },
   } = await everything();
   /** @type {Project} */
-  const project = {
-    format: FORMAT,
-    version: 1,
-    muscles,
-    shown: muscle.name,
-    words,
-    files,
-  };
+  const project = { format: FORMAT, version: 1, muscles, shown: muscle.name, words, files };
   return JSON.stringify(project, null, 2) + "\n";
 }
 
@@ -83,10 +76,7 @@ export async function openProject(text) {
   if (read.version > 1)
     throw new Error(`The project has version ${read.version}; this workbench reads version 1.`);
   const one = read.muscles.find(({ name }) => name === read.shown) ?? read.muscles[0];
-  replaceAll({
-    words: read.words ?? {},
-    files: { ...read.files, muscles: read.muscles },
-  });
+  replaceAll({ words: read.words ?? {}, files: { ...read.files, muscles: read.muscles } });
   notice(
     `Opened a project with ${read.muscles.length} ${read.muscles.length === 1 ? "muscle" : "muscles"}.`,
   );

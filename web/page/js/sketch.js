@@ -110,11 +110,7 @@ export function sketched(row, ...keys) {
 
 /** Drawings appear beside rows, and go with the pointer, the focus, or Escape. */
 export function sketches() {
-  const box = el("div", {
-    class: "sketch drawn",
-    role: "tooltip",
-    hidden: true,
-  });
+  const box = el("div", { class: "sketch drawn", role: "tooltip", hidden: true });
   document.body.append(box);
   /** @type {HTMLElement | undefined} */ let of;
   let waits = 0,

@@ -109,21 +109,10 @@ const NAMES = ["rubber", "braid"],
 export const STIFFNESS_NAMES = ["inextensible", "paper"];
 
 /** The prototype at its usual point. @returns {State} */
-export const prototype = () => ({
-  file: "",
-  said: {},
-  p: 0.25,
-  e: 0.15,
-  F: undefined,
-});
+export const prototype = () => ({ file: "", said: {}, p: 0.25, e: 0.15, F: undefined });
 
 /** The state of a muscle file at the same pressure. @param {State} state @param {string} file @returns {State} */
-export const opened = (state, file) => ({
-  ...prototype(),
-  p: state.p,
-  e: state.e,
-  file,
-});
+export const opened = (state, file) => ({ ...prototype(), p: state.p, e: state.e, file });
 
 /** What gives the stiffness of strands, and all of the strands of a sleeve. */
 const SECTION = ["sd", "sE", "strand_area_mm2"],
@@ -202,10 +191,7 @@ export const point = ({ p, e, F }) => ({
 });
 
 /** What is asked of a state: its muscle at its point. @param {State} state */
-export const question = (state) => ({
-  muscle: fields(state),
-  ...point(state),
-});
+export const question = (state) => ({ muscle: fields(state), ...point(state) });
 
 /**
  * The muscle file that says the same: the file itself where nothing is said over it.
@@ -275,11 +261,7 @@ export function words({ file, said, p, e, F }, typed) {
 
 /** Texts of an address that the engine has to read. @param {URLSearchParams} params */
 export function texts(params) {
-  const list = measured().map(({ key, kind }) => ({
-    key,
-    kind,
-    text: params.get(key) ?? "",
-  }));
+  const list = measured().map(({ key, kind }) => ({ key, kind, text: params.get(key) ?? "" }));
   return list.filter(
     ({ key, text }) => params.has(key) && !(key === "k" && STIFFNESS_NAMES.includes(text)),
   );
@@ -364,11 +346,7 @@ export function joint(
 
 /** A step of this muscle's pressure. @param {string} file the muscle's @param {Read} read fields of the form */
 export function motion(file, { model, ...step }) {
-  return {
-    step,
-    muscle: { name: "muscle", text: file },
-    model: { name: model },
-  };
+  return { step, muscle: { name: "muscle", text: file }, model: { name: model } };
 }
 
 /**
@@ -399,11 +377,7 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
  */
 export function candidate(candidate, asked, { p, e }) {
   /** @type {Record<string, number | string>} */
-  const said = {
-    D: candidate.outer_diameter_mm,
-    s: candidate.wall_mm,
-    L: candidate.length_mm,
-  };
+  const said = { D: candidate.outer_diameter_mm, s: candidate.wall_mm, L: candidate.length_mm };
   if (candidate.tube || asked.rubbers?.length) said.rubber = candidate.rubber ?? "";
   if (candidate.sleeve) said.braid = candidate.sleeve;
   else said.angle = candidate.angle_deg;

@@ -40,10 +40,7 @@ export function takeUnits(answer) {
       ...pressure,
       expectation: "a modulus such as 2500MPa or 3.5GPa (a bare number is MPa)",
     });
-  kinds.set("number", {
-    expectation: "a number",
-    units: [{ name: "", multiply: 1, divide: 1 }],
-  });
+  kinds.set("number", { expectation: "a number", units: [{ name: "", multiply: 1, divide: 1 }] });
 }
 
 /** What may be typed; a number alone has the unit that is shown. @param {string} kind */

@@ -134,14 +134,8 @@ export function viewOf(stage, { contract, drawn } = {}) {
     rest = 0;
   /** Of the stage, in pixels of the page; asking for it every time would lay the page out anew. */
   let { clientWidth: width, clientHeight: height } = stage;
-  const canvas = el("canvas", {
-    role: "img",
-    ariaLabel: "The deformed muscle",
-  });
-  const gl = canvas.getContext("webgl2", {
-    antialias: !software(),
-    alpha: true,
-  });
+  const canvas = el("canvas", { role: "img", ariaLabel: "The deformed muscle" });
+  const gl = canvas.getContext("webgl2", { antialias: !software(), alpha: true });
 
   /** @param {WebGL2RenderingContext} gl */
   function prepare(gl) {

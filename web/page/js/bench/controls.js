@@ -18,12 +18,7 @@ import {
 import { braidName, niceUp, partName } from "../units.js";
 
 /** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
-const GROUPS = {
-  tube: "Tube",
-  braid: "Braid",
-  terminals: "Ends",
-  friction: "Friction",
-};
+const GROUPS = { tube: "Tube", braid: "Braid", terminals: "Ends", friction: "Friction" };
 const ORDER = Object.keys(GROUPS);
 
 /** @param {Store} store */

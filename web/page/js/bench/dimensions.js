@@ -67,11 +67,7 @@ export function dimensions(stage, store, view) {
     let from = { x: 0, y: 0, value: 0 };
     dragging(handles[i], (event, settled, begins) => {
       if (begins) {
-        from = {
-          x: event.clientX,
-          y: event.clientY,
-          value: Number(muscle.value(key)),
-        };
+        from = { x: event.clientX, y: event.clientY, value: Number(muscle.value(key)) };
         return event.stopPropagation();
       }
       const seen = view(),

@@ -5,10 +5,7 @@ import { evenly, inside, niceUp, outside, show, showPressure, unitName } from ".
 
 /** @typedef {CurveAnswer["points"][number]} Point */
 /** Which way a muscle moves, behind a name. @type {Record<string, string>} */
-export const MOVES = {
-  contraction: " while it shortens",
-  elongation: " while it lengthens",
-};
+export const MOVES = { contraction: " while it shortens", elongation: " while it lengthens" };
 /** Other models that can be laid over. */
 export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
@@ -42,17 +39,11 @@ export function familyOf(store, measured) {
       allowed = allowedOf(store);
     return {
       top: Math.max(top, ...measured),
-      request: {
-        pressures_mpa: allowed < 1.5 * top ? [...list, allowed] : list,
-        contractions,
-      },
+      request: { pressures_mpa: allowed < 1.5 * top ? [...list, allowed] : list, contractions },
     };
   }
   if (test === "isometric")
-    return {
-      top,
-      request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over },
-    };
+    return { top, request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over } };
   const blocked = store.facts.characteristics?.blocked_force_n ?? 500;
   const forces = [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, Number((x * blocked).toPrecision(2))));
   return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
@@ -167,10 +158,7 @@ export function ownSeries(answer, test, top) {
     const list = answer.points.filter((q) => of(q) === branch);
     const label = i
       ? {}
-      : {
-          end: name,
-          at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end"),
-        };
+      : { end: name, at: /** @type {"start" | "end"} */ (test === "isobaric" ? "start" : "end") };
     const model = /** @type {Series} */ ({
       name: name + (MOVES[branch ?? ""] ?? ""),
       ...label,
@@ -222,13 +210,7 @@ export function along({ arrays, stations, across }) {
     x: `z from the middle [${unit}]`,
     y: `radius [${unit}], strand angle [°]`,
     series: [
-      {
-        name: "outer radius",
-        end: "outer",
-        x,
-        y: radius(across - 1),
-        colour: KINDS[0],
-      },
+      { name: "outer radius", end: "outer", x, y: radius(across - 1), colour: KINDS[0] },
       { name: "inner radius", end: "inner", x, y: radius(0), colour: KINDS[4] },
       {
         name: "strand angle",

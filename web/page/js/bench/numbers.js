@@ -170,12 +170,7 @@ export function partsView(store) {
     note = remark();
   const element = el(
     "div",
-    {
-      class: "breakdown",
-      role: "region",
-      ariaLabel: "Parts of the ±",
-      hidden: true,
-    },
+    { class: "breakdown", role: "region", ariaLabel: "Parts of the ±", hidden: true },
     list,
     note,
   );
@@ -205,9 +200,7 @@ export function partsView(store) {
 
 /** @param {string} name @param {number} value @param {number} most */
 function row(name, value, most) {
-  const bar = el("i", {
-    style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%`,
-  });
+  const bar = el("i", { style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%` });
   return [
     el("dt", PARTS[name] ?? name),
     el("dd", `± ${showForce(value, 2)}`),

@@ -19,11 +19,7 @@ export function pointsView(store, changed) {
   const words = el("span"),
     said = block();
   /** The question of an identification. @param {TextFile} table */
-  const request = (table) => ({
-    muscle: muscle.fields(),
-    data: [table],
-    free: ["modulus"],
-  });
+  const request = (table) => ({ muscle: muscle.fields(), data: [table], free: ["modulus"] });
   // The shear modulus that fits them best becomes the muscle's.
   const fit = job(
     "Fit the rubber",
@@ -73,12 +69,7 @@ export function pointsView(store, changed) {
     ask() {
       const data = measured.file;
       if (!data) return;
-      const asked = {
-        muscle: muscle.fields(),
-        data: [data],
-        models: ["fe"],
-        extrapolate: true,
-      };
+      const asked = { muscle: muscle.fields(), data: [data], models: ["fe"], extrapolate: true };
       const next = JSON.stringify(asked);
       if (next === key) return;
       key = next;

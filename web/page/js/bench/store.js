@@ -122,11 +122,7 @@ export class Store {
   follow() {
     const { state } = muscle;
     this.slots.fact.ask("check", { muscle: muscle.fields(), pressure_mpa: state.p }, (answer) => {
-      this.facts = {
-        ...answer,
-        start: this.facts.start,
-        said: this.facts.said,
-      };
+      this.facts = { ...answer, start: this.facts.start, said: this.facts.said };
       if (muscle.state.said === state.said) {
         muscle.shown = answer;
         this.tell("sync");

@@ -17,10 +17,7 @@ export class Engine {
    * @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { signal } = {}) {
-    const headers = {
-      "content-type": "application/json",
-      accept: "application/octet-stream",
-    };
+    const headers = { "content-type": "application/json", accept: "application/octet-stream" };
     try {
       const answer = await fetch(new URL(command, API), {
         method: "POST",

@@ -43,9 +43,7 @@ class Lane {
     if (this.worker) return this.worker;
     const module = await this.module();
     if (this.worker) return this.worker;
-    const worker = new Worker(new URL("engine/worker.js", SCRIPTS), {
-      type: "module",
-    });
+    const worker = new Worker(new URL("engine/worker.js", SCRIPTS), { type: "module" });
     worker.postMessage({ module });
     worker.onmessage = ({ data }) => this.take(data);
     worker.onerror = (event) => this.end(event.message || "the worker ended");

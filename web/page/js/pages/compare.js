@@ -96,9 +96,7 @@ function sideOf(name, { ask, paint }) {
   const point = new Slot(),
     shape = new Slot({ lane: "state" }),
     curve = new Slot({ lane: "curves" });
-  const back = button("The same muscle again", () => take(""), {
-    hidden: true,
-  });
+  const back = button("The same muscle again", () => take(""), { hidden: true });
   const take = async (/** @type {string} */ text) => {
     await pack(text);
     side.file = text;
@@ -209,9 +207,7 @@ const ROWS = [
 export const mount = (main) => {
   const sides = ["a", "b"].map((name) => sideOf(name, { ask: () => ask(), paint: () => paint() })),
     [, b] = sides;
-  const chart = chartOf("compare", {
-      tools: heading("Pull over contraction"),
-    }),
+  const chart = chartOf("compare", { tools: heading("Pull over contraction") }),
     numbers = block();
   main.replaceChildren(
     block("pair", block("", sides[0].element, numbers, chart.element), b.element),
@@ -245,11 +241,7 @@ export const mount = (main) => {
           )
         : [],
     );
-    chart.show({
-      x: ratioAxis,
-      y: forceAxis(),
-      series,
-    });
+    chart.show({ x: ratioAxis, y: forceAxis(), series });
   }
   onUnits(paint);
   return {

@@ -38,10 +38,7 @@ function identifiedView(answer) {
   });
   return [
     heading("Identified"),
-    table(["constant", "value", "95 %", ""], rows, {
-      text: [0, 3],
-      label: "constants",
-    }),
+    table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }),
     paragraph(
       `Residuals ${showForce(answer.rms_n, 3)} rms, ${showForce(answer.rms_before_n, 3)} before.`,
     ),

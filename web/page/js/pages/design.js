@@ -225,10 +225,7 @@ export const mount = (main) => {
       target.show(found, of);
       map.show(found, of);
     },
-    {
-      fields: spec,
-      shown: [drawn, side, list, target.element, ...map.elements],
-    },
+    { fields: spec, shown: [drawn, side, list, target.element, ...map.elements] },
   );
   const place = () => write(address("design", { ...spec.texts(), m: muscle.word() }));
 

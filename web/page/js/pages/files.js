@@ -98,10 +98,7 @@ function card(title, about, fields, [label, command], request, shown) {
 const readUnits = () => ["pressure", "force", "length"].map(unitName).join(",");
 
 /** The muscle at its pressure, where it has one. */
-const atPressure = () => ({
-  pressure_mpa: muscle.p || undefined,
-  muscle: muscle.fields(),
-});
+const atPressure = () => ({ pressure_mpa: muscle.p || undefined, muscle: muscle.fields() });
 
 const report = () =>
   card(
@@ -303,11 +300,7 @@ const size = (bytes) =>
 
 /** @param {readonly File[]} files @param {string} archive its name without the ending */
 export function filesView(files, archive) {
-  const all = files.map((file) => ({
-    name: file.name,
-    about: file.about,
-    bytes: bytesOf(file),
-  }));
+  const all = files.map((file) => ({ name: file.name, about: file.about, bytes: bytesOf(file) }));
   const rows = all.map(({ name, about, bytes }) =>
     el(
       "li",

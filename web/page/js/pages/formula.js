@@ -129,10 +129,7 @@ function surfaces() {
   const wallTitle = el("h2"),
     diameterTitle = el("h2");
   const overWall = chartOf("map-wall", { tools: wallTitle, tall: true }),
-    overDiameter = chartOf("map-diameter", {
-      tools: diameterTitle,
-      tall: true,
-    });
+    overDiameter = chartOf("map-diameter", { tools: diameterTitle, tall: true });
   const element = el(
       "div",
       { class: "charts", hidden: true },

@@ -79,12 +79,8 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     ),
   );
   const ofFile = remark();
-  const back = button("Use the same muscle twice", () => takeSecond(""), {
-    hidden: true,
-  });
-  const leave = button("Close the joint file", () => takeJoint(""), {
-    hidden: true,
-  });
+  const back = button("Use the same muscle twice", () => takeSecond(""), { hidden: true });
+  const leave = button("Close the joint file", () => takeJoint(""), { hidden: true });
   const element = inputs(
     "Joint",
     ...groups,
@@ -226,11 +222,7 @@ export const mount = (main) => {
   /** @type {JointAnswer["map"]} */ let reached;
   /** The file that says what the muscle of the page Muscle is. */
   let first = "";
-  const arm = el("div", {
-      class: "stage",
-      role: "img",
-      ariaLabel: "The joint",
-    }),
+  const arm = el("div", { class: "stage", role: "img", ariaLabel: "The joint" }),
     numbers = el("section", { class: "numbers", ariaLabel: "Numbers" }),
     said = block(),
     notes = block();
@@ -272,11 +264,7 @@ export const mount = (main) => {
       stale(false);
       said.replaceChildren();
       notes.replaceChildren(warnings(answer.warnings));
-      point = {
-        ...answer.points[0],
-        model: answer.model,
-        words: answer.uncertainty_text,
-      };
+      point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
       paint();
     },
     fail(problem) {
@@ -289,10 +277,7 @@ export const mount = (main) => {
       torque.show(torqueChart(family, point));
     },
   });
-  const move = moveBox(v, (list) => ({
-    ...joint.request(first),
-    ...wanted(v, list),
-  }));
+  const move = moveBox(v, (list) => ({ ...joint.request(first), ...wanted(v, list) }));
   element.append(move.element);
   main.replaceChildren(
     block(

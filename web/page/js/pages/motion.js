@@ -120,9 +120,7 @@ function driveBox(take) {
   const words = remark(),
     said = block();
   const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
-  const leave = button("Close the drive file", () => take(""), {
-    hidden: true,
-  });
+  const leave = button("Close the drive file", () => take(""), { hidden: true });
   const samples = EXAMPLES.map(([text, name]) =>
     button(text, () => example(name).then(take).catch(fail)),
   );
@@ -148,9 +146,7 @@ function driveBox(take) {
 
 /** Pressure and way over time. */
 function chartsOf() {
-  const pressure = chartOf("motion-pressure", {
-    tools: heading("Pressure over time"),
-  });
+  const pressure = chartOf("motion-pressure", { tools: heading("Pressure over time") });
   const title = el("h2"),
     way = chartOf("motion-contraction", { tools: title });
   return {

@@ -49,11 +49,7 @@ const LISTS = {
         low: t.outer_diameter_mm,
         high: t.outer_diameter_mm,
         words: `${t.source} ${t.note}`,
-        said: {
-          D: t.outer_diameter_mm,
-          s: Number(t.wall_mm.toPrecision(12)),
-          rubber: t.rubber,
-        },
+        said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
         cells: [
           showLength(t.inner_diameter_mm),
           showLength(t.outer_diameter_mm),
@@ -266,11 +262,7 @@ export const mount = (main) => {
           const kinds = await Promise.all(
             LISTED.map((kind) => engine().ask("parts-list", { kind })),
           );
-          parts = {
-            ...kinds[0],
-            sleeves: kinds[1].sleeves,
-            rubbers: kinds[2].rubbers,
-          };
+          parts = { ...kinds[0], sleeves: kinds[1].sleeves, rubbers: kinds[2].rubbers };
         }
         paint();
       } catch (problem) {

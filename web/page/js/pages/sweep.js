@@ -61,10 +61,7 @@ export const mount = (main) => {
   const box = block(),
     said = block(),
     title = heading("Sweep");
-  const bar = el("progress", {
-    hidden: true,
-    ariaLabel: "Progress of the sweep",
-  });
+  const bar = el("progress", { hidden: true, ariaLabel: "Progress of the sweep" });
   const chart = chartOf("sweep", { tools: title, tall: true });
   main.replaceChildren(
     bench(
@@ -146,10 +143,7 @@ export const mount = (main) => {
     try {
       return {
         value,
-        answer: await engine().ask("shape", question(of), {
-          lane: "curves",
-          signal,
-        }),
+        answer: await engine().ask("shape", question(of), { lane: "curves", signal }),
       };
     } catch (thrown) {
       const { kind, message } = problemOf(thrown);
@@ -215,10 +209,7 @@ export const mount = (main) => {
         /** @type {string} */ key,
         /** @type {string} */ usual,
       ) => (list.some((one) => one.key === params.get(key)) ? (params.get(key) ?? usual) : usual);
-      Object.assign(asked, {
-        x: known(measures, "x", "p"),
-        y: known(RESULTS, "y", "F"),
-      });
+      Object.assign(asked, { x: known(measures, "x", "p"), y: known(RESULTS, "y", "F") });
       what.set(asked.x);
       result.set(asked.y);
       ask();
