@@ -27,6 +27,8 @@ for (let i = 0; i < 5; i++) {
   await page.getByRole("heading", { name: /^A McKibben muscle is/ }).waitFor();
   const pull = page.getByLabel("It must pull", { exact: true });
   const head = page.locator(".question h2").filter({ hasText: /^Yes: set/ });
+  // A folder of files asks its large engine once somebody is about to.
+  await pull.focus();
   await head.waitFor();
   const before = await head.innerText();
   await page.waitForTimeout(4000);

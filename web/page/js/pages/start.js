@@ -144,11 +144,7 @@ export const mount = (main) => {
     paint();
     // The first answer comes first.
     const first = chosen;
-    search(first, request, () =>
-      WISHES.forEach((_, i) => {
-        if (i !== first) search(i, request);
-      }),
-    );
+    search(first, request, () => WISHES.forEach((_, i) => i !== first && search(i, request)));
   }
   // The picture says it, and a drawing would hide the answer.
   for (const { row } of fields.rows.values()) delete row.dataset.sketch;
@@ -182,7 +178,7 @@ export const mount = (main) => {
     ),
   );
   // A page that brings its engine loads that of the search when it is asked for.
-  const isLarge = engine().files.length;
+  const isLarge = engine().files?.length;
   lift.show(REFERENCE);
   return {
     async load() {
