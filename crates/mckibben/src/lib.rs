@@ -27,8 +27,9 @@
 //! | `campaign` | many finite-element tests from a plan, formulas fitted to them |
 //! | `export` | code for controllers and simulators |
 //! | `threads` | searches, lists of points and campaigns on all cores |
+//! | `whole` | every model by name, and the keys that there are in errors of files |
 //!
-//! The first four and `threads` are in the default. Without any there are muscles, rubbers, the
+//! The first four, `threads` and `whole` are in the default. Without any there are muscles, rubbers, the
 //! closed forms with their inverses, and joints.
 
 #![warn(missing_docs)]

@@ -8,18 +8,17 @@
 //! is checked, a muscle that would have to push is slack.
 
 mod point;
-use point::Known;
 pub use point::with_parameters;
 
 use crate::{
-    AskFields, Model, ModelFields, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
-    burst_of, check_branch, finite, ratio,
+    AskFields, Model, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of,
+    check_branch, finite, ratio,
 };
 use mckibben::gradient;
 use mckibben_core::{
-    analysis::Evaluation,
+    analysis::{Burst, Evaluation},
     answer::{Answer, Options},
-    model::{ForceModel, ModelInfo, Reference, Workspace},
+    model::{ForceModel, ModelInfo, ModelKind, Reference, Workspace},
     muscle::Muscle,
     progress::Progress,
     threads::{self, Threads},
@@ -39,8 +38,8 @@ use std::{
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PointQuantity {
-    #[default]
     /// F in N, of P in MPa and ε.
+    #[default]
     Force,
     /// P in MPa, of F in N and ε.
     Pressure,
@@ -66,7 +65,7 @@ pub struct Many {
 impl Many {
     /// Numbers of a point in the output: the answer, then the derivatives.
     pub fn width(&self) -> usize {
-        1 + if self.slopes { 2 } else { 0 } + self.parameters.len()
+        1 + 2 * usize::from(self.slopes) + self.parameters.len()
     }
 }
 
@@ -91,16 +90,17 @@ impl From<Problem> for ArrayError {
 const BLOCK: usize = 1024;
 /// Points of finite elements that one thread takes.
 const BLOCK_OF_ELEMENTS: usize = 32;
-/// Contractions at which a muscle is looked at for what is to be said of it.
-const PROBED: [f64; 6] = [0.0, 0.1, 0.2, 0.25, 0.3, 0.35];
-
 /// A model bound to its muscle.
 pub struct BoundModel {
     pub(crate) model: Box<dyn ForceModel>,
     pub(crate) options: Options,
     pub(crate) choice: Model,
-    quiet: OnceLock<(f64, f64)>,
+    quiet: OnceLock<Quiet>,
 }
+
+/// By what the pressures of a muscle are judged; and pressure in MPa and contraction up to which
+/// nothing is to be said of it.
+type Quiet = (Burst, (f64, f64));
 
 impl BoundModel {
     /// The model of this muscle, and how it is asked.
@@ -140,11 +140,12 @@ impl BoundModel {
         points: &[(f64, f64)],
         progress: &dyn Progress,
     ) -> Result<Vec<Result<Answer>>> {
+        let burst = burst_of(&self.choice, &*self.model)?;
         let done = AtomicUsize::new(0);
         let answer = |&(p, e): &(f64, f64)| {
             let p = finite("pressure_mpa", p)?;
             let e = ratio(e)?;
-            let answer = self.point(&mut Workspace::new(), p, e)?;
+            let answer = self.point(&burst, &mut Workspace::new(), p, e)?;
             progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, points.len());
             Ok(answer)
         };
@@ -153,9 +154,9 @@ impl BoundModel {
         Ok(answers)
     }
 
-    /// Pressure in MPa and contraction up to which nothing is to be said of the muscle; with finite
-    /// elements those of the infinitely long muscle.
-    fn quiet(&self) -> Result<(f64, f64)> {
+    /// Up to where nothing is to be said of the muscle; with finite elements of the infinitely long
+    /// muscle.
+    fn quiet(&self) -> Result<Quiet> {
         if let Some(known) = self.quiet.get() {
             return Ok(*known);
         }
@@ -163,24 +164,26 @@ impl BoundModel {
         let allowed_mpa = burst.allowed().map_or(QUIET_MPA, |allowed| allowed.mpa);
         let highest_mpa = allowed_mpa.min(self.info().range.pressure_mpa.1);
         let choice = if self.is_elements() {
-            ModelFields::named("thick-wall").choose()?
+            ModelKind::ThickWall.into()
         } else {
             self.choice.clone()
         };
         let model = choice.bound(self.muscle())?;
         let workspace = &mut Workspace::new();
-        let mut is_quiet = |&(p, e): &(f64, f64)| {
+        let mut is_quiet = |p: f64, e: f64| {
             let answer = Evaluation::new(&*model, workspace, self.options).point(p, e);
-            answer.map_or(true, |answer| answer.warnings.is_empty())
+            burst.warnings(p, QUIET_MPA).is_empty()
+                && answer.map_or(true, |answer| answer.warnings.is_empty())
         };
         let quiet = [1.0, 0.5, 0.25].into_iter().find_map(|share| {
-            let points = PROBED.map(|e| (share * highest_mpa, e)).into_iter();
-            points
-                .take_while(&mut is_quiet)
-                .last()
-                .filter(|at| at.1 > 0.1)
+            let p = share * highest_mpa;
+            let probed = [0.0, 0.1, 0.2, 0.25, 0.3, 0.35].into_iter();
+            let e = probed.take_while(|e| is_quiet(p, *e)).last()?;
+            (e > 0.1).then_some((p, e))
         });
-        Ok(*self.quiet.get_or_init(|| quiet.unwrap_or_default()))
+        Ok(*self
+            .quiet
+            .get_or_init(|| (burst, quiet.unwrap_or_default())))
     }
 
     /// Whether a point takes finite elements, and so about a million times as long as a formula.
@@ -210,8 +213,10 @@ impl BoundModel {
     ) -> Result<Vec<Warning>, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
         if count != other || count.checked_mul(width) != Some(out.len()) {
-            let places = out.len();
-            let message = format!("{count} and {other} numbers for {places} places of {width}");
+            let message = format!(
+                "{count} and {other} numbers for {} places of {width}",
+                out.len()
+            );
             return Err(ProblemKind::Usage.problem(message).into());
         }
         let quiet = many.warnings.then(|| self.quiet()).transpose()?;
@@ -230,21 +235,15 @@ impl BoundModel {
                 return;
             }
             let pairs = pairs.map(|list| list.get(from..from + length).unwrap_or_default());
-            let known = Known {
-                quiet,
-                ..Known::default()
-            };
-            let block = self.block(pairs, many, known, places);
+            let block = self.block((from, pairs), many, quiet, places);
             if block.is_err() {
                 first_failed.fetch_min(from, Ordering::Relaxed);
             }
-            let block = block.map_err(|(index, problem)| ArrayError {
-                index: Some(from + index),
-                problem,
-            });
             // Whoever panicked with it left it whole.
-            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-            found.insert(from, block);
+            let found = found.lock();
+            found
+                .unwrap_or_else(PoisonError::into_inner)
+                .insert(from, block);
             progress.report(done.fetch_add(length, Ordering::Relaxed) + length, count);
         };
         // A look at the threads of the process takes as long as some hundred points.
@@ -255,7 +254,7 @@ impl BoundModel {
         }
         progress.check().map_err(Problem::from)?;
         let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let said: Vec<Vec<Warning>> = found.into_values().collect::<Result<_, _>>()?;
+        let said = found.into_values().collect::<Result<Vec<_>, _>>()?;
         Ok(Warning::gravest(said.iter().flatten()))
     }
 }

@@ -10,11 +10,15 @@
 //! degrees). F_θ holds all other constants and measures: by the diameter, say, the strands' k in
 //! N/mm stays what it is, also where the braid's k follows the diameter.
 
-use super::{BoundModel, Many, PointQuantity};
-use crate::{Problem, ProblemKind, QUIET_MPA, Result, burst_of, finite, ratio};
+use super::{ArrayError, BoundModel, Many, PointQuantity, Quiet};
+use crate::{Problem, ProblemKind, QUIET_MPA, Result, finite, ratio};
 use mckibben::gradient::{self, GradientError};
 use mckibben_core::{
-    analysis::Evaluation, answer::Answer, cancel, model::Workspace, muscle::Muscle,
+    analysis::{Burst, Evaluation},
+    answer::Answer,
+    cancel,
+    model::Workspace,
+    muscle::Muscle,
     warning::Warning,
 };
 use std::f64::consts::PI;
@@ -23,36 +27,40 @@ use std::f64::consts::PI;
 const ROUNDING: f64 = 1e-9;
 
 /// What is known of a muscle while a block is answered.
-#[derive(Default)]
-pub(super) struct Known {
-    /// Pressure and contraction up to which nothing is to be said of it; nothing at all where they
-    /// are none.
-    pub quiet: Option<(f64, f64)>,
+struct Known {
+    /// Up to where nothing is to be said of it; nothing at all where there is none.
+    quiet: Option<Quiet>,
     /// A pressure, and a contraction from which on it is slack there: finite elements that push
     /// take long.
-    pub free: Option<(f64, f64)>,
-    pub said: Vec<Warning>,
+    free: Option<(f64, f64)>,
+    said: Vec<Warning>,
 }
 
 impl BoundModel {
-    /// Answers a block; what is to be said of it, or the first point without an answer and its
-    /// reason.
+    /// Answers a block of points, of which the first is the one at the place `from` of all; what is
+    /// to be said of them.
     pub(super) fn block(
         &self,
-        [first, second]: [&[f64]; 2],
+        (from, [first, second]): (usize, [&[f64]; 2]),
         many: &Many,
-        mut known: Known,
+        quiet: Option<Quiet>,
         out: &mut [f64],
-    ) -> Result<Vec<Warning>, (usize, Problem)> {
+    ) -> Result<Vec<Warning>, ArrayError> {
+        let known = &mut Known {
+            quiet,
+            free: None,
+            said: vec![],
+        };
         let pairs = first.iter().zip(second).zip(out.chunks_mut(many.width()));
         for (index, ((&a, &b), places)) in pairs.enumerate() {
             // A point has the same digits alone and among others: nothing is kept of the one
             // before.
-            match self.answer_point((a, b), many, &mut Workspace::new(), &mut known, places) {
+            match self.answer_point((a, b), many, &mut Workspace::new(), known, places) {
                 Ok(()) => {}
                 // Work that is to end says so of every point.
                 Err(problem) if !many.nan || cancel::check().is_err() => {
-                    return Err((index, problem));
+                    let index = Some(from + index);
+                    return Err(ArrayError { index, problem });
                 }
                 Err(_) => places.fill(f64::NAN),
             }
@@ -67,13 +75,11 @@ impl BoundModel {
         (p, e): (f64, f64),
         known: &mut Known,
     ) -> Result<Option<f64>> {
-        if known
-            .quiet
-            .is_none_or(|most| p <= most.0 && (0.0..=most.1).contains(&e))
-        {
+        let is_loud = |(_, most): &Quiet| p > most.0 || !(0.0..=most.1).contains(&e);
+        let Some((burst, _)) = known.quiet.filter(is_loud) else {
             return Ok(None);
-        }
-        let answer = self.point(workspace, p, e)?;
+        };
+        let answer = self.point(&burst, workspace, p, e)?;
         known.free = answer.free_contraction.map(|e| (p, e)).or(known.free);
         known.said.extend(answer.warnings);
         Ok(Some(answer.response.force_n))
@@ -84,8 +90,7 @@ impl BoundModel {
     }
 
     /// All that is known of a point but P′, and what is to be said of it.
-    pub(super) fn point(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Answer> {
-        let burst = burst_of(&self.choice, &*self.model)?;
+    pub(super) fn point(&self, burst: &Burst, w: &mut Workspace, p: f64, e: f64) -> Result<Answer> {
         let mut answer = self.evaluation(w).point(p, e)?;
         Warning::put_first(&mut answer.warnings, burst.warnings(p, QUIET_MPA));
         Ok(answer)
@@ -100,24 +105,21 @@ impl BoundModel {
         known: &mut Known,
         places: &mut [f64],
     ) -> Result<()> {
-        let value = match many.wanted {
+        let (value, p, e) = match many.wanted {
             PointQuantity::Force => {
-                let at = (finite("pressure_mpa", a)?, ratio(b)?);
-                self.force(workspace, at, known)?
+                let (p, e) = (finite("pressure_mpa", a)?, ratio(b)?);
+                (self.force(workspace, (p, e), known)?, p, e)
             }
             PointQuantity::Pressure => {
-                let (pull_n, e) = (self.pull(a)?, ratio(b)?);
-                self.evaluation(workspace).sought_pressure(pull_n, e)?
+                let (f, e) = (self.pull(a)?, ratio(b)?);
+                let p = self.evaluation(workspace).sought_pressure(f, e)?;
+                (p, p, e)
             }
             PointQuantity::Contraction => {
-                let (pull_n, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
-                self.evaluation(workspace).sought_contraction(pull_n, p)?
+                let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
+                let e = self.evaluation(workspace).sought_contraction(f, p)?;
+                (e, p, e)
             }
-        };
-        let (p, e) = match many.wanted {
-            PointQuantity::Force => (a, b),
-            PointQuantity::Pressure => (value, b),
-            PointQuantity::Contraction => (b, value),
         };
         let is_force = many.wanted == PointQuantity::Force;
         if !is_force {
@@ -176,7 +178,7 @@ impl BoundModel {
     }
 
     /// The derivatives that `many` wants at a point of the model, into `places`.
-    pub(super) fn slopes(
+    fn slopes(
         &self,
         workspace: &mut Workspace,
         (p, e): (f64, f64),
@@ -184,7 +186,7 @@ impl BoundModel {
         places: &mut [f64],
     ) -> Result<()> {
         // ∂F/∂θ first: finite elements then have the equilibrium of this very point.
-        let (by_pair, by_parameters) = places.split_at_mut(if many.slopes { 2 } else { 0 });
+        let (by_pair, by_parameters) = places.split_at_mut(2 * usize::from(many.slopes));
         let of = (Some(&self.choice), &*self.model);
         let known = gradient::by_parameters(of, self.options, workspace, (p, e), &many.parameters)?;
         by_parameters.copy_from_slice(&known);
