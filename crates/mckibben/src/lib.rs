@@ -30,7 +30,7 @@
 //! | `whole` | every model by name, and the keys that there are in errors of files |
 //!
 //! The first four, `threads` and `whole` are in the default. Without any there are muscles, rubbers, the
-//! closed forms with their inverses, and joints.
+//! closed forms (with `whole`) with their inverses, and joints.
 
 #![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
