@@ -14,8 +14,8 @@ function parse(of = location.hash) {
 export const isLocal = () => /^(localhost|127\.|\[::1\])/.test(location.hostname);
 
 /**
- * The page of the address, with its words; those that a damaged link has lost. Of one that changes meanwhile, the new
- * one: what was typed counts.
+ * The page of the address, with its words; those that a damaged link has lost. Of one that changes
+ * meanwhile, the new one: what was typed counts.
  * @returns {Promise<{ page: string, params: URLSearchParams, lost: string[] }>}
  */
 export async function read() {
@@ -35,7 +35,10 @@ export async function read() {
   return { page, params, lost };
 }
 
-/** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */
+/**
+ * Readable: blanks as +, and no escapes where an address needs none.
+ * @param {URLSearchParams} params
+ */
 const readable = (params) => params.toString().replace(/%(2C|3A|2F|40)/g, decodeURIComponent);
 
 /** Words as the query of an address. @param {Record<string, string | undefined>} params */
@@ -55,8 +58,8 @@ const written = signal();
 export const onWritten = written.stay;
 
 /**
- * Puts it into the address in place of the present one: entries of the history are pages. A page that is left before
- * its answer came does not write over the address of the next one.
+ * Puts it into the address in place of the present one: entries of the history are pages. A page
+ * that is left before its answer came does not write over the address of the next one.
  * @param {string} to
  */
 export function write(to) {
@@ -66,7 +69,8 @@ export function write(to) {
   written.tell();
 }
 
-// Long texts, compressed: `z:` and base64url of raw deflate. A text that begins so is no muscle file.
+// Long texts, compressed: `z:` and base64url of raw deflate. A text that begins so is no muscle
+// file.
 const MARK = "z:";
 /** So long a text is at most that a link may hold, in bytes. */
 const MOST = 4_000_000;
@@ -77,7 +81,8 @@ const ALPHABET = /** @type {const} */ ({ alphabet: "base64url", omitPadding: tru
 
 /** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
 /**
- * @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through @param {number} [most]
+ * @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through
+ * @param {number} [most]
  * @returns {Promise<Uint8Array>}
  */
 export async function piped(bytes, through, most = MOST) {

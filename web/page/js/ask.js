@@ -27,7 +27,8 @@ export async function understood(texts) {
 }
 
 /**
- * Answers of long work, the newest last: who comes back to a page has them at once. The engine is deterministic.
+ * Answers of long work, the newest last: who comes back to a page has them at once. The engine is
+ * deterministic.
  * @type {Map<string, unknown>}
  */
 const answers = new Map();
@@ -48,10 +49,15 @@ export async function longWork(command, request, options) {
   return answer;
 }
 
-/** So long a question may hold up a newer one of its place, in milliseconds; then it is given up. */
+/**
+ * So long a question may hold up a newer one of its place, in milliseconds; then it is given up.
+ */
 const PATIENCE = 1500;
 
-/** A place for questions of a page: one is on its way at most, and of those that wait only the newest is asked. */
+/**
+ * A place for questions of a page: one is on its way at most, and of those that wait only the
+ * newest is asked.
+ */
 export class Slot {
   /** @type {AbortController | undefined} */ flying;
   /** @type {(() => void) | undefined} */ waiting;
@@ -69,7 +75,8 @@ export class Slot {
   /**
    * Asks, or waits for the question before.
    * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
-   * @param {(answer: Commands[K]["answer"]) => void} take @param {(problem: Problem) => void} [fail]
+   * @param {(answer: Commands[K]["answer"]) => void} take
+   * @param {(problem: Problem) => void} [fail]
    */
   ask(command, request, take, fail) {
     const go = async () => {

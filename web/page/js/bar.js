@@ -1,4 +1,5 @@
-// The muscle of all pages, above them: its picture and name, undo and redo, save, open, share, project, print.
+// The muscle of all pages, above them: its picture and name, undo and redo, save, open, share,
+// project, print.
 import { isLocal } from "./address.js";
 import { button, byId, download, el, menu, notice, noticeProblem, textField } from "./dom.js";
 import { muscle } from "./muscle.js";
@@ -15,7 +16,10 @@ async function save() {
   }
 }
 
-/** The name as a field: it is part of the link, and of the file that is saved. @param {() => void} renamed */
+/**
+ * The name as a field: it is part of the link, and of the file that is saved.
+ * @param {() => void} renamed
+ */
 function nameField(renamed) {
   const field = textField({
     ariaLabel: "Name of the muscle",

@@ -1,5 +1,5 @@
-// A muscle from the side as SVG, in millimetres or any other measure: woven strands over a tube that bulges between its
-// ends. The left end of the tube is at 0, its axis too.
+// A muscle from the side as SVG, in millimetres or any other measure: woven strands over a tube
+// that bulges between its ends. The left end of the tube is at 0, its axis too.
 
 /**
  * What gives a picture of a view, by its canvas: it is drawn for it.
@@ -11,7 +11,8 @@ let count = 0;
 const short = (/** @type {number} */ v) => Number(v.toPrecision(5));
 
 /**
- * What a muscle of these measures has at a contraction, by strands that do not stretch: diameter and strand angle.
+ * What a muscle of these measures has at a contraction, by strands that do not stretch: diameter
+ * and strand angle.
  * @param {number} diameter @param {number} angle in degrees @param {number} contraction
  */
 export function contracted(diameter, angle, contraction) {
@@ -24,7 +25,8 @@ export function contracted(diameter, angle, contraction) {
 }
 
 /**
- * @param {{ length: number, diameter: number, bulged?: number, angle?: number | null, fill?: string,
+ * @param {{ length: number, diameter: number, bulged?: number, angle?: number | null, fill?:
+ * string,
  *   thread?: string }} of as it is now; the strand angle is that of its middle
  */
 export function body({

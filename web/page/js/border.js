@@ -1,12 +1,14 @@
-// The border of what fits, on a grid of muscles: where the margin of the limit is zero between a muscle that fits and
-// its neighbour that does not. Pure functions of numbers.
+// The border of what fits, on a grid of muscles: where the margin of the limit is zero between a
+// muscle that fits and its neighbour that does not. Pure functions of numbers.
 
 /** Limits whose margin a muscle that fits states too. */
 export const OF_PULL = ["force", "points", "contraction"];
 
 /**
- * How far from a muscle that fits the border lies towards a neighbour that does not, as a share of their distance.
- * @param {GridNode} fits @param {GridNode} fails @param {GridNode | undefined} beyond the next one behind
+ * How far from a muscle that fits the border lies towards a neighbour that does not, as a share of
+ * their distance.
+ * @param {GridNode} fits @param {GridNode} fails
+ * @param {GridNode | undefined} beyond the next one behind
  */
 function crossing(fits, fails, beyond) {
   const within = (/** @type {number} */ t) => Math.min(0.98, Math.max(0.02, t));
@@ -27,7 +29,9 @@ export function border({ x, y, nodes }) {
   // The map ends where its muscles do.
   const place = (/** @type {number[]} */ list, /** @type {number} */ i) =>
     list[Math.min(list.length - 1, Math.max(0, i))];
-  /** Where the border crosses an edge of a cell. @param {number[]} edge its beginning, and its way */
+  /**
+   * Where the border crosses an edge of a cell. @param {number[]} edge its beginning, and its way
+   */
   const cross = ([i, j, di, dj]) => {
     const [a, b] = [node(i, j), node(i + di, j + dj)];
     const t = a.fits

@@ -10,7 +10,10 @@ import { builtPull, clamp, number, outside } from "./units.js";
 
 export { KINDS };
 
-/** Viridis between 0 and 1 as red, green and blue. @param {number} share @param {number} most of the map */
+/**
+ * Viridis between 0 and 1 as red, green and blue.
+ * @param {number} share @param {number} most of the map
+ */
 export function viridisAt(share, most) {
   const t = clamp(share, 0, 1) * most * (VIRIDIS.length - 1);
   const i = Math.min(VIRIDIS.length - 2, Math.floor(t));
@@ -20,12 +23,16 @@ export function viridisAt(share, most) {
 export const viridis = (share, most = 0.82) => `rgb(${viridisAt(share, most).join(",")})`;
 /** The colour of a share, to be seen on the page. @param {number} share */
 export const shade = (share) => (isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share));
-/** The colour of a pressure: the same in every chart of a page. @param {number} pressure @param {number} top */
+/**
+ * The colour of a pressure: the same in every chart of a page.
+ * @param {number} pressure @param {number} top
+ */
 export const pressureColour = (pressure, top) => shade(pressure / top);
 /** @typedef {ReturnType<typeof chartOf>} Chart */
 /**
  * @param {string} name of its files
- * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => unknown }} [options]
+ * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) =>
+ * unknown }} [options]
  */
 export function chartOf(name, { tools, tall, drag } = {}) {
   const lines = linesOf(name, drag),
@@ -106,8 +113,8 @@ export function chartOf(name, { tools, tall, drag } = {}) {
 }
 
 /**
- * Points of an isobaric curve as a line of pull over contraction in %; it ends at the free contraction, wherever the
- * points lie.
+ * Points of an isobaric curve as a line of pull over contraction in %; it ends at the free
+ * contraction, wherever the points lie.
  * @param {Commands["curve"]["answer"]["points"]} points
  */
 export function isobar(points) {
@@ -127,10 +134,13 @@ export function isobar(points) {
   };
 }
 
-/** What a muscle that is built pulls, where it is known. @param {Parameters<typeof builtPull>[0]} q */
+/**
+ * What a muscle that is built pulls, where it is known. @param {Parameters<typeof builtPull>[0]} q
+ */
 export const builtAt = (q) => builtPull(q).map((n) => outside("force", n));
 /**
- * A model's curve, and that of a muscle that is built: its median, dashed, in its interval, where it is known.
+ * A model's curve, and that of a muscle that is built: its median, dashed, in its interval, where
+ * it is known.
  * @param {Series} model @param {number[]} x @param {number[][]} list median, low and high at each
  * @returns {Series[]}
  */

@@ -1,7 +1,9 @@
 // Tables of measured points: their cells, what columns were read as, and a grid to type in.
 import { block, el, folded, textField } from "./dom.js";
 
-/** Lines that a grid shows at most: those behind them stay as they are; and empty ones to type in. */
+/**
+ * Lines that a grid shows at most: those behind them stay as they are; and empty ones to type in.
+ */
 const SHOWN = 200,
   FREE = 4;
 
@@ -12,7 +14,10 @@ function cellsOf(text) {
   return lines.map((line) => line.split(separator).map((f) => f.trim().replace(/^"|"$/g, "")));
 }
 
-/** The remarks that a table begins with, and its cells; a last remark may be its heading. @param {string} text */
+/**
+ * The remarks that a table begins with, and its cells; a last remark may be its heading.
+ * @param {string} text
+ */
 function tableOf(text) {
   const [, remarks, rest] = /^((?:#.*\n)*)([^]*)$/.exec(text) ?? [],
     hasHead = /^.*\p{L}/u.test(rest),
@@ -28,7 +33,10 @@ export const headings = (text) =>
     (fields) => fields.length > 1 && fields.some((f) => /\p{L}/u.test(f)),
   ) ?? [];
 
-/** What columns were read as. @param {{ column: string, quantity: string, unit?: string | null }[]} list */
+/**
+ * What columns were read as.
+ * @param {{ column: string, quantity: string, unit?: string | null }[]} list
+ */
 export const columnLine = (list) =>
   list
     .map((c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`)

@@ -38,15 +38,18 @@ const STEPS = {
 };
 
 /**
- * `change` is called at every step, with `settled` at the end of a gesture. Without a value the field is empty; one
- * that `clears` may be emptied, and then has the usual value.
+ * `change` is called at every step, with `settled` at the end of a gesture. Without a value the
+ * field is empty; one that `clears` may be emptied, and then has the usual value.
  * @typedef {{ key?: string, field?: string, label: string, symbol?: string, about?: string,
  *   kind: Kind, unit?: string, value?: number, above?: number, minimum?: number, maximum?: number,
  *   usual?: number, low?: number, high?: number, around?: boolean, clears?: boolean,
  *   change: (value: number | undefined, settled: boolean) => void }} Spec
  */
 
-/** What is said below a field: a note, or what is wrong with it. @param {HTMLElement} field @param {HTMLElement} box */
+/**
+ * What is said below a field: a note, or what is wrong with it.
+ * @param {HTMLElement} field @param {HTMLElement} box
+ */
 export const saying =
   (field, box) =>
   (text = "", wrong = false) => {
@@ -62,7 +65,8 @@ export function quantity(spec) {
     id = `q${++count}`;
   let { value: now, low = NaN, high = NaN } = spec;
   /**
-   * The value as the page wrote it into the field; nothing where the value changed under a text of somebody.
+   * The value as the page wrote it into the field; nothing where the value changed under a text of
+   * somebody.
    * @type {string | undefined}
    */
   let painted = "";
@@ -88,7 +92,11 @@ export function quantity(spec) {
 
   /** Whether somebody is typing. */
   const typing = () => document.activeElement === field && field.value !== painted;
-  /** A value as it stands in the field; with its sign where it is in %, so that it can be read again. @param {number} v */
+  /**
+   * A value as it stands in the field; with its sign where it is in %, so that it can be read
+   * again.
+   * @param {number} v
+   */
   const asText = (v) => number(outside(kind, v), 6) + (kind === "ratio" ? " %" : "");
   /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
   const step = () =>
@@ -125,7 +133,8 @@ export function quantity(spec) {
   /** What was typed. */
   async function read() {
     const text = field.value.trim();
-    // What the page wrote is not read again: it may have fewer digits than the value. What is being read is given up.
+    // What the page wrote is not read again: it may have fewer digits than the value. What is being
+    // read is given up.
     if (text === painted && (now === undefined || !field.ariaInvalid)) {
       turn++;
       return;
@@ -152,7 +161,10 @@ export function quantity(spec) {
     hint();
   }
 
-  /** Writes into the field; a selection of all of it stays, so that typing replaces it. @param {string} text */
+  /**
+   * Writes into the field; a selection of all of it stays, so that typing replaces it.
+   * @param {string} text
+   */
   function write(text) {
     const { selectionStart, selectionEnd, value } = field;
     const whole =
@@ -213,14 +225,19 @@ export function quantity(spec) {
       if (!fieldToo) painted = undefined;
       paint(fieldToo);
     },
-    /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
+    /**
+     * What is wrong with it, said by the engine; empty where nothing is. @param {string} message
+     */
     mark(message) {
       if (message) return tell(message, true);
       if (!field.ariaInvalid) return;
       tell();
       paint(!typing());
     },
-    /** Ends from 0.3 to 3 times its value, within limits. @param {number} [least] @param {number} [most] */
+    /**
+     * Ends from 0.3 to 3 times its value, within limits.
+     * @param {number} [least] @param {number} [most]
+     */
     anchor(least = 0, most = Infinity) {
       if (around && now) reach(Math.max(least, 0.3 * now), Math.min(most, 3 * now));
     },
@@ -277,7 +294,10 @@ export async function textOf(file) {
 
 /** Names of tables end so. */
 export const TABLES = ".csv,.txt,.tsv,.xlsx,.ods";
-/** Boxes that take a file which is dropped on them. @type {WeakMap<Element, (file: File | undefined) => void>} */
+/**
+ * Boxes that take a file which is dropped on them.
+ * @type {WeakMap<Element, (file: File | undefined) => void>}
+ */
 export const boxes = new WeakMap();
 
 /**

@@ -1,5 +1,5 @@
-// The map of a design: what fits over diameter and wall, by `universal`: the pressure that each muscle needs, and the
-// limit that others miss.
+// The map of a design: what fits over diameter and wall, by `universal`: the pressure that each
+// muscle needs, and the limit that others miss.
 import { Slot } from "./ask.js";
 import { OF_PULL, border, extended, inside } from "./border.js";
 import { chartOf, KINDS, viridisAt } from "./chart.js";
@@ -21,7 +21,10 @@ const ACROSS = 29,
 /** The same while the target is dragged. */
 const LIVE = { across: 15, up: 13, finer: 6 };
 
-/** @param {(candidate: Chosen, at: { p: number, e: number }) => string} linked the address of a muscle */
+/**
+ * @param {(candidate: Chosen, at: { p: number, e: number }) => string} linked the address of a
+ * muscle
+ */
 export function designMap(linked) {
   /** @type {Design["answer"] | undefined} */ let answer;
   /** @type {Design["request"]} */ let of = {};
@@ -77,7 +80,10 @@ export function designMap(linked) {
   return {
     elements: [picked, feasible.element],
     draw,
-    /** @param {Design["answer"]} next answer of the search @param {Design["request"]} request that it was asked by */
+    /**
+     * @param {Design["answer"]} next answer of the search
+     * @param {Design["request"]} request that it was asked by
+     */
     show(next, request) {
       [answer, of] = [next, request];
       const middle = best(),
@@ -91,7 +97,10 @@ export function designMap(linked) {
       }
       find(asked(of, middle), FINER, hide);
     },
-    /** The map of another target, while it is dragged. @param {{ force_n: number, contraction: number }} target */
+    /**
+     * The map of another target, while it is dragged.
+     * @param {{ force_n: number, contraction: number }} target
+     */
     preview(target) {
       const middle = best();
       if (!middle || feasible.element.hidden) return;
@@ -111,7 +120,8 @@ const nearest = (list, v) => list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a
 
 /**
  * The muscles of the map.
- * @param {Design["request"]} of the request of the search @param {Best} best its winner, or what came closest
+ * @param {Design["request"]} of the request of the search
+ * @param {Best} best its winner, or what came closest
  * @param {number} [across] diameters @param {number} [up] walls
  * @returns {Design["request"] & { outer_diameter_mm: number[], wall_mm: number[] }}
  */
@@ -129,7 +139,8 @@ function asked(of, best, across = ACROSS, up = UP) {
     Math.min(1.9 * middle, range?.largest_diameter_mm ?? Infinity),
     across,
   );
-  // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were sold.
+  // With a named sleeve the diameter sets the angle; parts are varied as if any size of them were
+  // sold.
   const part =
     best.sleeve && !of.braids?.length
       ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] }
@@ -150,7 +161,8 @@ function asked(of, best, across = ACROSS, up = UP) {
 }
 
 /**
- * @param {{ outer_diameter_mm: number[], wall_mm: number[] }} request @param {Design["answer"]} answer @returns {Found}
+ * @param {{ outer_diameter_mm: number[], wall_mm: number[] }} request
+ * @param {Design["answer"]} answer @returns {Found}
  */
 export function read({ outer_diameter_mm: D, wall_mm: S }, answer) {
   const key = (/** @type {{ outer_diameter_mm: number, wall_mm: number }} */ c) =>
@@ -203,7 +215,9 @@ function spec({ D, S, fits, nodes, limits }, best, finer) {
   );
   const [low, high] = span(field.values),
     tints = limits.map((_, i) => rgb(KINDS[(i + 1) % KINDS.length]));
-  /** The limit that most of the cell around a place misses. @param {number} px @param {number} py */
+  /**
+   * The limit that most of the cell around a place misses. @param {number} px @param {number} py
+   */
   const missed = (px, py) => {
     const shares = limits.map(() => 0);
     for (const [i, j, share] of corners(x, y, px, py))

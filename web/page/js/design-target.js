@@ -1,4 +1,5 @@
-// The target of a design, to drag: a pull at a contraction, over what the best muscle gives at the supply.
+// The target of a design, to drag: a pull at a contraction, over what the best muscle gives at the
+// supply.
 import { Slot } from "./ask.js";
 import { chartOf, KINDS, isobars } from "./chart.js";
 import { el, heading, remark } from "./dom.js";
@@ -9,7 +10,8 @@ import { forceAxis, outside, ratioAxis, showForce, showPressure, showRatio } fro
 const digits = (/** @type {number} */ v, /** @type {number} */ n) => Number(v.toPrecision(n));
 
 /**
- * @param {{ moved: (target: Target) => void, settled: (target: Target) => void }} act while it is dragged, and when it
+ * @param {{ moved: (target: Target) => void, settled: (target: Target) => void }} act while it is
+ * dragged, and when it
  *   is released
  */
 export function designTarget(act) {

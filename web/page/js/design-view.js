@@ -1,4 +1,5 @@
-// The answer of a design as people read it: the best muscle, the table of all, what is not sure, and what would fit.
+// The answer of a design as people read it: the best muscle, the table of all, what is not sure,
+// and what would fit.
 import { address, pack } from "./address.js";
 import { picture } from "./body.js";
 import {
@@ -29,7 +30,10 @@ import {
   unitName,
 } from "./units.js";
 
-/** Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string, string>} Prices */
+/**
+ * Prices of tubes and sleeves by their names, where the catalogue has them. @typedef {Map<string,
+ * string>} Prices
+ */
 
 /** The least pull to spare at any of its points. @param {Candidate} c */
 const spare = (c) =>
@@ -44,12 +48,17 @@ const grams = (/** @type {number | null | undefined} */ g) => (g ? `${number(g, 
 
 /**
  * Columns: heading, unit for CSV, cell for people, value for CSV.
- * @typedef {[string, string, (c: Candidate) => string, (c: Candidate) => string | number | null | undefined]} Column
+ * @typedef {[string, string, (c: Candidate) => string, (c: Candidate) => string | number | null |
+ * undefined]} Column
  */
-/** @param {Prices} prices @param {boolean} liquid whether the muscles are filled with one @returns {Column[]} */
+/**
+ * @param {Prices} prices @param {boolean} liquid whether the muscles are filled with one
+ * @returns {Column[]}
+ */
 function columns(prices, liquid) {
   /**
-   * @param {string} head @param {string} kind @param {(c: Candidate) => number | null | undefined} of @returns {Column}
+   * @param {string} head @param {string} kind
+   * @param {(c: Candidate) => number | null | undefined} of @returns {Column}
    */
   const quantity = (head, kind, of, digits = 4) => [
     head,
@@ -60,7 +69,9 @@ function columns(prices, liquid) {
       return v == null ? "" : Number(outside(kind, v).toPrecision(8));
     },
   ];
-  /** @param {string} head @param {(c: Candidate) => string | null | undefined} of @returns {Column} */
+  /**
+   * @param {string} head @param {(c: Candidate) => string | null | undefined} of @returns {Column}
+   */
   const words = (head, of) => [head, "", (c) => of(c) ?? "", of];
   return [
     words("tube", (c) => c.tube),
@@ -103,7 +114,8 @@ function columns(prices, liquid) {
 const filled = (candidates) => candidates.some((c) => c.liquid_volume_mm3);
 
 /**
- * Columns that tell the candidates apart: a rubber that tubes name, and one length of all, is said above.
+ * Columns that tell the candidates apart: a rubber that tubes name, and one length of all, is said
+ * above.
  * @param {Candidate[]} candidates @param {Prices} prices
  */
 function shownColumns(candidates, prices) {
@@ -129,7 +141,10 @@ function rowsOf(candidates, prices) {
   return [head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))];
 }
 
-/** A candidate as its own file: branch and required pulls are in it. @param {Design["answer"]} answer */
+/**
+ * A candidate as its own file: branch and required pulls are in it.
+ * @param {Design["answer"]} answer
+ */
 export async function openCandidate({ candidates, muscle_files = [] }, i = 0) {
   const { pressure_mpa: p, points } = candidates[i],
     state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction };

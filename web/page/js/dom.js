@@ -4,10 +4,11 @@ import { inWords } from "./units.js";
 
 /** What may stand in an element. @typedef {Node | string | null | undefined | false} Child */
 /**
- * An element: attributes by name, where it has any, those of accessibility as `ariaLabel`, listeners as `onclick`
- * functions; children as nodes or texts.
+ * An element: attributes by name, where it has any, those of accessibility as `ariaLabel`,
+ * listeners as `onclick` functions; children as nodes or texts.
  * @template {keyof HTMLElementTagNameMap} K @param {K} tag
- * @param {[attributes: Record<string, unknown>, ...Child[]] | Child[]} rest @returns {HTMLElementTagNameMap[K]}
+ * @param {[attributes: Record<string, unknown>, ...Child[]] | Child[]} rest
+ * @returns {HTMLElementTagNameMap[K]}
  */
 export function el(tag, ...rest) {
   const element = document.createElement(tag),
@@ -66,7 +67,8 @@ export function menu(...children) {
 
 /**
  * A button.
- * @param {string} text @param {(event: MouseEvent) => unknown} act @param {Record<string, unknown>} [more] attributes
+ * @param {string} text @param {(event: MouseEvent) => unknown} act
+ * @param {Record<string, unknown>} [more] attributes
  */
 export const button = (text, act, more) =>
   el("button", { type: "button", onclick: act, ...more }, text);
@@ -77,7 +79,10 @@ export const textField = (more) => el("input", { type: "text", autocomplete: "of
 /** The one that matters most. @param {string} text @param {(event: MouseEvent) => unknown} act */
 export const mainButton = (text, act) => button(text, act, { class: "main" });
 
-/** Names to choose from, where they are not there yet. @param {HTMLSelectElement} select @param {string[]} names */
+/**
+ * Names to choose from, where they are not there yet.
+ * @param {HTMLSelectElement} select @param {string[]} names
+ */
 export function addOptions(select, names) {
   const there = new Set([...select.options].map((o) => o.value));
   select.append(
@@ -129,7 +134,8 @@ export function download(name, content) {
 }
 
 /**
- * An element that is dragged: told where, and whether it is the end or the beginning of the gesture.
+ * An element that is dragged: told where, and whether it is the end or the beginning of the
+ * gesture.
  * @param {HTMLElement | SVGElement} element
  * @param {(event: PointerEvent, settled: boolean, begins: boolean) => void} act
  */
@@ -165,7 +171,8 @@ export function csv(rows) {
 
 /**
  * Tabs over one panel.
- * @param {string} label @param {[string, string][]} tabs @param {string} chosen @param {(name: string) => void} choose
+ * @param {string} label @param {[string, string][]} tabs @param {string} chosen
+ * @param {(name: string) => void} choose
  */
 export function tabs(label, tabs, chosen, choose) {
   const buttons = tabs.map(([name, text]) =>
@@ -216,7 +223,8 @@ export function noticeProblem(thrown, what = "") {
   notice([what, inWords(message), inWords(hint)].filter(Boolean).join(" "));
 }
 
-// A window over the page, as the browser has it: Escape closes it, and the focus returns to where it was.
+// A window over the page, as the browser has it: Escape closes it, and the focus returns to where
+// it was.
 let windows = 0;
 /** @param {string} title @param {(close: () => void) => (Node | string | null)[]} inside */
 export function dialog(title, inside) {

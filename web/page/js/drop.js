@@ -1,5 +1,5 @@
-// Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each goes to the page that
-// it belongs to.
+// Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each
+// goes to the page that it belongs to.
 import { boxes, textOf } from "./controls.js";
 import { headings } from "./columns.js";
 import { ofFile } from "./joint-words.js";
@@ -8,7 +8,9 @@ import { muscle, visit } from "./muscle.js";
 import { stated } from "./toml.js";
 import { notice, noticeProblem } from "./dom.js";
 
-/** @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind */
+/**
+ * @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind
+ */
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */
 const MOST = 60_000_000;
 
@@ -102,7 +104,9 @@ export async function takeFiles(files) {
   }
 }
 
-/** The whole window takes files, and cells that are pasted; boxes for one kind of file come first. */
+/**
+ * The whole window takes files, and cells that are pasted; boxes for one kind of file come first.
+ */
 export function dropAnywhere() {
   addEventListener("paste", (event) => {
     const at = /** @type {Element} */ (event.target);

@@ -1,5 +1,5 @@
-// A form of quantities as people type them, read by the engine in one question; and long work with progress and a way
-// to end it.
+// A form of quantities as people type them, read by the engine in one question; and long work with
+// progress and a way to end it.
 import { longWork, understood } from "./ask.js";
 import { saying } from "./controls.js";
 import {
@@ -23,12 +23,16 @@ import { sketched } from "./sketch.js";
 
 /**
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
- * @typedef {{ input: HTMLInputElement | HTMLSelectElement, say: (text?: string, wrong?: boolean) => void,
+ * @typedef {{ input: HTMLInputElement | HTMLSelectElement, say: (text?: string, wrong?: boolean) =>
+ * void,
  *   row: HTMLElement }} Row
- * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }} Asked
+ * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }}
+ * Asked
  */
 
-/** A load as the engine reads it: a mass, a force or a stiffness alone is one. @param {string} text */
+/**
+ * A load as the engine reads it: a mass, a force or a stiffness alone is one. @param {string} text
+ */
 const loadOf = (text) =>
   text.replace(/^[\d.]+\s*([^\s:]+)$/, (all, unit) => {
     const mass = /^(k?g|lb)$/.test(unit) ? "mass" : "force";
@@ -68,7 +72,9 @@ class Reading {
   /** @type {Asked[]} */ asked = [];
   /** @type {Map<string, string>} */ notes = new Map();
 
-  /** A text as the engine shall read it. @param {Field} f @param {Kind} kind @param {string} text */
+  /**
+   * A text as the engine shall read it. @param {Field} f @param {Kind} kind @param {string} text
+   */
   #clear(f, kind, text) {
     if (f.list) return withUnit(kind, text);
     if (kind === "ratio" && f.factor) return text;
@@ -80,7 +86,9 @@ class Reading {
     return whole;
   }
 
-  /** @param {Field} f @param {Kind} kind @param {string} text @param {(value: Value) => void} take */
+  /**
+   * @param {Field} f @param {Kind} kind @param {string} text @param {(value: Value) => void} take
+   */
   #ask(f, kind, text, take) {
     this.asked.push({
       key: f.key,
@@ -138,8 +146,8 @@ class Form {
   }
 
   /**
-   * Fields of a request, or nothing where a text cannot be understood: it is marked. An interval without a step is its
-   * two ends where those are wanted, else a list.
+   * Fields of a request, or nothing where a text cannot be understood: it is marked. An interval
+   * without a step is its two ends where those are wanted, else a list.
    * @param {{ intervals?: boolean }} [options] @returns {Promise<Read | undefined>}
    */
   async read({ intervals = false } = {}) {
@@ -193,7 +201,9 @@ class Form {
     const of = this.rows.get(key);
     if (of) of.input.value = text;
   }
-  /** Names to choose from, where they are not there yet. @param {string} key @param {string[]} names */
+  /**
+   * Names to choose from, where they are not there yet. @param {string} key @param {string[]} names
+   */
   options(key, names) {
     const input = this.rows.get(key)?.input;
     if (input instanceof HTMLSelectElement) addOptions(input, names);
@@ -216,8 +226,10 @@ class Form {
 }
 
 /**
- * Fields: key, name in the request, label, kind where it is a quantity, and the usual text or all else.
- * @param {[key: string, field: string, label: string, kind?: Kind | Partial<Field>, more?: string | Partial<Field>][]} rows
+ * Fields: key, name in the request, label, kind where it is a quantity, and the usual text or all
+ * else.
+ * @param {[key: string, field: string, label: string, kind?: Kind | Partial<Field>, more?: string |
+ * Partial<Field>][]} rows
  * @returns {Field[]}
  */
 export const fieldsOf = (rows) =>
@@ -231,7 +243,8 @@ export const fieldsOf = (rows) =>
 
 /**
  * A switch between kinds of a question, each with its fields of a form.
- * @param {Form} of @param {[kind: string, text: string, fields: string[]][]} kinds @param {(kind: string) => void} choose
+ * @param {Form} of @param {[kind: string, text: string, fields: string[]][]} kinds
+ * @param {(kind: string) => void} choose
  */
 export function kindsOf(of, kinds, choose) {
   const { list, set } = tabs(
@@ -261,8 +274,10 @@ export const form = (fields, submit) => new Form(fields, submit);
  * @param {() => Promise<Commands[K]["request"] | undefined>} request nothing where
  *   there is none to ask
  * @param {(answer: Commands[K]["answer"]) => void} take
- * @param {{ fields?: { at: (problem: Problem) => unknown }, shown?: HTMLElement[], minor?: boolean }} [about] fields that
- *   a problem is marked at, what is shown of an answer: dimmed beside the problem of a later question; and whether another
+ * @param {{ fields?: { at: (problem: Problem) => unknown }, shown?: HTMLElement[], minor?: boolean
+ * }} [about] fields that
+ * a problem is marked at, what is shown of an answer: dimmed beside the problem of a later
+ * question; and whether another
  *   button of the place matters most
  */
 export function job(label, command, request, take, { fields, shown = [], minor = false } = {}) {
@@ -319,7 +334,8 @@ export function job(label, command, request, take, { fields, shown = [], minor =
 /**
  * A table.
  * @param {string[]} head @param {(string | Node)[][]} rows
- * @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of text are aligned
+ * @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of
+ * text are aligned
  *   left
  */
 export function table(head, rows, { text = [0], pick, label } = {}) {

@@ -10,9 +10,11 @@ import { muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 
 /**
- * A muscle of the gallery: its file, or its name in the library; D0, s, L0 and the strand angle for its picture; what
- * it is, and the page that it is shown on, with words of the address and files of that page.
- * @typedef {[title: string, about: string, size: number[], of: { file?: string, part?: string, page?: string,
+ * A muscle of the gallery: its file, or its name in the library; D0, s, L0 and the strand angle for
+ * its picture; what it is, and the page that it is shown on, with words of the address and files of
+ * that page.
+ * @typedef {[title: string, about: string, size: number[], of: { file?: string, part?: string,
+ * page?: string,
  *   words?: Words, joint?: string, data?: string }]} Entry
  */
 /** @type {Entry[]} */
@@ -127,7 +129,10 @@ async function openEntry({ file = "", part, page = "muscle", words = {}, joint, 
   location.hash = address(page, { ...words, u: unitsInAddress(), file: text, joint: jointText });
 }
 
-/** Cards of muscles. @param {(problem: unknown) => void} fail @param {() => void} [opened] @param {Entry[]} [list] */
+/**
+ * Cards of muscles.
+ * @param {(problem: unknown) => void} fail @param {() => void} [opened] @param {Entry[]} [list]
+ */
 export const gallery = (fail, opened, list = GALLERY) =>
   block(
     "gallery",
@@ -144,9 +149,14 @@ export const gallery = (fail, opened, list = GALLERY) =>
   );
 
 // Muscles of the library: identified from measured points, each a button that opens it.
-/** @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Identified a muscle of the library */
+/**
+ * @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Identified a muscle of the library
+ */
 
-/** Opens one on the page Muscle. @param {string} name @param {Record<string, string>} [at] words of its point */
+/**
+ * Opens one on the page Muscle.
+ * @param {string} name @param {Record<string, string>} [at] words of its point
+ */
 export async function openPart(name, at = {}) {
   const { muscle: found } = await engine().ask("parts-show", { name });
   const called = found?.product ? `${found.product} (${found.title})` : found?.title;
@@ -156,7 +166,8 @@ export async function openPart(name, at = {}) {
 
 /**
  * What to do with a muscle file that was made: it becomes the muscle, or is saved.
- * @param {string} file @param {string} put @param {string} keep labels of the buttons @param {string} name of the file
+ * @param {string} file @param {string} put @param {string} keep labels of the buttons
+ * @param {string} name of the file
  */
 export const muscleButtons = (file, put, keep, name) =>
   rowOf(
@@ -167,7 +178,10 @@ export const muscleButtons = (file, put, keep, name) =>
     button(keep, () => download(fileName(name, ".toml"), file)),
   );
 
-/** @param {Identified} entry @param {(() => void) | undefined} opened @param {(problem: unknown) => void} fail */
+/**
+ * @param {Identified} entry @param {(() => void) | undefined} opened
+ * @param {(problem: unknown) => void} fail
+ */
 function entryCard(entry, opened, fail) {
   const { name, blocked_force_n: force } = entry;
   const pull = force
@@ -184,7 +198,10 @@ function entryCard(entry, opened, fail) {
   return box;
 }
 
-/** Buttons of all muscles of the library. @param {(problem: unknown) => void} fail @param {() => void} [opened] */
+/**
+ * Buttons of all muscles of the library.
+ * @param {(problem: unknown) => void} fail @param {() => void} [opened]
+ */
 export function library(fail, opened) {
   const box = block("gallery", el("span", { class: "small soft" }, "The library is being read."));
   engine()

@@ -18,7 +18,9 @@ import { body, contracted } from "./body.js";
 /** @typedef {NonNullable<Reached["points"][number]>} Reach */
 
 const ANGULAR = "angular-stiffness";
-/** The angle under the pointer in degrees. @param {HTMLElement} stage @param {PointerEvent} event */
+/**
+ * The angle under the pointer in degrees. @param {HTMLElement} stage @param {PointerEvent} event
+ */
 export function angleAt(stage, event) {
   const svg = stage.querySelector("svg"),
     matrix = svg?.getScreenCTM()?.inverse();
@@ -147,10 +149,11 @@ export function reachChart(map) {
   };
 }
 
-// The joint to scale: pulley, both muscles as long and as thick as they are, the arm in its range, and the torque that
-// it holds.
+// The joint to scale: pulley, both muscles as long and as thick as they are, the arm in its range,
+// and the torque that it holds.
 /**
- * Radius, limits and contraction at the neutral angle of the joint; length, diameter and braid angle of its muscle.
+ * Radius, limits and contraction at the neutral angle of the joint; length, diameter and braid
+ * angle of its muscle.
  * @typedef {{ r: number, low: number, high: number, e0: number, length: number, diameter: number,
  *   angle: number }} Measures
  */
@@ -161,7 +164,8 @@ const at = (/** @type {number} */ radius, /** @type {number} */ degrees) =>
 
 /**
  * A muscle of the drawing: its rubber has the colour of its pressure.
- * @param {Measures} m @param {1 | 2} which @param {JointPoint | undefined} point @param {number} supply @param {number} left
+ * @param {Measures} m @param {1 | 2} which @param {JointPoint | undefined} point
+ * @param {number} supply @param {number} left
  */
 function tube(m, which, point, supply, left) {
   const y = which === 1 ? -m.r : m.r,
@@ -184,7 +188,8 @@ function tube(m, which, point, supply, left) {
 
 /**
  * The arm and its muscles as SVG; its axis is the origin.
- * @param {JointPoint | undefined} point @param {number} angle in degrees @param {number} supply @param {Measures} m
+ * @param {JointPoint | undefined} point @param {number} angle in degrees @param {number} supply
+ * @param {Measures} m
  */
 export function jointDrawing(point, angle, supply, m) {
   const arm = 0.45 * m.length,
@@ -224,7 +229,8 @@ export function jointDrawing(point, angle, supply, m) {
 
 /**
  * The torque that the joint holds against its load, as an arrow about the axis.
- * @param {JointPoint | undefined} point @param {number} angle @param {number} arm @param {number} size
+ * @param {JointPoint | undefined} point @param {number} angle @param {number} arm
+ * @param {number} size
  */
 function load(point, angle, arm, size) {
   const torque = Number(point?.torque_nm ?? 0);

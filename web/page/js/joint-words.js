@@ -1,4 +1,5 @@
-// The joint of an address: its values, its files and what was typed over them. The pages Joint and Motion ask about it.
+// The joint of an address: its values, its files and what was typed over them. The pages Joint and
+// Motion ask about it.
 import { understood } from "./ask.js";
 import { joint } from "./state.js";
 import { stated } from "./toml.js";
@@ -119,7 +120,10 @@ export class JointWords {
       : joint(first, files.file2, arm);
   }
 
-  /** Its words of the address; what a joint file states is not there twice. @returns {Record<string, string>} */
+  /**
+   * Its words of the address; what a joint file states is not there twice.
+   * @returns {Record<string, string>}
+   */
   words() {
     const { files, over, v } = this,
       inFile = /** @type {readonly string[]} */ (IN_FILE);
@@ -131,7 +135,8 @@ export class JointWords {
   }
 }
 
-// A move of the joint at a stiffness: the pressures along it as commands of a drive, for the page Motion.
+// A move of the joint at a stiffness: the pressures along it as commands of a drive, for the page
+// Motion.
 /** Points of the move that are computed, and steps of the commands between two of them. */
 const POINTS = 20,
   BETWEEN = 3,
@@ -140,8 +145,8 @@ const POINTS = 20,
 const HELD = 1;
 
 /**
- * Angles of a move without a jerk at its ends: the position of least squared jerk, 10 τ³ − 15 τ⁴ + 6 τ⁵ of the way at
- * a share τ of the time [flash1985].
+ * Angles of a move without a jerk at its ends: the position of least squared jerk, 10 τ³ − 15 τ⁴ +
+ * 6 τ⁵ of the way at a share τ of the time [flash1985].
  * @param {number} from @param {number} to in degrees
  */
 export const angles = (from, to) =>
@@ -152,7 +157,8 @@ export const angles = (from, to) =>
 
 /**
  * A drive file whose pressures follow the points of `joint`, each held until the next.
- * @param {{ pressure_1_mpa: number, pressure_2_mpa?: number | null }[]} points at the angles of the move
+ * @param {{ pressure_1_mpa: number, pressure_2_mpa?: number | null }[]} points at the angles of the
+ * move
  * @param {number} seconds of the move @param {number} supply in MPa
  */
 export function drive(points, seconds, supply) {

@@ -1,9 +1,12 @@
-// What pages keep while others are shown, and over a reload: words of the address that are their own, and files. It
-// ends with the tab.
+// What pages keep while others are shown, and over a reload: words of the address that are their
+// own, and files. It ends with the tab.
 import { signal } from "./life.js";
 
 /** @typedef {{ words: Record<string, Words>, files: KeptFiles }} Kept */
-/** A text that the browser keeps, where it keeps any. @param {() => Storage} storage @param {string} name */
+/**
+ * A text that the browser keeps, where it keeps any.
+ * @param {() => Storage} storage @param {string} name
+ */
 const stored = (storage, name) => ({
   get() {
     try {
@@ -43,7 +46,10 @@ export function keepWords(page, words) {
   kept.words[page] = /** @type {Words} */ (said);
   save();
 }
-/** A file or a list that a page works with. @template {keyof KeptFiles} K @param {K} name @returns {KeptFiles[K]} */
+/**
+ * A file or a list that a page works with.
+ * @template {keyof KeptFiles} K @param {K} name @returns {KeptFiles[K]}
+ */
 export const fileOf = (name) => kept.files[name];
 /** @template {keyof KeptFiles} K @param {K} name @param {KeptFiles[K]} what nothing ends it */
 export function keepFile(name, what) {
@@ -74,7 +80,10 @@ export function replaceAll({ words, files }) {
 }
 
 // The table of measured points that pages share: opened on the page Data, or dropped anywhere.
-/** @typedef {{ pressure_mpa: number, contraction: number, force_n: number, branch?: "contraction" | "mean" | "elongation" | null }} Point */
+/**
+ * @typedef {{ pressure_mpa: number, contraction: number, force_n: number, branch?: "contraction" |
+ * "mean" | "elongation" | null }} Point
+ */
 
 const newPoints = signal();
 export const onMeasured = newPoints.on;
@@ -100,7 +109,8 @@ export const measured = {
   },
 };
 
-// Tables that are longer than what models are computed at: every n-th row, and a sentence that says so.
+// Tables that are longer than what models are computed at: every n-th row, and a sentence that says
+// so.
 const MOST_ROWS = 20_000;
 
 /** @param {string} text */

@@ -1,4 +1,5 @@
-// What the page that is shown has begun ends with it: questions, listeners and views outlive their elements otherwise.
+// What the page that is shown has begun ends with it: questions, listeners and views outlive their
+// elements otherwise.
 
 /** @type {(() => unknown)[]} */ let ends = [];
 
@@ -12,7 +13,9 @@ export function endAll() {
   all.forEach((end) => end());
 }
 
-/** Work that ends with the page, or when it begins anew: gives the signal of its newest beginning. */
+/**
+ * Work that ends with the page, or when it begins anew: gives the signal of its newest beginning.
+ */
 export function renewing() {
   let ends = new AbortController();
   atEnd(() => ends.abort());

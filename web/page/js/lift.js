@@ -6,13 +6,19 @@ import { clamp, showForce, showLength } from "./units.js";
 
 /** Diameter of a coin of one euro. */
 const COIN = 23.25;
-/** @typedef {Pick<Candidate, "count" | "outer_diameter_mm" | "length_mm" | "angle_deg"> & Partial<Pick<Candidate, "bulged_diameter_mm">> & { points: { contraction: number, force_n: number }[] }} Lifting */
+/**
+ * @typedef {Pick<Candidate, "count" | "outer_diameter_mm" | "length_mm" | "angle_deg"> &
+ * Partial<Pick<Candidate, "bulged_diameter_mm">> & { points: { contraction: number, force_n: number
+ * }[] }} Lifting
+ */
 
 /** @param {string} text @param {number} x @param {number} y @param {string} [anchor] */
 const words = (text, x, y, anchor = "start") =>
   `<text x="${x}" y="${y}" text-anchor="${anchor}">${text}</text>`;
 
-/** In millimetres from the middle of the bar. @param {Lifting} c @param {number} share of its way */
+/**
+ * In millimetres from the middle of the bar. @param {Lifting} c @param {number} share of its way
+ */
 function drawn(c, share) {
   const [{ contraction, force_n: force }] = c.points,
     { count, outer_diameter_mm: diameter, length_mm: rest, angle_deg } = c;

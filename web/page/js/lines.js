@@ -1,4 +1,5 @@
-// Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in plot.js.
+// Curves on the page: crosshair, zoom, and drags in values of the axes. The drawing itself is in
+// plot.js.
 import { block, button, el, say } from "./dom.js";
 import { token } from "./theme.js";
 import { colourOf, drawing, frame, nearest, reachOf, valueAt } from "./plot.js";
@@ -23,7 +24,8 @@ const unit = (title) => {
 /** @typedef {{ px: number, py: number, what: "drag" | "x" | "y" | "box" }} From */
 /**
  * The plot of a chart.
- * @param {string} name @param {((x: number, y: number, settled: boolean) => unknown) | undefined} drag
+ * @param {string} name
+ * @param {((x: number, y: number, settled: boolean) => unknown) | undefined} drag
  */
 export function linesOf(name, drag) {
   /** @type {Spec | undefined} */ let spec;
@@ -207,7 +209,10 @@ export function linesOf(name, drag) {
     return true;
   }
 
-  /** To the next point with a value, of this curve or another one. @param {number} curve @param {number} along */
+  /**
+   * To the next point with a value, of this curve or another one.
+   * @param {number} curve @param {number} along
+   */
   function walk(curve, along) {
     const series = spec?.series ?? [];
     const readable = series
@@ -326,7 +331,10 @@ export function linesOf(name, drag) {
       placeMark();
     },
 
-    /** Its pixels, twice as fine. @param {number} width @param {number} height @returns {Promise<Blob>} */
+    /**
+     * Its pixels, twice as fine.
+     * @param {number} width @param {number} height @returns {Promise<Blob>}
+     */
     async png(width, height) {
       const file = URL.createObjectURL(new Blob([svg(width, height)], { type: "image/svg+xml" }));
       const image = el("img", { src: file });

@@ -127,7 +127,10 @@ function frame(name) {
   document.body.dataset.page = name;
 }
 
-/** How often a page could not be loaded: browsers keep a failure with its address. @type {Record<string, number>} */
+/**
+ * How often a page could not be loaded: browsers keep a failure with its address.
+ * @type {Record<string, number>}
+ */
 const failures = {};
 /** @param {string} name */
 async function pageOfServer(name) {

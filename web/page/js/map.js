@@ -1,4 +1,5 @@
-// A field over two axes as a picture below curves: painted on a canvas, with lines of equal values and what they are.
+// A field over two axes as a picture below curves: painted on a canvas, with lines of equal values
+// and what they are.
 import { el } from "./dom.js";
 import { ticks } from "./plot.js";
 import { evenly, number } from "./units.js";
@@ -9,7 +10,8 @@ import { evenly, number } from "./units.js";
  */
 
 /**
- * The corners of the cell of a place, with their shares: below left and right, above left and right.
+ * The corners of the cell of a place, with their shares: below left and right, above left and
+ * right.
  * @param {number[]} x @param {number[]} y @param {number} px @param {number} py
  * @returns {[i: number, j: number, share: number][]}
  */
@@ -40,7 +42,8 @@ export function valueBetween({ x, y, values }, px, py) {
 
 /**
  * The same on a grid that is so much finer.
- * @param {number[]} x @param {number[]} y @param {number} by @param {(x: number, y: number) => number | null} at
+ * @param {number[]} x @param {number[]} y @param {number} by
+ * @param {(x: number, y: number) => number | null} at
  * @returns {Field}
  */
 export function sampled(x, y, by, at) {
@@ -52,7 +55,8 @@ export function sampled(x, y, by, at) {
 
 /**
  * A pixel for each place of a field.
- * @param {Field} field @param {(value: number | null, x: number, y: number) => number[]} colour red, green, blue and
+ * @param {Field} field
+ * @param {(value: number | null, x: number, y: number) => number[]} colour red, green, blue and
  *   opacity up to 255
  * @returns {Picture}
  */

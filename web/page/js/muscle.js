@@ -54,13 +54,17 @@ export class MuscleState {
     this.called = "";
     /**
      * Named sleeves, with what their sources do not state.
-     * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number }[]}
+     * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm:
+     * number }[]}
      */
     this.sleeves = [];
     /** @type {[string, string][]} */ this.unknown = [];
     /** @type {Map<string, string>} */ this.wrong = new Map();
     /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written = undefined;
-    /** Until the address is read: a question before that would be about another muscle. @type {Promise<unknown>} */
+    /**
+     * Until the address is read: a question before that would be about another muscle.
+     * @type {Promise<unknown>}
+     */
     this.ready = Promise.resolve();
   }
 
@@ -185,7 +189,9 @@ export class MuscleState {
     return this.paramsOf(this.state);
   }
 
-  /** The muscle as one word, for pages where its words mean other things; empty for the prototype. */
+  /**
+   * The muscle as one word, for pages where its words mean other things; empty for the prototype.
+   */
   word() {
     const params = this.params(),
       plain =
@@ -203,7 +209,8 @@ export class MuscleState {
   }
 
   /**
-   * From an address; keys that the page `own`s are not unknown. @param {URLSearchParams} params @param {string[]} own
+   * From an address; keys that the page `own`s are not unknown.
+   * @param {URLSearchParams} params @param {string[]} own
    */
   read(params, own = []) {
     const read = this.#read(params, own);
@@ -249,7 +256,8 @@ export class MuscleState {
 
   /**
    * A muscle file in place of everything else; refused as a whole where it is none.
-   * @param {string} text @param {string} [name] of the file @param {string} [called] what people call the muscle
+   * @param {string} text @param {string} [name] of the file
+   * @param {string} [called] what people call the muscle
    */
   async take(text, name = "muscle.toml", called = "") {
     const next = opened(this.state, text),

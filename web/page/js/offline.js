@@ -1,6 +1,6 @@
-// Use without a network. The service worker keeps the page and what was used; what is large and was not used yet (the
-// whole engine) is fetched for an installed app, for who comes back, or when one asks for it: the
-// first visit does not pay for it. The page of a server is not kept.
+// Use without a network. The service worker keeps the page and what was used; what is large and was
+// not used yet (the whole engine) is fetched for an installed app, for who comes back, or when one
+// asks for it: the first visit does not pay for it. The page of a server is not kept.
 import { engine } from "./ask.js";
 
 const PREFIX = "mckibben-page";

@@ -7,7 +7,8 @@ export const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matc
 
 /**
  * `at` is told the share of the time; only three of them where motion is not wanted.
- * @param {string} text of the button @param {(share: number) => void} at @param {() => number} long in milliseconds
+ * @param {string} text of the button @param {(share: number) => void} at
+ * @param {() => number} long in milliseconds
  * @param {string} [title]
  */
 export function playing(text, at, long, title) {

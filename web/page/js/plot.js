@@ -1,10 +1,16 @@
-// Spec and points as SVG: the same drawing on the page and in files. Nothing here asks the document anything.
+// Spec and points as SVG: the same drawing on the page and in files. Nothing here asks the document
+// anything.
 import { clamp, niceUp, number } from "./units.js";
 
-/** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
+/**
+ * Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command
+ * line.
+ */
 export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a"];
 const DASHES = { solid: "", dash: ' stroke-dasharray="7 4"', dot: ' stroke-dasharray="2 3"' };
-/** Signs of points, from their middle: of no branch, of a muscle that shortens, and that lengthens. */
+/**
+ * Signs of points, from their middle: of no branch, of a muscle that shortens, and that lengthens.
+ */
 const GLYPHS = {
   mean: "m-3.2 0a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0",
   contraction: "m-4-3h8l-4 7z",
@@ -123,7 +129,8 @@ export function frame(spec, width, height, reach) {
 /** @typedef {ReturnType<typeof frame>} Frame */
 
 /**
- * Each name of the legend once, with the curve that it is first said of, and its place: in as many lines as it takes.
+ * Each name of the legend once, with the curve that it is first said of, and its place: in as many
+ * lines as it takes.
  * @param {Spec} spec @param {number} left @param {number} width
  */
 function legends(spec, left, width) {
@@ -151,7 +158,8 @@ const onPaper = ({ ink, paper }, fill = ink) =>
 
 /**
  * The whole drawing.
- * @param {Spec} spec @param {Frame} at @param {Colours} colours @param {boolean} [file] as a file of its own
+ * @param {Spec} spec @param {Frame} at @param {Colours} colours
+ * @param {boolean} [file] as a file of its own
  */
 export function drawing(spec, at, colours, file = false) {
   const { width, height, left, top, w, h, px, py } = at,
@@ -215,7 +223,10 @@ function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint })
   );
 }
 
-/** Lists of neighbouring points that have a value. @param {Series} s @param {(i: number) => boolean} [has] */
+/**
+ * Lists of neighbouring points that have a value.
+ * @param {Series} s @param {(i: number) => boolean} [has]
+ */
 function runs(s, has = () => true) {
   const out = /** @type {number[][]} */ ([[]]);
   s.x.forEach((x, i) => {
@@ -330,7 +341,8 @@ const legend = (spec, { named }) =>
     .join("");
 
 /**
- * Slopes of a cubic through points that rises and falls with them (Fritsch and Carlson 1980); at rest in a turn.
+ * Slopes of a cubic through points that rises and falls with them (Fritsch and Carlson 1980); at
+ * rest in a turn.
  * @param {number[]} x @param {number[]} y
  */
 export function slopes(x, y) {

@@ -1,4 +1,5 @@
-// A project: several muscles, measured points, joint and drive in one file, and in this tab until it is closed.
+// A project: several muscles, measured points, joint and drive in one file, and in this tab until
+// it is closed.
 import { address, pack } from "./address.js";
 import { block, button, download, el, notice, remark, rowOf } from "./dom.js";
 import { everything, fileOf, keepFile, replaceAll } from "./kept.js";
@@ -7,7 +8,8 @@ import { fileName, nameIn } from "./toml.js";
 
 const FORMAT = "mckibben-project";
 /**
- * @typedef {{ format: string, version: number, muscles: KeptMuscle[], shown: string, words: Record<string, Words>,
+ * @typedef {{ format: string, version: number, muscles: KeptMuscle[], shown: string, words:
+ * Record<string, Words>,
  *   files: Omit<KeptFiles, "muscles"> }} Project
  */
 

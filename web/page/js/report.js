@@ -1,7 +1,11 @@
-// The report as one HTML file that turns the muscle: the engine's page with the page's own view in it.
+// The report as one HTML file that turns the muscle: the engine's page with the page's own view in
+// it.
 import { SCRIPTS } from "./place.js";
 
-/** Modules of the view, in the order in which they need each other (crate mckibben-web has the same list). */
+/**
+ * Modules of the view, in the order in which they need each other (crate mckibben-web has the same
+ * list).
+ */
 const MODULES = ["body.js", "dom.js", "life.js", "shaders.js", "view3d.js", "report-viewer.js"];
 /** @type {Promise<string> | undefined} */ let viewer;
 

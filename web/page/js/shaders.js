@@ -1,4 +1,5 @@
-// Shaders of the muscle in space: a surface turned about its axis, and on it two families of strands that are woven.
+// Shaders of the muscle in space: a surface turned about its axis, and on it two families of
+// strands that are woven.
 
 /** Red, green and blue of viridis at equal distances. */
 export const VIRIDIS = [
@@ -13,8 +14,9 @@ export const VIRIDIS = [
   [253, 231, 37],
 ];
 /**
- * A point of the surface. `shape` has in its rows 0 to across − 1 radius, z and value, in the row behind them turn, angle
- * and tension of the strands; `outer` is the row of the outer surface; `station` runs from −1 to 1, from end to end.
+ * A point of the surface. `shape` has in its rows 0 to across − 1 radius, z and value, in the row
+ * behind them turn, angle and tension of the strands; `outer` is the row of the outer surface;
+ * `station` runs from −1 to 1, from end to end.
  */
 export const SURFACE = `#version 300 es
 precision highp float;
@@ -41,15 +43,17 @@ void main() {
 }`;
 
 /**
- * Its colour: that of the map, of which `reach` are the values at the ends, or `plain`. `strand`: angle about the axis,
- * turn of a strand from the middle, and its value. `strands` of a family (0 draws none) have so many `filaments` side by
- * side, and cover HALF of the distance between two to each side.
+ * Its colour: that of the map, of which `reach` are the values at the ends, or `plain`. `strand`:
+ * angle about the axis, turn of a strand from the middle, and its value. `strands` of a family (0
+ * draws none) have so many `filaments` side by side, and cover HALF of the distance between two to
+ * each side.
  *
- * `off` is the way from the middle of the nearest strand, in distances between two; `covered` how much of a point a
- * strand covers, its edges as soft as a pixel is wide. A strand goes over every second one of the other family, and
- * under those between: `high` is its height as it waves from one to the next. Strands beside a point shade the rubber,
- * and a strand that dives under another one. Round is the strand, or each of its filaments. What is too `fine` to be
- * seen one by one has the mean of both colours.
+ * `off` is the way from the middle of the nearest strand, in distances between two; `covered` how
+ * much of a point a strand covers, its edges as soft as a pixel is wide. A strand goes over every
+ * second one of the other family, and under those between: `high` is its height as it waves from
+ * one to the next. Strands beside a point shade the rubber, and a strand that dives under another
+ * one. Round is the strand, or each of its filaments. What is too `fine` to be seen one by one has
+ * the mean of both colours.
  */
 export const FRAGMENT = `#version 300 es
 precision highp float;

@@ -1,4 +1,5 @@
-// A drawing of what a symbol measures: shown while its name is pointed at, or its field has the focus.
+// A drawing of what a symbol measures: shown while its name is pointed at, or its field has the
+// focus.
 import { el, smallPrint } from "./dom.js";
 import { measured } from "./state.js";
 
@@ -88,7 +89,10 @@ export const DRAWINGS = {
   e0: () => PULLEY + dimension(20, 110, 100, 110, "L0 (1 − ε0)"),
   K: () => PULLEY + arrow("M214 30l6 14M216 38l4 6 1-7", "K = −∂τ/∂φ", [146, 20]),
 };
-/** Fields of other names that mean the same, but for those of measures. @type {Record<string, string>} */
+/**
+ * Fields of other names that mean the same, but for those of measures.
+ * @type {Record<string, string>}
+ */
 const SAME = {
   max_pressure_mpa: "p",
   supply_mpa: "p",
@@ -98,11 +102,17 @@ const SAME = {
   radius_mm: "r",
 };
 
-/** The drawing of a key or a field, where there is one. @param {string} [key] @returns {(() => string) | undefined} */
+/**
+ * The drawing of a key or a field, where there is one.
+ * @param {string} [key] @returns {(() => string) | undefined}
+ */
 export const drawing = (key = "") =>
   DRAWINGS[key] ?? DRAWINGS[SAME[key] ?? measured().find(({ field }) => field === key)?.key ?? ""];
 
-/** Marks the row of a field as one with a drawing. @param {HTMLElement} row @param {...(string | undefined)} keys */
+/**
+ * Marks the row of a field as one with a drawing.
+ * @param {HTMLElement} row @param {...(string | undefined)} keys
+ */
 export function sketched(row, ...keys) {
   const key = keys.find((name) => drawing(name));
   if (key) row.dataset.sketch = key;

@@ -1,10 +1,11 @@
-// The muscle of the page as one state, and what every page asks about it. Nothing here touches the document or the
-// engine: the muscle is what the engine says that the muscle file and the fields over it are.
+// The muscle of the page as one state, and what every page asks about it. Nothing here touches the
+// document or the engine: the muscle is what the engine says that the muscle file and the fields
+// over it are.
 
 import { replaced } from "./toml.js";
 /**
- * What the page adds to measures of the program, by their fields: short keys of the address, and sliders; of those
- * `around` the muscle's own value the ends are where there is none.
+ * What the page adds to measures of the program, by their fields: short keys of the address, and
+ * sliders; of those `around` the muscle's own value the ends are where there is none.
  * @type {Record<string, { key: string, low: number, high: number, around?: boolean }>}
  */
 const OWN = {
@@ -18,7 +19,9 @@ const OWN = {
   slip_mm_per_n: { key: "slip", low: 0, high: 0.02 },
   grip_mm: { key: "grip", low: 0, high: 40 },
 };
-/** Another way to state the cross-section of a strand; no measure of the program. @type {Measure} */
+/**
+ * Another way to state the cross-section of a strand; no measure of the program. @type {Measure}
+ */
 const STRAND_DIAMETER = {
   key: "sd",
   field: "strand_diameter_mm",
@@ -31,8 +34,8 @@ const STRAND_DIAMETER = {
 /** Measures of the muscle, as the program lists them. */
 export let MEASURES = /** @type {Measure[]} */ ([]);
 /**
- * The usual ones; of the strands of a named sleeve, where its source does not state them; what the ends of the muscle
- * do; all others.
+ * The usual ones; of the strands of a named sleeve, where its source does not state them; what the
+ * ends of the muscle do; all others.
  */
 export let QUANTITIES = MEASURES,
   STRANDS = MEASURES,
@@ -102,7 +105,10 @@ export const LOAD = /** @type {const} @satisfies {Measure} */ ({
 
 /** What is measured: all of the muscle, and its point. @returns {Measure[]} */
 export const measured = () => [...MEASURES, PRESSURE, CONTRACTION, LOAD];
-/** Parts by name; words of the address that are no quantities: those, and which way the muscle moves. */
+/**
+ * Parts by name; words of the address that are no quantities: those, and which way the muscle
+ * moves.
+ */
 const NAMES = ["rubber", "braid"],
   WORDS = [...NAMES, "branch"];
 /** Stiffnesses that have a name. */
@@ -111,14 +117,18 @@ export const STIFFNESS_NAMES = ["inextensible", "paper"];
 /** The prototype at its usual point. @returns {State} */
 export const prototype = () => ({ file: "", said: {}, p: 0.25, e: 0.15, F: undefined });
 
-/** The state of a muscle file at the same pressure. @param {State} state @param {string} file @returns {State} */
+/**
+ * The state of a muscle file at the same pressure.
+ * @param {State} state @param {string} file @returns {State}
+ */
 export const opened = (state, file) => ({ ...prototype(), p: state.p, e: state.e, file });
 
 /** What gives the stiffness of strands, and all of the strands of a sleeve. */
 const SECTION = ["sd", "sE", "strand_area_mm2"],
   OF_SLEEVE = [...SECTION, "strands", "strand_strength_n"];
 /**
- * What excludes what: a sleeve has its angle and its strands, and a stiffness takes the place of their section.
+ * What excludes what: a sleeve has its angle and its strands, and a stiffness takes the place of
+ * their section.
  * @type {Record<string, string[]>}
  */
 const OUSTS = {
@@ -131,7 +141,8 @@ const OUSTS = {
 
 /**
  * The state with something said; nothing (`undefined` or an empty text) takes it back.
- * @param {State} state @param {string} key @param {number | string | undefined} value @returns {State}
+ * @param {State} state @param {string} key @param {number | string | undefined} value
+ * @returns {State}
  */
 export function say(state, key, value) {
   if (key === "p") return { ...state, p: Number(value) };
@@ -172,7 +183,8 @@ export function fields({ file, said }, pressure = 0.1) {
 }
 
 /**
- * The measure that a problem is about: that of its field, or the first that its message names as muscle files do.
+ * The measure that a problem is about: that of its field, or the first that its message names as
+ * muscle files do.
  * @param {{ field: string, message: string }} problem
  */
 export function about({ field, message }) {
@@ -195,7 +207,9 @@ export const question = (state) => ({ muscle: fields(state), ...point(state) });
 
 /**
  * The muscle file that says the same: the file itself where nothing is said over it.
- * @param {State} state @param {(command: "check", request: { muscle: MuscleFields, muscle_file: true, only_data: true }) =>
+ * @param {State} state
+ * @param {(command: "check", request: { muscle: MuscleFields, muscle_file: true, only_data: true })
+ * =>
  *   Promise<Commands["check"]["answer"]>} ask
  */
 export async function canonical(state, ask) {
@@ -213,7 +227,8 @@ export async function canonical(state, ask) {
 
 /**
  * A measure as a control shows it: what is said, or what the engine read.
- * @param {State} state @param {object | undefined} shown an answer's muscle @param {Measure} measure
+ * @param {State} state @param {object | undefined} shown an answer's muscle
+ * @param {Measure} measure
  */
 export function shownValue(state, shown, { key, field, usual }) {
   const said = state.said[key];
@@ -229,7 +244,8 @@ export function shownValue(state, shown, { key, field, usual }) {
 
 /**
  * What a named sleeve needs beside its name: keys of measures.
- * @param {{ said: State["said"] }} state @param {{ name: string, missing: string }[]} sleeves those of the library
+ * @param {{ said: State["said"] }} state
+ * @param {{ name: string, missing: string }[]} sleeves those of the library
  */
 export function missing({ said }, sleeves) {
   if (said.braid === undefined || said.k !== undefined) return [];
@@ -306,11 +322,13 @@ const template = (hasMass) =>
   'contraction_at_neutral = ""\n[muscle_2]\nfile = ""\ncontraction_at_neutral = ""\n';
 
 /**
- * A request for a joint with this muscle against itself or another one: that of a file, where there is one, with what
- * was typed over it.
- * @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same
+ * A request for a joint with this muscle against itself or another one: that of a file, where there
+ * is one, with what was typed over it.
+ * @param {string} file the muscle's
+ * @param {string} second file of the other one; empty where it is the same
  * @param {{ r?: number, low?: number, high?: number, e0?: number, mass?: number, centre?: number,
- *   inertia?: number }} of mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle @param {string} [text] a joint file
+ * inertia?: number }} of mm, degrees, ratio, kg, kg m²; the arm hangs at the neutral angle
+ * @param {string} [text] a joint file
  */
 export function joint(
   file,
@@ -344,15 +362,19 @@ export function joint(
   };
 }
 
-/** A step of this muscle's pressure. @param {string} file the muscle's @param {Read} read fields of the form */
+/**
+ * A step of this muscle's pressure.
+ * @param {string} file the muscle's @param {Read} read fields of the form
+ */
 export function motion(file, { model, ...step }) {
   return { step, muscle: { name: "muscle", text: file }, model: { name: model } };
 }
 
 /**
- * One side of a comparison: this muscle, or that of a file of its own, with what the side says over it, at the side's
- * point or this one's.
- * @param {State} state @param {string} own a muscle file @param {Read} read fields of the side's form
+ * One side of a comparison: this muscle, or that of a file of its own, with what the side says over
+ * it, at the side's point or this one's.
+ * @param {State} state @param {string} own a muscle file
+ * @param {Read} read fields of the side's form
  */
 export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
   // What a side says ousts what excludes it, as on the page Muscle.
@@ -371,7 +393,8 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
   };
 }
 /**
- * The muscle of a candidate of a design: what the search chose, with what it was given of the strands.
+ * The muscle of a candidate of a design: what the search chose, with what it was given of the
+ * strands.
  * @param {Chosen} candidate @param {Commands["design"]["request"]} asked the request
  * @param {{ p: number, e: number }} at @returns {State}
  */

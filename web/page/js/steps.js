@@ -1,5 +1,5 @@
-// Steps of the muscle, to take back and to do again; each has the name of what changed. Pages are apart: they are the
-// browser's history.
+// Steps of the muscle, to take back and to do again; each has the name of what changed. Pages are
+// apart: they are the browser's history.
 import { muscle } from "./muscle.js";
 import { measured } from "./state.js";
 import { show } from "./units.js";
@@ -11,7 +11,10 @@ import { show } from "./units.js";
 /** @type {Step[]} */ let steps = [];
 let at = -1;
 
-/** What changed between two muscles. @param {Record<string, string>} before @param {Record<string, string>} now */
+/**
+ * What changed between two muscles.
+ * @param {Record<string, string>} before @param {Record<string, string>} now
+ */
 function nameOf(before, now) {
   const [key, other] = [...new Set([...Object.keys(before), ...Object.keys(now)])].filter(
     (k) => before[k] !== now[k],

@@ -34,7 +34,8 @@ export function card(act, picture, title, about) {
 }
 
 /**
- * @param {MuscleMeasures | undefined} of nothing leaves it empty @param {string} [label] without one it is decoration
+ * @param {MuscleMeasures | undefined} of nothing leaves it empty
+ * @param {string} [label] without one it is decoration
  */
 export function thumbnail(of, label) {
   const box = el("span", {

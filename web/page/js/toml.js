@@ -1,7 +1,9 @@
-// Files of TOML, line by line: the name of a muscle, what joint and drive files state, and a file with other values.
+// Files of TOML, line by line: the name of a muscle, what joint and drive files state, and a file
+// with other values.
 
 /**
- * @param {string} text @param {(place: string, value: string) => string | void} each is told the value of a table's
+ * @param {string} text
+ * @param {(place: string, value: string) => string | void} each is told the value of a table's
  *   key (`joint.radius`; `.name` before the first table); what it returns takes its place
  */
 function walk(text, each) {

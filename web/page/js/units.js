@@ -1,9 +1,13 @@
-// Quantities as people read them. Inside everything is in mm, MPa, N, degrees; factors come from the engine.
+// Quantities as people read them. Inside everything is in mm, MPa, N, degrees; factors come from
+// the engine.
 import { signal } from "./life.js";
 /** The engine's kind. @param {Kind} kind @returns {EngineKind} */
 export const kindOf = (kind) =>
   kind === "modulus" ? "pressure" : kind === "number" ? "ratio" : kind;
-/** @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number }[] }>} */
+/**
+ * @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number
+ * }[] }>}
+ */
 const kinds = new Map();
 /** Units to choose from by a click; the first is the usual one. @type {Record<string, string[]>} */
 const CHOICES = {
@@ -83,7 +87,10 @@ export const inside = (kind, shown) => {
 
 /** A number within two others. @param {number} v @param {number} low @param {number} high */
 export const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
-/** Numbers at equal distances, with both ends. @param {number} low @param {number} high @param {number} count */
+/**
+ * Numbers at equal distances, with both ends.
+ * @param {number} low @param {number} high @param {number} count
+ */
 export const evenly = (low, high, count) =>
   Array.from({ length: count }, (_, i) => low + ((high - low) * i) / (count - 1));
 /**
@@ -111,7 +118,10 @@ export const showLength = shown("length"),
   showForce = shown("force"),
   showPressure = shown("pressure"),
   showRatio = shown("ratio");
-/** As it is typed and stands in an address, to the last digit: `2.5bar`. @param {string} kind @param {number} value */
+/**
+ * As it is typed and stands in an address, to the last digit: `2.5bar`.
+ * @param {string} kind @param {number} value
+ */
 export function typed(kind, value) {
   const shown = [6, 9, 12, 15]
     .map((digits) => Number(outside(kind, value).toPrecision(digits)))
@@ -123,11 +133,14 @@ export function typed(kind, value) {
 }
 
 /**
- * A number with a decimal comma, and what follows it. Behind three digits a comma may separate thousands: that the
- * engine asks about.
+ * A number with a decimal comma, and what follows it. Behind three digits a comma may separate
+ * thousands: that the engine asks about.
  */
 const COMMA = /^([-+]?)(\d+),(\d+)(?![\d,.])(.*)$/s;
-/** With a point in place of a decimal comma; points before it separate thousands. @param {string} text */
+/**
+ * With a point in place of a decimal comma; points before it separate thousands.
+ * @param {string} text
+ */
 function pointed(text) {
   if (/^[-+]?\d{1,3}(\.\d{3})+,\d+(?![\d,.])/.test(text))
     return text.replaceAll(".", "").replace(",", ".");
@@ -140,10 +153,11 @@ function pointed(text) {
 }
 
 /**
- * What was typed into a field of a kind, as the engine shall read it, and what to say of it. A bare number is in the
- * unit beside the field;
- * for a field in % it is a ratio up to 1, as on the command line, and a percentage above, and that is said.
- * @param {string} kind @param {string} typed @returns {{ text: string, value?: number, note?: string }}
+ * What was typed into a field of a kind, as the engine shall read it, and what to say of it. A bare
+ * number is in the unit beside the field; for a field in % it is a ratio up to 1, as on the command
+ * line, and a percentage above, and that is said.
+ * @param {string} kind @param {string} typed
+ * @returns {{ text: string, value?: number, note?: string }}
  */
 export function meant(kind, typed) {
   const plain = typed.replaceAll("−", "-"),
@@ -173,7 +187,8 @@ export function withUnit(kind, text) {
 
 /**
  * A median with its interval, to the digits that half of it leaves: `520 N (170 to 900 N)`.
- * @param {number} median @param {number} low @param {number} high @param {string} unit with the space before it
+ * @param {number} median @param {number} low @param {number} high
+ * @param {string} unit with the space before it
  */
 export function between(median, low, high, unit) {
   const place = Math.floor(Math.log10((high - low) / 2 || 1)) - 1,
@@ -186,7 +201,10 @@ export function between(median, low, high, unit) {
   );
   return `${m}${unit} (${l} to ${h}${unit})`;
 }
-/** The same of a quantity. @param {string} kind @param {(number | null | undefined)[]} list median, low and high */
+/**
+ * The same of a quantity.
+ * @param {string} kind @param {(number | null | undefined)[]} list median, low and high
+ */
 export function interval(kind, list) {
   const [m, l, h] = list.map((v) => outside(kind, v ?? NaN));
   return m >= l ? between(m, l, h, ` ${unitName(kind)}`) : "–";
@@ -206,7 +224,10 @@ export const modelPull = ({ model, force_n: force }) => `${model} alone ${show("
 export const ratioAxis = "contraction ε [%]",
   forceAxis = () => `pull F [${unitName("force")}]`;
 
-/** Changes a unit everywhere, to the next one or to one by name. @param {string} kind @param {string} [name] */
+/**
+ * Changes a unit everywhere, to the next one or to one by name.
+ * @param {string} kind @param {string} [name]
+ */
 export function changeUnit(kind, name) {
   const list = CHOICES[kind];
   if (!list) return;
@@ -230,7 +251,10 @@ export function unitsFromAddress(names) {
 }
 /** Is told of units that a click changed. */
 export const onUnits = clicked.on;
-/** Is told of units that a click or an address changed: fields, which write nothing into it. @param {() => void} tell */
+/**
+ * Is told of units that a click or an address changed: fields, which write nothing into it.
+ * @param {() => void} tell
+ */
 export const onAnyUnits = (tell) => [clicked, read].forEach((one) => one.on(tell));
 /** Whether it has several units to choose from. @param {string} kind */
 export const hasChoice = (kind) => (CHOICES[kind]?.length ?? 0) > 1;
@@ -241,9 +265,11 @@ export function niceUp(x) {
   return power * ([1, 2, 2.5, 5, 10].find((m) => m * power >= x * 0.999) ?? 10);
 }
 
-// What the engine says, in the words and units of the page: it names fields in backquotes, and joins quantities to
-// their unit by a no-break space.
-/** Parts as people call them: those of the reference muscle by their source. @param {string} what */
+// What the engine says, in the words and units of the page: it names fields in backquotes, and
+// joins quantities to their unit by a no-break space.
+/**
+ * Parts as people call them: those of the reference muscle by their source. @param {string} what
+ */
 const named = (what) => (/** @type {string | null | undefined} */ name) =>
   name === "paper" ? `${what} (Antonelli 2018)` : (name ?? "");
 export const partName = named("silicone"),
@@ -285,7 +311,10 @@ export const keyed = (label) =>
   Object.keys(LABELS).find(
     (key) => /\.|_(factor|offset)$/.test(key) && LABELS[key].toLowerCase() === label.toLowerCase(),
   ) ?? label;
-/** A quantity in the unit that is shown. @param {string} _ @param {string} value @param {string} unit inside */
+/**
+ * A quantity in the unit that is shown.
+ * @param {string} _ @param {string} value @param {string} unit inside
+ */
 function quantity(_, value, unit) {
   const kind = kindInside(unit);
   return kind && unitName(kind) !== unit ? show(kind, Number(value)) : `${value} ${unit}`;

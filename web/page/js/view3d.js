@@ -1,23 +1,33 @@
-// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it an
-// SVG.
+// The muscle in space: one lit surface turned about the axis, its strands, and the terminals.
+// WebGL2; without it an SVG.
 //
-// What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies
-// follows from it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
+// What the engine knows along the half muscle goes into one small texture; where each point of
+// surface or strand lies follows from it on the graphics processor, so that a new shape costs one
+// upload of a few kilobytes.
 import { body, pictures } from "./body.js";
 import { el } from "./dom.js";
 import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE, VIRIDIS } from "./shaders.js";
 
-/** Columns of a mesh about the axis; columns and rows while it moves, where there is no graphics processor. */
+/**
+ * Columns of a mesh about the axis; columns and rows while it moves, where there is no graphics
+ * processor.
+ */
 const AROUND = 48,
   COARSE = [24, 40];
-/** Strands drawn of a family whose number is not known, and most that are drawn: more lie side by side in flat ones. */
+/**
+ * Strands drawn of a family whose number is not known, and most that are drawn: more lie side by
+ * side in flat ones.
+ */
 const DRAWN = 18,
   MOST = 40;
 /** How the muscle is first seen, and how far it may be zoomed. */
 const TURN = [0.35, -0.5],
   ZOOM = [0.5, 8];
-/** The profile of a crimped fitting, all edges: radius and distance from the tube's end, as shares of the tube's radius. */
+/**
+ * The profile of a crimped fitting, all edges: radius and distance from the tube's end, as shares
+ * of the tube's radius.
+ */
 const FITTING = [
   [1.02, -0.12],
   [1.14, -0.12],
@@ -37,7 +47,9 @@ const FITTING = [
 const round = (row, around) =>
   Array.from({ length: around + 1 }, (_, k) => [(2 * Math.PI * k) / around, row]);
 
-/** Rows of a mesh from one end to the other: so many in each half, as shares. @param {number} half */
+/**
+ * Rows of a mesh from one end to the other: so many in each half, as shares. @param {number} half
+ */
 const shares = (half) => Array.from({ length: 2 * half + 1 }, (_, i) => i / half - 1);
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
@@ -78,7 +90,10 @@ function table(gl) {
 }
 
 /** @type {boolean | undefined} */ let slow;
-/** Whether WebGL runs without a graphics processor: smooth edges would then cost more than all the rest. */
+/**
+ * Whether WebGL runs without a graphics processor: smooth edges would then cost more than all the
+ * rest.
+ */
 function software() {
   if (slow !== undefined) return slow;
   const gl = document.createElement("canvas").getContext("webgl2");
@@ -94,7 +109,8 @@ function software() {
 }
 
 /**
- * Between which values the colours run: the few nodes at the bonded corner would take the whole map.
+ * Between which values the colours run: the few nodes at the bonded corner would take the whole
+ * map.
  * @param {ArrayLike<number>} list @returns {[number, number]}
  */
 export function reach(list) {
@@ -103,10 +119,12 @@ export function reach(list) {
 }
 
 /**
- * What colours the muscle and between which values, whether it is cut open; its length and radius at rest.
- * @typedef {{ field: string, low: number, high: number, cut?: boolean, restLength: number, restRadius: number }} Show
- * What is drawn of an answer of `shape`.
- * @typedef {{ stations: number, across: number, arrays: Record<string, number[] | Float32Array>, length_mm: number,
+ * What colours the muscle and between which values, whether it is cut open; its length and radius
+ * at rest.
+ * @typedef {{ field: string, low: number, high: number, cut?: boolean, restLength: number,
+ * restRadius: number }} Show What is drawn of an answer of `shape`.
+ * @typedef {{ stations: number, across: number, arrays: Record<string, number[] | Float32Array>,
+ * length_mm: number,
  *   strands?: number | null }} Shape
  * @typedef {{ array: WebGLVertexArrayObject, count: number }} Piece
  */
@@ -123,7 +141,10 @@ export function viewOf(stage, { contract, drawn } = {}) {
   /** @type {Show} */
   let show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
   /** @type {WebGLProgram} */ let painter;
-  /** Where its uniforms are, once they are asked for. @type {Record<string, WebGLUniformLocation | null>} */
+  /**
+   * Where its uniforms are, once they are asked for.
+   * @type {Record<string, WebGLUniformLocation | null>}
+   */
   let places = {};
   /** @type {WebGLTexture | null} */ let texture = null;
   /** @type {WebGLTexture | null} */ let plugTexture = null;
@@ -148,8 +169,8 @@ export function viewOf(stage, { contract, drawn } = {}) {
   }
 
   /**
-   * Points and triangles of columns of angle and row over shares of the half muscle, whose neighbours are joined; made
-   * once for a name.
+   * Points and triangles of columns of angle and row over shares of the half muscle, whose
+   * neighbours are joined; made once for a name.
    * @param {string} name @param {number[]} along @param {number[][]} columns @returns {Piece}
    */
   function piece(name, along, columns) {
@@ -185,7 +206,8 @@ export function viewOf(stage, { contract, drawn } = {}) {
 
   /**
    * A new shape: the answer of `shape`; what colours it and between which values.
-   * @param {Shape & { muscle: MuscleMeasures }} next @param {Omit<Show, "restLength" | "restRadius">} look
+   * @param {Shape & { muscle: MuscleMeasures }} next
+   * @param {Omit<Show, "restLength" | "restRadius">} look
    */
   function set(next, look) {
     shape = next;
@@ -261,7 +283,8 @@ export function viewOf(stage, { contract, drawn } = {}) {
     put("outer", shape.across - 1);
     put("cut", show.cut ? 1 : 0);
     gl.uniform2f(at("reach"), show.low, show.high);
-    // A power of two: with the measures of the muscle the number of its stations changes to and fro.
+    // A power of two: with the measures of the muscle the number of its stations changes to and
+    // fro.
     const { stations, across } = shape,
       sharpest = [AROUND, 2 ** Math.ceil(Math.log2(stations))];
     const [around, rows] = coarse ? COARSE : sharpest,
@@ -341,7 +364,11 @@ export function viewOf(stage, { contract, drawn } = {}) {
     gl.bindTexture(gl.TEXTURE_2D, texture);
   }
 
-  /** Where one looks from: the left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */
+  /**
+   * Where one looks from: the left end stays where it is; the picture is as wide as the muscle at
+   * rest.
+   * @param {number} aspect
+   */
   function look(aspect) {
     const { restLength, restRadius } = show;
     const now = shape?.length_mm ?? restLength;
@@ -366,7 +393,8 @@ export function viewOf(stage, { contract, drawn } = {}) {
   }
 
   /**
-   * Where a point of the muscle is seen, in pixels of the stage: along its axis from its middle, up, and to the front.
+   * Where a point of the muscle is seen, in pixels of the stage: along its axis from its middle,
+   * up, and to the front.
    * @param {number} x @param {number} y @param {number} z
    */
   function project(x, y, z) {
@@ -430,7 +458,8 @@ export function viewOf(stage, { contract, drawn } = {}) {
   }
 
   /**
-   * Whether a place, as a share of the width, is at the right end of the muscle: its last tenth and what lies beyond.
+   * Whether a place, as a share of the width, is at the right end of the muscle: its last tenth and
+   * what lies beyond.
    * @param {number} share
    */
   function isAtEnd(share) {

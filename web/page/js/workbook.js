@@ -1,5 +1,6 @@
-// A sheet of a workbook (.xlsx, .ods) as the text of a table: rows are lines, tabs are between cells. As on the command
-// line, the first sheet with numbers is read (crates/mckibben-io/src/table/workbook.rs).
+// A sheet of a workbook (.xlsx, .ods) as the text of a table: rows are lines, tabs are between
+// cells. As on the command line, the first sheet with numbers is read
+// (crates/mckibben-io/src/table/workbook.rs).
 import { piped } from "./address.js";
 
 /** Most bytes of a part, and as often a cell is repeated. */
@@ -46,7 +47,10 @@ const columnOf = (place) =>
     0,
   ) - 1;
 
-/** A cell of either kind: a number has its value, a text is in the list of texts or its own. @param {Element} cell @param {string[]} texts */
+/**
+ * A cell of either kind: a number has its value, a text is in the list of texts or its own.
+ * @param {Element} cell @param {string[]} texts
+ */
 function valueOf(cell, texts) {
   const kind = cell.getAttribute("t"),
     own = ["v", "t", "p"].flatMap((name) => all(cell, name))[0]?.textContent;

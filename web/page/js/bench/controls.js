@@ -111,7 +111,10 @@ export function controlsView(store) {
   };
 }
 
-/** @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks @param {Node} needed */
+/**
+ * @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks
+ * @param {Node} needed
+ */
 function section(make, { rubber, braid, strands, held, branch }, needed) {
   const state = [make(PRESSURE), held.element, make(CONTRACTION), make(LOAD), branch.element];
   const tube = [
@@ -172,7 +175,10 @@ function choices(store) {
   };
 }
 
-/** All other measures, by the tables of the muscle file. @param {(spec: Measure) => HTMLElement} make */
+/**
+ * All other measures, by the tables of the muscle file.
+ * @param {(spec: Measure) => HTMLElement} make
+ */
 function moreMeasures(make) {
   const groups = [...new Set(MORE.map(({ group = "" }) => group))].sort(
     (a, b) => ORDER.indexOf(a) - ORDER.indexOf(b),
@@ -188,7 +194,8 @@ function moreMeasures(make) {
 
 /**
  * Every control as file, address and engine have it.
- * @param {Record<string, ReturnType<typeof quantity>>} controls @param {ReturnType<typeof choices>} picks
+ * @param {Record<string, ReturnType<typeof quantity>>} controls
+ * @param {ReturnType<typeof choices>} picks
  */
 function sync(controls, { rubber, braid, strands, held, branch }) {
   const { said, F } = muscle.state,

@@ -1,4 +1,5 @@
-// Curves of the page Muscle: a family, the curve of the present state and as built, other models, and measured points.
+// Curves of the page Muscle: a family, the curve of the present state and as built, other models,
+// and measured points.
 import { Slot } from "../ask.js";
 import { chartOf, builtAt } from "../chart.js";
 import { choice } from "../controls.js";
@@ -87,7 +88,10 @@ export function curvesView(store) {
       store.changed("p", Math.max(0, pressure), settled);
   }
 
-  /** Curves at rest; while the hand moves they take at most an eighth of the time: the muscle comes first. */
+  /**
+   * Curves at rest; while the hand moves they take at most an eighth of the time: the muscle comes
+   * first.
+   */
   function soon() {
     clearTimeout(timer);
     timer = window.setTimeout(ask, performance.now() > due ? 0 : 100);
@@ -130,7 +134,8 @@ export function curvesView(store) {
 
   /**
    * Asks what was not asked yet.
-   * @param {"family" | "own"} what @param {object} request @param {(answer?: CurveAnswer) => void} take
+   * @param {"family" | "own"} what @param {object} request
+   * @param {(answer?: CurveAnswer) => void} take
    * @param {() => void} next
    */
   function once(what, request, take, next) {

@@ -1,13 +1,19 @@
-// Dimension lines over the muscle, and its shape at rest as a ghost. The handles change diameter, wall and length at
-// rest, and the angle of a strand.
+// Dimension lines over the muscle, and its shape at rest as a ghost. The handles change diameter,
+// wall and length at rest, and the angle of a strand.
 import { dragging } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { clamp, evenly, showLength } from "../units.js";
 
 /** @typedef {[number, number]} Place */
-/** Pixels between the muscle and a dimension line, and between two handles at least; fingers need more. */
+/**
+ * Pixels between the muscle and a dimension line, and between two handles at least; fingers need
+ * more.
+ */
 const GAP = matchMedia("(pointer: coarse)").matches ? 26 : 14;
-/** What the handles change, and to how many parts of a unit it is rounded. @type {Record<string, [string, number]>} */
+/**
+ * What the handles change, and to how many parts of a unit it is rounded.
+ * @type {Record<string, [string, number]>}
+ */
 const HANDLES = {
   D: ["outer diameter", 10],
   L: ["length", 10],
@@ -103,9 +109,11 @@ export function dimensions(stage, store, view) {
 }
 
 /**
- * The strand angle at rest with which a strand is held so far along the axis from its foot, in mm. Strands keep their
- * length: at a contraction the ratio of the cosines is fixed, and the radius grows like that of the sines.
- * @param {NonNullable<Store["shape"]>} shape @param {number} radius of the shape @param {number} ahead
+ * The strand angle at rest with which a strand is held so far along the axis from its foot, in mm.
+ * Strands keep their length: at a contraction the ratio of the cosines is fixed, and the radius
+ * grows like that of the sines.
+ * @param {NonNullable<Store["shape"]>} shape @param {number} radius of the shape
+ * @param {number} ahead
  */
 function angleAtRest({ arrays, muscle: { angle_deg: rest } }, radius, ahead) {
   const degree = Math.PI / 180,
@@ -126,8 +134,8 @@ function angleAtRest({ arrays, muscle: { angle_deg: rest } }, radius, ahead) {
 }
 
 /**
- * Where things are seen: ends of the axis now and at rest, directions along it and across it, radii in pixels, and a
- * strand from its foot on the axis to where it is held.
+ * Where things are seen: ends of the axis now and at rest, directions along it and across it, radii
+ * in pixels, and a strand from its foot on the axis to where it is held.
  * @param {View} view @param {NonNullable<Store["shape"]>} shape
  */
 function layout(view, { length_mm: now, muscle: { wall_mm: wall }, arrays }) {

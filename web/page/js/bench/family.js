@@ -119,7 +119,8 @@ export const builtContraction = (q) =>
 
 /**
  * @param {CurveAnswer} answer @param {string} test @param {number} top
- * @param {CurveAnswer | undefined} own a curve that is drawn besides @param {number} most the border of what is permitted, no curve
+ * @param {CurveAnswer | undefined} own a curve that is drawn besides
+ * @param {number} most the border of what is permitted, no curve
  */
 export function familySeries(answer, test, top, own, most) {
   const count = answer.points.length / answer.fixed.length;
@@ -191,7 +192,9 @@ export function overlay(answer) {
 // Radii and strand angle along the muscle.
 /** @param {NonNullable<Store["shape"]>} shape @returns {Spec} */
 export function along({ arrays, stations, across }) {
-  /** Of the half muscle, that of the whole. @param {(j: number) => number} at @param {number} sign */
+  /**
+   * Of the half muscle, that of the whole. @param {(j: number) => number} at @param {number} sign
+   */
   const mirror = (at, sign) => {
     const half = Array.from({ length: stations }, (_, j) => at(j));
     return [

@@ -1,4 +1,5 @@
-// The numbers of the page Muscle: the pull of the model and as built, the parts of the ±, the margins, and what the engine warns of.
+// The numbers of the page Muscle: the pull of the model and as built, the parts of the ±, the
+// margins, and what the engine warns of.
 import { block, button, capital, el, remark } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
@@ -125,7 +126,8 @@ function margins({ facts }, point) {
 
 /**
  * A share of a limit as a bar.
- * @param {string} name @param {number | undefined | null} value @param {number | undefined | null} limit
+ * @param {string} name @param {number | undefined | null} value
+ * @param {number | undefined | null} limit
  * @param {(x: number) => string} text
  */
 function meter(name, value, limit, text, from = 0) {

@@ -101,7 +101,8 @@ export function pointsView(store, changed) {
 
 /**
  * Measured points as series: a colour for each pressure, a sign for each branch.
- * @param {import("../kept.js").Point[]} list @param {number} top the pressure that has the last colour @returns {Series[]}
+ * @param {import("../kept.js").Point[]} list
+ * @param {number} top the pressure that has the last colour @returns {Series[]}
  */
 export function pointSeries(list, top) {
   const kinds = [...new Set(list.map((q) => q.branch ?? "mean"))];

@@ -132,7 +132,10 @@ export function stageView(store, busy) {
   };
 }
 
-/** The pull in words. @param {NonNullable<Store["shape"]>} shape @param {NonNullable<Store["point"]>} point */
+/**
+ * The pull in words.
+ * @param {NonNullable<Store["shape"]>} shape @param {NonNullable<Store["point"]>} point
+ */
 function sentence(shape, point) {
   if (point.slack)
     return [
@@ -182,7 +185,8 @@ const pumping = (store) =>
     "Fills it, lets it shorten, and lets go",
   );
 
-// The pressure gauge: dragged about its centre. The slider says the same to keyboards and screen readers.
+// The pressure gauge: dragged about its centre. The slider says the same to keyboards and screen
+// readers.
 /** From straight down, clockwise: where the dial begins, and how far it goes, in degrees. */
 const FROM = 45,
   REACH = 270;

@@ -1,5 +1,5 @@
-// What the views of the page Muscle share: what is to be shown, the newest answers, and the questions that lead to
-// them.
+// What the views of the page Muscle share: what is to be shown, the newest answers, and the
+// questions that lead to them.
 import { Slot } from "../ask.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
@@ -11,7 +11,8 @@ import { niceUp } from "../units.js";
 export const OWN = ["test", "show", "cut", "over"];
 /** @typedef {Commands["shape"]["answer"] & { arrays: Record<string, Float32Array> }} Shape */
 /**
- * What views are told: of an answer whether it belongs to the pump, of a problem the state that it is about.
+ * What views are told: of an answer whether it belongs to the pump, of a problem the state that it
+ * is about.
  * @typedef {{ answer: boolean, problem: { problem: Problem, state: State }, facts: undefined,
  *   sync: undefined, changed: undefined, look: undefined, ranges: undefined }} Told
  * @typedef {keyof Told} Event
@@ -19,7 +20,8 @@ export const OWN = ["test", "show", "cut", "over"];
 /**
  * `start`: P′; `said`: what `force` has to say of a state.
  * @typedef {Partial<Commands["check"]["answer"]> & { start?: number | null,
- *   said?: Pick<Commands["contraction"]["answer"], "warnings" | "predicted" | "predicted_low" | "predicted_high"> &
+ * said?: Pick<Commands["contraction"]["answer"], "warnings" | "predicted" | "predicted_low" |
+ * "predicted_high"> &
  *   { state: unknown, words?: Commands["force"]["answer"]["uncertainty_words"] } }} Facts
  */
 
@@ -88,7 +90,10 @@ export class Store {
     muscle.place("muscle", own);
   }
 
-  /** The point and its shape. @param {{ pressure_mpa: number, contraction: number }} [shown] in place of the state's */
+  /**
+   * The point and its shape.
+   * @param {{ pressure_mpa: number, contraction: number }} [shown] in place of the state's
+   */
   ask(shown) {
     const { state } = muscle,
       request = { muscle: muscle.fields(), ...(shown ?? pointOf(state)) };
@@ -134,7 +139,10 @@ export class Store {
     if (state.F === undefined) this.starts();
   }
 
-  /** P′ at the contraction of the state, and what `force` has to say: whether it bursts takes more than a shape. */
+  /**
+   * P′ at the contraction of the state, and what `force` has to say: whether it bursts takes more
+   * than a shape.
+   */
   starts() {
     const { state } = muscle;
     this.slots.start.ask(
@@ -154,7 +162,9 @@ export class Store {
     );
   }
 
-  /** The pressure that the colours reach to: that of the gauge, or the one that the muscle may have. */
+  /**
+   * The pressure that the colours reach to: that of the gauge, or the one that the muscle may have.
+   */
   supply() {
     const allowed =
       this.facts.characteristics?.allowed_pressure_mpa ?? this.facts.rated_pressure_mpa ?? Infinity;
@@ -163,7 +173,8 @@ export class Store {
   }
 
   /**
-   * Between which values the colours run: what the muscle shows anywhere between blocked and free, up to its supply.
+   * Between which values the colours run: what the muscle shows anywhere between blocked and free,
+   * up to its supply.
    */
   range() {
     const of = muscle.fields(),

@@ -1,4 +1,5 @@
-// Which pressure, contraction, diameter, wall or angle gives a wanted pull; the others stay as they are.
+// Which pressure, contraction, diameter, wall or angle gives a wanted pull; the others stay as they
+// are.
 import { engine } from "../ask.js";
 import { block, button, el, folded, remark } from "../dom.js";
 import { isAbort } from "../engine/problem.js";
@@ -54,7 +55,10 @@ export function solveView(store) {
   return { element };
 }
 
-/** @param {Measure} measure @param {number} force @param {AbortSignal} signal @returns {Promise<number>} */
+/**
+ * @param {Measure} measure @param {number} force @param {AbortSignal} signal
+ * @returns {Promise<number>}
+ */
 async function solved(measure, force, signal) {
   const { state } = muscle,
     options = { signal },
@@ -76,9 +80,10 @@ async function solved(measure, force, signal) {
 }
 
 /**
- * Where a function is zero between the ends of a slider: outwards from a value to both sides until its sign changes,
- * then secants that keep it between (Illinois).
- * @param {(value: number) => Promise<number>} of @param {number} from @param {Measure} measure @param {number} near
+ * Where a function is zero between the ends of a slider: outwards from a value to both sides until
+ * its sign changes, then secants that keep it between (Illinois).
+ * @param {(value: number) => Promise<number>} of @param {number} from @param {Measure} measure
+ * @param {number} near
  */
 async function root(of, from, { low = 0, high = 1, around, label, kind }, near) {
   // A muscle that cannot be has no value.
@@ -114,7 +119,8 @@ async function root(of, from, { low = 0, high = 1, around, label, kind }, near) 
   );
 }
 
-// What a small change of each measure does to the pull: one millimetre, a degree, 0.1 bar. Each is computed, on demand.
+// What a small change of each measure does to the pull: one millimetre, a degree, 0.1 bar. Each is
+// computed, on demand.
 /** Changes, by keys of measures. @type {Record<string, number>} */
 const STEPS = { D: 1, s: 0.1, L: 1, angle: 1, p: 0.01, e: 0.01 };
 /** After a change it waits so long, in milliseconds. */

@@ -1,7 +1,10 @@
-// Answers as bytes: the length of the JSON, the JSON, then the numbers of its `arrays` (32 bits each), all
-// little-endian.
+// Answers as bytes: the length of the JSON, the JSON, then the numbers of its `arrays` (32 bits
+// each), all little-endian.
 
-/** @param {ArrayBuffer} bytes @returns {{ problem?: undefined, answer: never, buffers: ArrayBuffer[] }} */
+/**
+ * @param {ArrayBuffer} bytes
+ * @returns {{ problem?: undefined, answer: never, buffers: ArrayBuffer[] }}
+ */
 export function unpack(bytes) {
   const length = new DataView(bytes).getUint32(0, true);
   /** @type {{ arrays?: Record<string, number | Float32Array> | unknown[] }} */

@@ -1,5 +1,5 @@
-// The engine as WebAssembly: in workers, so that the page never waits for it. A small module answers what is asked
-// while somebody drags; the whole one is loaded when it is first needed.
+// The engine as WebAssembly: in workers, so that the page never waits for it. A small module
+// answers what is asked while somebody drags; the whole one is loaded when it is first needed.
 import { SCRIPTS } from "../place.js";
 import { Problem, gone } from "./problem.js";
 
@@ -20,15 +20,21 @@ const LISTED = ["sleeves", "rubbers", "models"];
 
 /** @typedef {ConstructorParameters<typeof Problem>[0]} Said */
 /** What a worker answers: how far it is, an answer, a problem, or its end. */
-/** @typedef {{ id: number, done: number, total?: number, answer?: unknown, problem?: Said, dead?: string }} Told */
+/**
+ * @typedef {{ id: number, done: number, total?: number, answer?: unknown, problem?: Said, dead?:
+ * string }} Told
+ */
 /**
  * A question, with who waits for it.
- * @typedef {{ id: number, command: string, request: string, posted: boolean, signal?: AbortSignal, stop: () => void,
+ * @typedef {{ id: number, command: string, request: string, posted: boolean, signal?: AbortSignal,
+ * stop: () => void,
  *   resolve: (answer: never) => void, reject: (problem: unknown) => void,
  *   progress?: (done: number, total: number) => void }} Asked
  */
 
-/** A worker, asked one question after the other: one that is given up costs those behind it nothing. */
+/**
+ * A worker, asked one question after the other: one that is given up costs those behind it nothing.
+ */
 class Lane {
   /** @type {Worker | undefined} */ worker;
   /** Questions; the first is the one that the worker has. @type {Asked[]} */ open = [];

@@ -3,7 +3,8 @@ import { unpack } from "./packed.js";
 
 /**
  * What the module exports.
- * @type {{ memory: WebAssembly.Memory, reserve: (bytes: number) => number, ask: (command: number) => number,
+ * @type {{ memory: WebAssembly.Memory, reserve: (bytes: number) => number, ask: (command: number)
+ * => number,
  *   answer: () => number, answer_length: () => number, start: () => void }}
  */
 let engine;

@@ -45,7 +45,8 @@ const value = (/** @type {Case} */ c) => [
   number(c.error, 2),
 ];
 /**
- * Tables of the cases, each of one kind of number: kind and measure of its cases, title, headings and cells.
+ * Tables of the cases, each of one kind of number: kind and measure of its cases, title, headings
+ * and cells.
  * @type {[Case["kind"], Case["measure"], string, string[], (c: Case) => string[]][]}
  */
 const TABLES = [

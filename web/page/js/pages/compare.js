@@ -1,5 +1,5 @@
-// The muscle beside another one, or beside another model of it: B is the same muscle, or that of a file, with what is
-// said over it.
+// The muscle beside another one, or beside another model of it: B is the same muscle, or that of a
+// file, with what is said over it.
 import { Slot } from "../ask.js";
 import { chartOf, KINDS, isobars } from "../chart.js";
 import { fileField } from "../controls.js";
@@ -45,7 +45,10 @@ const MODELS = /** @type {[string, string][]} */ (
   ].map((m) => [m, m])
 );
 
-/** Fields of a side: its model, and of B what it changes. @param {string} name @param {() => void} ask */
+/**
+ * Fields of a side: its model, and of B what it changes.
+ * @param {string} name @param {() => void} ask
+ */
 function sideForm(name, ask) {
   const measure = (/** @type {Measure} */ { key, field, label, kind }, more = {}) => ({
     key: name + key,

@@ -25,7 +25,9 @@ import { keyed, number, onUnits, ratioAxis, showForce, unitName, worded } from "
 
 const CONSTANTS = "constants";
 
-/** Constants with their ±, and what to do with them. @param {Commands["identify"]["answer"]} answer */
+/**
+ * Constants with their ±, and what to do with them. @param {Commands["identify"]["answer"]} answer
+ */
 function identifiedView(answer) {
   const rows = answer.parameters.map((p) => {
     const half = p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–";
@@ -182,7 +184,10 @@ export const mount = (main) => {
     );
   }
 
-  /** Pulls over contraction have the colour of their pressure and the sign of their branch. @param {TextFile} of */
+  /**
+   * Pulls over contraction have the colour of their pressure and the sign of their branch.
+   * @param {TextFile} of
+   */
   function colour(of) {
     const [chart] = figures.charts,
       spec = chart?.spec;

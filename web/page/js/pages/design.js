@@ -148,7 +148,10 @@ function specification(submit) {
       forms.forEach((f) => f.set(params));
       kinds.select(others.find((key) => wanted.text(key)) ?? "F");
     },
-    /** The request, or nothing where a text cannot be read. @returns {Promise<Design["request"] | undefined>} */
+    /**
+     * The request, or nothing where a text cannot be read.
+     * @returns {Promise<Design["request"] | undefined>}
+     */
     async read() {
       const [want, space] = await Promise.all([wanted.read(), choice.read({ intervals: true })]);
       if (!want || !space) return undefined;
@@ -193,7 +196,9 @@ const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of,
 /** @type {Mount} */
 export const mount = (main) => {
   /** @type {Design["answer"] | undefined} */ let found;
-  /** What the answer that is shown was asked by, and the newest question. @type {Design["request"]} */
+  /**
+   * What the answer that is shown was asked by, and the newest question. @type {Design["request"]}
+   */
   let of = {},
     /** @type {Design["request"] | undefined} */ asked;
   const spec = specification(() => search.run());

@@ -1,5 +1,5 @@
-// The muscle as files: a report, what the workshop needs, code for controllers and simulators, and files of
-// finite-element programs.
+// The muscle as files: a report, what the workshop needs, code for controllers and simulators, and
+// files of finite-element programs.
 import { engine } from "../ask.js";
 import {
   block,
@@ -163,7 +163,9 @@ const workshop = () =>
     },
   );
 
-/** Errors of an export, as shares of the blocked force. @param {Commands["export"]["answer"]} answer */
+/**
+ * Errors of an export, as shares of the blocked force. @param {Commands["export"]["answer"]} answer
+ */
 function errorLine(answer) {
   const share = (/** @type {number} */ x) => showRatio(x, 2);
   return (

@@ -1,4 +1,5 @@
-// A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
+// A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and
+// the file.
 import {
   block,
   button,
@@ -139,7 +140,8 @@ function surfaces() {
     ends = new AbortController();
   atEnd(() => ends.abort());
   /**
-   * @param {import("../chart.js").Chart} chart @param {string} label @param {number[]} list @param {number[]} E
+   * @param {import("../chart.js").Chart} chart @param {string} label @param {number[]} list
+   * @param {number[]} E
    * @param {(value: number) => Promise<(number | null)[]>} line
    */
   async function draw(chart, label, list, E, line) {
@@ -166,7 +168,9 @@ function surfaces() {
   }
   return {
     element,
-    /** @param {File | typeof PUBLISHED} formula @param {number | undefined} at the pressure in MPa */
+    /**
+     * @param {File | typeof PUBLISHED} formula @param {number | undefined} at the pressure in MPa
+     */
     async show(formula, at) {
       const { range } = formula;
       element.hidden = true;

@@ -1,4 +1,5 @@
-// A joint with two of this muscle against each other: pressures by dragging the arm, torques, and what it reaches.
+// A joint with two of this muscle against each other: pressures by dragging the arm, torques, and
+// what it reaches.
 import { Slot } from "../ask.js";
 import { chartOf } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
@@ -155,7 +156,10 @@ function moveBox(v, question) {
   };
 }
 
-/** Pressures at angles, with the stiffness that the page asks for. @param {Values} v @param {number[]} list */
+/**
+ * Pressures at angles, with the stiffness that the page asks for.
+ * @param {Values} v @param {number[]} list
+ */
 const wanted = (v, list) => ({
   angles_deg: list,
   max_pressure_mpa: v.pmax,
@@ -163,9 +167,10 @@ const wanted = (v, list) => ({
 });
 
 /**
- * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and its family of
- * torques.
- * @param {{ take: (answer: JointAnswer) => void, fail: (problem: Problem) => void, family: (family: Family) => void }} act
+ * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and
+ * its family of torques.
+ * @param {{ take: (answer: JointAnswer) => void, fail: (problem: Problem) => void, family: (family:
+ * Family) => void }} act
  */
 function questions({ take, fail, family }) {
   let settling = 0,

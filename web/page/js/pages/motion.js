@@ -163,7 +163,10 @@ function chartsOf() {
 // A motion as people see it: pressures, the way of muscle or joint over time, and its figures.
 /** Whether it is a joint's. @param {Run} run */
 const isJoint = (run) => Boolean(run.series.angle_deg);
-/** Series of pressures of a muscle or of a joint: what each is called, and its colour; commands are dotted. */
+/**
+ * Series of pressures of a muscle or of a joint: what each is called, and its colour; commands are
+ * dotted.
+ */
 const PRESSURES = /** @type {const} */ ([
   ["pressure_mpa", "muscle", 0],
   ["command", "command", 6],
@@ -255,7 +258,10 @@ function stateLine(run, i) {
   return `${showPressure(s.pressure_mpa?.[i], 3)}, ${showRatio(s.contraction?.[i], 3)}`;
 }
 
-/** The muscle at a place of the record: that of the page, or muscle 1 of a joint. @param {Run} run @param {number} i */
+/**
+ * The muscle at a place of the record: that of the page, or muscle 1 of a joint.
+ * @param {Run} run @param {number} i
+ */
 function stateAt({ series: s }, i) {
   const [p, e] = [s.pressure_mpa ?? s.pressure_1_mpa ?? [], s.contraction ?? s.contraction_1 ?? []];
   return { pressure_mpa: Math.max(0, p[i]), contraction: e[i] };

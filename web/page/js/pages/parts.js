@@ -27,15 +27,22 @@ const KINDS = /** @type {[string, string][]} */ ([
   ["rubbers", "Rubbers"],
   ["muscles", "Measured muscles"],
 ]);
-/** What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>} Said */
 /**
- * A row: the name, cells, words that a filter looks at too, its outer or possible diameters, and what it says of the
- * muscle.
- * @typedef {{ name: string, cells: (string | Node)[], words: string, low: number, high: number, said: Said }} Row
+ * What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>}
+ * Said
+ */
+/**
+ * A row: the name, cells, words that a filter looks at too, its outer or possible diameters, and
+ * what it says of the muscle.
+ * @typedef {{ name: string, cells: (string | Node)[], words: string, low: number, high: number,
+ * said: Said }} Row
  */
 
 const estimate = (/** @type {string} */ text) => el("span", { class: "estimated" }, text);
-/** A source that may be long. @param {string | null | undefined} source @param {string | null | undefined} [note] */
+/**
+ * A source that may be long.
+ * @param {string | null | undefined} source @param {string | null | undefined} [note]
+ */
 const source = (source, note) => folded("Source", [source, note].filter(Boolean).join(" "));
 
 /** @type {{ [K in Kind]: { head: string[], text: number[], rows: (parts: Parts) => Row[] } }} */
@@ -114,7 +121,10 @@ const LISTS = {
   },
 };
 
-/** What of a sleeve no seller states. @param {{ missing: string, stiffness_factor?: number | null }} s */
+/**
+ * What of a sleeve no seller states.
+ * @param {{ missing: string, stiffness_factor?: number | null }} s
+ */
 function estimated({ missing, stiffness_factor: factor }) {
   const what = missing
     .split(" ")

@@ -1,4 +1,5 @@
-// Laws of rubber from a test of it: constants, curves with the points, and the muscle with that rubber.
+// Laws of rubber from a test of it: constants, curves with the points, and the muscle with that
+// rubber.
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
 import { block, folded, heading, paragraph, remark } from "../dom.js";
