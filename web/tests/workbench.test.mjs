@@ -10,7 +10,7 @@ import axe from "axe-core";
 import { nameIn, named } from "../page/js/toml.js";
 import { PAGES } from "../page/js/pages.js";
 import { thinned } from "../page/js/kept.js";
-import { zip } from "../page/js/zip.js";
+import { zipSync } from "../page/js/vendor/fflate.js";
 import { alive, asBuilt, asShown, go, launch, meter, pull, served, soon } from "./browser.mjs";
 import { ask, inBrowser, program, root, shots } from "./sites.mjs";
 
@@ -549,29 +549,27 @@ inBrowser(({ name, url, open, blank }) => {
       `${rows.map((row) => `<row>${row.map((v) => `<c><v>${v}</v></c>`).join("")}</row>`).join("")}</sheetData></worksheet>`;
     const relations = (/** @type {[id: string, kind: string, to: string][]} */ ...list) =>
       `<Relationships xmlns="${OFFICE}/package/2006/relationships">${list.map(([id, kind, to]) => `<Relationship Id="${id}" Type="${OFFICE}/officeDocument/2006/relationships/${kind}" Target="${to}"/>`).join("")}</Relationships>`;
-    const packed = zip(
-      Object.entries({
-        "xl/workbook.xml": `<workbook xmlns="${OFFICE}/spreadsheetml/2006/main" xmlns:r="${OFFICE}/officeDocument/2006/relationships"><sheets><sheet name="Second" sheetId="2" r:id="rId2"/><sheet name="First" sheetId="1" r:id="rId1"/></sheets></workbook>`,
-        "_rels/.rels": relations(["rId1", "officeDocument", "xl/workbook.xml"]),
-        "xl/_rels/workbook.xml.rels": relations(
-          ["rId1", "worksheet", "worksheets/sheet1.xml"],
-          ["rId2", "worksheet", "/xl/worksheets/sheet2.xml"],
-        ),
-        "xl/worksheets/sheet1.xml": sheet([
-          [1, 0],
-          [1.5, 0.3],
-          [2, 0.5],
-        ]),
-        "xl/worksheets/sheet2.xml": sheet([
-          [1, 0],
-          [1.25, 0.2],
-          [1.5, 0.3],
-          [1.75, 0.4],
-        ]),
-      }).map(([name, text]) => ({ name, bytes: new TextEncoder().encode(text) })),
-    );
+    const parts = Object.entries({
+      "xl/workbook.xml": `<workbook xmlns="${OFFICE}/spreadsheetml/2006/main" xmlns:r="${OFFICE}/officeDocument/2006/relationships"><sheets><sheet name="Second" sheetId="2" r:id="rId2"/><sheet name="First" sheetId="1" r:id="rId1"/></sheets></workbook>`,
+      "_rels/.rels": relations(["rId1", "officeDocument", "xl/workbook.xml"]),
+      "xl/_rels/workbook.xml.rels": relations(
+        ["rId1", "worksheet", "worksheets/sheet1.xml"],
+        ["rId2", "worksheet", "/xl/worksheets/sheet2.xml"],
+      ),
+      "xl/worksheets/sheet1.xml": sheet([
+        [1, 0],
+        [1.5, 0.3],
+        [2, 0.5],
+      ]),
+      "xl/worksheets/sheet2.xml": sheet([
+        [1, 0],
+        [1.25, 0.2],
+        [1.5, 0.3],
+        [1.75, 0.4],
+      ]),
+    }).map(([name, text]) => [name, new TextEncoder().encode(text)]);
     const path = join(mkdtempSync(join(tmpdir(), "tabs-")), "tabs.xlsx");
-    writeFileSync(path, Buffer.from(await packed.arrayBuffer()));
+    writeFileSync(path, zipSync(Object.fromEntries(parts)));
     await page.locator(".drop input").setInputFiles(path);
     const first = ask("rubber", path);
     assert.equal(first.points, 4);
@@ -887,6 +885,15 @@ inBrowser(({ name, url, open, blank }) => {
     await there(page, "design");
     await soon(async () => assert.match(page.url(), /joint=8.*45/));
     await page.getByText(/^Pulley of radius/).waitFor({ timeout: 60_000 });
+    // A muscle of a joint opens as that joint.
+    await page.locator("table tbody tr").first().click();
+    await there(page, "joint");
+    await soon(async () =>
+      assert.equal(
+        await page.getByRole("textbox", { name: "Radius of the pulley" }).inputValue(),
+        String(turns.joint.radius_mm),
+      ),
+    );
     assert.deepEqual(errors, []);
     await context.close();
   });
@@ -932,14 +939,17 @@ inBrowser(({ name, url, open, blank }) => {
     await context.close();
   });
 
-  test("the theme is kept, and paper is light: muscle and curves are whole on it", async () => {
+  test("the theme is that of the system, and paper is light: muscle and curves are whole on it", async () => {
     const { page, context } = await open("#muscle?D=38");
     await alive(page);
-    await page.getByRole("button", { name: "Dark", exact: true }).click();
-    await page.reload();
-    await alive(page);
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
     await page.locator("main svg.curves").first().waitFor();
+    const ink = () => page.locator("main svg.curves").first().getAttribute("fill");
+    const light = await ink();
+    await page.emulateMedia({ colorScheme: "dark" });
+    await page.waitForFunction(
+      (was) => document.querySelector("main svg.curves")?.getAttribute("fill") !== was,
+      light,
+    );
     await page.setViewportSize({ width: 794, height: 1123 });
     await page.emulateMedia({ media: "print" });
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
@@ -960,7 +970,10 @@ inBrowser(({ name, url, open, blank }) => {
       JSON.stringify(paper),
     );
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    await page.waitForFunction(
+      (was) => document.querySelector("main svg.curves")?.getAttribute("fill") !== was,
+      light,
+    );
     await context.close();
   });
 
@@ -1475,9 +1488,9 @@ inBrowser(({ name, url, open, blank }) => {
     for (const one of ["Undo", "Redo", "⋯"]) await tab(one);
     // What is seldom needed is behind the sign, the buttons of the frame too.
     await page.keyboard.press("Enter");
-    for (const one of ["Open", "Save", "Share", "Print", "Help", "Dark"]) await tab(one);
+    for (const one of ["Open", "Save", "Share", "Print"]) await tab(one);
     await page.keyboard.press("Enter");
-    await page.locator("html[data-theme=dark]").waitFor();
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
     await page.getByRole("button", { name: "Save", exact: true }).waitFor({ state: "hidden" });
     const frame = await page.locator(".frame").boundingBox();
     assert.ok(frame && frame.height <= 80, `${frame?.height}`);

@@ -46,7 +46,8 @@ function shareButton() {
           "This link works only on your computer. The muscle was saved: send the file instead.",
         );
       }
-      await navigator.clipboard.writeText(location.href).then(
+      // Over plain http a browser has no clipboard.
+      await (navigator.clipboard?.writeText(location.href) ?? Promise.reject()).then(
         () => notice("The link to this view is copied."),
         () => prompt("The link to this view", location.href),
       );

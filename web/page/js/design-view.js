@@ -146,10 +146,11 @@ function rowsOf(candidates, prices) {
  * @param {Design["answer"]} answer
  */
 export async function openCandidate({ candidates, muscle_files = [] }, i = 0) {
-  const { pressure_mpa: p, points } = candidates[i],
-    state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction };
+  const { pressure_mpa: p, points, joint } = candidates[i],
+    state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction },
+    pulley = joint && { r: `${joint.radius_mm}mm`, e0: `${joint.contraction_at_neutral}` };
   await pack(state.file);
-  location.hash = address("muscle", muscle.paramsOf(state));
+  location.hash = address(joint ? "joint" : "muscle", { ...muscle.paramsOf(state), ...pulley });
 }
 
 /** The decision: what each line is about, and the line. @param {Design["answer"]} answer */

@@ -35,7 +35,7 @@ export function helpLink() {
       ),
       paragraph(
         el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
-        ": accuracy, verification, models, sources.",
+        ": accuracy, verification, sources.",
       ),
       DOCUMENTATION
         ? el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })

@@ -3,14 +3,11 @@
 import { signal } from "./life.js";
 
 /** @typedef {{ words: Record<string, Words>, files: KeptFiles }} Kept */
-/**
- * A text that the browser keeps, where it keeps any.
- * @param {() => Storage} storage @param {string} name
- */
-const stored = (storage, name) => ({
+/** A text that the browser keeps, where it keeps any. */
+const session = {
   get() {
     try {
-      return storage().getItem(name) ?? "";
+      return sessionStorage.getItem("mckibben:kept") ?? "";
     } catch {
       return "";
     }
@@ -18,15 +15,12 @@ const stored = (storage, name) => ({
   /** @param {string} text */
   set(text) {
     try {
-      storage().setItem(name, text);
+      sessionStorage.setItem("mckibben:kept", text);
     } catch {
-      /* Then it is asked again, or lost with a reload. */
+      /* Then it is lost with a reload. */
     }
   },
-});
-/** A word for later visits. @param {string} name */
-export const remembered = (name) => stored(() => localStorage, `mckibben:${name}`);
-const session = stored(() => sessionStorage, "mckibben:kept");
+};
 /** @type {Kept} */
 const kept = { words: {}, files: {}, ...JSON.parse(session.get() || "{}") };
 const changed = signal();

@@ -59,7 +59,7 @@ function drawn(c, share) {
     `<path class="way" d="M${left} ${weight}v${-way}M${left - font} ${weight}h${font}m0 ${-way}h${-font}"/>` +
     words(showLength(way, 3), left - font, weight - way / 2, "end") +
     words(showForce(force * count, 3), 0, weight - up + half / 2, "middle") +
-    words(`${showLength(most, 3)} wide`, x, y - font) +
+    words(`${count > 1 ? `${count} × ` : ""}${showLength(most, 3)} wide`, x, y - font) +
     words("1 € coin", x, y + COIN + 1.2 * font) +
     `${round("coin", COIN / 2)}${round("core", COIN / 3)}</svg>`
   );

@@ -17,7 +17,7 @@ import { printing } from "./print.js";
 import { sketches } from "./sketch.js";
 import { keys } from "./state.js";
 import { record, step } from "./steps.js";
-import { themeButton } from "./theme.js";
+import { followSystem } from "./theme.js";
 
 const main = byId("main");
 /** @typedef {{ load: (params: URLSearchParams) => Promise<void> }} View */
@@ -74,8 +74,9 @@ const help = helpLink();
 const bar = muscleBar(walk, () => {
   write(linked(shown?.name ?? "muscle"));
   muscle.tell();
-}, [help.element, themeButton()]);
+}, [help.element]);
 byId("bar").append(bar.element);
+followSystem();
 
 /** Steps that are being gone back to: the muscle on the way there is none. */
 let walking = 0;

@@ -17,7 +17,7 @@ import {
   words,
   MEASURES,
 } from "./state.js";
-import { nameIn, named } from "./toml.js";
+import { nameIn, named, stated } from "./toml.js";
 import {
   braidName,
   learn,
@@ -261,8 +261,14 @@ export class MuscleState {
    */
   async take(text, name = "muscle.toml", called = "") {
     const next = opened(this.state, text),
+      set = stated(text).get("job.pressure"),
+      [, at] = /^points = .*?contraction = ([\d.]+)/m.exec(text) ?? [],
       request = { muscle: { file: { name, text } }, only_data: true };
     const shown = await engine().ask("check", request, { lane: "read" });
+    // At what it was designed for.
+    const [job] = await understood(set ? [{ text: set, kind: "pressure" }] : []);
+    next.p = job?.value ?? next.p;
+    next.e = Number(at ?? next.e);
     await pack(text);
     Object.assign(this, {
       state: next,

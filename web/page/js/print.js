@@ -5,7 +5,7 @@ import { pictures } from "./body.js";
 import { block, byId, el, heading, paragraph, smallPrint, termsOf } from "./dom.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
-import { setTheme } from "./theme.js";
+import { paper } from "./theme.js";
 import { thumbnail } from "./thumbnail.js";
 
 /** What stands in the fields that are shown: names and values. @returns {[string, string][]} */
@@ -76,15 +76,12 @@ function sheet() {
 }
 
 export function printing() {
-  /** @type {string | undefined} */ let theme;
   addEventListener("beforeprint", () => {
-    ({ theme } = document.documentElement.dataset);
-    // Paper is light.
-    setTheme("light");
+    paper(true);
     byId("sheet").replaceChildren(sheet());
   });
   addEventListener("afterprint", () => {
     byId("sheet").replaceChildren();
-    setTheme(theme);
+    paper(false);
   });
 }

@@ -1,7 +1,7 @@
 // A sheet of a workbook (.xlsx, .ods) as the text of a table: rows are lines, tabs are between
 // cells. As on the command line, the first sheet with numbers is read
 // (crates/mckibben-io/src/table/workbook.rs).
-import { piped } from "./address.js";
+import { unzipSync } from "./vendor/fflate.js";
 
 /** Most bytes of a part, and as often a cell is repeated. */
 const MOST = 60_000_000,
@@ -9,36 +9,6 @@ const MOST = 60_000_000,
 
 /** @param {Document | Element} of @param {string} name whatever its prefix is */
 const all = (of, name) => [...of.getElementsByTagNameNS("*", name)];
-
-/** The parts of a packed file by their names. @param {Uint8Array<ArrayBuffer>} bytes */
-function partsOf(bytes) {
-  const view = new DataView(bytes.buffer),
-    two = (/** @type {number} */ at) => view.getUint16(at, true),
-    four = (/** @type {number} */ at) => view.getUint32(at, true),
-    text = new TextDecoder();
-  // The list of the parts is at the end.
-  let end = bytes.length - 22;
-  while (four(end) !== 0x06054b50) end--;
-  let at = four(end + 16);
-  return new Map(
-    Array.from({ length: two(end + 10) }, () => {
-      const [method, size, place] = [two(at + 10), four(at + 20), four(at + 42)],
-        name = bytes.subarray(at + 46, (at += 46 + two(at + 28)));
-      at += two(at - name.length - 16) + two(at - name.length - 14);
-      const read = async () => {
-        const from = place + 30 + two(place + 26) + two(place + 28),
-          part = bytes.subarray(from, from + size);
-        return new DOMParser().parseFromString(
-          text.decode(
-            method ? await piped(part, new DecompressionStream("deflate-raw"), MOST) : part,
-          ),
-          "application/xml",
-        );
-      };
-      return [text.decode(name), read];
-    }),
-  );
-}
 
 /** The column of a place such as `B3`, from 0. @param {string} place */
 const columnOf = (place) =>
@@ -74,13 +44,19 @@ function lineOf(row, texts) {
 
 /** @param {File} file */
 export async function sheetText(file) {
-  const parts = partsOf(new Uint8Array(await file.arrayBuffer())),
-    read = async (/** @type {string} */ name) => parts.get(name)?.();
-  const [list, document, book, places] = await Promise.all(
-    ["xl/sharedStrings.xml", "content.xml", "xl/workbook.xml", "xl/_rels/workbook.xml.rels"].map(
-      read,
-    ),
-  );
+  const parts = unzipSync(new Uint8Array(await file.arrayBuffer()), {
+      filter: ({ name, originalSize }) => /\.(xml|rels)$/.test(name) && originalSize <= MOST,
+    }),
+    read = (/** @type {string} */ name) =>
+      name in parts
+        ? new DOMParser().parseFromString(new TextDecoder().decode(parts[name]), "application/xml")
+        : undefined;
+  const [list, document, book, places] = [
+    "xl/sharedStrings.xml",
+    "content.xml",
+    "xl/workbook.xml",
+    "xl/_rels/workbook.xml.rels",
+  ].map(read);
   const texts = list
     ? all(list, "si").map((one) =>
         all(one, "t")
@@ -94,7 +70,7 @@ export async function sheetText(file) {
       of = places?.querySelector(`[Id="${mark?.value}"]`);
     return `xl/${of?.getAttribute("Target")}`.replace("xl//", "");
   });
-  const sheets = document ? all(document, "table") : await Promise.all(names.map(read));
+  const sheets = document ? all(document, "table") : names.map(read);
   for (const sheet of sheets) {
     const rows = ["row", "table-row"].flatMap((name) => (sheet ? all(sheet, name) : [])),
       lines = rows.map((row) => lineOf(row, texts));

@@ -77,7 +77,6 @@ const TABLES = [
 /** @type {Mount} */
 export const mount = (main) => {
   const cases = block();
-  const models = block();
   const check = job(
     "Compute them here",
     "validate",
@@ -127,8 +126,6 @@ export const mount = (main) => {
       check.element,
     ),
     cases,
-    block("prose", heading("Models")),
-    models,
     block(
       "prose",
       heading("Sources and licence"),
@@ -139,19 +136,6 @@ export const mount = (main) => {
     ),
   );
   const ranBefore = () => Boolean(fileOf(CHECKED));
-  engine()
-    .ask("parts-list", { kind: "models" })
-    .then(
-      (answer) =>
-        models.replaceChildren(
-          table(
-            ["model", "what it is"],
-            answer.models.map((m) => [m.name, m.description]),
-            { text: [0, 1], label: "models" },
-          ),
-        ),
-      () => {},
-    );
   return {
     async load(params) {
       await muscle.read(params);

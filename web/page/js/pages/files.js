@@ -25,7 +25,7 @@ import {
   showRatio,
   unitName,
 } from "../units.js";
-import { zip } from "../zip.js";
+import { zipSync } from "../vendor/fflate.js";
 
 /** @typedef {Commands["export-list"]["answer"]["targets"][number]} Target */
 /** What a report states of itself; the name is that of the muscle. @type {Field[]} */
@@ -311,7 +311,14 @@ export function filesView(files, archive) {
       el("span", { class: "soft" }, size(bytes.length)),
     ),
   );
-  const every = () => download(`${archive}.zip`, zip(all));
+  const every = () =>
+    download(
+      `${archive}.zip`,
+      zipSync(Object.fromEntries(all.map(({ name, bytes }) => [name, bytes])), {
+        level: 0,
+        mtime: "1980-01-02",
+      }),
+    );
   return block(
     "files",
     el("ul", { class: "plain" }, ...rows),

@@ -1,0 +1,7 @@
+/** The files of an archive by their names. */
+type Files = Record<string, Uint8Array<ArrayBuffer>>;
+export function zipSync(files: Files, options?: { level?: 0; mtime?: string }): Uint8Array<ArrayBuffer>;
+export function unzipSync(
+  bytes: Uint8Array,
+  options?: { filter?: (file: { name: string; originalSize: number }) => boolean },
+): Files;
