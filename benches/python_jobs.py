@@ -7,6 +7,7 @@ The table has the lines of a job (without those that all share) and the median t
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import os
 import sys
@@ -15,6 +16,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import numpy as np
 
@@ -93,7 +95,7 @@ def design() -> None:
 def identify() -> None:
     """Constants of a measured muscle with error bars"""
     found = mk.identify("examples/bench.toml", "examples/bench.csv", model="universal")
-    print(found.x, found.stderr)
+    print(found["value"], found["standard_error"])
 
 
 def compare() -> None:
@@ -203,6 +205,138 @@ def saved() -> None:
     mk.load(FOLDER / "muscle.toml")
 
 
+def torques() -> None:
+    """Torque, its slopes and the stiffness of an elbow over 25 angles and 4 pressures"""
+    pressures = [[[0.1], [0.2], [0.3], [0.4]], 0.1]
+    angles = np.linspace(-40, 40, 25)
+    ELBOW.torque(pressures, angles, jac=True, model="universal")
+    ELBOW.stiffness(pressures, angles, model="universal")
+
+
+def linear() -> None:
+    """Poles of an elbow as `control` has them"""
+    import control
+
+    control.ss(*ELBOW.linearise(["2 bar", "2 bar"], 0, model="universal")).poles()
+
+
+def linear_drive() -> None:
+    """The steps of an elbow on its valves, linearised, by `control`"""
+    import control
+
+    drive = mk.load("examples/elbow-drive.toml", mk.Drive)
+    control.step_response(control.ss(*drive.linearise(model="universal")))
+
+
+def labels() -> None:
+    """A map of 10,000 points by the names of its dimensions, by xarray"""
+    import xarray as xr
+
+    p = xr.DataArray(np.linspace(0.05, 0.25, 100), dims="p", attrs={"units": "MPa"})
+    e = xr.DataArray(np.linspace(0, 0.15, 100), dims="e")
+    MUSCLE.force(p, e, model="universal").sel(e=7)
+
+
+def series() -> None:
+    """A log of 10,000 rows as a column beside the others, by pandas"""
+    import pandas as pd
+
+    log = pd.DataFrame({"p": PRESSURES[::100], "e": 0.1})
+    log["pull"] = MUSCLE.force(log.p, log.e, model="universal")
+
+
+def jax_scalar() -> None:
+    """1,000 calls of a jitted pull of two numbers, by JAX"""
+    import jax
+
+    from mckibben.jax import force
+
+    f = JITTED.setdefault("f", jax.jit(force(MUSCLE, model="universal")))
+    for _ in range(1000):
+        f(0.2, 0.1).block_until_ready()
+
+
+def jax_constants() -> None:
+    """Pulls of 100 moduli and walls with their slopes by both, by JAX"""
+    import jax
+
+    from mckibben.jax import force
+
+    names = ["tube.material.c10", "wall_mm"]
+    f = force(MUSCLE, names, model="universal")
+    g = jax.vmap(jax.value_and_grad(lambda theta: f(0.2, 0.1, theta)))
+    g({names[0]: np.linspace(0.09, 0.11, 100), names[1]: np.linspace(1.1, 1.3, 100)})
+
+
+def bounded() -> None:
+    """The point of most work within the bounds of a model, by SciPy"""
+    from scipy.optimize import minimize
+
+    def lost(at: list[float]) -> float:
+        return -MUSCLE.force(at[0], at[1], model="universal", two_sided=True) * at[1]
+
+    minimize(lost, [0.2, 0.1], bounds=MUSCLE.bounds(model="universal"))
+
+
+def posterior() -> None:
+    """1,600 samples of two identified constants, by emcee"""
+    import emcee
+
+    p, e, names = PRESSURES[::100_000], 0.1, ["tube.material.c10", "braid.angle"]
+    measured = MUSCLE.force(p, e, model="universal")
+
+    def likelihood(theta: np.ndarray) -> float:
+        made = MUSCLE.with_parameters(dict(zip(names, theta)))
+        pull = made.force(p, e, errors="nan", model="universal")
+        return float(np.nan_to_num(-(((pull - measured) / 5) ** 2).sum(), nan=-1e9))
+
+    start = [MUSCLE.parameters[n] for n in names] * (
+        1 + 0.01 * np.random.default_rng(1).standard_normal((8, 2))
+    )
+    emcee.EnsembleSampler(8, 2, likelihood).run_mcmc(start, 200)
+
+
+def predictive() -> None:
+    """A move of 20 steps of the linear elbow as one quadratic programme, by CasADi"""
+    import casadi
+    from scipy.signal import cont2discrete
+
+    model = ELBOW.linearise([0.2, 0.2], 0, model="universal")
+    a, b, *_ = cont2discrete(tuple(model), 0.05)
+    problem = casadi.Opti("conic")
+    x, u = problem.variable(2, 21), problem.variable(2, 20)
+    problem.minimize(casadi.sumsqr(x[0, :] - np.radians(20)) + 0.1 * casadi.sumsqr(u))
+    problem.subject_to(x[:, 0] == 0)
+    for k in range(20):
+        problem.subject_to(x[:, k + 1] == a @ x[:, k] + b[:, :2] @ u[:, k])
+    problem.subject_to(problem.bounded(-0.1, casadi.vec(u), 0.1))
+    quiet = {"print_time": False, "print_iter": False, "print_header": False}
+    problem.solver("qrqp", quiet)
+    problem.solve()
+
+
+def torch_module() -> None:
+    """Pulls of 10,000 points with their slopes in a module of PyTorch"""
+    import torch
+
+    place = MUSCLE.export("python", model="universal").write(FOLDER, overwrite=True)
+    sys.path.insert(0, str(FOLDER))
+    muscle = importlib.import_module(place.stem)
+    p = torch.linspace(0.05, 0.25, 10_000, dtype=torch.float64, requires_grad=True)
+    muscle.force(p, torch.full_like(p, 0.9 * 285)).sum().backward()
+
+
+def notebook() -> None:
+    """The first notebook, by nbclient"""
+    import nbformat
+    from nbclient import NotebookClient
+
+    book = nbformat.read("python/examples/1_first_muscle.ipynb", 4)
+    NotebookClient(book, resources={"metadata": {"path": "python/examples"}}).execute()
+
+
+ELBOW = mk.load("examples/elbow.toml", mk.Joint)
+JITTED: dict[str, Callable[..., Any]] = {}
 FORMULA: Fit | None = None
 JOBS: list[Callable[[], None]] = [
     number,
@@ -229,6 +363,18 @@ JOBS: list[Callable[[], None]] = [
     export,
     build,
     saved,
+    torques,
+    linear,
+    linear_drive,
+    labels,
+    series,
+    jax_scalar,
+    jax_constants,
+    bounded,
+    posterior,
+    predictive,
+    torch_module,
+    notebook,
 ]
 
 

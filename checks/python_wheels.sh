@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 "$PYTHON" -m venv "$work/venv"
 "$work/venv/bin/python" -m pip install --quiet "maturin[zig]>=1.12,<2"
 export PATH="$work/venv/bin:$PATH"
-maturin build --strip --profile wheel --compression-level 9 --zig --compatibility manylinux2014 -o dist "$@"
+RUSTFLAGS="${RUSTFLAGS:-} -C llvm-args=-inline-threshold=5" maturin build --strip --profile wheel --compression-level 9 --zig --compatibility manylinux2014 -o dist "$@"
 maturin sdist -o dist
 
 if [ -n "${TEST_SDIST:-}" ]; then

@@ -96,6 +96,7 @@ BASES = {
     "Build": "Files",
     "Export": "Files",
     "JointExport": "Files",
+    "JointSolution": "Turned",
     "Shape": "Shaped",
 }
 # The list of an answer that is its table, by command.
@@ -153,7 +154,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
-from ._request import answered, known, modelled, renamed
+from ._request import answered, known, modelled
 
 if TYPE_CHECKING:
     import numpy as np
@@ -400,8 +401,7 @@ def function(bundle: Bundle, command: str, owner: str) -> str:
     parameters = [*(["self"] if owner else []), *(made[n] for n in first)]
     if keywords:
         parameters += ["*", *keywords]
-    old = f"{indent}@renamed\n" if "branch" in fields else ""
-    return f'{old}{indent}def {name}({", ".join(parameters)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
+    return f'{indent}def {name}({", ".join(parameters)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
 
 
 def asked(name: str) -> str:

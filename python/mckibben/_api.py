@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
-from ._request import answered, known, modelled, renamed
+from ._request import answered, known, modelled
 
 if TYPE_CHECKING:
     import numpy as np
@@ -3125,7 +3125,7 @@ class JointRow(Record):
     pressure_2_uncertainty_mpa: float | None = None
 
 
-class JointSolution(Record):
+class JointSolution(_record.Turned):
     """A joint's answer.
 
     Attributes
@@ -7481,7 +7481,6 @@ class MuscleNumbers:
 class MuscleCommands:
     """What the program answers of it, by command."""
 
-    @renamed
     def curve(
         self,
         test: Literal["isometric", "isotonic", "isobaric"] = "isobaric",
@@ -7697,7 +7696,6 @@ class MuscleCommands:
         """
         return answered(Shape, "shape", locals())
 
-    @renamed
     def fill(
         self,
         volume_mm3: Number,
@@ -7780,7 +7778,6 @@ class MuscleCommands:
         """
         return answered(FillAnswer, "fill", modelled(locals(), "fill"))
 
-    @renamed
     def check(
         self,
         *,
@@ -7846,7 +7843,6 @@ class MuscleCommands:
         """
         return answered(CheckAnswer, "check", modelled(locals(), "check"))
 
-    @renamed
     def compare(
         self,
         *,
@@ -7929,7 +7925,6 @@ class MuscleCommands:
         """
         return answered(CompareAnswer, "compare", locals(), "MPa")
 
-    @renamed
     def study(
         self,
         *,
@@ -8445,7 +8440,6 @@ class CampaignCommands:
         return answered(CampaignSummary, "campaign-show", locals())
 
 
-@renamed
 def design(
     *,
     force_n: Number | None = None,
@@ -8649,7 +8643,6 @@ def design(
     return answered(Design, "design", modelled(locals(), "design"), "MPa")
 
 
-@renamed
 def identify(
     muscle: MuscleLike,
     data: TableLike | Sequence[TableLike],

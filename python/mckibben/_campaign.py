@@ -9,7 +9,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from . import _api, _errors, _native
-from ._request import heard
+from ._request import heard, place
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
@@ -40,7 +40,7 @@ class Campaign(_api.CampaignCommands):
     def __init__(
         self, output: str | PathLike[str], plan: FileLike | None = None
     ) -> None:
-        self.output: str = os.fspath(output)
+        self.output: str = place("output", output)
         self.plan: dict[str, str] | None = (
             dict(plan)
             if isinstance(plan, Mapping)

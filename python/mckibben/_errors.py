@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import sys
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 
@@ -90,6 +92,13 @@ def wrong_type(field: str, wanted: str, value: object) -> WrongTypeError:
     return WrongTypeError(f"{wanted}, not {type(value).__name__}", field=field)
 
 
+def checked(field: str, value: Any, *kinds: type) -> Any:
+    """A value that is of one of these types."""
+    if not isinstance(value, kinds):
+        raise wrong_type(field, " or ".join(kind.__name__ for kind in kinds), value)
+    return value
+
+
 # Words of JSON whose class is not InputError.
 KINDS: dict[str, type[MckibbenError]] = {
     "out_of_range": OutOfRangeError,
@@ -102,8 +111,12 @@ KINDS: dict[str, type[MckibbenError]] = {
     ),
 }
 
-# Arguments that have another name since.
-RENAMED = {"direction": "branch", "branches": "branch", "both": 'branch="both"'}
+# Arguments that have another name in JSON.
+ARGUMENTS = {
+    **dict.fromkeys(("direction", "branches", "both"), "branch"),
+    "figure": "units",
+    "with": "with_",
+}
 
 # What keywords make is no file, and is named by what it is; so are tables.
 _TEXTS = ("muscle", "rubber", "joint", "drive")
@@ -119,24 +132,37 @@ def of(values: dict[str, Any]) -> MckibbenError:
         )
         found = found.replace("`parts list`", "`mk.parts(…)`")
         values[name] = found.replace("`direction`", "`branch`")
-    if values.get("field") in RENAMED:
-        values["field"] = "branch"
+    field = values.get("field")
+    values["field"] = ARGUMENTS.get(field, field)
     kind, message = KINDS.get(values["kind"], InputError), values["message"]
-    unknown = re.match(r"there is no (command|model|part)\b", message)
-    if unknown and not values["field"]:
-        values["field"] = unknown[1].replace("part", "name")
+    said = re.match(
+        r"there is no (command|model|part)\b|`(\w+)` is (?:missing|no)", message
+    )
+    if said and not values["field"]:
+        values["field"] = "name" if said[1] == "part" else said[1] or said[2]
     name, _, rest = message.partition(":")
     if name in TABLES or (kind is FileError and name in _TEXTS):
         kind = InputError
         values |= {"field": name, "message": rest.strip()}
         if name in _TEXTS:
             values["kind"] = "usage"
-    elif kind is FileError:
-        if message.startswith("there is no"):
-            kind = InputError
-        elif re.search(r"\(os error 2\)|does not exist", message):
-            kind = MissingFileError
+    elif re.search(r"\(os error 2\)|does not exist", message):
+        kind = MissingFileError if kind is FileError else kind
+    elif values["kind"] == "file" and not re.match(r"(\w:)?[^:]*\.\w+:", message):
+        # Of what keywords make, without a file.
+        kind = InputError
     return kind(**values)
+
+
+@contextmanager
+def blamed(field: str | None = None, is_one: bool = False) -> Iterator[None]:
+    """Names the argument of a problem where it has no other, and no place of a question that is not one of several."""
+    try:
+        yield
+    except MckibbenError as error:
+        error.field = error.field or field
+        error.index = None if is_one else error.index
+        raise
 
 
 def warned(text: str, kind: type[Warning] = UnitWarning) -> None:

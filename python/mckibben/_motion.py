@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from . import _api, _native
 from ._api import State
-from ._errors import InputError, wrong_type
-from ._muscle import Muscle
+from ._errors import InputError, WrongTypeError, blamed, checked, wrong_type
+from ._muscle import Muscle, masked, unmasked
 from ._request import (
     Fixed,
+    array,
     arrays,
     fields,
     heard,
@@ -21,8 +22,10 @@ from ._request import (
     modelled,
     number,
     numpy as np,
+    place as path,
     plain,
     put,
+    screen,
     table,
 )
 
@@ -46,10 +49,10 @@ _COMMANDS = {
 }
 
 
-def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
+def _table(of: str, given: Any) -> dict[str, Any]:
     """A table of a file. A number carries its unit in the key, and in the file it is a text with that unit; a tuple of two is bounds, of pairs the first are times."""
     out: dict[str, Any] = {}
-    for name, value in (given or {}).items():
+    for name, value in checked(of, given, Mapping).items():
         unit, words = _native.unit_of(name), name.split("_")
         if value is None:
             continue
@@ -77,9 +80,11 @@ def _table(given: Mapping[str, Any] | None) -> dict[str, Any]:
 
 def _tables(given: Mapping[str, Any]) -> dict[str, Any]:
     """Tables by their names, which are those of a kind of file; a part of the library stands for its table."""
-    named = {n: v if n == "name" else {"name": v} for n, v in given.items()}
-    tables = {n: _table(v) for n, v in given.items() if not isinstance(v, str)}
-    return {**named, **tables}
+    return {
+        n: _table(n, v) if not isinstance(v, str) else v if n == "name" else {"name": v}
+        for n, v in given.items()
+        if v is not None
+    }
 
 
 class Linear(NamedTuple):
@@ -148,7 +153,7 @@ class _File(Fixed):
 
     def __repr__(self) -> str:
         held = (f"{name}={value!r}" for name, value in self._tables().items())
-        return f"<{type(self).__name__}: {', '.join(held)}>"
+        return screen(f"<{type(self).__name__}: {', '.join(held)}>")
 
 
 class Joint(_api.JointCommands, _File):
@@ -195,18 +200,11 @@ class Joint(_api.JointCommands, _File):
         geometry_2: Keys | None = None,
         **tables: Keys | str | None,
     ) -> None:
-        if without := [
-            key
-            for key in ("radius", "range")
-            if isinstance(joint.get(key), (int, float, tuple, list))
-        ]:
-            raise InputError(
-                f"{without[0]} has no unit",
-                kind="quantity",
-                field=without[0],
-                hint='radius_mm=25, or "radius": "25 mm"',
-            )
-        made: Any = {"joint": _table(joint), **_tables(tables)}
+        made: Any = {"joint": _table("joint", joint), **_tables(tables)}
+        for key in ("radius", "range"):
+            if isinstance(joint.get(key), (int, float, tuple, list)):
+                hint = 'radius_mm=25, or "radius": "25 mm"'
+                raise InputError("has no unit", kind="quantity", field=key, hint=hint)
         muscles: Any = {}
         for side, muscle, geometry in (
             (1, muscle_1, geometry_1),
@@ -214,12 +212,11 @@ class Joint(_api.JointCommands, _File):
         ):
             if muscle is None:
                 continue
-            if not isinstance(muscle, Muscle):
-                raise wrong_type(f"muscle_{side}", "a Muscle", muscle)
+            checked(f"muscle_{side}", muscle, Muscle)
             place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
             muscles[place] = plain(place, muscle)
             neutral = {"contraction_at_neutral": contraction_at_neutral}
-            keys = _table({**neutral, **(geometry or {})})
+            keys = _table(f"geometry_{side}", {**neutral, **(geometry or {})})
             made[f"muscle_{side}"] = {"file": place, **keys}
         self._hold(_held=self._written(made, muscles=list(muscles.values())))
         # Keys that make no joint are an error at once.
@@ -242,13 +239,13 @@ class Joint(_api.JointCommands, _File):
     ) -> tuple[Any, Any, Callable[[str, Any], Any]]:
         """The torque, its derivatives by pressures and angle in rad, and what puts the labels on both."""
         native, muscles = self._parts
-        if len(pressures_mpa) != len(muscles):
-            raise InputError(
-                "one for each muscle, each a number or an array",
-                field="pressures_mpa",
-            )
-        given = [("pressure_mpa", pressure) for pressure in pressures_mpa]
-        (angles, *pressures), labelled = arrays(("angle_deg", angle_deg), *given)
+        several = list(pressures_mpa) if np.iterable(pressures_mpa) else []
+        if len(several) != len(muscles):
+            said = "one for each muscle, each a number or an array"
+            raise InputError(said, field="pressures_mpa")
+        given = [("pressures_mpa", pressure) for pressure in several]
+        held, labelled = arrays(("angle_deg", angle_deg), *given)
+        mask, (angles, *pressures) = unmasked(held)
         rows = [native.levers(angle, is_nan(errors)) for angle in angles.flat]
         levers = np.reshape(np.transpose(rows), (-1, *angles.shape))
         torque, slope, *held = np.broadcast_arrays(*levers, *pressures)
@@ -263,7 +260,8 @@ class Joint(_api.JointCommands, _File):
             by_pressure.append(1e-3 * arm * rates[..., 0])
             by_contraction = arm / muscle.length_mm * rates[..., 1]
             slope = slope + 1e-3 * (arm_slope * pull + arm * by_contraction)
-        return torque, np.stack([*by_pressure, slope], axis=-1), labelled
+        found = np.stack([*by_pressure, slope], axis=-1)
+        return masked(torque, mask), masked(found, mask), labelled
 
     def torque(
         self,
@@ -304,6 +302,7 @@ class Joint(_api.JointCommands, _File):
         >>> elbow.torque(["3 bar", "1 bar"], [0, 20], model="universal").round(2)
         array([7.78, 4.38])
         """
+        checked("jac", jac, bool, np.bool_)
         asked = pressures_mpa, angle_deg, jac, errors, options
         torque, rates, labelled = self._turned(*asked)
         rates[..., -1] *= np.pi / 180
@@ -350,7 +349,12 @@ class Joint(_api.JointCommands, _File):
         [(2, 2), (2, 3), (1, 2), (1, 3)]
         """
         inertia, damping = self._parts[0].link
+        if not inertia:
+            hint = "inertia_kg_m2 in its table joint"
+            raise InputError("the joint has no inertia", field="joint", hint=hint)
         by = self._turned(pressures_mpa, angle_deg, True, "raise", options)[1]
+        if by.ndim > 1:
+            raise wrong_type("pressures_mpa", "one state", pressures_mpa)
         *pressures, slope = by / inertia
         a = np.array([[0.0, 1.0], [slope, -damping / inertia]])
         b = np.array([np.zeros(len(by)), [*pressures, 1.0 / inertia]])
@@ -367,11 +371,11 @@ class Joint(_api.JointCommands, _File):
         """The same with other muscles."""
         tables, (_, held) = self._tables(), self._parts
         if muscle_2 is not None and len(held) == 1:
-            raise TypeError("the joint has no muscle_2")
+            raise WrongTypeError("the joint has no second muscle", field="muscle_2")
         files = []
         for i, (own, given) in enumerate(zip(held, (muscle_1, muscle_2)), 1):
             name = tables[f"muscle_{i}"]["file"] = f"muscle_{i}.toml"
-            files.append(plain(name, given or own))
+            files.append(plain(name, checked(f"muscle_{i}", given or own, Muscle)))
         return Joint._of(Joint._written(tables, muscles=files))
 
 
@@ -413,17 +417,18 @@ class Drive(_api.DriveCommands, _File):
         tables: Mapping[str, TableLike] | None = None,
         **others: Keys | str | None,
     ) -> None:
-        if not isinstance(of, (Muscle, Joint)):
-            raise wrong_type("of", "a Muscle or a Joint", of)
-        place = f"{of._kind}.toml"
+        place = f"{checked('of', of, Muscle, Joint)._kind}.toml"
         named = [{**table(data), "name": n} for n, data in (tables or {}).items()]
-        made = {of._kind: place, **_tables(others), "command": _table(command)}
+        commands = _table("command", command)
+        if not commands:
+            raise InputError("is empty", field="command")
+        made = {of._kind: place, **_tables(others), "command": commands}
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
 
     def linearise(self, **options: Unpack[_api.Options]) -> Linear:
         """The drive with its air and valves about its rest at the first commands as ẋ = A x + B u, y = C x + D u.
 
-        x is the coordinate (shortening in mm, or angle in rad), its velocity, and of each muscle the absolute pressure in MPa, the mass of its air in g, and what else
+        x is the coordinate (shortening in mm, or angle in rad), its velocity, and of each muscle the absolute pressure in MPa, the mass of its air in g where others depend on it, and what else
         the drive has: the opening of a valve that lags, forces of relaxation. u are changes of the commands, y is the contraction, or the angle in rad.
 
         Parameters
@@ -442,7 +447,7 @@ class Drive(_api.DriveCommands, _File):
         >>> load = {"mass_kg": 10, "damping": "200 N s/m"}
         >>> lift = mk.Drive(mk.Muscle.prototype(), valve="festo-mh2", load=load, command={"pressure_mpa": 0.2, "until_s": 1})
         >>> [m.shape for m in lift.linearise(model="universal")]
-        [(4, 4), (4, 1), (1, 4), (1, 1)]
+        [(3, 3), (3, 1), (1, 3), (1, 1)]
         """
         simulation = Simulation(self, 1e-3, **options)
         *numbers, gain = simulation._native.linear()
@@ -464,8 +469,7 @@ class Drive(_api.DriveCommands, _File):
 
     def replace(self, of: Muscle | Joint) -> Drive:
         """The same drive of another muscle or joint."""
-        if type(of) is not type(self.of):
-            raise TypeError(f"the drive is that of a {type(self.of).__name__}")
+        checked("of", of, type(self.of))
         return Drive._of({**self._held, **_moved(of, self._held[of._kind]["name"])})
 
 
@@ -513,7 +517,9 @@ class Simulation:
     ) -> None:
         if not (dt_s := number("dt_s", dt_s)) > 0.0:
             raise InputError("a step takes some time", field="dt_s")
-        held = drive._held if isinstance(drive, Drive) else _native.read(drive, "drive")
+        if not isinstance(drive, Drive):
+            drive = Drive._of(_native.read(path("drive", drive), "drive"))
+        held = drive._held
         asked = fields({**held, **modelled(known(options, _api.Options))})
         self._hold(asked, dt_s, record)
 
@@ -555,7 +561,7 @@ class Simulation:
         command
             A number for each muscle, or a single one for all: pressures in MPa (or texts with their unit, or quantities of pint), or what else is :attr:`commanded`.
         force_n : N
-            Of a muscle: a force from outside besides the load, which stretches it.
+            Of a muscle: a force from outside besides the load and what the drive has in ``external``, which stretches it.
         torque_nm : N m
             Of a joint: a torque from outside, which turns it to +.
 
@@ -568,14 +574,16 @@ class Simulation:
         several = isinstance(command, (list, tuple)) or getattr(command, "ndim", 0) == 1
         given: Any = command if several else [command] * count
         if torque_nm and not self._joint or force_n and self._joint:
-            raise TypeError("torque_nm is for a joint, force_n for a muscle")
+            said = "torque_nm is for a joint, force_n for a muscle"
+            raise WrongTypeError(said, field="force_n" if force_n else "torque_nm")
         name = "torque_nm" if self._joint else "force_n"
         outside = number(name, torque_nm or force_n)
         unit = _COMMANDS[kind]
         values = [
             v if type(v) is float and v <= 1.0 else number(unit, v) for v in given
         ]
-        return self._state(self._native.step(values, outside))
+        with blamed("command"):
+            return self._state(self._native.step(values, outside))
 
     def _state(self, values: Sequence[float]) -> State:
         return State(**dict(zip(self._names, values)))
@@ -597,7 +605,8 @@ class Simulation:
         MckibbenError
             The array is not a state of this drive.
         """
-        self._native.restore(np.asarray(state, dtype=np.float64).tolist())
+        with blamed("state"):
+            self._native.restore(array("state", state).tolist())
         return self.state
 
     @property
@@ -676,7 +685,7 @@ def rollout(
     (2, 6)
     """
     kind, count = simulation._commands
-    given = np.asarray(commands, dtype=np.float64)
+    given = array("commands", commands)
     given = given[..., None] if given.ndim == 2 and count == 1 else given
     if given.ndim != 3 or given.shape[2] != count:
         said = f"an array of shape (copies, steps, {count}), not {given.shape}"

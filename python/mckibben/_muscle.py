@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 from . import _api, _native
 from ._errors import (
     InputError,
-    MckibbenError,
     MuscleWarning,
     WrongTypeError,
+    blamed,
+    checked,
     warned,
     wrong_type,
 )
@@ -37,7 +38,7 @@ from ._request import (
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
-    from ._parts import Rubber
+    from ._parts import Formula, Rubber
     from ._request import Array, Errors, Floats, Number, Progress
 
 
@@ -189,12 +190,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             stated = {"force": a, "contraction": b}.get(wanted, 0.0)
             if stated > _LIKELY_MPA:
                 number("pressure_mpa", stated)
-            try:
+            with blamed(is_one=True):
                 found, said = bound.answer_pair(wanted, a, b, nan)
-            except MckibbenError as error:
-                # It is not one of several.
-                error.index = None
-                raise
             _say(said)
             return found
         return self._arrays(bound, wanted, a, b, jac, nan, progress)
@@ -212,11 +209,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
         name, *pair = _api.NUMBERS[wanted]
         (a, b), labelled = arrays(*zip(pair, (a, b)))
-        mask: Any = None
-        if np.ma.isMA(a) or np.ma.isMA(b):
-            mask = np.ma.getmaskarray(a) | np.ma.getmaskarray(b)
-            # What is masked is asked as the muscle at rest, which every model answers, and its answer is masked.
-            a, b = (np.where(mask, 0.0, np.ma.getdata(v)) for v in (a, b))
+        mask, (a, b) = unmasked([a, b])
         flag = isinstance(jac, (bool, np.bool_))
         names: Any = [] if flag else [jac] if isinstance(jac, str) else jac
         if not isinstance(names, Collection) or not all(
@@ -229,16 +222,15 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         try:
             chain = self._chain(list(names)) if (jac if flag else names) else None
             out: Any
-            out, said = filled(bound, wanted, chain, *how)
+            with blamed(is_one=first.ndim == 0):
+                out, said = filled(bound, wanted, chain, *how)
         except InputError as error:
             if error.kind == "parameter":
                 self._refuse(names, "jac")
                 error.field = "jac"
             raise
         _say(said)
-        if mask is not None:
-            out = np.ma.array(out, mask=False)
-            out[mask] = np.ma.masked
+        out = masked(out, mask)
         if chain is None:
             return labelled(name, out)
         return labelled(name, out[..., 0]), labelled(name, out[..., 1:])
@@ -271,12 +263,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         given = ("pressure_mpa", pressure_mpa), ("contraction", contraction)
         held, labelled = arrays(*given)
         p, e = np.broadcast_arrays(*held)
-        rows = bound.solve(
-            p.ravel().tolist(),
-            e.ravel().tolist(),
-            is_nan(errors),
-            heard(progress, "solve"),
-        )
+        points = p.ravel().tolist(), e.ravel().tolist()
+        with blamed(is_one=p.ndim == 0):
+            rows = bound.solve(*points, is_nan(errors), heard(progress, "solve"))
         texts = _say(text for row in rows for text in row.get("warnings", ()))
         usual = {"slack": False, "status": "ok", "cause": ""}
         for row in rows:
@@ -366,7 +355,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
         """
-        changes = [(n, float(v)) for n, v in values.items()]
+        given = checked("values", values, Mapping)
+        changes = [(n, number(n, v)) for n, v in given.items()]
         return object.__new__(Muscle)._take(self._held.changed(changes))
 
     @property
@@ -406,7 +396,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             put({path: page}, overwrite)
         return page
 
-    def cite(self, model: str | None = None) -> str:
+    def cite(self, model: str | Formula | None = None) -> str:
         """BibTeX of the package, and of what the model and the data of rubber and braid come from: authors, title, year and DOI; where the source is no publication,
         a note.
 
@@ -416,7 +406,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         >>> print(mk.Muscle.prototype().cite("ideal").splitlines()[0])
         @software{mckibben,
         """
-        asked = {**self._files("force"), "pressure_mpa": 0.0, "model": model or "fe"}
+        by = plain("model", model or "fe")
+        asked = {**self._files("force"), "pressure_mpa": 0.0, "model": by}
         sources = {"model": _native.ask("force", asked)["about"]["source"]}
         for part in ("rubber", "braid"):
             name = str(self._field(part) or "").split(":")[0]
@@ -448,6 +439,22 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         from html import escape
 
         return f"<p>{escape(repr(self))}</p>{self.shape(0.0, 0.0)._frame()}"
+
+
+def unmasked(values: Sequence[Array]) -> tuple[Any, list[Array]]:
+    """Where one of several arrays is masked, and these with zeros there: what is masked is asked as the muscle at rest, which every model answers."""
+    if not any(np.ma.isMA(v) for v in values):
+        return None, list(values)
+    mask = sum(np.ma.getmaskarray(v) for v in values) > 0
+    return mask, [np.where(mask, 0.0, np.ma.getdata(v)) for v in values]
+
+
+def masked(found: Any, mask: Any) -> Any:
+    """An answer that is masked where the question was."""
+    if mask is not None:
+        found = np.ma.array(found, mask=False)
+        found[mask] = np.ma.masked
+    return found
 
 
 def filled(

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 from . import _api, _native
 from ._motion import Drive, Joint
 from ._muscle import Muscle
-from ._errors import FileError, InputError
+from ._errors import FileError, InputError, blamed, checked
 from ._record import Record
-from ._request import Saved, arrays, bare, is_nan, numpy as np
+from ._request import Saved, array, arrays, bare, is_nan, numpy as np, place
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -59,7 +59,7 @@ class Rubber(Saved):
         **constants: Plain,
     ) -> None:
         given = {n: _constant(v) for n, v in constants.items() if v is not None}
-        material = {"law": law, **given}
+        material = {"law": checked("law", law, str), **given}
         if bulk_modulus_mpa not in (None, "incompressible"):
             given["bulk_modulus_mpa"] = bulk = _constant(bulk_modulus_mpa)
             material["bulk_modulus"] = f"{bulk!r} MPa"
@@ -98,7 +98,7 @@ class Rubber(Saved):
         self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike
     ) -> Array:
         """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest)."""
-        stretches = np.asarray(stretch, dtype=np.float64)
+        stretches = array("stretch", stretch)
         found = self._held.stress(mode, stretches.ravel().tolist())
         return np.reshape(found, stretches.shape)
 
@@ -149,7 +149,7 @@ class Formula(Saved):
     _text: str
 
     def __init__(self, text: str, name: str | None = None) -> None:
-        native = _native.Formula(name or "the formula", text)
+        native = _native.Formula(name or "the formula", checked("text", text, str))
         self._hold(_held=native, _text=text, name=name or json.loads(text)["name"])
 
     @overload
@@ -213,13 +213,9 @@ class Formula(Saved):
         )
         points = np.stack(np.broadcast_arrays(*given), axis=-1)
         out = np.empty(points.shape[:-1])
-        self._held.fill(
-            points.reshape(-1, 4),
-            out.reshape(-1),
-            extrapolate,
-            two_sided,
-            is_nan(errors),
-        )
+        how = extrapolate, two_sided, is_nan(errors)
+        with blamed(is_one=out.ndim == 0):
+            self._held.fill(points.reshape(-1, 4), out.reshape(-1), *how)
         return labelled("force_n", out)
 
     def check(self, *, latex: bool = False) -> _api.FormulaCheck:
@@ -272,14 +268,17 @@ def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
     >>> mk.load("lib:dmsp-20-300", mk.Muscle).length_mm
     300.0
     """
-    is_named = str(path).lower().startswith("lib:")
+    is_named = place("path", path).lower().startswith("lib:")
     held = _native.read(path, "muscle" if is_named else "table")
     text = held["text"]
     found: Any
     if text.lstrip().startswith("{"):
-        answer = json.loads(text)
-        made: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
-        found = Formula(text) if made is Record else made._load(answer)
+        try:
+            answer = json.loads(text)
+            made: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
+            found = Formula(text) if made is Record else made._load(answer)
+        except (KeyError, json.JSONDecodeError) as error:
+            raise FileError(f"{path}: not what was saved: {error}") from None
     elif text.startswith("[tube.material]"):
         # A muscle that was saved begins with a comment.
         found = Rubber.from_toml(text)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native
 from ._errors import NoAnswerError, of as problem
-from ._request import Fixed, column, numpy as np, put
+from ._request import Fixed, column, numpy as np, put, screen
 
 if TYPE_CHECKING:
     import pandas
@@ -141,9 +141,7 @@ class Record(Fixed):
 
     def __repr__(self) -> str:
         held = (f"{n}={v!r}" for n, v in self._fields().items() if n != "figure")
-        text = f"{type(self).__name__}({', '.join(held)})"
-        # Not more than a screen.
-        return text if len(text) <= 1000 else text[:999] + "…"
+        return screen(f"{type(self).__name__}({', '.join(held)})")
 
     def _repr_html_(self) -> str:
         from html import escape
@@ -352,6 +350,13 @@ class Points(Record):
         rows = {name: values.ravel() for name, values in self._arrays().items()}
         return {n: v if v.dtype.kind in "fib" else v.tolist() for n, v in rows.items()}
 
+    def to_pandas(self) -> pandas.DataFrame:
+        """The same as a ``pandas.DataFrame``, with the index of the Series that was asked."""
+        import pandas as pd
+
+        own = self._labels("", self.slack) if self._labels else None
+        return pd.DataFrame(self.to_columns(), getattr(own, "index", None))
+
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
         import xarray as xr
@@ -367,11 +372,7 @@ class Points(Record):
                 dims[axes[0]] = name
                 coords[name] = np.moveaxis(own, axes[0], -1)[(0,) * (p.ndim - 1)]
         held = {n: (dims, v) for n, v in arrays.items() if n not in coords}
-        out = xr.Dataset(held, coords, {"model": self.model})
-        for key in out.variables:
-            if unit := _native.unit_of(str(key)):
-                out[key].attrs["units"] = unit
-        return out
+        return _with_units(xr.Dataset(held, coords, {"model": self.model}))
 
     def __str__(self) -> str:
         arrays = self._arrays()
@@ -380,6 +381,31 @@ class Points(Record):
         return f"<Solution: {self.model}, {' x '.join(map(str, self.shape)) or 1} points{between}, {arrays['status'].size - some.size} without an answer>"
 
     __repr__ = __str__
+
+
+def _with_units(found: xarray.Dataset) -> xarray.Dataset:
+    """The same with the units of its variables as attributes."""
+    for key in found.variables:
+        if unit := _native.unit_of(str(key)):
+            found[key].attrs["units"] = unit
+    return found
+
+
+class Turned(Record):
+    """Points of a joint, angle after angle for each set of pressures."""
+
+    def grid(self: Any, column: str) -> Array:
+        """A column with one row for each set of pressures."""
+        angles = len(set(self["angle_deg"]))
+        return np.array(self[column], np.float64).reshape(-1, angles)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A Dataset over sets of pressures (``case``) and angles, with the units as attributes."""
+        import xarray as xr
+
+        held = {n: (("case", "angle_deg"), self.grid(n)) for n in self.to_columns()}
+        angles = held.pop("angle_deg")[1][0]
+        return _with_units(xr.Dataset(held, {"angle_deg": angles}))
 
 
 class Curves(Record):

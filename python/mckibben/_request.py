@@ -6,17 +6,15 @@ import os
 import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar, Union, cast
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar, Union
 
 from . import _native
 from ._errors import (
-    RENAMED,
     TABLES,
     ExistingFileError,
     InputError,
-    WrongTypeError,
+    checked,
     warned,
     wrong_type,
 )
@@ -39,7 +37,6 @@ if TYPE_CHECKING:
         def to(self, unit: Any, /) -> Any: ...
 
     Answer = TypeVar("Answer", bound=Record)
-    Function = TypeVar("Function", bound=Callable[..., Any])
     # A number in the unit of its name, a text with its unit, or a quantity of pint.
     Number = Union[float, str, Measured]
     # Several; a text may be a range with both ends in, such as "0..2.5:0.5 bar".
@@ -153,8 +150,8 @@ def plain(name: str, value: Any) -> Any:
     value = bare(name, value)
     if hasattr(value, "dims"):
         value = value.values
-    if hasattr(value, "tolist"):
-        value = value.tolist()
+    if hasattr(value, "tolist") and (value := value.tolist()) is None:
+        raise wrong_type(name, "a number or text", value)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, Mapping):
@@ -264,7 +261,12 @@ def arrays(
             return found
         return type(first)(found, first.index, name=name)
 
-    return [array(name, value) for name, value in given], indexed
+    found = [array(name, value) for name, value in given]
+    try:
+        np.broadcast_shapes(*(values.shape for values in found))
+    except ValueError as error:
+        raise InputError(str(error), field=given[-1][0]) from None
+    return found, indexed
 
 
 def ask(
@@ -292,9 +294,9 @@ def ask(
     >>> round(mk.ask("force", {"pressure_mpa": "2 bar", "contraction": 0.1, "model": "ideal"})["force_n"], 1)
     573.7
     """
-    return _native.ask(
-        command, _native.given(command, request or {}), heard(progress, command)
-    )
+    asked = checked("request", request or {}, Mapping)
+    given = _native.given(checked("command", command, str), asked)
+    return _native.ask(command, given, heard(progress, command))
 
 
 def answered(
@@ -348,27 +350,8 @@ def modelled(given: Mapping[str, Any], command: str = "force") -> dict[str, Any]
     return {**out, by: branch, "model": model}
 
 
-def _gone(given: Mapping[str, Any]) -> None:
-    """Refuses arguments that have another name since."""
-    for name in given:
-        if new := RENAMED.get(name):
-            raise WrongTypeError(f"is now {new}", field=name)
-
-
-def renamed(function: Function) -> Function:
-    """A function that says so of arguments that have another name since."""
-
-    @wraps(function)
-    def call(*values: Any, **given: Any) -> Any:
-        _gone(given)
-        return function(*values, **given)
-
-    return cast("Function", call)
-
-
 def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
     """Keywords, of which each is one of a class of keywords."""
-    _gone(given)
     if unknown := [name for name in given if name not in kind.__annotations__]:
         raise TypeError(
             f"unexpected keyword argument {unknown[0]!r}; there is {', '.join(kind.__annotations__)}"
@@ -395,12 +378,22 @@ def heard(progress: Progress, what: str) -> Callable[[int, int], object] | None:
     )
 
 
+def screen(text: str) -> str:
+    """Not more than a screen of a text."""
+    return text if len(text) <= 1000 else text[:999] + "…"
+
+
+def place(name: str, path: Any) -> str:
+    """A path as text."""
+    return os.fspath(checked(name, path, str, os.PathLike))
+
+
 def put(
     files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = False
 ) -> None:
     """Puts files at their places, each whole or not at all, and none where another file would be lost: one that is neither empty nor the same."""
     contents = {
-        os.fspath(path): content.encode() if isinstance(content, str) else content
+        place("path", path): content.encode() if isinstance(content, str) else content
         for path, content in files.items()
     }
     for path, content in contents.items():

@@ -744,7 +744,9 @@ def test_a_command_without_a_function_is_asked(
     assert answer[table] and not hasattr(mk, command.replace("-", "_"))
 
 
-def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
+def test_what_is_no_value_is_an_input_error_with_its_field(
+    root: Path, tmp_path: Path
+) -> None:
     """Whatever it is, and whichever way it goes in; hints are in the words of Python, and a single number is no point of a list."""
     number: Any = Decimal("0.2")
     none: Any = None
@@ -752,21 +754,71 @@ def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
     several: Any = [3]
     muscle = mk.Muscle.prototype()
     of: Any = str(root / "examples/biceps.toml")
+    elbow = mk.load(root / "examples/elbow.toml", mk.Joint)
+    massless = mk.Joint(muscle, joint={"radius_mm": 25}, contraction_at_neutral=0.1)
+    simulation = mk.Simulation(
+        root / "examples/elbow-drive.toml", 0.01, model="universal"
+    )
+    rubber = mk.Rubber("neo-hookean", mu=0.1)
     calls: dict[str, list[Callable[[], Any]]] = {
         "pressure_mpa": [
             lambda: muscle.force(number, 0.1),
             lambda: muscle.force(none, 0.1),
             lambda: muscle.force([none, 0.1], 0.1),
             lambda: muscle.force(float("nan"), 0.1),
+            lambda: muscle.shape(none),
         ],
         "outer_diameter_mm": [
             lambda: muscle.replace(outer_diameter_mm=number),
             lambda: muscle.replace(outer_diameter_mm=[1, 2]),  # type: ignore[arg-type]
             lambda: muscle.replace(outer_diameter_mm=float("inf")),
+            lambda: muscle.replace(outer_diameter_mm=np.ma.masked),
+            lambda: muscle.replace(outer_diameter_mm=np.array(None)),  # type: ignore[arg-type]
         ],
-        "muscle_1": [lambda: mk.Joint(of, joint={"radius_mm": 25})],
+        "contraction": [lambda: muscle.force([0.1, 0.2], [0.1, 0.1, 0.1])],
+        "muscle_1": [
+            lambda: mk.Joint(of, joint={"radius_mm": 25}),
+            lambda: elbow.replace(muscle_1=of),
+        ],
+        "muscle_2": [lambda: elbow.replace(muscle_2=three)],
+        "joint": [
+            lambda: mk.Joint(muscle, joint=none),
+            lambda: massless.linearise([0.2], 0),
+        ],
         "of": [lambda: mk.Drive(of, command={"pressure_mpa": 0.1})],
-        "command": [lambda: mk.ask("")],
+        "start": [lambda: mk.Drive(muscle, start=several, command={"until_s": 1})],
+        "command": [
+            lambda: mk.ask(""),
+            lambda: mk.ask(none),
+            lambda: mk.Drive(muscle, command={}),
+            lambda: mk.Drive(muscle, command=none),
+            lambda: simulation.step([2.0, 0.1]),
+            lambda: simulation.step([float("nan"), 0.1]),
+        ],
+        "commands": [lambda: mk.rollout(simulation, "a")],
+        "state": [
+            lambda: simulation.set_state(np.full(4, np.nan)),
+            lambda: simulation.set_state("a"),  # type: ignore[arg-type]
+        ],
+        "force_n": [lambda: simulation.step([0.2, 0.1], force_n=1)],
+        "drive": [lambda: mk.Simulation(three, 0.01)],
+        "request": [lambda: mk.ask("force", three)],
+        "pressures_mpa": [
+            lambda: elbow.torque(0.1, 0),  # type: ignore[arg-type]
+            lambda: elbow.torque([[0.1, 0.2], 0.1], [0, 1, 2]),
+        ],
+        "values": [lambda: muscle.with_parameters(none)],
+        "tube.length": [lambda: muscle.with_parameters({"tube.length": of})],
+        "law": [lambda: mk.Rubber(none, c10=0.1), lambda: mk.Rubber(number, c10=0.1)],
+        "mode": [lambda: rubber.stress(of, [1.1])],
+        "stretch": [lambda: rubber.stress("uniaxial", "a")],
+        "text": [lambda: mk.Formula(none)],
+        "path": [lambda: mk.load(none), lambda: muscle.save(three)],
+        "output": [lambda: mk.Campaign(three)],
+        "units": [
+            lambda: muscle.curve(pressures_mpa=[0.1], model="ideal").plot(units="x")
+        ],
+        "with_": [lambda: mk.design(force_n=9, contraction=0.1, with_=["x=1"])],
         "name": [lambda: mk.part("no such part")],
         "model": [
             lambda: muscle.force(0.2, 0.1, model="no such model"),
@@ -788,6 +840,7 @@ def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
             lambda: muscle.force(0.2, 0.1, jac=["stiffness"]),
             lambda: muscle.force([0.2], 0.1, jac=[three]),
             lambda: muscle.pressure(100, 0.1, jac=three),
+            lambda: elbow.torque([0.2, 0.1], 0, jac=several),
         ],
         "errors": [lambda: muscle.force(0.2, 0.1, errors=three)],
         "dt_s": [lambda: mk.Simulation(root / "examples/elbow-drive.toml", -1)],
@@ -799,6 +852,14 @@ def test_what_is_no_value_is_an_input_error_with_its_field(root: Path) -> None:
             assert caught.value.field == field, caught.value
             assert not isinstance(caught.value, OSError)
             assert not str(caught.value).startswith("point")
+    for far in ("9 bar", np.array("9 bar")):
+        with pytest.raises(mk.OutOfRangeError) as beyond:
+            muscle.force(far, 0.1, model="universal")  # type: ignore[arg-type]
+        assert beyond.value.index is None
+    for text in ("{", '{"mckibben": "Curve"}'):
+        (tmp_path / "broken.json").write_text(text)
+        with pytest.raises(mk.FileError, match="broken.json"):
+            mk.load(tmp_path / "broken.json")
     with pytest.raises(mk.InputError) as caught:
         mk.load("lib:nobody")
     assert 'mk.parts("muscles")' in str(caught.value)

@@ -99,7 +99,7 @@ def test_angles_and_pressures_that_are_none_are_named(elbow: mk.Joint) -> None:
     calls: list[Any] = [
         ([0.2, 0.1], 61, "angles_deg"),
         ([0.2], 0, "pressures_mpa"),
-        (["2 mm", 0.1], 0, "pressure_mpa"),
+        (["2 mm", 0.1], 0, "pressures_mpa"),
     ]
     for pressures, angle, field in calls:
         with pytest.raises(mk.InputError) as caught:
@@ -107,6 +107,26 @@ def test_angles_and_pressures_that_are_none_are_named(elbow: mk.Joint) -> None:
         assert caught.value.field == field
     found = elbow.torque([0.2, 0.1], [0, 61], errors="nan", model="universal")
     assert np.isnan(found).tolist() == [False, True]
+
+
+def test_masks_and_grids_of_a_joint(elbow: mk.Joint) -> None:
+    """What is masked is not asked for; rows of the command are pressures times angles."""
+    first = np.ma.masked_array([0.2, 9.9], mask=[False, True])
+    found, jac = elbow.torque([first, 0.1], 10, jac=True, model="universal")
+    assert found.mask.tolist() == [False, True] and jac.mask[1].all()
+    assert found[0] == elbow.torque([0.2, 0.1], 10, model="universal")
+    held = elbow.solve(
+        pressures_mpa=PRESSURES[:3], angles_deg=ANGLES, model="universal"
+    )
+    rows = np.transpose(PRESSURES[:3])[:, :, None]
+    torques = elbow.torque(rows, ANGLES, model="universal")  # type: ignore[arg-type]
+    assert held.grid("torque_nm") == pytest.approx(torques, rel=1e-12)
+    pytest.importorskip("xarray")
+    labelled = held.to_xarray()
+    assert labelled.torque_nm.dims == ("case", "angle_deg")
+    assert labelled.torque_nm.attrs["units"] == "N m"
+    column = labelled.torque_nm.sel(angle_deg=20).values
+    assert column == pytest.approx(torques[:, 3], rel=1e-12)
 
 
 def test_jax_takes_a_joint(elbow: mk.Joint) -> None:

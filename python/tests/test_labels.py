@@ -87,6 +87,13 @@ def test_a_series_keeps_its_index(muscle: mk.Muscle) -> None:
     assert muscle.force(p.iloc[1], 0.1, **OPTIONS) == pull.iloc[1]
 
 
+def test_a_solution_of_a_series_keeps_its_index(muscle: mk.Muscle) -> None:
+    pd = pytest.importorskip("pandas")
+    pressures = pd.Series([0.1, 0.2], index=["a", "b"])
+    found = muscle.solve(pressures, 0.1, model="universal").to_pandas()
+    assert found.index.tolist() == ["a", "b"] and found.force_n["b"] > 0
+
+
 def test_a_formula_takes_labels(root: Any) -> None:
     xr, pd = pytest.importorskip("xarray"), pytest.importorskip("pandas")
     formula: Any = mk.fit(root / "data/campaign/paper.csv").formula

@@ -129,6 +129,29 @@ def test_progress_is_told_and_may_end_the_work() -> None:
     assert told[-1] == (1, 1)
 
 
+def test_progress_of_closed_forms_and_copies_ends() -> None:
+    """Also where all of it takes a moment; that of copies counts copies."""
+    told: list[tuple[int, int]] = []
+
+    def hear(done: int, total: int) -> None:
+        told.append((done, total))
+
+    muscle = mk.Muscle.prototype()
+    muscle.force([0.1, 0.2], 0.1, model="universal", progress=hear)
+    assert told == [(2, 2)]
+    told.clear()
+    muscle.pressure(np.linspace(1, 90, 9000), 0.1, model="universal", progress=hear)
+    assert told[-1] == (9000, 9000) and len(told) > 1
+    told.clear()
+    load = {"mass_kg": 10, "damping": "200 N s/m"}
+    command = {"pressure_mpa": 0.1, "until_s": 1}
+    lift = mk.Drive(muscle, valve="festo-mh2", load=load, command=command)
+    mk.rollout(
+        mk.Simulation(lift, 0.01, model="universal"), [[0.1] * 5] * 4, progress=hear
+    )
+    assert told[-1] == (4, 4)
+
+
 def test_a_bar_moves(capsys: pytest.CaptureFixture[str]) -> None:
     mk.Muscle.prototype().force(
         np.linspace(0.01, 0.2, 200)[:, None], np.linspace(0, 0.1, 10), progress=True

@@ -411,7 +411,7 @@ def test_a_muscle_with_other_parameters_keeps_its_branch(own: str) -> None:
     assert (at(3.001) - at(2.999)) / 0.002 == pytest.approx(jac[2], rel=1e-5)
 
 
-def test_one_word_for_the_branch_and_the_old_ones_name_it(root: Path) -> None:
+def test_one_word_for_the_branch_and_the_old_ones_are_none(root: Path) -> None:
     """Of points, curves, comparisons and identifications; friction opposes the motion on both sides of the mean."""
     muscle = mk.load(root / "examples/tondu2012.toml", mk.Muscle)
     low, mean, high = (
@@ -433,9 +433,8 @@ def test_one_word_for_the_branch_and_the_old_ones_name_it(root: Path) -> None:
         lambda: identify(old, {}, branches="mean"),
     ]
     for ask in asks:
-        with pytest.raises(mk.InputError, match="branch") as caught:
+        with pytest.raises(TypeError, match="unexpected keyword argument"):
             ask()
-        assert isinstance(caught.value, TypeError)
 
 
 def test_load_refuses_another_class(root: Path) -> None:

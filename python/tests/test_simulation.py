@@ -247,6 +247,40 @@ def test_forces_from_outside(root: Path) -> None:
     assert end.force_n == pytest.approx(10 * 9.80665 + 50, rel=1e-4)
 
 
+def test_what_acts_on_a_drive_acts_on_its_simulation(root: Path) -> None:
+    """It rests where it begins, as in the motion; a torque of a step is added to it."""
+    elbow = mk.load(root / "examples/elbow.toml", mk.Joint)
+    command = {"pressure_1_mpa": 0.2, "pressure_2_mpa": 0.1, "until_s": 1}
+
+    def drive(torque_nm: Any) -> mk.Drive:
+        return mk.Drive(
+            elbow,
+            command=command,
+            regulator={"time_constant_s": 0.05},
+            external={"torque_nm": torque_nm},
+        )
+
+    both = [
+        mk.Simulation(drive(given), 0.05, model="universal") for given in (1.0, 0.0)
+    ]
+    start = both[0].state.angle_deg
+    for _ in range(20):
+        held = both[0].step([0.2, 0.1]).angle_deg
+    assert held == pytest.approx(start, abs=1e-6)
+    for _ in range(60):
+        against = both[1].step([0.2, 0.1], torque_nm=1.0).angle_deg
+    assert against == pytest.approx(start, abs=1e-3)
+    for _ in range(60):
+        less = both[0].step([0.2, 0.1], torque_nm=-1.0).angle_deg
+    without = mk.Simulation(drive(0.0), 0.05, model="universal").state.angle_deg
+    assert less == pytest.approx(without, abs=1e-3)
+    # What begins after three steps, as the joint of a drive file has it.
+    late = mk.Simulation(drive([[0, 0.0], [0.15, 1.0]]), 0.05, model="universal")
+    ends = [late.step([0.2, 0.1]).angle_deg - without for _ in range(60)]
+    assert abs(ends[2]) < 1e-6 < ends[3] < ends[-1]
+    assert ends[-1] == pytest.approx(start - without, abs=1e-3)
+
+
 def test_a_step_takes_numbers_of_any_kind(root: Path) -> None:
     pint = pytest.importorskip("pint")
     elbow = mk.Simulation(root / ELBOW, 0.01, model="universal")

@@ -2,9 +2,9 @@
 //! sheet.
 
 use crate::{
-    Contraction, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind,
-    Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero, borne,
-    burst_of,
+    AskFields, Contraction, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
+    ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
+    borne, burst_of,
     flags::{self, Args},
     not_measured, number,
     print::{Csv, Page, Rows, Show, Table},
@@ -428,7 +428,10 @@ fn operating(
         cancel::check()?;
     }
     let blocked_force_n = evaluation.force_n(pressure_mpa, 0.0)?;
-    let pulls = pulls(&mut evaluation, pressure_mpa, 0.5 * free)?;
+    let mut space = Workspace::new();
+    let in_use = AskFields::default().options(muscle)?;
+    let mut on_branch = Evaluation::new(model, &mut space, in_use);
+    let pulls = pulls(&mut on_branch, pressure_mpa, 0.5 * free)?;
     let point = evaluation.point(pressure_mpa, 0.5 * free)?;
     let words = UncertaintyWords::of(&point, &mut evaluation);
     let left: Vec<Left> = words.worth().copied().collect();

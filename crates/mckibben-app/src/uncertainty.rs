@@ -129,12 +129,7 @@ pub fn interval(pull: &Built, scale: &Scale) -> String {
         pull.predicted_low_n,
         pull.predicted_high_n,
     ];
-    let way = if pull.predicted_direction.is_mean() {
-        String::new()
-    } else {
-        format!(" while {}", pull.predicted_direction.motion())
-    };
-    bounds(pulls, scale) + &way
+    bounds(pulls, scale) + &pull.way()
 }
 
 /// A median and the two ends of its interval.

@@ -13,8 +13,8 @@ impl Plan {
     pub(crate) fn verdict(&self) -> Vec<String> {
         let (operating, shown) = (&self.operating, &self.shown);
         let at_rest = format!(
-            "By the model alone ({}) it is blocked at {} at {}, and contracts by {} ({}) without \
-             load.",
+            "By the model alone ({}, between both branches of friction) it is blocked at {} at {}, \
+             and contracts by {} ({}) without load.",
             operating.model,
             shown.force(operating.blocked_force_n),
             shown.pressure(operating.pressure_mpa),
@@ -36,7 +36,8 @@ impl Plan {
                     let [low, high] = [built.predicted_low_n, built.predicted_high_n]
                         .map(|n| shown.force(n.max(0.0)));
                     let median = shown.force(built.predicted_n);
-                    format!("{median} ({low} to {high}, 95 %, as built)")
+                    let way = built.way();
+                    format!("{median} ({low} to {high}, 95 %, as built){way}")
                 },
             );
             format!(

@@ -9,7 +9,7 @@ use crate::{
     Candidate, Demand, Models, Objective, Spec,
     bundle::envelope_ratio,
     limits::check::Probe,
-    run::Settled,
+    run::{Settled, searched},
     search::{Pick, Search},
     trial::Trial,
 };
@@ -70,6 +70,7 @@ impl Shares {
         models: Models<'_>,
         progress: &dyn Progress,
     ) -> Option<Several> {
+        let spec = &searched(spec, models);
         let one = |share: &Share| {
             let shared = |count: u32| spec.shared_by(count);
             // The model that decides may ask for more of them.

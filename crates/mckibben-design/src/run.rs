@@ -3,7 +3,7 @@
 use crate::{
     Build, Candidate, Models, Objective, Reason, Rejected, Relaxation, Spec, SpecError,
     candidate::candidate,
-    choice::{EQUAL, Several, Sharing, order, ranked},
+    choice::{EQUAL, Sharing, order, ranked},
     limits::check::{Probe, Score, fits, probe, probe_with},
     line::STEPS,
     relax::{Kind, Misses},
@@ -33,49 +33,7 @@ pub struct Outcome {
     /// Where the candidates have tubes that are sold the best one that is cast, and vice versa.
     pub other_make: Option<Candidate>,
     /// What may take the place of one muscle, or is sure.
-    sharing: Sharing,
-}
-
-impl Outcome {
-    /// In place of one muscle: the slimmest bundle of equal ones.
-    pub fn slimmest_bundle(
-        &self,
-        spec: &Spec,
-        models: Models<'_>,
-        progress: &dyn Progress,
-    ) -> Option<Several> {
-        self.sharing
-            .bundles
-            .settled(&searched(spec, models), models, progress)
-    }
-
-    /// Where no candidate is sure to give what is wanted: what is, by the lower end of the ± (95 %),
-    /// one muscle or several.
-    pub fn to_be_sure(
-        &self,
-        spec: &Spec,
-        models: Models<'_>,
-        progress: &dyn Progress,
-    ) -> Option<Several> {
-        let is_sure = |c: &Candidate| c.sure_pressure_mpa.is_some();
-        let nothing_fits = spec.tubes.is_empty() && self.candidates.is_empty();
-        if spec.guaranteed.is_some() || nothing_fits || self.candidates.iter().any(is_sure) {
-            return None;
-        }
-        let sure = Spec {
-            guaranteed: Some(0.95),
-            top: 1,
-            ..searched(spec, models)
-        };
-        if !spec.tubes.is_empty() {
-            return self.sharing.sure.settled(&sure, models, progress);
-        }
-        let found = design_with(&sure, models, progress).ok()?;
-        Some(Several {
-            count: spec.count,
-            candidate: found.candidates.into_iter().next()?,
-        })
-    }
+    pub(crate) sharing: Sharing,
 }
 
 /// The muscle that comes closest where nothing fits.

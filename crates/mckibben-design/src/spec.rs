@@ -189,6 +189,15 @@ impl Spec {
         Ok(self)
     }
 
+    /// The same, with a pull that is guaranteed.
+    pub(crate) fn to_be_sure(&self) -> Self {
+        Self {
+            guaranteed: Some(0.95),
+            top: 1,
+            ..self.clone()
+        }
+    }
+
     /// Whether one muscle must do, and no bundle is tried in its place.
     pub(crate) fn is_alone(&self) -> bool {
         self.count == 1 && self.most_side_by_side <= 1

@@ -1,7 +1,7 @@
 //! The main job as a whole: a specification that leaves some things open, and what is chosen.
 
 use crate::{
-    Bundle, Models, Outcome, Relaxation, Several, Spec, SpecError, bundle, design_joint,
+    Bundle, Candidate, Models, Outcome, Relaxation, Several, Spec, SpecError, bundle, design_joint,
     design_with, other_parts::other_parts,
 };
 use mckibben_core::{
@@ -59,42 +59,58 @@ impl Task {
     /// [`SpecError`] where the specification cannot be searched, or the caller ended it.
     pub fn solve(&self, models: Models<'_>, progress: &dyn Progress) -> Result<Design, SpecError> {
         let quiet = &CancelOnly(progress);
-        let (mut spec, mut outcome) = self.search(&self.spec, models, progress)?;
-        let one = &self.spec;
-        let shared = self.shared(one, (&spec, &outcome), models, quiet)?;
+        let first = self.search(&self.spec, models, progress)?;
+        let shared = self.shared(&self.spec, &first, models, quiet)?;
         let is_shared = shared.is_some();
-        let mut to_be_sure = outcome.to_be_sure(&spec, models, quiet);
-        let mut slimmest_bundle = None;
-        if let Some(found) = shared {
-            (spec, outcome) = found;
-            to_be_sure = to_be_sure.or_else(|| outcome.to_be_sure(&spec, models, quiet));
-        } else if let Some(first) = outcome.candidates.first() {
+        let (spec, outcome) = shared.as_ref().unwrap_or(&first);
+        let winner = outcome.candidates.first();
+        let is_sure = |c: &Candidate| c.sure_pressure_mpa.is_some();
+        let mut to_be_sure = None;
+        if spec.guaranteed.is_none() && !outcome.candidates.iter().any(is_sure) {
+            let sure = &first.1.sharing.sure;
+            to_be_sure = sure.settled(&first.0.to_be_sure(), models, quiet);
+            if to_be_sure.is_none() && self.radius_mm.is_none() && winner.is_some() {
+                to_be_sure = self.guaranteed(models, quiet);
+            }
+        }
+        let slimmest_bundle = winner.filter(|_| !is_shared).and_then(|winner| {
             let one = Several {
                 count: 1,
-                candidate: first.clone(),
+                candidate: winner.clone(),
             };
-            let is_slimmer = |several: &Several| several.size() < one.size();
-            let bundle = outcome.slimmest_bundle(&spec, models, quiet);
-            slimmest_bundle = bundle.filter(is_slimmer);
-        }
+            let bundle = outcome.sharing.bundles.settled(spec, models, quiet)?;
+            (bundle.size() < one.size()).then_some(bundle)
+        });
         progress.check()?;
-        let winner = outcome.candidates.first();
         let bundle = winner
             .filter(|_| is_shared || !self.open.count)
-            .map(|winner| bundle::of_winner(&spec, models.decides(), winner));
-        let relaxations = outcome.closest.as_ref().map(|closest| {
-            let mut changes = closest.relaxations(&spec, models, quiet);
-            changes.extend(other_parts(&spec, self.open, models, closest, quiet));
-            changes
-        });
+            .map(|winner| bundle::of_winner(spec, models.decides(), winner));
+        let mut relaxations = vec![];
+        if let Some(closest) = &outcome.closest {
+            relaxations = closest.relaxations(spec, models, quiet);
+            relaxations.extend(other_parts(spec, self.open, models, closest, quiet));
+        }
+        let (spec, outcome) = shared.unwrap_or(first);
         Ok(Design {
             is_shared,
             slimmest_bundle,
             to_be_sure,
             bundle,
-            relaxations: relaxations.unwrap_or_default(),
+            relaxations,
             spec,
             outcome,
+        })
+    }
+
+    /// What is chosen where the pull is guaranteed.
+    fn guaranteed(&self, models: Models<'_>, progress: &dyn Progress) -> Option<Several> {
+        let one = self.spec.to_be_sure();
+        let first = self.search(&one, models, progress).ok()?;
+        let shared = self.shared(&one, &first, models, progress).ok()?;
+        let (spec, outcome) = shared.unwrap_or(first);
+        Some(Several {
+            count: spec.count,
+            candidate: outcome.candidates.into_iter().next()?,
         })
     }
 
@@ -115,23 +131,23 @@ impl Task {
     fn shared(
         &self,
         one: &Spec,
-        (searched, outcome): (&Spec, &Outcome),
+        (searched, outcome): &(Spec, Outcome),
         models: Models<'_>,
         progress: &dyn Progress,
     ) -> Result<Option<(Spec, Outcome)>, SpecError> {
-        let closest = outcome.closest.as_ref().filter(|_| self.open.count);
-        if closest.is_some()
-            && let Some(bundle) = outcome.slimmest_bundle(searched, models, progress)
-        {
+        let Some(closest) = outcome.closest.as_ref().filter(|_| self.open.count) else {
+            return Ok(None);
+        };
+        let bundles = &outcome.sharing.bundles;
+        if let Some(bundle) = bundles.settled(searched, models, progress) {
             return self
                 .search(&one.shared_by(bundle.count), models, progress)
                 .map(Some);
         }
-        let share = closest.and_then(|closest| closest.largest_share(searched, models, progress));
-        let counts = share
-            .into_iter()
-            .flat_map(|share| COUNTS.map(|multiple| (multiple / share).ceil()));
-        for count in counts.take_while(|count| *count <= f64::from(bundle::MOST)) {
+        let share = closest.largest_share(searched, models, progress);
+        let counts = COUNTS.map(|multiple| (multiple / share.unwrap_or(0.0)).ceil());
+        let most = f64::from(bundle::MOST);
+        for count in counts.into_iter().take_while(|count| *count <= most) {
             let found = self.search(&one.shared_by(count as u32), models, progress)?;
             if !found.1.candidates.is_empty() {
                 return Ok(Some(found));

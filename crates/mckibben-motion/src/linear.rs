@@ -10,12 +10,12 @@ use std::f64::consts::TAU;
 /// second.
 ///
 /// Central differences of the right-hand side: also across the kink of a valve that is closed
-/// there, whose two sides it averages. The air's mass is a state without effect on the others where
-/// the law is isothermal: an eigenvalue 0.
+/// there, whose two sides it averages. States without effect on any other are left out: the air's
+/// mass where the law is isothermal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
     /// A: of the coordinate, its velocity, and of each muscle the absolute pressure in MPa, the
-    /// fluid's mass in g, and what else it has.
+    /// fluid's mass in g where others depend on it, and what else it has.
     pub a: DMatrix<f64>,
     /// B.
     pub b: DVector<f64>,
@@ -124,9 +124,12 @@ impl Linear {
             rates
         };
         let [above, below] = beside(side, 1e-6);
+        let b = difference(&offset(above)?, &offset(below)?, above - below);
+        let acts = |&i: &usize| i == 0 || a.column(i).amax() > 0.0;
+        let kept: Vec<usize> = (0..n).filter(acts).collect();
         Ok(Self {
-            a,
-            b: DVector::from_vec(difference(&offset(above)?, &offset(below)?, above - below)),
+            a: a.select_rows(&kept).select_columns(&kept),
+            b: DVector::from_vec(b).select_rows(&kept),
             per_coordinate: drive.mechanism.position_per_coordinate(),
             coordinate,
         })

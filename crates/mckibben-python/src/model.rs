@@ -33,7 +33,12 @@ impl Model {
         let allowed = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
         let range = &self.bound.info().range;
         let (low, high) = range.pressure_mpa;
-        Ok([(low, high.min(allowed)), range.contraction])
+        let (least, most) = range.contraction;
+        // A contraction of 1 is none.
+        Ok([
+            (low, high.min(allowed)),
+            (least, most.min(1.0_f64.next_down())),
+        ])
     }
 
     /// All that is known of each point, or why it has no answer.
@@ -142,7 +147,7 @@ impl Model {
         progress: Option<&Bound<'_, PyAny>>,
         work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
     ) -> PyResult<T> {
-        if self.bound.is_moment(numbers) {
+        if progress.is_none() && self.bound.is_moment(numbers) {
             run::quick(py, work)
         } else {
             run::long(py, progress, work)

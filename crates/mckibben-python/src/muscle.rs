@@ -13,7 +13,7 @@ use mckibben_core::{
     rubber::RubberLaw,
 };
 use mckibben_fit::identify::Target;
-use pyo3::{exceptions::PyValueError, prelude::*};
+use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 /// A muscle.
@@ -112,17 +112,20 @@ impl Muscle {
     /// with plane stress and constant volume.
     fn stress(&self, mode: &str, stretches: Vec<f64>) -> PyResult<Vec<f64>> {
         let law = &self.held.tube().rubber.law;
-        if let Some(wrong) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
+        let wrong = |field: &str, message: String| {
+            let problem = Problem::new(ProblemKind::Quantity, message, "").in_field(field);
+            Err(Wrong::from(problem).into())
+        };
+        if let Some(none) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
             let message =
-                format!("a stretch of {wrong}: it is the length over that at rest, above 0");
-            let problem = Problem::new(ProblemKind::Quantity, message, "").in_field("stretch");
-            return Err(Wrong::from(problem).into());
+                format!("a stretch of {none}: it is the length over that at rest, above 0");
+            return wrong("stretch", message);
         }
         let stress: fn(&_, f64) -> f64 = match mode {
             "uniaxial" => RubberLaw::uniaxial_stress_mpa,
             "planar" => RubberLaw::planar_stress_mpa,
             "equibiaxial" => RubberLaw::equibiaxial_stress_mpa,
-            _ => return Err(PyValueError::new_err("uniaxial, planar or equibiaxial")),
+            _ => return wrong("mode", "uniaxial, planar or equibiaxial".into()),
         };
         Ok(stretches
             .iter()

@@ -2,7 +2,7 @@
 
 use crate::{error::Wrong, request, run, value};
 use mckibben_app::{MotionRequest, Problem, SimulatedDrive, understood};
-use mckibben_core::threads::Threads;
+use mckibben_core::{progress::CancelOnly, threads::Threads};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyReadwriteArray1};
 use pyo3::{exceptions::PyValueError, prelude::*};
 use serde_json::json;
@@ -181,7 +181,7 @@ pub fn rollout(
                 .into_iter()
                 .for_each(|end| end.copy_from_slice(&last(&drive)));
             for (step, (commands, end)) in own.zip(&mut ends).enumerate() {
-                if let Err(problem) = drive.step(commands, 0.0, progress) {
+                if let Err(problem) = drive.step(commands, 0.0, &CancelOnly(progress)) {
                     end.fill(f64::NAN);
                     ends.for_each(|end| end.fill(f64::NAN));
                     let mut failed = failed.lock().unwrap_or_else(PoisonError::into_inner);

@@ -191,9 +191,9 @@ impl BoundModel {
         matches!(self.choice, Model::Elements(_))
     }
 
-    /// Whether so many numbers take some hundredths of a second at most: no progress is reported.
+    /// Whether so many numbers take some tenths of a second at most.
     pub fn is_moment(&self, numbers: usize) -> bool {
-        !self.is_elements() && numbers <= 20_000
+        !self.is_elements() && numbers <= 500
     }
 
     /// The constant or measure of a name, as the muscle file has it.

@@ -173,13 +173,6 @@ impl Decision<'_> {
                     mpa(p)
                 )
             }
-            None if matches!(spec.wanted, Demand::Joint(_)) => {
-                format!("Sure to {share}: no single muscle on a side")
-            }
-            // Those of the least size were looked at.
-            None if !spec.tubes.is_empty() => {
-                format!("Sure to {share}: none of this list; `guaranteed` searches all")
-            }
             None => format!("Sure to {share}: no muscle of this search"),
         }
     }

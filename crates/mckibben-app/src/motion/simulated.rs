@@ -52,8 +52,8 @@ impl SimulatedDrive {
 
     /// One step on, with a command for each of the drive's (pressure in MPa, opening from −1 to 1,
     /// volume in mm³, contraction ratio, or angle in degrees) and from outside a force in N that
-    /// stretches the muscle, or a torque in N m that turns the joint to +. A step that fails leaves
-    /// all as it was.
+    /// stretches the muscle, or a torque in N m that turns the joint to +, besides that of the
+    /// drive. A step that fails leaves all as it was.
     pub fn step(&mut self, commands: &[f64], outside: f64, progress: &dyn Progress) -> Result<()> {
         let inside = self.inside(commands)?;
         let force = if self.is_joint() {
@@ -61,6 +61,9 @@ impl SimulatedDrive {
         } else {
             outside
         };
+        // That of the drive is held as it is in the middle.
+        let middle = self.simulation.time_s() + 0.5 * self.drive.output_step_s;
+        let force = force + self.drive.external.value(middle);
         self.simulation.step_against(&inside, force, progress)?;
         self.commands = Some(commands.to_vec());
         Ok(())

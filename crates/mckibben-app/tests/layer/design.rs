@@ -103,6 +103,49 @@ fn what_is_sure_is_said_with_its_number_of_muscles() {
     }
 }
 
+/// Of a bundle: with so many muscles as were chosen the next multiple was called sure, 28 of them.
+#[test]
+fn identity_as_many_muscles_are_sure_as_a_guarantee_asks_for() {
+    let job = json!({"force_n": 800, "contraction": 0.2, "max_pressure_mpa": 0.4});
+    let mut guaranteed = job.clone();
+    guaranteed["guaranteed"] = json!(0.95);
+    let (sure, bundle) = (reply("design", job), reply("design", guaranteed));
+    assert_eq!(sure["to_be_sure"]["count"], bundle["bundle"]["muscles"]);
+    let chosen = &bundle["candidates"][0];
+    assert_eq!(
+        sure["to_be_sure"]["outer_diameter_mm"],
+        chosen["outer_diameter_mm"]
+    );
+}
+
+/// The folder of a build says what `force` says of the muscle file: on the branch of its job, which
+/// is named. It was that of a shortening muscle, whatever the job was.
+#[test]
+fn identity_a_build_pulls_what_force_says_on_the_branch_of_its_job() {
+    let text = include_str!("../../../../examples/prototype.toml");
+    for (branch, way) in [("contraction", "shortening"), ("elongation", "lengthening")] {
+        let job = "points = [{ force = '300 N', contraction = 0.15 }]";
+        let text = format!("{text}\n[job]\npressure = '2 bar'\nbranch = '{branch}'\n{job}\n");
+        let file = json!({"name": "m.toml", "text": text});
+        let pull = reply("force", json!({"muscle": {"file": file}}));
+        let built = reply("build", json!({"muscle": {"file": file}}));
+        let steps = built["files"][0]["text"].as_str().unwrap();
+        let line = steps.lines().find(|line| line.starts_with("At ")).unwrap();
+        let said: f64 = line
+            .split(" pulls ")
+            .nth(1)
+            .unwrap()
+            .split(' ')
+            .next()
+            .unwrap()
+            .parse()
+            .unwrap();
+        let predicted_n = pull["predicted_n"].as_f64().unwrap();
+        assert!((said - predicted_n).abs() <= 0.5, "{line} {predicted_n}");
+        assert!(line.contains(&format!("as built) while {way}")), "{line}");
+    }
+}
+
 /// Of parts a specification in Rust has the answer of the command: one muscle, one of several, and
 /// none that fits.
 #[test]

@@ -87,6 +87,14 @@ pub struct BuiltShift {
 }
 
 impl Built {
+    /// What the muscle does meanwhile, in words behind its pull.
+    pub fn way(&self) -> String {
+        match self.predicted_direction {
+            Direction::Mean => String::new(),
+            branch => format!(" while {}", branch.motion()),
+        }
+    }
+
     /// Half of the interval in N.
     pub fn half_n(&self) -> f64 {
         0.5 * (self.predicted_high_n - self.predicted_low_n)
