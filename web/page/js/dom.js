@@ -123,7 +123,8 @@ export function problemBox(thrown) {
 export const dim = (parts, on) => parts.forEach((part) => part.classList.toggle("stale", on));
 
 /** @param {string} text */
-export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+export const capital = (text) =>
+  text.replace(/^\p{Ll}(?!\S*\.\w)/u, (first) => first.toUpperCase());
 
 /** Hands a file to the browser's downloads. @param {string} name @param {BlobPart} content */
 export function download(name, content) {

@@ -29,10 +29,7 @@ export function helpLink() {
     dialog(`Help: ${pageOf(page).text}`, (close) => [
       paragraph(pageOf(page).about),
       el("ul", ...(HOW[page] ?? []).map((text) => el("li", text))),
-      paragraph(
-        "Point at a name of a quantity, or focus its field, to see it in a drawing. Undo and Redo go through your " +
-          "gestures.",
-      ),
+      paragraph("Point at a quantity, or focus its field, to see it in a drawing."),
       paragraph(
         el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
         ": accuracy, verification, sources.",

@@ -88,15 +88,21 @@ impl BoundJoint {
         let here = self.here(workspaces, angle, max_pressure_mpa);
         let (passive, passive_slope) = self.joint().passive_nm(angle);
         let needed = 1e3 * (wanted.torque_nm - passive);
-        let out_of_reach =
-            |sought: String, [least, most]: [f64; 2], unit: &str| JointError::OutOfReach {
+        let out_of_reach = |sought: String, [least, most]: [f64; 2], unit: &str| {
+            let reached = if least.is_nan() {
+                "no".into()
+            } else {
+                format!("{least:.4} to {most:.4}")
+            };
+            JointError::OutOfReach {
                 most,
                 message: format!(
                     "no pressures up to {max_pressure_mpa}\u{a0}MPa give {sought} at {} deg; the \
-                     joint reaches {least:.4} to {most:.4} {unit}",
+                     joint reaches {reached} {unit}",
                     wanted.angle_deg
                 ),
-            };
+            }
+        };
         let no_torque = || {
             let reach = |sign: f64| {
                 here.iter()

@@ -433,6 +433,13 @@ fn what_the_joint_cannot_do_is_said_with_what_it_can() {
         matches!(error, JointError::OutOfReach { most, .. } if most > 1.0),
         "{error}"
     );
+    // At so little neither pulls, and no stiffness is one of both.
+    let idle = JointTarget {
+        torque_nm: 0.0,
+        ..stiff
+    };
+    let error = model.pressures(w, idle, 1e-3).unwrap_err().to_string();
+    assert!(error.contains("reaches no N m/rad"), "{error}");
     // The lowest pressures that hold a torque leave the other muscle alone.
     let low = model
         .pressures(

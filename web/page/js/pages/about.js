@@ -108,7 +108,7 @@ export const mount = (main) => {
       "prose",
       heading("What this is"),
       paragraph(
-        "This page solves a non-linear finite-element model of a McKibben muscle (axisymmetric, incompressible rubber, " +
+        "This page solves a finite-element model of a McKibben muscle (axisymmetric, incompressible rubber, " +
           "elastic strands, bonded ends) at every step of a slider.",
       ),
       paragraph(
@@ -130,7 +130,7 @@ export const mount = (main) => {
       "prose",
       heading("Sources and licence"),
       paragraph(
-        "mckibben is free software under MIT or Apache 2.0. The documentation lists the sources and terms of formulas, rubbers and measured muscles. ",
+        "mckibben is free software under MIT or Apache 2.0. The documentation lists the sources of all data and their terms. ",
         DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it."),
       ),
     ),
