@@ -516,6 +516,7 @@ inBrowser(({ name, url, open, blank }) => {
     for (const [name, begin] of [
       ["a.xlsx", "PK\u0003\u0004"],
       ["b.ods", "PK\u0003\u0004"],
+      ["c.xlsx", "$>\u0000\u0001 1"],
     ]) {
       await drop(page, { [name]: begin });
       await reads(page, "#notice", `${name} cannot be read: save it as .xlsx, .ods or CSV`);

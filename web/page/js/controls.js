@@ -282,12 +282,12 @@ export function choice(label, options, value, change) {
 /** The text of a file; of a workbook that of a sheet. @param {File} file */
 export async function textOf(file) {
   const text = await file.text();
-  if (!/^(PK\x03|\ufffd)/.test(text)) return text;
+  if (!/^(PK\x03|\ufffd)|\0/.test(text)) return text;
   try {
     return await (await import("./workbook.js")).sheetText(file);
   } catch {
     throw new Error(
-      `${file.name} cannot be read: save it as .xlsx, .ods or CSV in UTF-8, or copy its cells and paste them here.`,
+      `${file.name} cannot be read: save it as .xlsx, .ods or CSV in UTF-8, or paste its cells here.`,
     );
   }
 }
