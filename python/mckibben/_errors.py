@@ -132,7 +132,7 @@ def of(values: dict[str, Any]) -> MckibbenError:
         )
         found = found.replace("`parts list`", "`mk.parts(…)`")
         values[name] = found.replace("`direction`", "`branch`")
-    field = values.get("field")
+    field: Any = values.get("field")
     values["field"] = ARGUMENTS.get(field, field)
     kind, message = KINDS.get(values["kind"], InputError), values["message"]
     said = re.match(

@@ -215,8 +215,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         if not isinstance(names, Collection) or not all(
             isinstance(n, str) for n in names
         ):
-            said = f"True, or names of constants and measures, not {jac!r}"
-            raise WrongTypeError(said, field="jac")
+            raise WrongTypeError(
+                f"True, or names of constants and measures, not {jac!r}", field="jac"
+            )
         first, second = np.broadcast_arrays(a, b)
         how = first, second, nan, True, heard(progress, wanted)
         try:

@@ -383,7 +383,7 @@ def screen(text: str) -> str:
     return text if len(text) <= 1000 else text[:999] + "…"
 
 
-def place(name: str, path: Any) -> str:
+def place(name: str, path: Any) -> Any:
     """A path as text."""
     return os.fspath(checked(name, path, str, os.PathLike))
 

@@ -772,7 +772,7 @@ def test_what_is_no_value_is_an_input_error_with_its_field(
             lambda: muscle.replace(outer_diameter_mm=number),
             lambda: muscle.replace(outer_diameter_mm=[1, 2]),  # type: ignore[arg-type]
             lambda: muscle.replace(outer_diameter_mm=float("inf")),
-            lambda: muscle.replace(outer_diameter_mm=np.ma.masked),
+            lambda: muscle.replace(outer_diameter_mm=np.ma.masked),  # type: ignore[arg-type]
             lambda: muscle.replace(outer_diameter_mm=np.array(None)),  # type: ignore[arg-type]
         ],
         "contraction": [lambda: muscle.force([0.1, 0.2], [0.1, 0.1, 0.1])],
@@ -798,7 +798,7 @@ def test_what_is_no_value_is_an_input_error_with_its_field(
         "commands": [lambda: mk.rollout(simulation, "a")],
         "state": [
             lambda: simulation.set_state(np.full(4, np.nan)),
-            lambda: simulation.set_state("a"),  # type: ignore[arg-type]
+            lambda: simulation.set_state("a"),
         ],
         "force_n": [lambda: simulation.step([0.2, 0.1], force_n=1)],
         "drive": [lambda: mk.Simulation(three, 0.01)],
@@ -854,7 +854,7 @@ def test_what_is_no_value_is_an_input_error_with_its_field(
             assert not str(caught.value).startswith("point")
     for far in ("9 bar", np.array("9 bar")):
         with pytest.raises(mk.OutOfRangeError) as beyond:
-            muscle.force(far, 0.1, model="universal")  # type: ignore[arg-type]
+            muscle.force(far, 0.1, model="universal")
         assert beyond.value.index is None
     for text in ("{", '{"mckibben": "Curve"}'):
         (tmp_path / "broken.json").write_text(text)

@@ -143,7 +143,7 @@ def test_progress_of_closed_forms_and_copies_ends() -> None:
     muscle.pressure(np.linspace(1, 90, 9000), 0.1, model="universal", progress=hear)
     assert told[-1] == (9000, 9000) and len(told) > 1
     told.clear()
-    load = {"mass_kg": 10, "damping": "200 N s/m"}
+    load: Any = {"mass_kg": 10, "damping": "200 N s/m"}
     command = {"pressure_mpa": 0.1, "until_s": 1}
     lift = mk.Drive(muscle, valve="festo-mh2", load=load, command=command)
     mk.rollout(

@@ -385,8 +385,9 @@ def test_a_warning_belongs_to_a_point_whichever_way_it_is_asked() -> None:
         rated_pressure_mpa=0.9, stiffness="inextensible"
     )
     for pressure, count in ((0.55, 0), (0.7, 1)):
-        for ask in (rated.solve, rated.force):
-            texts = said(lambda: ask(pressure, 0.1, model="thick-wall"))
+        of: Any
+        for of in (rated.solve, rated.force):
+            texts = said(lambda: of(pressure, 0.1, model="thick-wall"))
             assert [text.startswith("BURST NOT CHECKED") for text in texts] == [
                 True
             ] * count
