@@ -33,7 +33,7 @@ const DONE = {
   sweep: ".plot svg.curves",
   rubber: ".drop",
   files: ".card-of-files",
-  about: "table",
+  about: "main .prose",
 };
 
 /** Rules of axe; in the dark only colours differ. */
