@@ -14,7 +14,7 @@ step "tools"
 "$PYTHON" -m venv "$work/venv"
 export PATH="$work/venv/bin:$PATH"
 python -m pip install --quiet -r python/requirements-build.txt ruff==0.17.6 mypy pytest pandas polars pyarrow pint matplotlib scipy jax \
-    nbclient nbformat ipykernel pandas-stubs
+    nbclient nbformat ipykernel pandas-stubs xarray
 
 step "commands and answers are those of the schema"
 cargo build --quiet --workspace --all-targets --profile test --locked
