@@ -7317,8 +7317,16 @@ class MuscleNumbers:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
+        InputError
+            An argument is wrong: `field` names it.
+        OutOfRangeError
+            The point lies outside of the range of the model.
+        NoAnswerError
+            No such point exists; `nearest` is the nearest one there is.
+        NotConvergedError
+            Finite elements found no equilibrium, or the work was cancelled.
+
+        Of arrays `index` is the place of the point.
 
         Examples
         --------
@@ -7391,8 +7399,16 @@ class MuscleNumbers:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
+        InputError
+            An argument is wrong: `field` names it.
+        OutOfRangeError
+            The point lies outside of the range of the model.
+        NoAnswerError
+            No such point exists; `nearest` is the nearest one there is.
+        NotConvergedError
+            Finite elements found no equilibrium, or the work was cancelled.
+
+        Of arrays `index` is the place of the point.
 
         Examples
         --------
@@ -7465,8 +7481,16 @@ class MuscleNumbers:
 
         Raises
         ------
-        MckibbenError
-            One of its classes says why there is no answer; `index` is the place of the point.
+        InputError
+            An argument is wrong: `field` names it.
+        OutOfRangeError
+            The point lies outside of the range of the model.
+        NoAnswerError
+            No such point exists; `nearest` is the nearest one there is.
+        NotConvergedError
+            Finite elements found no equilibrium, or the work was cancelled.
+
+        Of arrays `index` is the place of the point.
 
         Examples
         --------

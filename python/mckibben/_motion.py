@@ -317,7 +317,16 @@ class Joint(_api.JointCommands, _File):
         errors: Errors = "raise",
         **options: Unpack[_api.Options],
     ) -> Any:
-        """-∂τ/∂φ at these pressures, in N m/rad; arguments and exceptions are those of :meth:`torque`."""
+        """-∂τ/∂φ at these pressures, in N m/rad; arguments and exceptions are those of :meth:`torque`.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> biceps = mk.Muscle(outer_diameter_mm=20, wall_mm=1.5, length_mm=220, angle_deg=24, stiffness=900)
+        >>> elbow = mk.Joint(biceps, biceps, joint={"radius_mm": 25, "range_deg": (-60, 60)}, contraction_at_neutral=0.12)
+        >>> bool(elbow.stiffness(["3 bar", "1 bar"], 0, model="universal") > 0)
+        True
+        """
         asked = pressures_mpa, angle_deg, True, errors, options
         _, rates, labelled = self._turned(*asked)
         return labelled("stiffness_nm_per_rad", -rates[..., -1])

@@ -355,6 +355,12 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     def with_parameters(self, values: Mapping[str, float]) -> Muscle:
         """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
         among them, also where the braid's k follows the diameter.
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Muscle.prototype().with_parameters({"tube.outer_diameter": 32.0}).outer_diameter_mm
+        32.0
         """
         given = checked("values", values, Mapping)
         changes = [(n, number(n, v)) for n, v in given.items()]

@@ -97,7 +97,14 @@ class Rubber(Saved):
     def stress(
         self, mode: Literal["uniaxial", "planar", "equibiaxial"], stretch: ArrayLike
     ) -> Array:
-        """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest)."""
+        """Nominal stress (force over the area at rest) of the incompressible rubber in MPa, at stretches (length over that at rest).
+
+        Examples
+        --------
+        >>> import mckibben as mk
+        >>> mk.Rubber("neo-hookean", mu=0.4).stress("uniaxial", [1.0, 2.0]).round(3)
+        array([0. , 0.7])
+        """
         stretches = array("stretch", stretch)
         found = self._held.stress(mode, stretches.ravel().tolist())
         return np.reshape(found, stretches.shape)

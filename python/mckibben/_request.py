@@ -285,8 +285,12 @@ def ask(
 
     Raises
     ------
-    MckibbenError
-        One of its classes says why there is no answer.
+    InputError
+        The request is wrong: `field` names what.
+    NoAnswerError
+        There is no answer.
+    NotConvergedError
+        It was not found, or the work was cancelled.
 
     Examples
     --------

@@ -185,6 +185,15 @@ def force(
     ------
     ValueError
         A muscle has no constant or measure of that name (:class:`InputError`).
+
+    Examples
+    --------
+    >>> import jax, mckibben as mk
+    >>> from mckibben.jax import force
+    >>> f = force(mk.Muscle.prototype(), ["wall_mm"], model="universal")
+    >>> by_wall = jax.grad(lambda wall: f(0.2, 0.1, {"wall_mm": wall}))
+    >>> bool(by_wall(3.0) < 0)
+    True
     """
     return _function(_OfMuscle(muscle, "force", wrt, options))
 

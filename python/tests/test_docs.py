@@ -92,12 +92,12 @@ def test_code_in_sentences_runs(
         "._motion",
         "._campaign",
         "._request",
+        ".jax",
         ".units",
     ],
 )
 def test_examples_of_docstrings(module: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    if module == ".units":
-        pytest.importorskip("pint")
+    pytest.importorskip({".units": "pint", ".jax": "jax"}.get(module, "numpy"))
     result = doctest.testmod(
         importlib.import_module(f"mckibben{module}"),
         optionflags=doctest.NORMALIZE_WHITESPACE,
