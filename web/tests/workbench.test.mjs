@@ -1349,6 +1349,12 @@ inBrowser(({ name, url, open, blank }) => {
   test("beside an error the old answer is dimmed, on every page that computes", async () => {
     const { page, context } = await open("#muscle");
     await alive(page);
+    // What is typed next is no matter of the problem before.
+    await type(page, "Pressure p", "-1");
+    await page.locator(".side .problem:not(.stale)").waitFor();
+    await type(page, "Pressure p", "abc");
+    await page.locator(".side .problem.stale").waitFor();
+    await type(page, "Pressure p", "2");
     for (const [where, waits, label, wrong] of [
       ["Motion", ".controls table", "Valve", "nonsense"],
       ["Joint", ".numbers dl", "Radius of the pulley r", "900"],

@@ -11,9 +11,6 @@ const HOW = {
     "The gauge and the rings are dragged too; Ctrl and wheel zoom.",
     "Type a value with any unit into a field: 1.2in, 36psi, 2.5 bar. A click on a unit changes it everywhere.",
   ],
-  design: [
-    "Click a muscle of the table to see it move. The map shows what else would fit, and which limit the others miss.",
-  ],
 };
 
 /** The page of the book, from this one. @param {string} place such as `commands#commands` */

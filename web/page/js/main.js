@@ -2,7 +2,7 @@
 import { engine, loadUnits } from "./ask.js";
 import { address, onWritten, read, write } from "./address.js";
 import { muscleBar } from "./bar.js";
-import { byId, el, mainButton, notice, paragraph, problemBox } from "./dom.js";
+import { byId, dim, el, mainButton, notice, paragraph, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
 import { helpLink } from "./help.js";
 import { keepWords, keeping, onKept, wordsOf } from "./kept.js";
@@ -77,6 +77,10 @@ const bar = muscleBar(walk, () => {
 }, [help.element]);
 byId("bar").append(bar.element);
 followSystem();
+// What is typed makes a problem an older one, until the next answer.
+addEventListener("input", () =>
+  dim(/** @type {HTMLElement[]} */ ([...document.querySelectorAll(".problem")]), true),
+);
 
 /** Steps that are being gone back to: the muscle on the way there is none. */
 let walking = 0;

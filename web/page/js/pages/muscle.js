@@ -43,7 +43,7 @@ export const mount = (main) => {
   });
   store.on("problem", ({ problem }) => {
     const again = mainButton("Try again", () => store.ask());
-    const old = remark("The page shows the last result, which is for another muscle or state.");
+    const old = remark("The last result is shown.");
     said.replaceChildren(
       problemBox(problem),
       store.shape ? old : "",
