@@ -3,7 +3,7 @@
 // (crates/mckibben-io/src/table/workbook.rs).
 import { unzipSync } from "./vendor/fflate.js";
 
-/** Most bytes of a part, and as often a cell is repeated. */
+/** Most bytes of all parts, and as often a cell is repeated. */
 const MOST = 60_000_000,
   REPEATED = 2000;
 
@@ -44,8 +44,9 @@ function lineOf(row, texts) {
 
 /** @param {File} file */
 export async function sheetText(file) {
+  let left = MOST;
   const parts = unzipSync(new Uint8Array(await file.arrayBuffer()), {
-      filter: ({ name, originalSize }) => /\.(xml|rels)$/.test(name) && originalSize <= MOST,
+      filter: ({ name, originalSize }) => /\.xml/.test(name) && (left -= originalSize) >= 0,
     }),
     read = (/** @type {string} */ name) =>
       name in parts
