@@ -4494,6 +4494,8 @@ class Parameter(Record):
         As in muscle files; `mu1`, `alpha1` for terms.
     value
         Its value.
+    meaning
+        What it is, in a few words.
     unit
         `MPa` or nothing.
     standard_error
@@ -4505,6 +4507,7 @@ class Parameter(Record):
 
     name: str
     value: float
+    meaning: str
     unit: str
     standard_error: float | None
     identifiable: bool
@@ -7539,8 +7542,8 @@ class MuscleCommands:
         forces_n : N
             Pulls of an isotonic test [20,80,150].
         load
-            Load, such as mass:20kg or spring:12N/mm@50N. force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg (mass, its distance from the
-            pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
+            Load, such as 20kg, 300N or 12N/mm. A mass, a force, a spring with its preload (12N/mm@50N), lever:5kg@300mm/40mm/-30deg (mass, its distance from
+            the pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
         load_tables
             The tables that it names.
         model
@@ -7746,8 +7749,8 @@ class MuscleCommands:
         volume_mm3 : mm3
             Volume that is pushed in, measured at atmospheric pressure (the stroke of a syringe).
         load
-            Load, such as mass:20kg or spring:12N/mm@50N. force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg (mass, its distance from the
-            pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
+            Load, such as 20kg, 300N or 12N/mm. A mass, a force, a spring with its preload (12N/mm@50N), lever:5kg@300mm/40mm/-30deg (mass, its distance from
+            the pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
         load_tables
             The tables that it names.
         contraction
@@ -8533,8 +8536,8 @@ def design(
     points
         Several operating points: 700N@15%,1200N@5%.
     load
-        Load, such as mass:20kg or spring:12N/mm@50N. force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg (mass, its distance from the
-        pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
+        Load, such as 20kg, 300N or 12N/mm. A mass, a force, a spring with its preload (12N/mm@50N), lever:5kg@300mm/40mm/-30deg (mass, its distance from
+        the pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several joined by +.
     load_tables
         The tables that it names.
     torques

@@ -92,8 +92,10 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   if (name === "serve")
-    test("the curves of a design are the engine's points, and a gap is no point", async () => {
-      const { page, context } = await open("#design");
+    test("the curves of a comparison are the engine's points, and a gap is no point", async () => {
+      const { page, context } = await open("#data");
+      const file = `${root}examples/bench.csv`;
+      await page.locator(".controls input[type=file]").setInputFiles(file);
       await page.locator(".chart h3").first().waitFor({ timeout: 120_000 });
       const chart = page.locator(".chart").filter({ has: page.locator("h3") });
       const { bytes } = await downloaded(page, { click: () => ofChart(chart.first(), "CSV") });
@@ -103,14 +105,18 @@ inBrowser(({ name, url, open, blank }) => {
         .split("\n")
         .slice(1)
         .map((row) => row.split(",").slice(-2));
-      const { figure } = await overHttp(url())("design", {
-        force_n: 700,
-        contraction: 0.15,
-        max_pressure_mpa: 0.25,
-        figure: "bar,N,mm",
+      const { figure } = await overHttp(url())("compare", {
+        muscle: {},
+        data: [{ name: "bench.csv", text: readFileSync(file, "utf8") }],
+        models: ["fe", "thick-wall", "ideal"],
+        extrapolate: true,
+        figure: "bar",
       });
-      const points = figure.panels[0].series.flatMap((/** @type {any} */ s) => s.points);
-      assert.equal(rows.length, points.length);
+      // Behind them the measured points, by pressure and branch.
+      const points = figure.panels[0].series.flatMap((/** @type {any} */ s) =>
+        s.style === "points" ? [] : s.points,
+      );
+      assert.equal(rows.length, points.length + 10);
       const gaps = points.filter((/** @type {any} */ p) => p.includes(null));
       assert.ok(gaps.length > 0);
       points.forEach((/** @type {any} */ [x, y], /** @type {number} */ i) => {

@@ -310,7 +310,7 @@ inBrowser(({ name, url, open, blank }) => {
     const best = ask(
       "design",
       "--force",
-      "700N",
+      "300N",
       "--contraction",
       "15%",
       "--max-pressure",
@@ -333,6 +333,16 @@ inBrowser(({ name, url, open, blank }) => {
       /^curve,outer diameter D0 \[mm\],wall s \[mm\],"required pressure \[bar\], or missed limit"$/,
     );
     assert.equal(lines.length, 1 + 29 * 25);
+    // What the best muscle loses as built is in the map: about its pressure stands where it is.
+    const cells_at = lines
+      .filter((line) => line.startsWith("needs"))
+      .map((line) => line.split(",").slice(1).map(Number))
+      .map(([d, s, bar]) => ({
+        off: Math.hypot(d / best.outer_diameter_mm - 1, s / best.wall_mm - 1),
+        bar,
+      }));
+    const nearest = cells_at.reduce((a, b) => (b.off < a.off ? b : a));
+    assert.ok(Math.abs(nearest.bar / (10 * best.pressure_mpa) - 1) < 0.2, `${nearest.bar} bar`);
     await map.locator(".plot").first().scrollIntoViewIfNeeded();
     const box = /** @type {any} */ (await map.locator(".plot").first().boundingBox());
     await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
@@ -356,7 +366,7 @@ inBrowser(({ name, url, open, blank }) => {
     const fitting = () => map.locator("tbody tr").filter({ hasNotText: "misses" }).count();
     const whole = await map.locator("tbody tr").count();
     await target.locator(".plot").scrollIntoViewIfNeeded();
-    await target.getByText("best muscle", { exact: true }).waitFor();
+    await target.getByText(/^[\d.]+ bar$/).waitFor();
     const ring = /** @type {any} */ (await target.locator(".ring").boundingBox()),
       [x, y] = [ring.x + ring.width / 2, ring.y + ring.height / 2];
     await page.mouse.move(x, y);
@@ -374,20 +384,20 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () =>
       assert.equal(
         await page.getByRole("textbox", { name: "Pull", exact: true }).inputValue(),
-        "700 N",
+        "300 N",
       ),
     );
     await soon(async () => assert.ok((await fitting()) > 0));
     await page.mouse.up();
     const pull = page.getByRole("textbox", { name: "Pull", exact: true });
     await page.waitForFunction(
-      () => !/F=700N?(&|$)/.test(location.hash) && /[?&]F=/.test(location.hash),
+      () => !/F=300N?(&|$)/.test(location.hash) && /[?&]F=/.test(location.hash),
     );
     const [force, contraction] = [
       await pull.inputValue(),
       await page.getByRole("textbox", { name: "at a contraction of" }).inputValue(),
     ];
-    assert.ok(Number.parseFloat(force) < 690, force);
+    assert.ok(Number.parseFloat(force) < 296, force);
     const [best] = ask(
       "design",
       "--force",
@@ -507,7 +517,7 @@ inBrowser(({ name, url, open, blank }) => {
     await soon(async () =>
       assert.match(
         await page.locator(".problem").innerText(),
-        /write it into its heading in Table/,
+        /name it pressure_mpa, pressure_kpa, pressure_bar or Pressure \[psi\]$/,
       ),
     );
     // Its table is open, with what the headings lack to be typed.

@@ -226,6 +226,7 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, ".side h2", heading);
     await go(page, "Motion");
     await page.waitForSelector(".controls table", { timeout: 60_000 });
+    await page.getByText("Advanced", { exact: true }).click();
     await page.getByRole("combobox", { name: "Model" }).selectOption("universal");
     await type(page, "Until", "1 s");
     await page.waitForFunction(() => /until=1/.test(location.hash));
@@ -257,7 +258,7 @@ inBrowser(({ name, url, open, blank }) => {
         assert.equal(await page.getByRole("textbox", { name: "Until" }).inputValue(), "1 s"),
       );
       await soon(async () =>
-        assert.equal(await page.getByRole("combobox", { name: "Model" }).inputValue(), "universal"),
+        assert.equal(await page.getByLabel("Model", { exact: true }).inputValue(), "universal"),
       );
       await go(page, "Data");
       if (reload) await page.reload();
@@ -1121,7 +1122,7 @@ inBrowser(({ name, url, open, blank }) => {
   test("the table of a design shows ±, whether one can be sure, mass and price, and is saved as CSV", async () => {
     const { page, context } = await open("#design");
     await page.waitForSelector("tr.pick", { timeout: 60_000 });
-    const said = ask("design", "-F", "700N", "-e", "15%", "-p", "2.5bar"),
+    const said = ask("design", "-F", "300N", "-e", "15%", "-p", "2.5bar"),
       [best] = said.candidates;
     const table = page.getByRole("region", { name: "Muscles that fit, best first" });
     for (const head of ["± of the pull", "95 % certain at", "mass", "price"])
@@ -1344,6 +1345,40 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, ".middle", "15000 points");
     assert.deepEqual(errors, []);
     await context.close();
+  });
+
+  test("what is wrong is said once, at its field, in the page's words and units", async () => {
+    const { page, context } = await open("#motion");
+    for (const [where, label, typed, said] of /** @type {[string, string, string, RegExp][]} */ ([
+      ["Motion", "Load", "20", /give a mass \(20 kg\), a force/],
+      ["Motion", "Supply", "-5", /^−5 bar; it must be above zero$/],
+      ["Joint", "Pressure of the supply", "-5", /^−5 bar; it must be above zero$/],
+      ["Joint", "Radius of the pulley r", "-5", /Is −5 mm; it must be above zero/],
+      ["Design", "Certainty", "20", /^0.2 is not a valid share/],
+    ])) {
+      await go(page, where);
+      await page.waitForSelector(".controls table, .numbers dl, tr.pick", { timeout: 60_000 });
+      const field = page.getByLabel(label, { exact: true }).first();
+      await field.fill(typed);
+      await field.press("Enter");
+      await soon(async () =>
+        assert.match((await page.locator(".wrong:visible").allInnerTexts()).join(), said, label),
+      );
+      assert.equal(await page.locator(".problem").count(), 0, label);
+    }
+    await context.close();
+    // Zero is wrong, not missing.
+    const first = await open("");
+    await first.page.getByRole("tab", { name: "Load" }).click();
+    await first.page.getByLabel("It must lift").fill("0");
+    await first.page.getByText("Load 0 kg: the mass must be above zero").waitFor();
+    await first.page.getByRole("tab", { name: "Joint" }).click();
+    await first.page.getByLabel("It must turn with").fill("0");
+    await first.page
+      .getByText(/0 N m at 45° is invalid/)
+      .first()
+      .waitFor();
+    await first.context.close();
   });
 
   test("beside an error the old answer is dimmed, on every page that computes", async () => {

@@ -19,11 +19,11 @@ use std::{collections::BTreeMap, fmt};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct LoadFields {
-    /// Load, such as mass:20kg or spring:12N/mm@50N
+    /// Load, such as 20kg, 300N or 12N/mm
     ///
-    /// force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg (mass, its distance
-    /// from the pivot, the pulley's radius, the angle from the horizontal), table:load.csv; several
-    /// joined by +.
+    /// A mass, a force, a spring with its preload (12N/mm@50N), lever:5kg@300mm/40mm/-30deg (mass,
+    /// its distance from the pivot, the pulley's radius, the angle from the horizontal),
+    /// table:load.csv; several joined by +.
     #[arg(long)]
     pub load: Option<String>,
     /// The tables that it names.

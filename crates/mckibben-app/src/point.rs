@@ -170,7 +170,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     }
     if request.force_n.is_some() {
         let message = "`force_n` conflicts with `load`: give the load, or the pull";
-        return Err(Problem::usage(message, "`load` takes `force:300N` as well"));
+        return Err(Problem::usage(message, "`load` takes a force as well"));
     }
     let mut said: Option<LoadAnswer> = None;
     let mut answer = answered(question, sought, request.both, |model| {
@@ -265,7 +265,7 @@ pub fn above_zero(kind: ProblemKind, field: &str, value: impl Into<f64>) -> Resu
     }
     let unit = NamedUnit::of_field(field).map_or("", |of| of.unit);
     Err(kind
-        .problem(format!("{value} {unit}; it must be above zero"))
+        .problem(format!("{value}\u{a0}{unit}; it must be above zero"))
         .in_field(field))
 }
 

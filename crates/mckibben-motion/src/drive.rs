@@ -273,8 +273,10 @@ impl Drive {
                 self.count(commands.len(), "commands")?;
                 for command in commands {
                     let (low, high) = command.bounds();
-                    within("a commanded pressure in MPa", low, 0.0, f64::MAX)?;
                     let supply_mpa = self.supply.pressure_mpa;
+                    MotionError::require(low >= 0.0, || {
+                        format!("a commanded pressure is {low}\u{a0}MPa; it must be at least zero")
+                    })?;
                     MotionError::require(high <= supply_mpa, || {
                         format!(
                             "the command is {high}\u{a0}MPa, above the supply pressure of \

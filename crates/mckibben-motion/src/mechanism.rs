@@ -194,6 +194,10 @@ impl Mechanism for SingleMuscle {
         // From a milligram on; infinite where the ends are held.
         let mass_kg = 1e3 * self.inertia();
         if mass_kg != f64::INFINITY {
+            MotionError::require(mass_kg != 0.0, || {
+                "nothing moves: the load has no mass; give a mass, or add one to it (300 N + 1 kg)"
+                    .into()
+            })?;
             within("the moving mass in kg", mass_kg, 1e-6, 1e9)?;
         }
         within("the damping in N s/m", self.damping_n_s_per_m, 0.0, 1e9)?;

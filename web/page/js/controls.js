@@ -54,7 +54,7 @@ export const saying =
   (field, box) =>
   (text = "", wrong = false) => {
     box.className = wrong ? "wrong" : "note small soft";
-    box.textContent = wrong ? inWords(text) : text;
+    box.textContent = wrong ? capital(inWords(text)) : text;
     box.hidden = !text;
     field.ariaInvalid = wrong && text ? "true" : null;
   };

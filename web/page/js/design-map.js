@@ -31,7 +31,7 @@ export function designMap(linked) {
   /** @type {Found | undefined} */ let found;
   let finer = FINER;
   const slot = new Slot();
-  const tools = heading("Feasible region over diameter and wall (first estimate: universal)");
+  const tools = heading("Feasible region (universal, less the losses as built)");
   const feasible = chartOf("design-map", {
     tools,
     tall: true,
@@ -126,7 +126,6 @@ const nearest = (list, v) => list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a
  * @returns {Design["request"] & { outer_diameter_mm: number[], wall_mm: number[] }}
  */
 function asked(of, best, across = ACROSS, up = UP) {
-  const { figure, ...rest } = of;
   const list = (/** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) =>
     evenly(low, high, n).map((v) => Number(v.toPrecision(4)));
   // Within the sleeve, where there is one.
@@ -147,8 +146,14 @@ function asked(of, best, across = ACROSS, up = UP) {
       : {};
   const angle = of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
   const length = { length_mm: of.stroke_mm ? undefined : best.length_mm };
+  // A model alone pulls more than a muscle that is built: it must, by what the best one loses.
+  const [at] = "points" in best ? best.points : [],
+    loss = (at?.model_force_n ?? 1) / (at?.model_force_n ? at.force_n : 1);
+  const more = (/** @type {number | null | undefined} */ n) => n && n * loss;
   return {
-    ...rest,
+    ...of,
+    force_n: more(of.force_n),
+    points: of.points?.map((p) => ({ ...p, force_n: p.force_n * loss })),
     ...length,
     ...angle,
     ...part,

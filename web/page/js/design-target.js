@@ -1,7 +1,8 @@
 // The target of a design, to drag: a pull at a contraction, over what the best muscle gives at the
-// supply.
+// pressure that it is set to, and what is permitted.
 import { Slot } from "./ask.js";
 import { chartOf, KINDS, isobars } from "./chart.js";
+import { permitted } from "./bench/family.js";
 import { el, heading, remark } from "./dom.js";
 import { candidate, fields } from "./state.js";
 import { forceAxis, outside, ratioAxis, showForce, showPressure, showRatio } from "./units.js";
@@ -73,19 +74,20 @@ export function designTarget(act) {
       series = [];
       draw();
       if (!best) return;
-      const muscle = file ? { file } : fields(candidate(best, of, { p: 0, e: 0 }));
+      const most = best.highest_pressure_mpa ?? answer.max_pressure_mpa,
+        muscle = file ? { file } : fields(candidate(best, of, { p: 0, e: 0 }));
       slot.ask(
         "curve",
-        {
-          muscle,
-          test: "isobaric",
-          pressures_mpa: [answer.max_pressure_mpa],
-          model: { name: "universal" },
-          extrapolate: true,
-        },
-        ({ points }) => {
-          const name = `best muscle at ${showPressure(answer.max_pressure_mpa, 3)}`;
-          series = isobars({ name, end: "best muscle", colour: KINDS[0], strong: true }, points);
+        { muscle, test: "isobaric", pressures_mpa: [best.pressure_mpa, most] },
+        (curves) => {
+          const end = showPressure(best.pressure_mpa, 3),
+            of = { name: `best muscle at ${end}`, end, colour: KINDS[0], strong: true };
+          const all = (/** @type {(number | null)[]} */ list = []) =>
+            list.map((v) => v && v * best.count);
+          series = [
+            ...permitted(curves, most),
+            ...isobars(of, curves.points.slice(0, curves.points.length / 2)),
+          ].map((s) => ({ ...s, y: all(s.y), low: all(s.low), high: all(s.high) }));
           draw();
         },
       );

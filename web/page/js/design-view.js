@@ -258,7 +258,7 @@ export function foundView(answer, prices) {
   );
   const save = () => download("design.csv", csv(rowsOf(candidates, prices)));
   const words =
-    `${answer.fitting} of ${answer.looked_at} muscles fit. ` +
+    `${answer.fitting} of ${answer.looked_at} muscles fit; the best ${candidates.length} are listed. ` +
     `Click one to show it. 95 % certain at: pull minus ± meets the requirement.`;
   return there([
     choices(answer),
@@ -271,7 +271,7 @@ export function foundView(answer, prices) {
       "p",
       { class: "row small soft" },
       el("span", { class: "grow" }, words),
-      button("CSV of the table", save, { title: "The table of the muscles as a file" }),
+      button("CSV of the table", save),
     ),
     points(candidates[0]),
     boughtView(answer),

@@ -105,9 +105,11 @@ export function say(text) {
 
 /** A problem as people read it. @param {unknown} thrown */
 export function problemBox(thrown) {
-  const { kind, message, hint } = problemOf(thrown);
+  const { message, hint } = problemOf(thrown);
   // What stands in a file is named as it is written there.
-  const words = kind === "file" ? message.replaceAll("`", "") : capital(inWords(message));
+  const words = /^\S+:\d+:\d+: /.test(message)
+    ? message.replaceAll("`", "")
+    : capital(inWords(message));
   return el(
     "div",
     { class: "problem", role: "alert" },

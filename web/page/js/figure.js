@@ -2,6 +2,7 @@
 import { chartOf, KINDS, shade } from "./chart.js";
 import { block, capital, el, remark } from "./dom.js";
 import { token } from "./theme.js";
+import { inWords } from "./units.js";
 
 /** @typedef {NonNullable<Commands["curve"]["answer"]["figure"]>} Figure */
 /** @typedef {Figure["panels"][number]} Panel */
@@ -35,7 +36,7 @@ export class Figures {
         heading.textContent = capital(panel.title || `${named(panel.y)} over ${named(panel.x)}`);
       this.charts[i].show(spec(panel, figure));
     });
-    this.caption.textContent = figure.caption;
+    this.caption.textContent = inWords(figure.caption);
   }
 }
 
@@ -66,7 +67,6 @@ function spec(panel, figure) {
     );
     const line = {
       colour: colour(s, i),
-      // A gap is no number.
       // A gap is no number.
       x: s.points.map((p) => kx * (p[0] ?? NaN)),
       y: s.points.map((p) => ky * (p[1] ?? NaN)),

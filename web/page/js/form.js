@@ -18,7 +18,7 @@ import {
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
-import { expectation, inWords, meant, withUnit } from "./units.js";
+import { expectation, inWords, meant, show, withUnit } from "./units.js";
 import { sketched } from "./sketch.js";
 
 /**
@@ -26,18 +26,9 @@ import { sketched } from "./sketch.js";
  * @typedef {{ input: HTMLInputElement | HTMLSelectElement, say: (text?: string, wrong?: boolean) =>
  * void,
  *   row: HTMLElement }} Row
- * @typedef {{ key: string, text: string, kind: Kind, list: boolean, take: (value: Value) => void }}
+ * @typedef {{ f: Field, text: string, kind: Kind, list: boolean, take: (value: Value) => void }}
  * Asked
  */
-
-/**
- * A load as the engine reads it: a mass, a force or a stiffness alone is one. @param {string} text
- */
-const loadOf = (text) =>
-  text.replace(/^[\d.]+\s*([^\s:]+)$/, (all, unit) => {
-    const mass = /^(k?g|lb)$/.test(unit) ? "mass" : "force";
-    return `${unit.includes("/") ? "spring" : mass}:${all}`;
-  });
 
 let count = 0;
 /** A field with its label. @param {Field} f @param {() => void} submit @returns {Row} */
@@ -78,11 +69,11 @@ class Reading {
   #clear(f, kind, text) {
     if (f.list) return withUnit(kind, text);
     if (kind === "ratio" && f.factor) return text;
-    const { text: clearer, note } = meant(kind, text),
+    const { text: clearer, value, note } = meant(kind, text),
       whole = withUnit(kind, clearer);
     if (note) this.notes.set(f.key, note);
-    else if (whole !== clearer && f.kind)
-      this.notes.set(f.key, `${text} without a unit was read as ${whole}.`);
+    else if (value && whole !== clearer && f.kind)
+      this.notes.set(f.key, `${text} without a unit was read as ${show(kind, value, 6)}.`);
     return whole;
   }
 
@@ -90,20 +81,13 @@ class Reading {
    * @param {Field} f @param {Kind} kind @param {string} text @param {(value: Value) => void} take
    */
   #ask(f, kind, text, take) {
-    this.asked.push({
-      key: f.key,
-      text: this.#clear(f, kind, text),
-      kind,
-      list: f.list ?? false,
-      take,
-    });
+    this.asked.push({ f, text: this.#clear(f, kind, text), kind, list: f.list ?? false, take });
   }
 
   /** @param {Field} f @param {string} text */
   add(f, text) {
     const { values } = this;
     if (f.pair) values[f.field] = text.split(",").map((one) => this.#pair(f, one.split(/@| at /)));
-    else if (f.field === "load") values.load = loadOf(text);
     else if (f.words) values[f.field] = text.split(",").flatMap((word) => word.trim() || []);
     else if (!f.kind || f.or?.includes(text)) values[f.field] = text;
     else
@@ -159,14 +143,14 @@ class Form {
     }
     const { asked, notes, values } = reading;
     const readings = await understood(asked.map(({ text, kind, list }) => ({ text, kind, list })));
-    asked.forEach(({ key, list, take }, i) => {
+    asked.forEach(({ f, text, list, take }, i) => {
       const { problem, value, values, interval } = readings[i];
-      if (problem) this.mark(key, problem.message);
+      if (problem) this.mark(f.key, text ? problem.message : `a value is missing, as in ${f.hint}`);
       // Without a step a search takes it as a whole.
       else if (intervals && interval) take({ low: interval[0], high: interval[1] });
       else take(list ? values : value);
     });
-    const bad = new Set(asked.flatMap(({ key }, i) => (readings[i].problem ? [key] : [])));
+    const bad = new Set(asked.flatMap(({ f }, i) => (readings[i].problem ? [f.key] : [])));
     for (const [key, note] of notes) if (!bad.has(key)) this.rows.get(key)?.say(note);
     return bad.size ? undefined : values;
   }
@@ -217,10 +201,13 @@ class Form {
       input.after(list);
     }
   }
-  /** Shows a problem at its field, or says that it has none. @param {Problem} problem */
-  at(problem) {
-    const f = this.fields.find((x) => x.field === problem.field);
-    if (f) this.mark(f.key, problem.message);
+  /**
+   * Shows a problem at its field, or says that it has none to be seen.
+   * @param {Problem} problem
+   */
+  at({ field, message, hint }) {
+    const f = this.fields.find((x) => x.field === field && !this.rows.get(x.key)?.row.hidden);
+    if (f) this.mark(f.key, hint ? `${message}; ${hint}` : message);
     return Boolean(f);
   }
 }
@@ -319,8 +306,7 @@ export function job(label, command, request, take, { fields, shown = [], minor =
     } catch (problem) {
       words.textContent = isAbort(problem) && ends === mine ? "Cancelled." : "";
       if (!isAbort(problem)) {
-        said.replaceChildren(problemBox(problem));
-        fields?.at(problemOf(problem));
+        if (!fields?.at(problemOf(problem))) said.replaceChildren(problemBox(problem));
         dim(shown, true);
       }
     }

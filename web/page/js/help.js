@@ -20,29 +20,19 @@ function book(place) {
 }
 
 /** The button of the frame; it shows the help of the page that is shown. */
-export function helpLink() {
-  let page = "muscle";
-  const open = () =>
-    dialog(`Help: ${pageOf(page).text}`, (close) => [
-      paragraph(pageOf(page).about),
-      el("ul", ...(HOW[page] ?? []).map((text) => el("li", text))),
+export const helpButton = () =>
+  button("Help", () => {
+    const { name, text, about, help } = pageOf(document.body.dataset.page ?? "");
+    dialog(`Help: ${text}`, (close) => [
+      paragraph(about),
+      el("ul", ...(HOW[name] ?? []).map((line) => el("li", line))),
       paragraph("Point at a quantity, or focus its field, to see it in a drawing."),
       paragraph(
         el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
         ": accuracy, verification, sources.",
       ),
       DOCUMENTATION
-        ? el("iframe", { class: "book", title: "The book", src: book(pageOf(page).help) })
-        : remark(
-            "The book comes with the program: ",
-            el("code", `docs/${pageOf(page).help.split("#")[0]}.md`),
-          ),
+        ? el("iframe", { class: "book", title: "The book", src: book(help) })
+        : remark("The book comes with the program: ", el("code", `docs/${help.split("#")[0]}.md`)),
     ]);
-  const element = button("Help", open);
-  return {
-    element,
-    show(/** @type {string} */ name) {
-      page = name;
-    },
-  };
-}
+  });

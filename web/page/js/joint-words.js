@@ -36,7 +36,7 @@ export const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
 /** Files of the address: of the joint, and of muscle 2 where it is another one. */
 export const FILES = /** @type {const} */ (["joint", "file2"]);
 /** What a joint file states too, and where; both limits are its range. */
-const STATED = {
+export const STATED = {
   r: "joint.radius",
   low: "",
   high: "",
@@ -45,7 +45,7 @@ const STATED = {
   centre: "link.centre",
   inertia: "joint.inertia",
 };
-const IN_FILE = /** @type {(keyof typeof STATED)[]} */ (Object.keys(STATED));
+export const IN_FILE = /** @type {(keyof typeof STATED)[]} */ (Object.keys(STATED));
 /** No words beside a joint file: it states them. */
 export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
 
@@ -114,7 +114,7 @@ export class JointWords {
       low: ends[0],
       high: ends[1],
     };
-    const arm = v.mass > 0 ? v : { ...v, mass: undefined, centre: undefined };
+    const arm = v.mass ? v : { ...v, mass: undefined, centre: undefined };
     return files.joint
       ? joint(first, files.file2, put, files.joint)
       : joint(first, files.file2, arm);

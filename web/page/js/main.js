@@ -4,7 +4,7 @@ import { address, onWritten, read, write } from "./address.js";
 import { muscleBar } from "./bar.js";
 import { byId, dim, el, mainButton, notice, paragraph, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
-import { helpLink } from "./help.js";
+import { helpButton } from "./help.js";
 import { keepWords, keeping, onKept, wordsOf } from "./kept.js";
 import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
@@ -70,11 +70,10 @@ async function keep() {
   keepWords(page, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
 }
 
-const help = helpLink();
 const bar = muscleBar(walk, () => {
   write(linked(shown?.name ?? "muscle"));
   muscle.tell();
-}, [help.element]);
+}, [helpButton()]);
 byId("bar").append(bar.element);
 followSystem();
 // What is typed makes a problem an older one, until the next answer.
@@ -127,7 +126,6 @@ function frame(name) {
   views.hidden = !links.length;
   byId("claim").textContent = about;
   byId("title").textContent = text;
-  help.show(name);
   document.title = `${text} – mckibben workbench`;
   document.body.dataset.page = name;
 }

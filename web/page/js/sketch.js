@@ -141,10 +141,11 @@ export function sketches() {
     const at = row.getBoundingClientRect();
     top = at.top;
     const { width, height } = box.getBoundingClientRect();
-    // Beside the row, or below it where the window is narrow.
-    const beside = at.right + width + 16 < innerWidth;
+    // Beside the row, and below the headline; below the row where the window is narrow.
+    const beside = at.right + width + 16 < innerWidth,
+      headline = document.querySelector(".say")?.getBoundingClientRect().bottom ?? 0;
     box.style.left = `${beside ? at.right + 8 : Math.max(8, Math.min(innerWidth - width - 8, at.left))}px`;
-    box.style.top = `${Math.max(8, Math.min(innerHeight - height - 8, beside ? at.top - 20 : at.bottom + 6))}px`;
+    box.style.top = `${Math.max(8, Math.min(innerHeight - height - 8, beside ? Math.max(headline, at.top - 20) : at.bottom + 6))}px`;
   }
   const over = (/** @type {Event} */ event, /** @type {number} */ wait) => {
     const target = /** @type {Element} */ (event.target);

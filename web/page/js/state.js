@@ -334,7 +334,7 @@ export function joint(
   file,
   second,
   { r, low, high, e0, mass, centre, inertia },
-  text = template(Number(mass) > 0),
+  text = template(Boolean(mass)),
 ) {
   const other = second ? "muscle-2.toml" : "muscle.toml",
     neutral = e0 === undefined ? undefined : String(e0);

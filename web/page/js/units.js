@@ -290,6 +290,7 @@ const LABELS = {
   "tube.material.modulus": "factor of the modulus",
   pull_factor: "factor of the pull",
   force_offset: "zero of the load cell",
+  friction_share: "friction of the usual one",
 };
 /** A field without its unit. @param {string} field */
 const plain = (field) =>
@@ -323,10 +324,12 @@ function quantity(_, value, unit) {
 /** A sentence of the engine. @param {string} text */
 export const inWords = (text) =>
   text
-    // What the command line is told otherwise.
-    .replace(/assign it with `columns` \S+/, "write it into its heading in Table")
+    // What a heading in Table says.
+    .replace(/(, or|; a minus)(?:(?!, or).)*`columns`[^(]*(\(:[^)]*\))?/, "")
+    .replace(/select one with `columns`.*/, "rename the others in Table")
     .replace(/`parts list (\w+)`/, "Parts & library ($1)")
     .replace("BURST NOT CHECKED", "burst pressure not known")
+    .replace(/(\d) deg\b/g, "$1°")
     .replace("gauge_length=25mm", "gauge length 25 mm")
     .replace("area=8mm2", "area 8 mm²")
     .split("`")

@@ -409,7 +409,7 @@ impl DesignRequest {
             let (base, _) = self.with_stroke(vec![(1.0, self.contraction.map(f64::from))])?;
             let load = self.load.resolve(base.length_mm())?;
             let Some(load) = load else {
-                return Err(Problem::missing("load", "a load, such as mass:20kg"));
+                return Err(Problem::missing("load", "a load, such as 20 kg"));
             };
             return Ok((base, Demand::Load { load, way }, None));
         }

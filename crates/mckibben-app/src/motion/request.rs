@@ -2,6 +2,7 @@
 
 use crate::{
     JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units,
+    above_zero,
     fields::name_or_file,
     finite,
     flags::{self, Args},
@@ -90,7 +91,7 @@ pub struct StepFields {
     /// Gauge pressure from 0.05 s on
     #[arg(short = 'p', long)]
     pub pressure_mpa: Option<Pressure>,
-    /// Load: mass:10kg, spring:2N/mm+mass:1kg; held, or held:10%, holds both ends at a contraction
+    /// Load: 10kg, 2N/mm+1kg; held, or held:10%, holds both ends at a contraction
     #[arg(long)]
     pub load: Option<String>,
     /// Valve: its name, or its sonic conductance such as '0.5 L/(s bar)'
@@ -115,8 +116,9 @@ impl StepFields {
             self.pressure_mpa,
             "a pressure, such as 0.3 MPa",
         )?;
-        let until_s = finite("until_s", self.until_s.unwrap_or(Time(2.0)))?;
-        let pressure_mpa = finite("supply_mpa", self.supply_mpa.unwrap_or(Pressure(0.6)))?;
+        let positive = |field, value: f64| above_zero(ProblemKind::Quantity, field, value);
+        let until_s = positive("until_s", self.until_s.map_or(2.0, f64::from))?;
+        let pressure_mpa = positive("supply_mpa", self.supply_mpa.map_or(0.6, f64::from))?;
         let damping_n_s_per_m = finite(
             "damping_n_s_per_m",
             self.damping_n_s_per_m.unwrap_or_default(),
@@ -129,7 +131,7 @@ impl StepFields {
         let load = self
             .load
             .as_deref()
-            .ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
+            .ok_or_else(|| Problem::missing("load", "the load, such as 10 kg"))?;
         let _: Valve = valve
             .parse()
             .map_err(|error: MotionError| ProblemKind::Quantity.problem(error).in_field("valve"))?;

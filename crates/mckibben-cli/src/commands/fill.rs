@@ -6,7 +6,7 @@ use mckibben_app::FillRequest;
 /// A volume of liquid pushed into a muscle.
 #[derive(clap::Args)]
 #[command(after_long_help = examples(&[
-    "fill -D 30 -s 2 -L 200 --volume 20mL --load mass:10kg",
+    "fill -D 30 -s 2 -L 200 --volume 20mL --load 10kg",
     "fill examples/festo-dmsp-20.toml --volume 30mL -e 10% --liquid oil --gas 1% --dead-volume 15mL"
 ]))]
 pub struct Fill {

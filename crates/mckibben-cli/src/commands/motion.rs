@@ -12,7 +12,7 @@ use std::path::PathBuf;
     "motion examples/drive.toml --model universal --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'",
     "motion examples/drive.toml --model universal --size valve --rise-time 0.5s",
     "motion examples/elbow-drive.toml --model universal",
-    "motion --muscle examples/prototype.toml --load mass:10kg -p 3bar --valve '0.5 L/(s bar)' --damping '200 N s/m'"
+    "motion --muscle examples/prototype.toml --load 10kg -p 3bar --valve '0.5 L/(s bar)' --damping '200 N s/m'"
 ]))]
 pub struct Motion {
     /// Drive file; or give a muscle, a load, a valve and a pressure by the flags below

@@ -33,10 +33,10 @@ fn refused(message: String) -> Refused {
 ///
 /// | kind | F(x) | text |
 /// |---|---|---|
-/// | force | F0 | `force:300N` |
-/// | mass that hangs | M g | `mass:20kg` |
-/// | mass on a level track | 0; it counts in motion only | `mass:20kg@level` |
-/// | spring with preload | max(0, F0 + c x) | `spring:12N/mm@50N` |
+/// | force | F0 | `300 N` or `force:300N` |
+/// | mass that hangs | M g | `20 kg` or `mass:20kg` |
+/// | mass on a level track | 0; it counts in motion only | `20 kg@level` |
+/// | spring with preload | max(0, F0 + c x) | `12 N/mm@50N` or `spring:12N/mm@50N` |
 /// | mass on a lever ([`Lever`]) | M g (a/r) cos(φ0 + x/r) | `lever:5kg@300mm/40mm/-30deg` |
 /// | table ([`LoadTable`]) | straight between its points | `table:load.csv` |
 /// | several at once | their sum | `mass:5kg+spring:2N/mm` |

@@ -16,47 +16,26 @@ impl Load {
     /// # Ok::<(), mckibben_core::refused::Refused>(())
     /// ```
     pub fn parse(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Self, Refused> {
-        let mut loads = parts(text)
+        let loads = text
+            .split('+')
             .map(|part| parse_part(part.trim(), table))
             .collect::<Result<Vec<_>, _>>()?;
-        match (loads.pop(), loads.is_empty()) {
-            (Some(only), true) => Ok(only),
-            (Some(last), false) => {
-                loads.push(last);
-                Ok(Self::Sum(loads))
-            }
-            (None, _) => Err(not_a_load(text)),
-        }
+        Ok(match <[Self; 1]>::try_from(loads) {
+            Ok([only]) => only,
+            Err(several) => Self::Sum(several),
+        })
     }
 
     /// The names of the tables that a text speaks of.
     pub fn tables(text: &str) -> impl Iterator<Item = &str> {
-        parts(text).filter_map(|part| part.trim().strip_prefix("table:"))
+        text.split('+')
+            .filter_map(|part| part.trim().strip_prefix("table:"))
     }
-}
-
-/// Parts between plus signs; one that is followed by a digit is an exponent's.
-fn parts(text: &str) -> impl Iterator<Item = &str> {
-    let next = |at: usize| {
-        text[at + 1..]
-            .trim_start()
-            .starts_with(|c: char| c.is_ascii_alphabetic())
-    };
-    let cuts: Vec<usize> = text
-        .match_indices('+')
-        .map(|(at, _)| at)
-        .filter(|at| next(*at))
-        .collect();
-    std::iter::once(0)
-        .chain(cuts.clone().into_iter().map(|at| at + 1))
-        .zip(cuts.into_iter().chain([text.len()]))
-        .map(|(a, b)| &text[a..b])
 }
 
 fn not_a_load(text: &str) -> Refused {
     refused(format!(
-        "\"{text}\" is not a valid load: write force:300N, mass:20kg, spring:12N/mm@50N, \
-         lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
+        "\"{text}\" is not a valid load: give a mass (20 kg), a force (300 N) or a spring (12 N/mm)"
     ))
 }
 
@@ -99,39 +78,48 @@ fn lever(load: &str, mass: &str, behind: &str) -> Result<Load, Refused> {
 }
 
 fn parse_part(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Refused> {
-    let (kind, rest) = text.split_once(':').ok_or_else(|| not_a_load(text))?;
+    let (kind, rest) = text.split_once(':').unwrap_or(("", text));
     let (main, behind) = match rest.split_once('@') {
         Some((main, behind)) => (main, Some(behind)),
         None => (rest, None),
     };
-    match (kind.trim(), behind) {
-        ("table", _) => table(rest)
+    // What a quantity alone is says its unit.
+    let has_unit = main.trim().parse::<f64>().is_err();
+    let is = |name: &str, dimension: Dimension| match kind.trim() {
+        "" => has_unit && parse_quantity(main, dimension).is_ok(),
+        kind => kind == name,
+    };
+    if kind.trim() == "table" {
+        table(rest)
             .map(Load::Table)
-            .ok_or_else(|| refuse(text, "there is no such table")),
-        ("force", None) => {
-            let force_n = above_zero(text, main, Dimension::Force, "the force")?;
-            Ok(Load::Force { force_n })
+            .ok_or_else(|| refuse(text, "there is no such table"))
+    } else if kind.trim() == "lever" {
+        lever(text, main, behind.unwrap_or_default())
+    } else if is("force", Dimension::Force) {
+        if behind.is_some() {
+            return Err(refuse(text, "expected a force alone, such as 300 N"));
         }
-        ("mass", behind) => Ok(Load::Mass {
+        let force_n = above_zero(text, main, Dimension::Force, "the force")?;
+        Ok(Load::Force { force_n })
+    } else if is("mass", Dimension::Mass) {
+        Ok(Load::Mass {
             mass_kg: above_zero(text, main, Dimension::Mass, "the mass")?,
             level: match behind.map(str::trim) {
                 None => false,
                 Some("level") => true,
                 Some(_) => {
-                    return Err(refuse(
-                        text,
-                        "expected a hanging mass, such as mass:20kg, or mass:20kg@level",
-                    ));
+                    let expected = "expected a hanging mass, such as 20 kg, or 20 kg@level";
+                    return Err(refuse(text, expected));
                 }
             },
-        }),
-        ("spring", behind) => Ok(Load::Spring {
+        })
+    } else if is("spring", Dimension::Stiffness) {
+        Ok(Load::Spring {
             rate_n_per_mm: above_zero(text, main, Dimension::Stiffness, "the rate")?,
             preload_n: behind.map_or(Ok(0.0), |b| quantity(text, b, Dimension::Force))?,
-        }),
-        ("lever", behind) => lever(text, main, behind.unwrap_or_default()),
-        ("force", Some(_)) => Err(refuse(text, "expected a force alone, such as force:300N")),
-        _ => Err(not_a_load(text)),
+        })
+    } else {
+        Err(not_a_load(text))
     }
 }
 
@@ -162,7 +150,16 @@ mod tests {
         );
         let lever = Lever::new(5.0, 300.0, 40.0, -30.0).map(Load::Lever);
         assert_eq!(read("lever:5kg@300mm/4cm/-30deg").ok(), lever);
-        let Ok(Load::Sum(both)) = read("mass:5kg + force:1e+2N") else {
+        for (alone, named) in [
+            ("20 kg", "mass:20kg"),
+            ("20kg@level", "mass:20kg@level"),
+            ("0.3 kN", "force:300N"),
+            ("12 N/mm@50N", "spring:12N/mm@50N"),
+            ("5 kg + 1e2N", "mass:5kg+force:100N"),
+        ] {
+            assert_eq!(read(alone).ok(), read(named).ok(), "{alone}");
+        }
+        let Ok(Load::Sum(both)) = read("mass:5kg + force:1e2N") else {
             panic!()
         };
         assert_eq!(both.len(), 2);
@@ -176,7 +173,9 @@ mod tests {
     fn what_is_no_load_is_refused_in_words() {
         for text in [
             "",
-            "20kg",
+            "20",
+            "-20 kg",
+            "20 mm",
             "mass:",
             "mass:-3kg",
             "mass:20N",

@@ -18,6 +18,8 @@ pub struct Parameter {
     pub name: String,
     /// Its value.
     pub value: f64,
+    /// What it is, in a few words.
+    pub meaning: &'static str,
     /// `MPa` or nothing.
     pub unit: &'static str,
     /// Standard error; 0 on a bound, `None` where the data do not determine it at all.
@@ -272,6 +274,7 @@ fn parameters(law: &Law, raw: &Raw) -> Vec<Parameter> {
         Parameter {
             name: constant.name,
             value,
+            meaning: constant.constant.doc,
             unit: constant.constant.unit(),
             standard_error: error.is_finite().then_some(error),
             identifiable: narrow && !raw.at_bound[i],

@@ -195,7 +195,7 @@ export function curvesView(store) {
       ...(mine ? ownSeries(mine, test, top) : []),
     ];
     if (test === "isobaric") {
-      series.unshift(...permitted(answer, store));
+      series.unshift(...permitted(answer, allowedOf(store), store.facts.fitted_to_stretch));
       series.push(...overlays.map(overlay), ...points.series(top));
     }
     const pressure = `pressure p [${unitName("pressure")}]`;

@@ -54,15 +54,15 @@ export const allowedOf = ({ facts }) => facts.characteristics?.allowed_pressure_
 
 /**
  * What is permitted: up to the allowed pressure, and to the stretch that the law was fitted to.
- * @param {CurveAnswer} answer @param {Store} store @returns {Series[]}
+ * @param {CurveAnswer} answer @param {number} allowed in MPa @param {number | null} [most] stretch
+ * @returns {Series[]}
  */
-export function permitted({ fixed, points }, store) {
+export function permitted({ fixed, points }, allowed, most) {
   const count = points.length / fixed.length,
-    i = fixed.indexOf(allowedOf(store)),
-    most = store.facts.fitted_to_stretch ?? Infinity;
+    i = fixed.indexOf(allowed);
   const list = points
     .slice(i * count, (i + 1) * count)
-    .filter((q) => "force_n" in q && Number(q.max_stretch) <= most);
+    .filter((q) => "force_n" in q && Number(q.max_stretch) <= (most ?? Infinity));
   if (i < 0 || !list.length) return [];
   const { x, y } = isobar(list);
   return [

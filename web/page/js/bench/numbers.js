@@ -1,10 +1,9 @@
 // The numbers of the page Muscle: the pull of the model and as built, the parts of the ±, the
 // margins, and what the engine warns of.
-import { block, button, capital, el, remark } from "../dom.js";
+import { button, capital, el, remark } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
   asBuilt,
-  clamp,
   inWords,
   interval,
   modelPull,
@@ -20,8 +19,7 @@ import { solveView, tornadoView } from "./what-if.js";
 /** @param {Store} store */
 export function numbersView(store) {
   const element = el("section", { class: "numbers", ariaLabel: "Numbers" });
-  const meters = block(),
-    notes = el("ul", { class: "warnings" });
+  const notes = el("ul", { class: "warnings" });
   const parts = partsView(store),
     tornado = tornadoView(store),
     solve = solveView(store);
@@ -50,7 +48,6 @@ export function numbersView(store) {
       element.replaceChildren(
         el("dl", ...head, ...lines),
         parts.element,
-        meters,
         notes,
         solve.element,
         tornado.element,
@@ -62,7 +59,6 @@ export function numbersView(store) {
       put(values[i][1], text);
       for (const part of values[i]) part.hidden = text === "–";
     });
-    meters.replaceChildren(...margins(store, point));
     const said = warned(store, point);
     if (said.join() === noted) return;
     noted = said.join();
@@ -93,6 +89,12 @@ function rows({ facts }, point) {
         facts.said?.predicted_high,
       ]),
     ],
+    [
+      "Stretch of the rubber",
+      facts.fitted_to_stretch
+        ? `${number(point.max_stretch, 3)} of ${number(facts.fitted_to_stretch, 3)}`
+        : "–",
+    ],
     ["Bulged diameter", showLength(point.bulged_diameter_mm)],
     ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],
     ["Threshold pressure", showPressure(facts.start, 3)],
@@ -106,41 +108,6 @@ function rows({ facts }, point) {
       c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–",
     ],
   ];
-}
-
-/** @param {Store} store @param {NonNullable<Store["point"]>} point */
-function margins({ facts }, point) {
-  const c = facts.characteristics;
-  return [
-    meter(
-      "Stretch of the rubber",
-      point.max_stretch,
-      facts.fitted_to_stretch,
-      (x) => number(x, 3),
-      1,
-    ),
-    meter("Pull", point.force_n, c?.blocked_force_n, (x) => showForce(x, 3)),
-    meter("Contraction", point.contraction, c?.free_contraction, (x) => showRatio(x, 3)),
-  ].filter((m) => m !== null);
-}
-
-/**
- * A share of a limit as a bar.
- * @param {string} name @param {number | undefined | null} value
- * @param {number | undefined | null} limit
- * @param {(x: number) => string} text
- */
-function meter(name, value, limit, text, from = 0) {
-  if (value == null || limit == null || limit <= from) return null;
-  const share = (value - from) / (limit - from),
-    width = clamp(100 * share, 0, 100).toFixed(1);
-  const words = el("span", name, el("span", `${text(value)} of ${text(limit)}`));
-  return el(
-    "div",
-    { class: share > 1 ? "meter over" : "meter" },
-    words,
-    el("i", el("b", { style: `width:${width}%` })),
-  );
 }
 
 /** @param {Store} store @param {NonNullable<Store["point"]>} point */

@@ -106,13 +106,9 @@ export const mount = (main) => {
   main.replaceChildren(
     block(
       "prose",
-      heading("What this is"),
+      heading("Your data"),
       paragraph(
-        "This page solves a finite-element model of a McKibben muscle (axisymmetric, incompressible rubber, " +
-          "elastic strands, bonded ends) at every step of a slider.",
-      ),
-      paragraph(
-        "Your data stay on your computer: ",
+        "They stay on your computer: ",
         `the engine is ${engine().about}. Your muscle and your settings are in the address of the page; what you ` +
           `typed and opened is kept in this tab until you close it.`,
       ),

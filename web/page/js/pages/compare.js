@@ -58,13 +58,7 @@ function sideForm(name, ask) {
     ...more,
   });
   const [model, rubber, braid, pressure, contraction] = fieldsOf([
-    [
-      `${name}model`,
-      "model",
-      "Model",
-
-      { options: MODELS, value: name === "b" ? "thick-wall" : "fe" },
-    ],
+    [`${name}model`, "model", "Model", { options: MODELS, value: "fe" }],
     [`${name}rubber`, "rubber", "Rubber"],
     [`${name}braid`, "braid", "Braid"],
     [`${name}p`, "pressure_mpa", "Pressure", "pressure"],
@@ -85,6 +79,7 @@ function sideForm(name, ask) {
         ],
     ask,
   );
+  fields.element.append(folded("Advanced", fields.rows.get(`${name}model`)?.row));
   fields.element.addEventListener("change", ask);
   return fields;
 }

@@ -21,7 +21,8 @@ import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { GALLERY, gallery, library, muscleButtons } from "../gallery.js";
 import { fileOf, keepFile, measured } from "../kept.js";
 import { muscle } from "../muscle.js";
-import { keyed, number, onUnits, ratioAxis, showForce, unitName, worded } from "../units.js";
+import { MEASURES } from "../state.js";
+import { keyed, number, onUnits, ratioAxis, show, showForce, unitName, worded } from "../units.js";
 
 const CONSTANTS = "constants";
 
@@ -30,11 +31,13 @@ const CONSTANTS = "constants";
  */
 function identifiedView(answer) {
   const rows = answer.parameters.map((p) => {
-    const half = p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–";
+    const kind = MEASURES.find(({ filed }) => filed === p.name)?.kind;
+    const said = (/** @type {number} */ v, /** @type {number} */ digits) =>
+      kind ? show(kind, v, digits) : `${number(v, digits)} ${p.unit ?? ""}`;
     return [
       capital(worded(p.name)),
-      `${number(p.value, 5)} ${p.unit ?? ""}`,
-      half,
+      said(p.value, 5),
+      p.half_width_95 ? `± ${said(p.half_width_95, 2)}` : "–",
       p.identifiable ? "" : "not identifiable",
     ];
   });
@@ -214,6 +217,8 @@ export const mount = (main) => {
       understood.replaceChildren(paragraph(line), warnings(said));
       errors.replaceChildren(errorTable(compared.models));
     }
+    // What matters most then is the muscle.
+    identify.element.querySelector("button")?.classList.toggle("main", !known);
     if (known) found.replaceChildren(...identifiedView(known));
   }
   // Figures are drawn by the engine in the units that are asked for.

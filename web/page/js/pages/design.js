@@ -6,23 +6,22 @@ import { designMap } from "../design-map.js";
 import { designTarget } from "../design-target.js";
 import { closestView, foundView, headView, rejectedView } from "../design-view.js";
 import { block, folded, heading } from "../dom.js";
-import { Figures } from "../figure.js";
 import { fieldsOf, form, inputs, job, kindsOf } from "../form.js";
 import { muscle } from "../muscle.js";
 import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
-import { onUnits, typed, unitName } from "../units.js";
+import { onUnits, typed } from "../units.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["diameter", "slimmest at rest"],
   ["pressure", "lowest pressure"],
   ["air", "least air or liquid"],
   ["margin", "largest margin of pull"],
-  ["bulged-diameter", "slimmest when inflated"],
+  ["bulged-diameter", "slimmest when inflated (within 5 % the surest)"],
   ["length", "shortest"],
 ]);
 /** @type {Field[]} */
 export const WANTED = fieldsOf([
-  ["F", "force_n", "Pull", "force", "700 N"],
+  ["F", "force_n", "Pull", "force", "300 N"],
   ["e", "contraction", "at a contraction of", "ratio", "15 %"],
   [
     "at",
@@ -157,17 +156,17 @@ function specification(submit) {
       if (!want || !space) return undefined;
       // The stroke of a load says how far.
       if (want.load && want.stroke_mm) delete want.contraction;
-      return { ...want, ...space, figure: unitName("pressure") };
+      return { ...want, ...space };
     },
     /** @param {Problem} problem */
     at(problem) {
-      forms.some((f) => f.at(problem));
       for (const key of lacking())
         if (!choice.text(key))
           choice.mark(
             key,
             "The source of the sleeve does not state it: measure it, or give a stiffness.",
           );
+      return forms.some((f) => f.at(problem));
     },
   };
 }
@@ -205,8 +204,7 @@ export const mount = (main) => {
   const drawn = block("best"),
     side = block(),
     list = block("below");
-  const figures = new Figures("design"),
-    map = designMap((c, at) => linked(c, of, at));
+  const map = designMap((c, at) => linked(c, of, at));
   const target = designTarget({
     moved: (to) => map.preview(to),
     settled(to) {
@@ -226,7 +224,6 @@ export const mount = (main) => {
     (answer) => {
       [found, of] = [answer, asked ?? {}];
       paint();
-      figures.show(answer.figure);
       target.show(found, of);
       map.show(found, of);
     },
@@ -265,7 +262,6 @@ export const mount = (main) => {
       block("middle", drawn, ...map.elements, target.element),
       block("side", side),
       list,
-      figures.element,
     ),
   );
   onUnits(() => {

@@ -1,17 +1,7 @@
 // The muscle as files: a report, what the workshop needs, code for controllers and simulators, and
 // files of finite-element programs.
 import { engine } from "../ask.js";
-import {
-  block,
-  button,
-  download,
-  el,
-  faded,
-  heading,
-  mainButton,
-  paragraph,
-  remark,
-} from "../dom.js";
+import { block, button, download, el, faded, heading, paragraph, remark } from "../dom.js";
 import { fieldsOf, form, job, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
 import { fileName, named } from "../toml.js";
@@ -123,12 +113,12 @@ const report = () =>
       return [
         warnings(answer.warnings),
         paragraph(
-          mainButton(`Save ${name}`, save),
+          button(`Save ${name}`, save),
           " ",
           el(
             "span",
             { class: "soft" },
-            `${number(html.length / 1e3, 3)} kB; open it in a browser, and print it there.`,
+            `${size(html.length)}; open it in a browser, and print it there.`,
           ),
         ),
       ];
@@ -293,12 +283,7 @@ const bytesOf = ({ text, base64 }) =>
     : Uint8Array.from(atob(base64 ?? ""), (c) => c.charCodeAt(0));
 
 /** @param {number} bytes */
-const size = (bytes) =>
-  bytes < 1000
-    ? `${bytes} B`
-    : bytes < 1e6
-      ? `${number(bytes / 1e3, 3)} kB`
-      : `${number(bytes / 1e6, 3)} MB`;
+const size = (bytes) => `${number(bytes / 1e3, 3)} kB`;
 
 /** @param {readonly File[]} files @param {string} archive its name without the ending */
 export function filesView(files, archive) {
@@ -322,6 +307,6 @@ export function filesView(files, archive) {
   return block(
     "files",
     el("ul", { class: "plain" }, ...rows),
-    files.length > 1 && paragraph(mainButton(`All files (${archive}.zip)`, every)),
+    files.length > 1 && paragraph(button(`All files (${archive}.zip)`, every)),
   );
 }

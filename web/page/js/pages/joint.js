@@ -6,7 +6,16 @@ import { fileField, quantity } from "../controls.js";
 import { block, button, dim, dragging, el, folded, heading, problemBox, remark } from "../dom.js";
 import { inputs, job, warnings } from "../form.js";
 import { angleAt, jointDrawing, numbersView, reachChart, torqueChart } from "../joint-view.js";
-import { FILES, JointWords, KEYS, KINDS_OF, angles, drive } from "../joint-words.js";
+import {
+  FILES,
+  IN_FILE,
+  JointWords,
+  KEYS,
+  KINDS_OF,
+  STATED,
+  angles,
+  drive,
+} from "../joint-words.js";
 import { atEnd } from "../life.js";
 import { muscle, visit } from "../muscle.js";
 import { clamp, evenly, onUnits } from "../units.js";
@@ -79,7 +88,6 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       }),
     ),
   );
-  const ofFile = remark();
   const back = button("Use the same muscle twice", () => takeSecond(""), { hidden: true });
   const leave = button("Close the joint file", () => takeJoint(""), { hidden: true });
   const element = inputs(
@@ -92,7 +100,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     ),
     folded(
       "Joint file",
-      ofFile,
+      remark("A joint file can state a spring, the weight of the arm, and more."),
       fileField("Open a joint file (TOML)", ".toml", (_, text) => takeJoint(text)),
       leave,
     ),
@@ -104,10 +112,6 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     show({ joint: file, file2 }) {
       back.hidden = !file2;
       leave.hidden = !file;
-      ofFile.textContent = file
-        ? "A joint file is open: its spring, weight and friction count; pulley, range and neutral contraction can " +
-          "be changed above."
-        : "A joint file can state a spring, the weight of the arm, and more.";
     },
   };
 }
@@ -143,8 +147,7 @@ function moveBox(v, question) {
       visit("motion", { drive: drive(points, to.seconds, v.pmax) });
     },
   );
-  const about =
-    "From the angle above at the required stiffness. Motion shows how valves and arm follow.";
+  const about = "At the required stiffness; Motion shows how valves and arm follow.";
   return {
     element: folded(
       "Move the arm",
@@ -163,7 +166,7 @@ function moveBox(v, question) {
 const wanted = (v, list) => ({
   angles_deg: list,
   max_pressure_mpa: v.pmax,
-  ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}),
+  ...(v.K ? { stiffness_nm_per_rad: v.K } : {}),
 });
 
 /**
@@ -253,6 +256,20 @@ export const mount = (main) => {
       map.run();
     },
   });
+  /**
+   * What the page wrote into a joint file is said at its control, where it has one.
+   * @param {Problem} problem
+   */
+  function mark(problem) {
+    if (files.joint) return false;
+    const message = problem.message.replace(/^joint\.toml[:\d]*: (\S+ = "[^"]*": )?/, ""),
+      of = (/** @type {(typeof IN_FILE)[number]} */ key) =>
+        STATED[key] && problem.message.includes(STATED[key]),
+      wrong = problem.field === "max_pressure_mpa" ? "pmax" : IN_FILE.find(of);
+    if (wrong) controls[wrong].mark(message);
+    problem.message = message;
+    return Boolean(wrong);
+  }
   const torque = chartOf("joint-torque", {
       tools: heading("Torque over the angle"),
       drag: (x, _, settled) => turned(x, settled),
@@ -263,17 +280,19 @@ export const mount = (main) => {
     "joint",
     async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }),
     (answer) => mapped(answer.map),
+    { fields: { at: mark } },
   );
   const asks = questions({
     take(answer) {
       stale(false);
+      for (const key of KEYS) controls[key].mark("");
       said.replaceChildren();
       notes.replaceChildren(warnings(answer.warnings));
       point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
       paint();
     },
     fail(problem) {
-      said.replaceChildren(problemBox(problem));
+      said.replaceChildren(mark(problem) ? "" : problemBox(problem));
       if (point) stale(true);
       else drawArm();
     },

@@ -108,8 +108,6 @@ function player() {
   };
 }
 
-const CLOSED =
-  "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.";
 const EXAMPLES = [
   ["lift 10 kg and lower it", "drive.toml"],
   ["turn the joint", "elbow-drive.toml"],
@@ -117,8 +115,7 @@ const EXAMPLES = [
 
 /** Drive files: one that is opened, and examples. @param {(text: string) => void} take */
 function driveBox(take) {
-  const words = remark(),
-    said = block();
+  const said = block();
   const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
   const leave = button("Close the drive file", () => take(""), { hidden: true });
   const samples = EXAMPLES.map(([text, name]) =>
@@ -126,7 +123,9 @@ function driveBox(take) {
   );
   const element = folded(
     "Drive file and examples",
-    words,
+    remark(
+      "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.",
+    ),
     el("p", { class: "row small" }, "Examples:", ...samples),
     fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)),
     leave,
@@ -137,9 +136,6 @@ function driveBox(take) {
     /** @param {string} drive */
     show(drive) {
       leave.hidden = !drive;
-      words.textContent = drive
-        ? "A drive file is open: it states supply, valve, load and commands."
-        : CLOSED;
     },
   };
 }
@@ -273,6 +269,7 @@ export const mount = (main) => {
   let drive = "";
   const fields = form(STEP, () => go.run()),
     shown = player();
+  fields.element.append(folded("Advanced", fields.rows.get("model")?.row));
   const charts = chartsOf();
   const numbers = block();
   const box = driveBox((text) => take(text));

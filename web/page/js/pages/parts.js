@@ -20,13 +20,6 @@ import { library } from "../gallery.js";
 
 /** @typedef {Commands["parts-list"]["answer"]} Parts */
 /** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
-const LISTED = /** @type {Kind[]} */ (["tubes", "sleeves", "rubbers"]);
-const KINDS = /** @type {[string, string][]} */ ([
-  ["tubes", "Tubes"],
-  ["sleeves", "Sleeves"],
-  ["rubbers", "Rubbers"],
-  ["muscles", "Measured muscles"],
-]);
 /**
  * What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>}
  * Said
@@ -120,6 +113,12 @@ const LISTS = {
       })),
   },
 };
+
+const LISTED = /** @type {Kind[]} */ (Object.keys(LISTS));
+const KINDS = /** @type {[string, string][]} */ ([
+  ...LISTED.map((kind) => [kind, capital(kind)]),
+  ["muscles", "Measured muscles"],
+]);
 
 /**
  * What of a sleeve no seller states.

@@ -2,7 +2,7 @@
 // rubber.
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
-import { block, folded, heading, paragraph, remark } from "../dom.js";
+import { block, capital, folded, heading, paragraph, remark } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { example, muscleButtons } from "../gallery.js";
@@ -36,22 +36,26 @@ const EXAMPLE = "treloar.csv";
 /** A constant as the engine reads it: `gauge length 25 mm`. @param {string} text */
 const keyed = (text) => text.replace(/\s+(?=[\d.])/, "=").replace(/^(\w+) (?=\w+=)/, "$1_");
 
+/** The sign of a constant: `μ1`, `C10`. @param {string} name */
+const sign = (name) =>
+  capital(name).replace(/^Mu/, "μ").replace("Alpha", "α").replace("Lambda_m", "λm");
+
 /** A law in a row. @param {Law} law @param {Answer} answer */
 function row(law, answer) {
+  const best = law.stable && law.name === answer.recommended;
   const constant = (/** @type {Law["parameters"][number]} */ p) => {
-    const half = p.standard_error ? ` ± ${number(1.96 * p.standard_error, 2)}` : "";
-    return `${p.name} ${number(p.value, 4)}${half} ${p.unit}`.trim();
+    const half = p.standard_error ? ` ± ${number(1.96 * p.standard_error, 2)}` : "",
+      what = best ? `${p.meaning.split(":")[0]} ` : "";
+    return `${what}${sign(p.name)} ${number(p.value, 4)}${half} ${p.unit}`.trim();
   };
-  const best = answer.laws.find(({ name, stable }) => name === answer.recommended && stable);
   const fitted = law.constrained ? "kept stable" : law.stable ? "" : "unstable in a muscle";
-  const taken = law === best ? "recommended" : fitted;
   return [
     law.name,
     law.parameters.map(constant).join(", "),
     show("modulus", law.shear_modulus_mpa, 3),
     show("modulus", law.rms_mpa, 2),
     number(law.r_squared, 5),
-    taken,
+    best ? "recommended" : fitted,
   ];
 }
 
@@ -90,7 +94,7 @@ export const mount = (main) => {
       paint();
       figures.show(answer.figure);
     },
-    { fields, shown: [laws, figures.element] },
+    { fields, shown: [laws, figures.element], minor: true },
   );
   main.replaceChildren(
     bench(
@@ -131,7 +135,9 @@ export const mount = (main) => {
         answer.laws.map((law) => row(law, answer)),
         { text: [0, 1, 5], label: "laws of the rubber" },
       ),
-      warnings([...answer.warnings, ...answer.failed]),
+      warnings(
+        [...answer.warnings, ...answer.failed].map((w) => w.replace(/\b(mu|alpha)\d\b/g, sign)),
+      ),
       file
         ? muscleButtons(
             file,

@@ -17,8 +17,8 @@ const WISHES = [
 /** @type {Field[]} */
 const WANTED = fieldsOf([
   ["F", "force_n", "It must pull", "force", "300 N"],
-  ["M", "torque_nm", "It must turn with", "torque", "8 N m"],
-  ["m", "mass_kg", "It must lift", "mass", "20 kg"],
+  ["M", "torques", "It must turn with", "torque", "8 N m"],
+  ["m", "load", "It must lift", "mass", "20 kg"],
   ["e", "contraction", "while it shortens by", "ratio", "15 %"],
   ["angle", "angle_deg", "at", "angle", "45°"],
   ["stroke", "stroke_mm", "by", "length", "40 mm"],
@@ -87,7 +87,7 @@ export const mount = (main) => {
     const isFound = "candidates" in answer;
     act.hidden = !isFound || !answer.candidates[0];
     head.hidden = act.hidden;
-    if (!isFound) return result.replaceChildren(problemBox(answer));
+    if (!isFound) return result.replaceChildren(fields.at(answer) ? "" : problemBox(answer));
     dim([lift.element], act.hidden);
     if (act.hidden) return result.replaceChildren(...closestView(answer));
     head.textContent = `Yes: set ${inUse(answer.candidates[0])}.`;
@@ -121,10 +121,7 @@ export const mount = (main) => {
       paint();
       then?.();
     };
-    slots[i].ask("design", { ...request, ...WISHES[i][1], top: 1 }, take, (problem) => {
-      fields.at(problem);
-      take(problem);
-    });
+    slots[i].ask("design", { ...request, ...WISHES[i][1], top: 1 }, take, take);
   }
   async function ask() {
     const read = await fields.read();
@@ -132,9 +129,9 @@ export const mount = (main) => {
       of = "";
       return dim([result, head], true);
     }
-    const { mass_kg, torque_nm, angle_deg, ...request } = read;
-    if (mass_kg) request.load = `mass:${mass_kg}kg`;
-    if (torque_nm) request.torques = [{ torque_nm, angle_deg }];
+    const { load, torques, angle_deg, ...request } = read;
+    if (load !== undefined) request.load = `${load} kg`;
+    if (torques !== undefined) request.torques = [{ torque_nm: torques, angle_deg }];
     // Enter and a pause in typing ask the same.
     const next = JSON.stringify(request);
     if (next === of) return;
