@@ -611,10 +611,7 @@ fn warnings(
 ) -> Vec<String> {
     let prototype = (MuscleFields::default() == request.muscle).then(|| {
         let measures = MuscleSummary::from(&Muscle::prototype()).line(&Units::default());
-        format!(
-            "no muscle was given: these are the constants of a muscle of the prototype's \
-            measures ({measures})"
-        )
+        format!("these are the constants of a muscle with {measures}: give the measures of yours")
     });
     let beyond = beyond.map(|warning| warning.to_string());
     prototype

@@ -69,7 +69,7 @@ function sheet() {
     notes ?? null,
     el(
       "p",
-      { class: "small link" },
+      { class: "small" },
       location.href.length < 2000 ? (isLocal() ? location.hash : location.href) : "",
     ),
   );
