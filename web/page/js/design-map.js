@@ -15,9 +15,7 @@ import { evenly, outside, showLength, showPressure, unitName } from "./units.js"
  *   limits: string[] }} Found
  */
 /** Diameters and walls; the picture is finer than they are. */
-const ACROSS = 29,
-  UP = 25,
-  FINER = 8;
+const WHOLE = { across: 29, up: 25, finer: 8 };
 /** The same while the target is dragged. */
 const LIVE = { across: 15, up: 13, finer: 6 };
 
@@ -29,7 +27,7 @@ export function designMap(linked) {
   /** @type {Design["answer"] | undefined} */ let answer;
   /** @type {Design["request"]} */ let of = {};
   /** @type {Found | undefined} */ let found;
-  let finer = FINER;
+  let { finer } = WHOLE;
   const slot = new Slot();
   const tools = heading("Feasible region (universal, less the losses as built)");
   const feasible = chartOf("design-map", {
@@ -41,13 +39,17 @@ export function designMap(linked) {
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
   const best = () => answer?.candidates[0] ?? answer?.closest ?? undefined;
 
-  /** @param {ReturnType<typeof asked>} request @param {number} fine @param {() => void} [fail] */
-  function find(request, fine, fail) {
+  /**
+   * @param {Best} middle @param {typeof WHOLE} size
+   * @param {{ force_n: number, contraction: number }} [target] @param {() => void} [fail]
+   */
+  function find(middle, size, target, fail) {
+    const request = asked(of, middle, size, target);
     slot.ask(
       "design",
       request,
       (next) => {
-        finer = fine;
+        ({ finer } = size);
         found = read(request, next);
         feasible.element.hidden = false;
         draw();
@@ -95,7 +97,7 @@ export function designMap(linked) {
         slot.end();
         return hide();
       }
-      find(asked(of, middle), FINER, hide);
+      find(middle, WHOLE, undefined, hide);
     },
     /**
      * The map of another target, while it is dragged.
@@ -103,8 +105,7 @@ export function designMap(linked) {
      */
     preview(target) {
       const middle = best();
-      if (!middle || feasible.element.hidden) return;
-      find(asked({ ...of, ...target }, middle, LIVE.across, LIVE.up), LIVE.finer);
+      if (middle && !feasible.element.hidden) find(middle, LIVE, target);
     },
   };
 }
@@ -122,10 +123,23 @@ const nearest = (list, v) => list.reduce((a, b) => (Math.abs(b - v) < Math.abs(a
  * The muscles of the map.
  * @param {Design["request"]} of the request of the search
  * @param {Best} best its winner, or what came closest
- * @param {number} [across] diameters @param {number} [up] walls
+ * @param {typeof WHOLE} size @param {{ force_n: number, contraction: number }} [target]
  * @returns {Design["request"] & { outer_diameter_mm: number[], wall_mm: number[] }}
  */
-function asked(of, best, across = ACROSS, up = UP) {
+function asked(of, best, { across, up }, target) {
+  const { force_n, contraction, load, stroke_mm, guaranteed, points, ...rest } = of,
+    share = target && force_n ? target.force_n / force_n : 1;
+  // A model alone must pull what the best muscle pulls by its model; that is less as built.
+  const wanted =
+    "points" in best
+      ? {
+          points: best.points.map((p) => ({
+            contraction: p.contraction,
+            ...target,
+            force_n: share * (p.model_force_n ?? p.force_n),
+          })),
+        }
+      : { force_n, contraction, load, stroke_mm, points, ...target };
   const list = (/** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) =>
     evenly(low, high, n).map((v) => Number(v.toPrecision(4)));
   // Within the sleeve, where there is one.
@@ -145,16 +159,10 @@ function asked(of, best, across = ACROSS, up = UP) {
       ? { rubbers: best.rubber ? [best.rubber] : undefined, braids: [best.sleeve] }
       : {};
   const angle = of.braids?.length || best.sleeve ? {} : { angle_deg: best.angle_deg };
-  const length = { length_mm: of.stroke_mm ? undefined : best.length_mm };
-  // A model alone pulls more than a muscle that is built: it must, by what the best one loses.
-  const [at] = "points" in best ? best.points : [],
-    loss = (at?.model_force_n ?? 1) / (at?.model_force_n ? at.force_n : 1);
-  const more = (/** @type {number | null | undefined} */ n) => n && n * loss;
   return {
-    ...of,
-    force_n: more(of.force_n),
-    points: of.points?.map((p) => ({ ...p, force_n: p.force_n * loss })),
-    ...length,
+    ...rest,
+    ...wanted,
+    length_mm: best.length_mm,
     ...angle,
     ...part,
     outer_diameter_mm: D,

@@ -58,10 +58,10 @@ export const WANTED = fieldsOf([
 ]);
 /** What the muscle must do, each with its fields. @type {[string, string, string[]][]} */
 const KINDS = [
-  ["F", "Pull", ["F", "e"]],
-  ["at", "Pulls", ["at"]],
+  ["F", "Pull", ["F", "e", "stroke"]],
+  ["at", "Pulls", ["at", "stroke"]],
   ["joint", "Joint", ["joint"]],
-  ["load", "Load", ["load", "e"]],
+  ["load", "Load", ["load", "e", "stroke"]],
 ];
 /** @type {() => Field[]} */
 export const choices = () =>

@@ -123,9 +123,7 @@ function driveBox(take) {
   );
   const element = folded(
     "Drive file and examples",
-    remark(
-      "A drive file states supply, valve, load and commands over time. One with a joint moves that of Joint.",
-    ),
+    remark("A drive file states supply, valve, load and commands over time."),
     el("p", { class: "row small" }, "Examples:", ...samples),
     fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)),
     leave,
