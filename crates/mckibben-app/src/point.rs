@@ -170,7 +170,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
     }
     if request.force_n.is_some() {
         let message = "`force_n` conflicts with `load`: give the load, or the pull";
-        return Err(Problem::usage(message, "`load` takes a force as well"));
+        return Err(Problem::usage(message, ""));
     }
     let mut said: Option<LoadAnswer> = None;
     let mut answer = answered(question, sought, request.both, |model| {

@@ -195,8 +195,7 @@ impl Mechanism for SingleMuscle {
         let mass_kg = 1e3 * self.inertia();
         if mass_kg != f64::INFINITY {
             MotionError::require(mass_kg != 0.0, || {
-                "nothing moves: the load has no mass; give a mass, or add one to it (300 N + 1 kg)"
-                    .into()
+                "the load has no mass: add one, as in 300 N + 1 kg".into()
             })?;
             within("the moving mass in kg", mass_kg, 1e-6, 1e9)?;
         }

@@ -29,7 +29,7 @@ export function designMap(linked) {
   /** @type {Found | undefined} */ let found;
   let { finer } = WHOLE;
   const slot = new Slot();
-  const tools = heading("Feasible region (universal, less the losses as built)");
+  const tools = heading("Feasible region (first estimate: universal, less the losses as built)");
   const feasible = chartOf("design-map", {
     tools,
     tall: true,

@@ -91,7 +91,12 @@ function columns(prices, liquid) {
     ],
     quantity("95 % certain at", "pressure", (c) => c.sure_pressure_mpa, 3),
     quantity("width in use", "length", (c) => c.bulged_diameter_mm),
-    quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
+    quantity(
+      "burst pressure",
+      "pressure",
+      (c) => c.least_burst_pressure_mpa ?? c.burst_pressure_mpa,
+      3,
+    ),
     liquid
       ? [
           "liquid per stroke",
@@ -145,10 +150,16 @@ function rowsOf(candidates, prices) {
  * A candidate as its own file: branch and required pulls are in it.
  * @param {Design["answer"]} answer
  */
-export async function openCandidate({ candidates, muscle_files = [] }, i = 0) {
-  const { pressure_mpa: p, points, joint } = candidates[i],
+export async function openCandidate({ candidates, muscle_files = [], max_pressure_mpa }, i = 0) {
+  const { pressure_mpa: p, points, joint, highest_pressure_mpa } = candidates[i],
     state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction },
-    pulley = joint && { r: `${joint.radius_mm}mm`, e0: `${joint.contraction_at_neutral}` };
+    pulley = joint && {
+      r: `${joint.radius_mm}mm`,
+      e0: `${joint.contraction_at_neutral}`,
+      low: `-${joint.largest_angle_deg}deg`,
+      high: `${joint.largest_angle_deg}deg`,
+      pmax: `${highest_pressure_mpa ?? max_pressure_mpa}MPa`,
+    };
   await pack(state.file);
   location.hash = address(joint ? "joint" : "muscle", { ...muscle.paramsOf(state), ...pulley });
 }

@@ -18,7 +18,7 @@ import {
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
-import { expectation, inWords, meant, show, withUnit } from "./units.js";
+import { expectation, inWords, meant, pointed, show, withUnit } from "./units.js";
 import { sketched } from "./sketch.js";
 
 /**
@@ -89,7 +89,7 @@ class Reading {
     const { values } = this;
     if (f.pair) values[f.field] = text.split(",").map((one) => this.#pair(f, one.split(/@| at /)));
     else if (f.words) values[f.field] = text.split(",").flatMap((word) => word.trim() || []);
-    else if (!f.kind || f.or?.includes(text)) values[f.field] = text;
+    else if (!f.kind || f.or?.includes(text)) values[f.field] = pointed(text);
     else
       this.#ask(f, f.kind, text, (value) => {
         values[f.field] = value;
@@ -282,7 +282,8 @@ export function job(label, command, request, take, { fields, shown = [], minor =
     const asked = await request().catch((problem) => {
       said.replaceChildren(problemBox(problem));
     });
-    if (!asked || newest !== runs) return;
+    if (newest !== runs) return;
+    if (!asked) return dim(shown, true);
     const mine = (ends = new AbortController());
     said.replaceChildren();
     words.textContent = "";

@@ -5,14 +5,6 @@ import { DOCUMENTATION } from "./kind.js";
 import { muscle } from "./muscle.js";
 import { pageOf } from "./pages.js";
 
-/** What a page does not say of its use itself. @type {Record<string, string[]>} */
-const HOW = {
-  muscle: [
-    "The gauge and the rings are dragged too; Ctrl and wheel zoom.",
-    "Type a value with any unit into a field: 1.2in, 36psi, 2.5 bar. A click on a unit changes it everywhere.",
-  ],
-};
-
 /** The page of the book, from this one. @param {string} place such as `commands#commands` */
 function book(place) {
   const [file, anchor] = place.split("#");
@@ -22,10 +14,9 @@ function book(place) {
 /** The button of the frame; it shows the help of the page that is shown. */
 export const helpButton = () =>
   button("Help", () => {
-    const { name, text, about, help } = pageOf(document.body.dataset.page ?? "");
+    const { text, about, help } = pageOf(document.body.dataset.page ?? "");
     dialog(`Help: ${text}`, (close) => [
       paragraph(about),
-      el("ul", ...(HOW[name] ?? []).map((line) => el("li", line))),
       paragraph("Point at a quantity, or focus its field, to see it in a drawing."),
       paragraph(
         el("a", { href: address("about", muscle.params()), onclick: close }, "About"),

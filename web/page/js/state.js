@@ -48,9 +48,8 @@ export function takeMeasures({ measures }) {
   MEASURES = measures.flatMap(
     ({ key, group, field, label, quantity, unit, default: usual, ...rest }) => {
       if (!field) return [];
-      // Pressures of a muscle are moduli.
       const kind = /** @type {Kind} */ (
-        quantity === "pressure" ? "modulus" : (quantity ?? "number")
+        /modul/.test(key) && quantity === "pressure" ? "modulus" : (quantity ?? "number")
       );
       const found = /** @type {Measure} */ ({
         ...rest,

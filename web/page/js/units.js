@@ -141,7 +141,7 @@ const COMMA = /^([-+]?)(\d+),(\d+)(?![\d,.])(.*)$/s;
  * With a point in place of a decimal comma; points before it separate thousands.
  * @param {string} text
  */
-function pointed(text) {
+export function pointed(text) {
   if (/^[-+]?\d{1,3}(\.\d{3})+,\d+(?![\d,.])/.test(text))
     return text.replaceAll(".", "").replace(",", ".");
   const [, sign, whole, decimals, rest] = COMMA.exec(text) ?? [];

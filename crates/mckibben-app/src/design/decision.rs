@@ -124,16 +124,12 @@ impl Decision<'_> {
                 .largest(|q| q.liquid_volume_mm3)
                 .map(|mm3| format!("{} mL of liquid", number(1e-3 * mm3, 3))),
         ];
-        let each = if self.found.spec.count > 1 {
-            "each "
-        } else {
-            ""
-        };
-        let way = match self.found.spec.options().direction {
-            _ if self.found.spec.built => " while it shortens",
-            Direction::Mean => "",
-            Direction::Contraction => " while it shortens",
-            Direction::Elongation => " while it lengthens",
+        let spec = &self.found.spec;
+        let each = if spec.count > 1 { "each " } else { "" };
+        let way = match spec.options().direction {
+            Direction::Mean if !spec.built => "",
+            Direction::Elongation if !spec.built => " while it lengthens",
+            _ => " while it shortens",
         };
         format!(
             "Pulls {each}{}{way}; {}",
@@ -146,7 +142,7 @@ impl Decision<'_> {
         let mpa = |p| show(Dimension::Pressure, p);
         let spec = &self.found.spec;
         let share = percent(spec.guaranteed.unwrap_or(0.95));
-        if self.found.spec.guaranteed.is_some() {
+        if spec.guaranteed.is_some() {
             return format!("Sure to {share}: the lower end of the ± meets what is required");
         }
         let candidates = self.found.outcome.candidates.iter();
@@ -173,7 +169,13 @@ impl Decision<'_> {
                     mpa(p)
                 )
             }
-            None => format!("Sure to {share}: no muscle of this search"),
+            None => {
+                let none = match spec.wanted {
+                    Demand::Joint(_) => "other pulleys not searched",
+                    _ => "no muscle of this search",
+                };
+                format!("Sure to {share}: {none}")
+            }
         }
     }
 

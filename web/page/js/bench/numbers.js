@@ -76,7 +76,8 @@ const put = (element, text) => {
 
 /** @param {Store} store @param {NonNullable<Store["point"]>} point @returns {[string, string][]} */
 function rows({ facts }, point) {
-  const c = facts.characteristics;
+  const c = facts.characteristics,
+    burst = c?.least_burst_pressure_mpa ?? c?.burst_pressure_mpa;
   return [
     ["Model", point.slack ? "slack" : modelPull(point)],
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
@@ -100,7 +101,7 @@ function rows({ facts }, point) {
     ["Threshold pressure", showPressure(facts.start, 3)],
     ["Blocked force", showForce(c?.blocked_force_n)],
     ["Free contraction", showRatio(c?.free_contraction, 3)],
-    ["Burst pressure", c?.burst_pressure_mpa ? showPressure(c.burst_pressure_mpa, 3) : "unknown"],
+    ["Least burst pressure", burst ? showPressure(burst, 3) : "unknown"],
     ["Allowed pressure", showPressure(c?.allowed_pressure_mpa, 3)],
     ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
     [

@@ -109,13 +109,12 @@ export const mount = (main) => {
       heading("Your data"),
       paragraph(
         "They stay on your computer: ",
-        `the engine is ${engine().about}. Your muscle and your settings are in the address of the page; what you ` +
+        `the engine is ${engine().about}. Your muscle and your settings are in the address; what you ` +
           `typed and opened is kept in this tab until you close it.`,
       ),
       heading("Accuracy"),
       paragraph(
-        "As built is what a muscle that you build will pull: the median, and the interval that 95 % of measured " +
-          "muscles keep. It becomes narrower when you identify your own muscle in Measurements.",
+        "As built is what a muscle that you build will pull: the median, and the interval that 95 % of measured muscles keep.",
       ),
       withoutNetwork(),
       heading("Verification and validation"),

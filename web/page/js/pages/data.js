@@ -124,7 +124,8 @@ export const mount = (main) => {
       paint();
       fitted.show(answer.figure);
     },
-    { shown: [found, fitted.element] },
+    // What the comparison says of the table is said.
+    { fields: { at: () => understood.querySelector(".problem") }, shown: [found, fitted.element] },
   );
   main.replaceChildren(
     bench(

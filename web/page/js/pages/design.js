@@ -16,7 +16,7 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["pressure", "lowest pressure"],
   ["air", "least air or liquid"],
   ["margin", "largest margin of pull"],
-  ["bulged-diameter", "slimmest when inflated (within 5 % the surest)"],
+  ["bulged-diameter", "recommended: slim, sold, sure"],
   ["length", "shortest"],
 ]);
 /** @type {Field[]} */

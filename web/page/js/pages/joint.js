@@ -146,6 +146,7 @@ function moveBox(v, question) {
     ({ points }) => {
       visit("motion", { drive: drive(points, to.seconds, v.pmax) });
     },
+    { minor: true },
   );
   const about = "At the required stiffness; Motion shows how valves and arm follow.";
   return {

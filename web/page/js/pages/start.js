@@ -10,7 +10,7 @@ import { onUnits, showLength, showPressure } from "../units.js";
 
 /** What each is the best for, and what is asked for it. @type {[string, Design["request"]][]} */
 const WISHES = [
-  ["Slimmest when inflated", { objective: "bulged-diameter" }],
+  ["Recommended", { objective: "bulged-diameter" }],
   ["Least air", { objective: "air" }],
   ["Strong enough with 95 % certainty", { objective: "bulged-diameter", guaranteed: 0.95 }],
 ];
@@ -83,6 +83,7 @@ export const mount = (main) => {
     );
     // The first muscle says what a muscle is, not what is asked.
     dim([result, head, lift.element], !answer && result.hasChildNodes());
+    act.hidden = !answer;
     if (!answer) return;
     const isFound = "candidates" in answer;
     act.hidden = !isFound || !answer.candidates[0];
@@ -127,14 +128,15 @@ export const mount = (main) => {
     const read = await fields.read();
     if (!read) {
       of = "";
-      return dim([result, head], true);
+      answers = [];
+      return paint();
     }
     const { load, torques, angle_deg, ...request } = read;
     if (load !== undefined) request.load = `${load} kg`;
     if (torques !== undefined) request.torques = [{ torque_nm: torques, angle_deg }];
     // Enter and a pause in typing ask the same.
     const next = JSON.stringify(request);
-    if (next === of) return;
+    if (next === of) return paint();
     of = next;
     if (!answers[chosen]) head.textContent = "Searching …";
     answers = [];
