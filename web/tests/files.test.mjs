@@ -160,7 +160,7 @@ inBrowser(({ name, url, open, blank }) => {
     for (const [label, text] of [
       ["Project", "Leg"],
       ["Number", "M-17"],
-      ["Revision", "B"],
+      ["Revision", "1,5"],
       ["Date", "2026-11-23"],
     ])
       await report.getByRole("textbox", { name: label, exact: true }).fill(text);
@@ -172,7 +172,7 @@ inBrowser(({ name, url, open, blank }) => {
     assert.equal(file, "calf-report.html");
     const html = bytes.toString(),
       { force_n: force } = ask("force", "-D", "38", "-p", "2.2bar", "-e", "10%");
-    for (const text of ["Calf", "Leg", "M-17", "2026-11-23", "bar"])
+    for (const text of ["Calf", "Leg", "M-17", "1,5", "2026-11-23", "bar"])
       assert.ok(html.includes(text), text);
     assert.ok(html.includes(String(Math.round(force))), `${force} N stands in the report`);
     // Scripts are the model that turns, and the shape that it draws.

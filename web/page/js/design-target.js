@@ -81,12 +81,12 @@ export function designTarget(act) {
         { muscle, test: "isobaric", pressures_mpa: [best.pressure_mpa, most] },
         (curves) => {
           const end = showPressure(best.pressure_mpa, 3),
-            of = { name: `best muscle at ${end}`, end, colour: KINDS[0], strong: true };
+            line = { name: "best muscle", end, colour: KINDS[0], strong: true };
           const all = (/** @type {(number | null)[]} */ list = []) =>
             list.map((v) => v && v * best.count);
           series = [
             ...permitted(curves, most),
-            ...isobars(of, curves.points.slice(0, curves.points.length / 2)),
+            ...isobars(line, curves.points.slice(0, curves.points.length / 2)),
           ].map((s) => ({ ...s, y: all(s.y), low: all(s.low), high: all(s.high) }));
           draw();
         },

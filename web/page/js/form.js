@@ -89,7 +89,8 @@ class Reading {
     const { values } = this;
     if (f.pair) values[f.field] = text.split(",").map((one) => this.#pair(f, one.split(/@| at /)));
     else if (f.words) values[f.field] = text.split(",").flatMap((word) => word.trim() || []);
-    else if (!f.kind || f.or?.includes(text)) values[f.field] = pointed(text);
+    else if (!f.kind || f.or?.includes(text))
+      values[f.field] = f.field === "load" ? pointed(text) : text;
     else
       this.#ask(f, f.kind, text, (value) => {
         values[f.field] = value;

@@ -110,11 +110,11 @@ export const mount = (main) => {
       paragraph(
         "They stay on your computer: ",
         `the engine is ${engine().about}. Your muscle and your settings are in the address; what you ` +
-          `typed and opened is kept in this tab until you close it.`,
+          `typed and opened stays in this tab until you close it.`,
       ),
       heading("Accuracy"),
       paragraph(
-        "As built is what a muscle that you build will pull: the median, and the interval that 95 % of measured muscles keep.",
+        "As built is what a muscle that you build pulls: the median, and the interval that 95 % of measured muscles keep.",
       ),
       withoutNetwork(),
       heading("Verification and validation"),

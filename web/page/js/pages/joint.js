@@ -100,7 +100,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
     ),
     folded(
       "Joint file",
-      remark("A joint file can state a spring, the weight of the arm, and more."),
+      remark("A joint file can state a spring and the weight of the arm."),
       fileField("Open a joint file (TOML)", ".toml", (_, text) => takeJoint(text)),
       leave,
     ),

@@ -123,7 +123,7 @@ function driveBox(take) {
   );
   const element = folded(
     "Drive file and examples",
-    remark("A drive file states supply, valve, load and commands over time."),
+    remark("A drive file states supply, valve, load and commands."),
     el("p", { class: "row small" }, "Examples:", ...samples),
     fileField("Open a drive file (TOML)", ".toml", (_, text) => take(text)),
     leave,
