@@ -118,14 +118,6 @@ PARTS = {
         None,
         ["bash checks/wasm.sh"],
     ),
-    "documentation": (
-        "examples and links of the crates' documentation",
-        [r"crates/.*/src/.*", r"checks/rustdoc\.sh"],
-        None,
-        [
-            "RUSTDOC=$PWD/checks/rustdoc.sh cargo test --workspace --locked --doc",
-        ],
-    ),
     "random": (
         "ten times as many random muscles, specifications and inputs",
         [

@@ -547,3 +547,24 @@ fn a_page_is_of_one_kind_and_short() {
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
+
+/// Set-up and tests are one command each; `.ci/run` calls the very command that stands there.
+#[test]
+fn the_readme_has_the_command_of_the_tests_that_ci_calls() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let (_, tests) = readme.split_once("\n## The tests\n").unwrap();
+    let (_, block) = tests.split_once("\n```sh\n").unwrap();
+    let (command, _) = block.split_once("\n```\n").unwrap();
+    assert_eq!(command, "cargo test --workspace");
+    let ci = fs::read_to_string(root().join(".ci/run")).unwrap();
+    let called = |line: &str| line.split(" 2>&1 |").next() == Some(command);
+    assert_eq!(ci.lines().filter(|line| called(line)).count(), 1);
+    let blocks = readme.split("\n```sh\n").skip(1);
+    let first = blocks.map(|block| block.lines().next().unwrap());
+    let starts: Vec<&str> = first.filter(|line| line.starts_with("cargo ")).collect();
+    assert!(
+        matches!(starts[..], [main, tests]
+            if main.starts_with("cargo run --release -- design ") && tests == command),
+        "{starts:?}"
+    );
+}
