@@ -70,7 +70,7 @@ PARTS = {
             r"checks/.*\.py",
         ],
         None,
-        ["bash checks/programs.sh"],
+        ['bash checks/programs.sh "$MCKIBBEN"'],
     ),
     "pages": (
         "commands of all pages of the documentation, and what they print",
@@ -118,16 +118,6 @@ PARTS = {
         None,
         ["bash checks/wasm.sh"],
     ),
-    "random": (
-        "ten times as many random muscles, specifications and inputs",
-        [
-            r"crates/mckibben(-core|-fem|-design|-export|-io|-units)?/(src|tests)/.*",
-        ],
-        None,
-        [
-            "MCKIBBEN_TIMES=10 cargo test --workspace --locked --test all -- random branches answers fuzz mutat"
-        ],
-    ),
     "exports": (
         "exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, JAX",
         [
@@ -139,15 +129,6 @@ PARTS = {
         ],
         None,
         ['bash checks/exports.sh "$MCKIBBEN"'],
-    ),
-    "torch": (
-        "the exported module in PyTorch",
-        [
-            r"crates/mckibben-export/templates/muscle\.py",
-            r"checks/(exports_)?torch\..*",
-        ],
-        None,
-        ["bash checks/torch.sh"],
     ),
     "campaigns": (
         "campaigns on Slurm, Dask and process pools",
@@ -162,20 +143,6 @@ PARTS = {
         ],
         None,
         ['bash checks/campaigns.sh "$MCKIBBEN"'],
-    ),
-    "editors": (
-        "schemas of files in a TOML language server",
-        [
-            r"crates/mckibben-app/src/file_schema\.rs",
-            r"crates/mckibben-core/src/muscle/(file|measures)/.*",
-            r"crates/mckibben-core/src/joint/file\.rs",
-            r"crates/mckibben-motion/src/file/.*",
-            r"crates/mckibben-campaign/src/campaign/plan/.*",
-            r"checks/editors.*",
-            r"(examples|plans)/.*\.toml",
-        ],
-        None,
-        ['bash checks/editors.sh "$MCKIBBEN"'],
     ),
     "book": (
         "the book in a browser, at 400 and 1440 pixels",
@@ -201,7 +168,7 @@ PARTS = {
         None,
         [
             "cargo build --release --locked",
-            "cargo xtask release",
+            "python3 checks/release.py --binary target/release/mckibben",
             "cargo run --release --locked -- design --force 98N --contraction 10% --max-pressure 4bar --length 200 --tube latex-1/4x3/8in --braid flexo-overexpanded-0.38in",
         ],
     ),
@@ -210,24 +177,6 @@ PARTS = {
         [*MANIFESTS, r"checks/package\.sh"],
         None,
         ["bash checks/package.sh"],
-    ),
-    "targets": (
-        "the program on other systems",
-        [*MANIFESTS, r"crates/.*\.rs"],
-        r"cfg(_attr|!)?\(.*(unix|windows|target_)|std::os::",
-        [
-            "bash checks/targets.sh",
-        ],
-    ),
-    "processors": (
-        "lanes of the finite elements on lesser processors",
-        [
-            r"crates/mckibben-fem/src/(element|solver)/.*",
-            r"crates/mckibben-fem/tests/lanes.*",
-            r"crates/mckibben-core/src/.*lanes.*",
-        ],
-        r"target_feature|lanes",
-        ["bash checks/processors.sh"],
     ),
     "wheel": (
         "the Python package from its wheel: types, stubs, tests, notebooks",
@@ -258,7 +207,8 @@ PARTS = {
         None,
         [
             "cargo clippy --manifest-path studies/Cargo.toml --target-dir target/studies --all-targets --locked -- -D warnings",
-            "cargo xtask study-figures --check",
+            "cargo study peers_figure -- target/peers.svg && cmp target/peers.svg docs/figures/peers.svg",
+            "cargo study universal_figure -- target/universal.svg 150 && cmp target/universal.svg docs/figures/universal.svg",
         ],
     ),
     "peers": (
@@ -269,7 +219,10 @@ PARTS = {
             r"data/peers/.*",
         ],
         None,
-        ["cargo xtask peers --check"],
+        [
+            "python3 -m venv target/venv && target/venv/bin/python -m pip install --quiet numpy felupe pypardiso scipy",
+            "target/venv/bin/python benches/peers/compare.py --quick",
+        ],
     ),
 }
 

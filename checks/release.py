@@ -5,7 +5,7 @@
     python3 checks/release.py archive        the archive of one target (--target, --tag, --out, --binary)
     python3 checks/release.py recipes        checksums, Homebrew formula and conda recipe (--dist, --tag, --repository)
 
-The workflow `release` runs the last two; the first is `cargo xtask release`.
+The workflow `release` runs the last two; the first is `python3 checks/long.py release`.
 """
 
 import argparse

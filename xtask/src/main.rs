@@ -15,7 +15,7 @@ type Done = Result<(), String>;
 /// Name, what it does, and how; the flag of the function is `--check`.
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
-const TASKS: [Task; 9] = [
+const TASKS: [Task; 4] = [
     (
         "figures",
         "figures of README and docs, drawn by the program; --check compares",
@@ -27,11 +27,6 @@ const TASKS: [Task; 9] = [
         book,
     ),
     (
-        "study-figures",
-        "figures that scripts of studies/ draw; --check compares",
-        study_figures,
-    ),
-    (
         "golds",
         "tables and formulas that the program computes itself; --check compares",
         golds,
@@ -40,27 +35,6 @@ const TASKS: [Task; 9] = [
         "schemas",
         "words of requests and answers in docs/contract.txt; --check compares",
         schemas,
-    ),
-    (
-        "checks",
-        "outputs read by other programs (python3, ccx, chromium)",
-        checks,
-    ),
-    (
-        "release",
-        "what a release would publish, and of it what can be made here (python3, a release build)",
-        release,
-    ),
-    (
-        "benches",
-        "speed of the closed forms and of the finite elements",
-        benches,
-    ),
-    (
-        "peers",
-        "finite elements side by side with FElupe and CalculiX (python3, ccx); --check: one \
-         contraction, once",
-        peers,
     ),
 ];
 
@@ -148,27 +122,6 @@ fn into_folder(line: &str, folder: &Path) -> Vec<PathBuf> {
     before.zip(&words).map(placed).collect()
 }
 
-/// Figures of the documentation that a study draws: minutes of finite elements.
-fn study_figures(check: bool) -> Done {
-    let made = made("studies")?;
-    let kept = Path::new("docs/figures");
-    for (file, study, more) in [
-        ("peers.svg", "peers_figure", None),
-        ("universal.svg", "universal_figure", Some("150")),
-    ] {
-        let path = made.join(file);
-        quiet(
-            cargo()
-                .args(["study", study])
-                .arg("--")
-                .arg(&path)
-                .args(more),
-        )?;
-        keep(&path, &kept.join(file), check)?;
-    }
-    Ok(())
-}
-
 fn golds(check: bool) -> Done {
     let program = program()?;
     let made = made("golds")?;
@@ -240,78 +193,6 @@ fn test(suite: &str, name: &str, check: bool) -> Command {
     test
 }
 
-fn checks(_: bool) -> Done {
-    let packages =
-        "mpmath pillow meshio numpy pandas pyarrow duckdb scipy trimesh rtree cadquery-ocp-novtk";
-    let program = program()?;
-    let python = python(packages)?;
-    let made = made("checks")?;
-    let script = |name: &str| {
-        let mut command = Command::new(&python);
-        command.arg(name);
-        command
-    };
-    run(script("checks/oracle.py").arg(&program))?;
-    run(script("checks/campaign.py").arg(&program))?;
-    run(script("checks/bodies.py").arg(&program))?;
-    let answer = made.join("motion.json");
-    save(&mut example("exported")?, &answer)?;
-    run(script("checks/motion.py").arg(&answer))?;
-    for (name, line) in [
-        ("checks/vtu.py", "-e 10% -p 0.05..0.25:0.05"),
-        (
-            "checks/vtu3d.py",
-            "--model fe3d -e 10% -p 0.05,0.25 --whole",
-        ),
-    ] {
-        let folder = made.join("vtu");
-        let answer = made.join("answer.json");
-        let mut simulate = Command::new(&program);
-        simulate
-            .args([
-                "simulate",
-                "examples/prototype.toml",
-                "--format",
-                "json",
-                "--vtu",
-            ])
-            .arg(&folder);
-        save(simulate.args(line.split_whitespace()), &answer)?;
-        run(script(name).arg(&folder).arg(&answer))?;
-        fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-    }
-    run(script("checks/outputs.py").arg(&program).arg("chromium"))
-}
-
-/// A dry run: nothing leaves this computer.
-fn release(_: bool) -> Done {
-    run(cargo().args(["build", "--quiet", "--locked", "--release"]))?;
-    let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
-    let program = fs::canonicalize(target().join(name)).map_err(|e| e.to_string())?;
-    run(Command::new("python3")
-        .arg("checks/release.py")
-        .arg("--binary")
-        .arg(program))
-}
-
-fn benches(_: bool) -> Done {
-    run(cargo().args([
-        "bench",
-        "--locked",
-        "--manifest-path",
-        "studies/Cargo.toml",
-        "--target-dir",
-        "target/studies",
-    ]))
-}
-
-fn peers(check: bool) -> Done {
-    let quick = check.then_some("--quick");
-    run(Command::new(python("numpy felupe pypardiso scipy")?)
-        .arg("benches/peers/compare.py")
-        .args(quick))
-}
-
 fn cargo() -> Command {
     Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
@@ -353,17 +234,6 @@ fn program() -> Result<PathBuf, String> {
     build(&["--bin", "mckibben", "--example", "exported"])?;
     let name = format!("debug/mckibben{}", env::consts::EXE_SUFFIX);
     fs::canonicalize(target().join(name)).map_err(|e| e.to_string())
-}
-
-/// Python with packages, in a separate environment.
-fn python(packages: &str) -> Result<PathBuf, String> {
-    let folder = target().join("venv");
-    run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
-    let python = folder.join("bin/python");
-    run(Command::new(&python)
-        .args(["-m", "pip", "install", "--quiet"])
-        .args(packages.split(' ')))?;
-    Ok(python)
 }
 
 /// An empty folder for what a task makes.
