@@ -119,7 +119,7 @@ PARTS = {
         ["bash checks/wasm.sh"],
     ),
     "exports": (
-        "exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, OpenSim, FMPy, Wine, JAX",
+        "exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, FMPy, Wine, JAX",
         [
             r"crates/mckibben-export/.*",
             r"crates/mckibben-app/src/export\.rs",

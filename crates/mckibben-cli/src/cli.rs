@@ -95,7 +95,7 @@ pub enum Command {
     Check(Flags<check::Check>),
     /// Build a muscle: report, drawing, plugs, cut list, bill of materials, steps, test sheet
     Build(Flags<build::Build>),
-    /// The muscle, or a joint, for a controller or simulator: C, Rust, Python, MuJoCo, FMI, OpenSim
+    /// The muscle, or a joint, for a controller or simulator: C, Rust, Python, MuJoCo, FMI
     Export(Flags<export::Export>),
     /// Many finite-element tests from a plan into one Parquet table; an interrupted run continues
     Campaign(Flags<campaign::Campaign>),

@@ -129,13 +129,7 @@ impl ExportedJoint {
 
     /// The files for a target.
     pub fn to(&self, target: ExportTarget) -> Result<Artefact> {
-        let make = target.joint.ok_or_else(|| {
-            ExportError::Host(format!(
-                "{} has no joint of this kind: export its muscles one by one",
-                target.name
-            ))
-        })?;
-        let mut artefact = make(self)?;
+        let mut artefact = (target.joint)(self)?;
         // Muscles share files.
         let mut names = std::collections::BTreeSet::new();
         artefact

@@ -36,7 +36,7 @@ pub const TARGET: ExportTarget = ExportTarget {
     loses: "without the plugin friction and the form: pull is linear in the pressure and of second \
         degree in the length, from the length at rest to the free contraction; no volume",
     make,
-    joint: Some(joint),
+    joint: joint,
 };
 
 /// Lengths up to this share of that at rest lie on the parabola of the gain.
@@ -47,11 +47,11 @@ const STRONGEST: f64 = 3.0;
 /// k0, k1, k2, m0, m1, m2 over the blocked force, and their error; the tendon's limit makes the
 /// muscle slack. MuJoCo has no m2 below zero: without it then.
 fn fitted(muscle: &ExportedMuscle) -> Option<([f64; 6], HostError)> {
-    let all = fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x, x * x], true)?;
+    let all = fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x, x * x])?;
     if all.0[5] > 0.0 {
         return Some(all);
     }
-    let ([k0, k1, k2, m0, m1], error) = fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x], true)?;
+    let ([k0, k1, k2, m0, m1], error) = fit(muscle, |q, x| [q, q * x, q * x * x, 1.0, x])?;
     Some(([k0, k1, k2, m0, m1, f64::MIN_POSITIVE], error))
 }
 

@@ -3,7 +3,6 @@
 mod c;
 mod fmu;
 mod mjcf;
-mod opensim;
 mod python;
 mod rust;
 mod zip;
@@ -29,18 +28,17 @@ pub struct ExportTarget {
     #[serde(skip)]
     make: fn(&ExportedMuscle) -> Result<Artefact>,
     #[serde(skip)]
-    pub(crate) joint: Option<fn(&ExportedJoint) -> Result<Artefact>>,
+    pub(crate) joint: fn(&ExportedJoint) -> Result<Artefact>,
 }
 
 impl ExportTarget {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 5] = [
         c::TARGET,
         rust::TARGET,
         python::TARGET,
         mjcf::TARGET,
         fmu::TARGET,
-        opensim::TARGET,
     ];
 
     /// Their words, in one line.
@@ -50,6 +48,10 @@ impl ExportTarget {
 
     /// The target of this name.
     pub fn named(name: &str) -> Result<Self> {
+        if name.trim() == "opensim" {
+            let gone = "the target opensim is gone: take fmu or python";
+            return Err(ExportError::Host(gone.into()));
+        }
         Self::ALL
             .into_iter()
             .find(|t| t.name == name.trim())
@@ -77,12 +79,11 @@ pub fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
 }
 
 /// Coefficients over the blocked force of the functions `row` of q and x = L/L0, and the error of
-/// their sum: of all points where the host makes it slack below zero, otherwise of those at which
-/// the muscle pulls. Nothing where the points are too few.
+/// their sum at all points, where the host makes it slack below zero. Nothing where the points are
+/// too few.
 pub fn fit<const N: usize>(
     muscle: &ExportedMuscle,
     row: impl Fn(f64, f64) -> [f64; N],
-    slack: bool,
 ) -> Option<([f64; N], HostError)> {
     let pulling: Vec<(f64, f64, f64)> = muscle
         .held_out
@@ -108,16 +109,12 @@ pub fn fit<const N: usize>(
         let solution = least_squares(matrix, &values)?;
         let k: [f64; N] = std::array::from_fn(|i| solution[i]);
         let at = |q: f64, x: f64| row(q, x).iter().zip(&k).map(|(a, b)| a * b).sum::<f64>();
-        let errors: Vec<f64> = if slack {
-            muscle
-                .held_out
-                .iter()
-                .filter(|p| p.contraction >= 0.0)
-                .map(|p| at(p.q, 1.0 - p.contraction).max(0.0) - p.pull.unwrap_or(0.0).max(0.0))
-                .collect()
-        } else {
-            pulling.iter().map(|p| at(p.0, p.1) - p.2).collect()
-        };
+        let errors: Vec<f64> = muscle
+            .held_out
+            .iter()
+            .filter(|p| p.contraction >= 0.0)
+            .map(|p| at(p.q, 1.0 - p.contraction).max(0.0) - p.pull.unwrap_or(0.0).max(0.0))
+            .collect();
         let error = HostError::from_errors(&errors);
         if best.is_none_or(|(_, b)| error.worst < b.worst) {
             best = Some((k, error));
