@@ -12,7 +12,7 @@ use mckibben_core::{
     muscle::{Muscle, file::parse_muscle},
     random::{Random, rounds},
 };
-use mckibben_export::{ExportError, ExportTarget, ExportedJoint};
+use mckibben_export::{ExportTarget, ExportedJoint};
 use std::sync::Arc;
 
 /// Two muscles on pulleys with a weight; a muscle between two points against a spring on a rope;
