@@ -58,8 +58,6 @@ mod size;
 mod state;
 mod system;
 mod valve;
-#[doc(hidden)]
-pub mod verification;
 mod viscoelastic;
 
 pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO};

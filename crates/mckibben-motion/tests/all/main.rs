@@ -13,3 +13,4 @@ mod random;
 mod refusals;
 mod stepped;
 mod support;
+mod verification;

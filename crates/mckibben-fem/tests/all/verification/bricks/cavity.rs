@@ -5,12 +5,12 @@
 //! the far end of tube, braid and plug is held.
 
 use super::{BRICKS, at_rest, coarse, maxwell, numerics::tangent_error, prototype, settle};
-use crate::{
+use crate::verification::{Rows, pressure::balance};
+use mckibben_core::muscle::Muscle;
+use mckibben_fem::{
     solver::continuation::Continuation,
     three_dimensional::{Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial, ThreeDimensional},
-    verification::{Rows, pressure::balance},
 };
-use mckibben_core::muscle::Muscle;
 
 /// The rows of the pressure.
 pub fn follower_pressure(rows: &mut Rows) {

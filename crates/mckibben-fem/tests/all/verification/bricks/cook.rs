@@ -5,11 +5,9 @@
 //! everywhere.
 
 use super::{block::Block, body, drive};
-use crate::{
-    three_dimensional::{Brick, Freedom},
-    verification::{Rows, neo_hookean},
-};
+use crate::verification::{Rows, neo_hookean};
 use mckibben_core::muscle::Bulk;
+use mckibben_fem::three_dimensional::{Brick, Freedom};
 
 /// u_y of the upper right corner in mm with n × n bricks and F = 100 N.
 fn tip(n: usize) -> Option<f64> {

@@ -8,14 +8,6 @@ use super::{
     Path, Rows, at_rest, body, changed, largest_difference, order_of_newton, radius, rubber,
     section_pull, stretched,
 };
-use crate::{
-    axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem},
-    simulation::{ElementModel, Given},
-    solver::{
-        body::Control,
-        newton::{NewtonOptions, NewtonSystem as _},
-    },
-};
 use mckibben_core::{
     differences::{STENCIL, slope},
     model::Workspace,
@@ -25,6 +17,14 @@ use mckibben_core::{
     },
     random::Random,
     rubber::Law,
+};
+use mckibben_fem::{
+    axisymmetric::{Axisymmetric, Body, Ends, Mesh, Problem},
+    simulation::{ElementModel, Given},
+    solver::{
+        body::Control,
+        newton::{NewtonOptions, NewtonSystem as _},
+    },
 };
 
 const STIFFNESS: BraidStiffness = BraidStiffness::NewtonPerMm(321.0);

@@ -4,17 +4,17 @@
 //! Loaded and held: a short muscle shaken at random, its length given.
 
 use super::{BRICKS, body, prototype, solve, tight};
-use crate::{
-    element::{spatial::AT, truss::Truss},
-    solver::{body::Control, newton::NewtonSystem as _},
-    three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter, dot},
-    verification::{Rows, changed, largest_difference, order_of_newton, rubber},
-};
+use crate::verification::{Rows, changed, largest_difference, order_of_newton, rubber};
 use mckibben_core::{
     differences::{STENCIL, slope},
     muscle::{BraidStiffness, Bulk, Muscle},
     random::Random,
     rubber::Law,
+};
+use mckibben_fem::{
+    element::{spatial::AT, truss::Truss},
+    solver::{body::Control, newton::NewtonSystem as _},
+    three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem, Quarter},
 };
 use nalgebra::{DMatrix, DVector};
 
@@ -156,7 +156,7 @@ fn objectivity(brick: Brick) -> Option<f64> {
     for (u, rest) in body.state.u.chunks_exact_mut(3).zip(nodes) {
         let x = [0, 1, 2].map(|i| rest[i] + u[i]);
         for i in 0..3 {
-            u[i] = dot(&turned[i], &x) - rest[i];
+            u[i] = turned[i].iter().zip(&x).map(|(a, b)| a * b).sum::<f64>() - rest[i];
         }
     }
     body.residual().ok()?;

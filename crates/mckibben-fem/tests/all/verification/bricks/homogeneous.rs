@@ -5,11 +5,11 @@
 //! free.
 
 use super::{BRICKS, block::bent_cube, body, push};
-use crate::{
+use crate::verification::Rows;
+use mckibben_fem::{
     element::spatial::Vector,
     solver::newton::NewtonSystem as _,
     three_dimensional::{Body, Brick, Freedom},
-    verification::Rows,
 };
 
 /// The bent cube; the planes through the origin held, and what `held` says of

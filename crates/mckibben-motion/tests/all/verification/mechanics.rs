@@ -1,34 +1,18 @@
 //! Muscles that move: balances, friction, oscillations, convergence.
 
-use super::{driven, opening, ran};
-use crate::{
-    ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Commanded, Drive, Fluid, Heat,
-    Linear, Orifice, Prony, SingleMuscle, Valve, equilibrium,
-};
+use super::{driven, opening, ran, rows::Rows};
 use mckibben_core::{
     extremes::ends,
     load::Load,
     model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
     muscle::{Friction, Muscle},
-    verification::VerificationRow,
+};
+use mckibben_motion::{
+    ATMOSPHERE_MPA, Actuated, Actuator, Air, Branch, Command, Commanded, Drive, Energies, Fluid,
+    Heat, Linear, Orifice, Prony, SingleMuscle, Valve, equilibrium,
 };
 use std::f64::consts::TAU;
 use std::sync::Arc;
-
-const BALANCE: &str = "identity: energies of a drive with every loss";
-const SHUT: &str = "closed form: K_P − (1/L0) ∂F/∂P (∂P/∂ε)_m";
-const LOOP: &str = "closed form: 2 F_c (stroke − 4/3 x_s)";
-const ORDER: &str = "convergence: against a tolerance of 1e-12";
-
-/// Balances of a drive with all losses, shut air, a slow loop, and what the tolerance makes of the
-/// error.
-pub fn mechanics() -> Vec<VerificationRow> {
-    let mut rows = balances().unwrap_or_default();
-    rows.extend(shut());
-    rows.extend(loops());
-    rows.extend(convergence());
-    rows
-}
 
 fn valve() -> Option<Actuator> {
     Some(Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).ok()?)))
@@ -40,21 +24,20 @@ fn universal() -> Option<Arc<dyn ForceModel>> {
 }
 
 /// Mass, spring, damper, friction, viscoelastic rubber and warm air at once.
-fn balances() -> Option<Vec<VerificationRow>> {
-    let model = universal()?;
-    let line = Load::parse("mass:5kg+spring:1N/mm", &|_| None).ok()?;
+pub fn balances(rows: &mut Rows) {
+    let model = universal().unwrap();
+    let line = Load::parse("mass:5kg+spring:1N/mm", &|_| None).unwrap();
     let load = SingleMuscle {
         damping_n_s_per_m: 200.0,
         stops_mm: (0.0, 60.0),
         ..SingleMuscle::new(&*model, line)
     };
-    let mut rows = vec![];
     for (name, heat) in [
         ("isothermal", Heat::Isothermal),
         ("adiabatic", Heat::Adiabatic),
         ("warm", Heat::Transfer(50.0)),
     ] {
-        let mut muscle = Actuated::new(model.clone(), valve()?);
+        let mut muscle = Actuated::new(model.clone(), valve().unwrap());
         muscle.fluid = Fluid::Air(Air {
             heat,
             dead_volume_mm3: 10e3,
@@ -72,7 +55,7 @@ fn balances() -> Option<Vec<VerificationRow>> {
             Commanded::Pressure(vec![steps]),
             (1.5, 1e-9),
         ));
-        let share = |value: &dyn Fn(&crate::motion::Energies) -> f64| {
+        let share = |value: &dyn Fn(&Energies) -> f64| {
             motion
                 .as_ref()
                 .map(|m| (value(&m.energies) / m.energies.work_j).abs())
@@ -83,32 +66,19 @@ fn balances() -> Option<Vec<VerificationRow>> {
             let pulled = e.static_work_j + e.viscoelastic_j - e.friction_j;
             pulled - e.load_j - e.kinetic_j - e.damper_j - e.impacts_j
         });
-        let row = |what: &str, ours, tolerance| {
-            VerificationRow::new(
-                format!("drive, {name} air: {what}"),
-                BALANCE,
-                0.0,
-                ours,
-                tolerance,
-            )
+        let mut row = |what: &str, ours: Option<f64>, tolerance| {
+            let name = format!("drive, {name} air: {what}");
+            rows.add(name, 0.0, ours, tolerance);
         };
-        rows.push(row(
-            "air that is lost, of that in it",
-            motion.as_ref().map(|m| m.mass_defect),
-            1e-12,
-        ));
-        rows.push(row(
-            "energy of the air that is lost, of the work",
-            air,
-            1e-6,
-        ));
-        rows.push(row("work that is lost, of it", work, 1e-6));
+        let lost = motion.as_ref().map(|m| m.mass_defect);
+        row("air that is lost, of that in it", lost, 1e-12);
+        row("energy of the air that is lost, of the work", air, 1e-6);
+        row("work that is lost, of it", work, 1e-6);
     }
-    Some(rows)
 }
 
 /// The frequency of a mass on shut air: closed form, linearised system, and crossings of a motion.
-fn shut() -> Vec<VerificationRow> {
+pub fn shut(rows: &mut Rows) {
     let values = |heat: Heat, index: f64| {
         let model = universal()?;
         let load = SingleMuscle::hanging(&*model, 10.0);
@@ -127,25 +97,20 @@ fn shut() -> Vec<VerificationRow> {
             crossings(&drive, &linear, 10.0),
         ))
     };
-    let rows = [
+    for (name, heat, index) in [
         ("isothermal", Heat::Isothermal, 1.0),
         ("adiabatic", Heat::Adiabatic, 1.4),
-    ]
-    .into_iter()
-    .flat_map(|(name, heat, index)| {
-        let values = values(heat, index);
+    ] {
         let (exact, linear, moving) =
-            values.map_or((f64::NAN, None, None), |v| (v.0, Some(v.1), v.2));
-        [
+            values(heat, index).map_or((None, None, None), |v| (Some(v.0), Some(v.1), v.2));
+        for (what, ours) in [
             ("of the linearised system", linear),
             ("of its motion", moving),
-        ]
-        .map(|(what, ours)| {
+        ] {
             let name = format!("10 kg on shut {name} air: {what} (Hz)");
-            VerificationRow::new(name, SHUT, exact, ours, 1e-4)
-        })
-    });
-    rows.collect()
+            rows.add(name, exact, ours, 1e-4);
+        }
+    }
 }
 
 /// (dP/dε)_m = −n p V_ε/(V + n p V_P); K = K_P − (1/L0) ∂F/∂P dP/dε; f = √(K/M)/2π
@@ -189,7 +154,7 @@ fn crossings(drive: &Drive, linear: &Linear, periods: f64) -> Option<f64> {
 
 /// The area of a slow loop against a spring. After each of its two reversals z goes from 1 to −1
 /// within 2 x_s, as 2 (1 − x/2x_s)² − 1, which takes 4/3 F_c x_s from it.
-fn loops() -> Vec<VerificationRow> {
+pub fn loops(rows: &mut Rows) {
     const LEVEL_N: f64 = 10.0;
     const PRESLIDING_MM: f64 = 0.02;
     let one = |hz: f64| {
@@ -237,21 +202,15 @@ fn loops() -> Vec<VerificationRow> {
         let area = 1e3 * (two.energies.friction_j - one.energies.friction_j);
         Some((2.0 * LEVEL_N * (stroke - 4.0 / 3.0 * PRESLIDING_MM), area))
     };
-    let row = |hz: f64| {
-        let (exact, ours) = one(hz).map_or((f64::NAN, None), |(exact, ours)| (exact, Some(ours)));
-        VerificationRow::new(
-            format!("friction loop of the braid at {hz} Hz (N mm)"),
-            LOOP,
-            exact,
-            ours,
-            1e-4,
-        )
-    };
-    [0.1, 1.0].map(row).into()
+    for hz in [0.1, 1.0] {
+        let (exact, ours) = one(hz).unzip();
+        let name = format!("friction loop of the braid at {hz} Hz (N mm)");
+        rows.add(name, exact, ours, 1e-4);
+    }
 }
 
 /// The error of a step at tolerances.
-fn convergence() -> Vec<VerificationRow> {
+pub fn convergence(rows: &mut Rows) {
     // Its answers have no error of an iteration that a step could see.
     let model = ThickWall::between_ends(&Muscle::prototype());
     let end = |relative: f64| {
@@ -271,10 +230,9 @@ fn convergence() -> Vec<VerificationRow> {
         ran(&drive)?.series.coordinate.last().copied()
     };
     let exact = end(1e-12);
-    let row = |relative: f64| {
+    for relative in [1e-6, 1e-8, 1e-10] {
         let error = end(relative).zip(exact).map(|(x, exact)| x / exact - 1.0);
         let name = format!("step of 10 kg, tolerance {relative:.0e}: error");
-        VerificationRow::new(name, ORDER, 0.0, error, 10.0 * relative)
-    };
-    [1e-6, 1e-8, 1e-10].map(row).into()
+        rows.add(name, 0.0, error, 10.0 * relative);
+    }
 }

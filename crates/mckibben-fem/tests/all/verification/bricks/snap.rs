@@ -9,8 +9,9 @@
 //!
 //! Loaded and held: both supports held, the apex pushed down.
 
-use crate::{element::truss::Truss, verification::Rows};
+use crate::verification::Rows;
 use mckibben_core::analysis::find_root;
+use mckibben_fem::element::truss::Truss;
 
 /// E·A in N.
 const EA: f64 = 1000.0;

@@ -5,24 +5,20 @@
 //! With Q = a⁻¹ … of a restriction Δp = a Q² + b Q, and K = V dp/dV of the liquid in a vessel V,
 //! the time from Q0 to Q1 is t = (V/K) (2 a (Q0 − Q1) + b ln(Q0/Q1)).
 
-use super::{Vessel, driven, opening, ran};
-use crate::{
-    Actuated, Actuator, Command, Commanded, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion,
-    Pump, Restriction, SingleMuscle, Syringe, ValveKind,
-};
+use super::{Vessel, driven, opening, ran, rows::Rows};
 use mckibben_core::{
     analysis::{Evaluation, Options},
     liquid::Liquid,
     load::{Fill, Filling, Load},
     model::{ThickWall, Workspace},
     muscle::Muscle,
-    verification::VerificationRow,
+};
+use mckibben_motion::{
+    Actuated, Actuator, Command, Commanded, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion,
+    Pump, Restriction, SingleMuscle, Syringe, ValveKind,
 };
 use std::f64::consts::TAU;
 
-const CLOSED: &str = "closed form of a rigid vessel with a liquid";
-const STATIC: &str = "static filling of the same muscle with the same volume";
-const BALANCE: &str = "identity: what goes in, comes out and stays";
 /// Bulk modulus of the vessel's liquid in MPa, so that its volume changes by less than 10⁻⁵.
 const STIFF_MPA: f64 = 1e5;
 /// Volume of the vessel in mm³.
@@ -193,17 +189,8 @@ fn compared() -> Option<[(f64, f64); 5]> {
     ])
 }
 
-/// Vessels and a muscle.
-pub fn liquid() -> Vec<VerificationRow> {
-    let row = |name: &str, source, reference: f64, ours, tolerance| {
-        VerificationRow::new(
-            format!("liquid: {name}"),
-            source,
-            reference,
-            ours,
-            tolerance,
-        )
-    };
+/// A vessel on a valve and on a pump.
+pub fn vessels(rows: &mut Rows) {
     let valve = valve().and_then(|valve| vessel(valve, throttled_s()));
     let pump = Pump {
         kind: ValveKind::DEFAULT,
@@ -211,33 +198,25 @@ pub fn liquid() -> Vec<VerificationRow> {
         line: None,
     };
     let pumped = vessel(Actuator::Pump(pump), 0.3 * VOLUME_MM3 / (STIFF_MPA * 2.0));
-    let mut rows = vec![
-        row("p of a vessel on a valve (MPa)", CLOSED, 0.45, valve, 1e-5),
-        row("p of a vessel on a pump (MPa)", CLOSED, 0.3, pumped, 1e-5),
-    ];
+    rows.add("liquid: p of a vessel on a valve (MPa)", 0.45, valve, 1e-5);
+    rows.add("liquid: p of a vessel on a pump (MPa)", 0.3, pumped, 1e-5);
+}
+
+/// A muscle on a syringe, and with the liquid shut in.
+pub fn filled(rows: &mut Rows) {
     let values = compared();
     let of_muscle = [
-        ("p of a muscle on a syringe (MPa)", STATIC, 1e-6),
-        ("its contraction", STATIC, 1e-6),
-        (
-            "work of its piston less what the damper took (J)",
-            STATIC,
-            1e-4,
-        ),
-        (
-            "10 kg on the muscle with the liquid shut in (Hz)",
-            STATIC,
-            1e-4,
-        ),
-        (
-            "energy that is lost, of the work of the piston",
-            BALANCE,
-            1e-6,
-        ),
+        ("p of a muscle on a syringe (MPa)", 1e-6),
+        ("its contraction", 1e-6),
+        ("work of its piston less what the damper took (J)", 1e-4),
+        ("10 kg on the muscle with the liquid shut in (Hz)", 1e-4),
+        ("energy that is lost, of the work of the piston", 1e-6),
     ];
-    rows.extend((0..).zip(of_muscle).map(|(i, (name, source, tolerance))| {
-        let (reference, ours) = values.map_or((f64::NAN, None), |v| (v[i].0, Some(v[i].1)));
-        row(name, source, reference, ours, tolerance)
-    }));
-    rows
+    for (i, (name, tolerance)) in of_muscle.into_iter().enumerate() {
+        if i == 4 {
+            rows.source = "identity: what goes in, comes out and stays";
+        }
+        let (reference, ours) = values.map(|v| v[i]).unzip();
+        rows.add(format!("liquid: {name}"), reference, ours, tolerance);
+    }
 }

@@ -5,12 +5,12 @@
 //! side free.
 
 use super::{block::Block, body, push};
-use crate::{
-    solver::newton::NewtonSystem as _,
-    three_dimensional::{Brick, Freedom, now},
-    verification::{Rows, rubber},
-};
+use crate::verification::{Rows, rubber};
 use mckibben_core::muscle::Bulk;
+use mckibben_fem::{
+    solver::newton::NewtonSystem as _,
+    three_dimensional::{Brick, Freedom},
+};
 
 const RADIUS: f64 = 5.0;
 /// ψ in rad/mm.
@@ -54,7 +54,7 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
     let mut moment = 0.0;
     let mut axial = 0.0;
     for n in (0..nodes.len()).filter(|&n| places[n][2] == last) {
-        let x = now(&body, n);
+        let x = [0, 1, 2].map(|i| nodes[n][i] + body.state.u[3 * n + i]);
         let f = &body.assembled.force[3 * n..];
         moment += x[0] * f[1] - x[1] * f[0];
         axial += f[2];

@@ -5,11 +5,9 @@
 //! planes of symmetry.
 
 use super::{BRICKS, block::Block, body, drive};
-use crate::{
-    three_dimensional::{Brick, Freedom},
-    verification::{Rows, rubber, tube::ROWS},
-};
+use crate::verification::{Rows, rubber, tube::ROWS};
 use mckibben_core::muscle::Bulk;
+use mckibben_fem::three_dimensional::{Brick, Freedom};
 use std::f64::consts::FRAC_PI_2;
 
 /// Inner radius now over that at rest, and N − πa²p in N, of a quarter of a ring of radii `a0`,

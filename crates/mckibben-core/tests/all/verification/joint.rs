@@ -1,26 +1,22 @@
 //! Joints against virtual work, symmetry and their own inverses.
 
-use super::{BoundJoint, Joint, JointMuscle, JointSpring, JointTarget, Link, Path, Rest, Turning};
-use crate::{
+use super::rows::Rows;
+use mckibben_core::{
     analysis::{Evaluation, Options},
+    joint::{BoundJoint, Joint, JointMuscle, JointSpring, JointTarget, Link, Path, Rest, Turning},
     load::GRAVITY_M_PER_S2,
     model::{ForceModel, Ideal, Workspace},
     muscle::{Muscle, Tube},
     random::Random,
-    verification::VerificationRow,
 };
 use std::sync::Arc;
-
-const WORK: &str = "virtual work: τ = d/dφ (Σ ∫F dΔ − E of weight and spring)";
-const SYMMETRY: &str = "symmetry: two equal muscles at one pressure";
-const INVERSE: &str = "identity: torque and stiffness of the pressures found for them";
 
 /// Random joints of the inverse round trip.
 const JOINTS: usize = 10_000;
 /// Step of the differences in degrees.
 const STEP_DEG: f64 = 1e-3;
 
-pub(super) fn muscle(path: Path, contraction_at_neutral: f64) -> JointMuscle {
+fn muscle(path: Path, contraction_at_neutral: f64) -> JointMuscle {
     JointMuscle {
         muscle: Muscle::prototype(),
         path,
@@ -29,7 +25,7 @@ pub(super) fn muscle(path: Path, contraction_at_neutral: f64) -> JointMuscle {
 }
 
 /// An elbow with attachment points, a torsion spring and weight.
-pub(super) fn elbow() -> Option<Joint> {
+fn elbow() -> Option<Joint> {
     let points = |origin_mm, insertion_mm| Path::Points {
         origin_mm,
         insertion_mm,
@@ -53,15 +49,6 @@ pub(super) fn elbow() -> Option<Joint> {
     Joint::new(muscles, Some(spring), link, (-45.0, 60.0)).ok()
 }
 
-/// Every case.
-pub fn cases() -> Vec<VerificationRow> {
-    let mut rows = virtual_work().unwrap_or_default();
-    rows.extend(symmetric().unwrap_or_default());
-    rows.push(inverses());
-    rows
-}
-
-/// (W(φ + h) − W(φ − h))/2h against τ, and −dτ/dφ by differences.
 /// The muscles of a joint as ideal ones.
 fn ideals(joint: &Joint) -> Vec<Ideal> {
     joint
@@ -76,10 +63,11 @@ fn model(joint: &Joint, ideals: &[Ideal]) -> Option<BoundJoint> {
     BoundJoint::new(joint.clone(), ideals.iter().map(shared).collect(), true).ok()
 }
 
-fn virtual_work() -> Option<Vec<VerificationRow>> {
-    let joint = elbow()?;
+/// (W(φ + h) − W(φ − h))/2h against τ, and −dτ/dφ by differences.
+pub fn virtual_work(rows: &mut Rows) {
+    let joint = elbow().unwrap();
     let models = ideals(&joint);
-    let model = model(&joint, &models)?;
+    let model = model(&joint, &models).unwrap();
     let pressures = [0.2, 0.12];
     let at = |deg: f64| {
         let workspaces = &mut model.workspaces();
@@ -101,30 +89,19 @@ fn virtual_work() -> Option<Vec<VerificationRow>> {
     let slope = |f: &dyn Fn(f64) -> Option<f64>, deg: f64| {
         Some((f(deg + STEP_DEG)? - f(deg - STEP_DEG)?) / (2.0 * STEP_DEG.to_radians()))
     };
-    let mut rows = vec![];
     for deg in [-40.0, -10.0, 0.0, 25.0, 55.0] {
-        let point = at(deg)?;
-        let torque = slope(&work, deg)?;
-        let stiffness = -slope(&|deg| at(deg).map(|p| p.torque_nm), deg)?;
-        let row = |what, reference, ours, tolerance| {
-            let name = format!("elbow at {deg}°: {what}");
-            VerificationRow::new(name, WORK, reference, Some(ours), tolerance)
-        };
-        rows.extend([
-            row("torque (N m)", torque, point.torque_nm, 1e-6),
-            row(
-                "stiffness (N m/rad)",
-                stiffness,
-                point.stiffness_nm_per_rad,
-                1e-5,
-            ),
-        ]);
+        let point = at(deg);
+        let torque = slope(&work, deg);
+        let stiffness = slope(&|deg| at(deg).map(|p| p.torque_nm), deg).map(|slope| -slope);
+        let (ours, stiff) = point.map(|p| (p.torque_nm, p.stiffness_nm_per_rad)).unzip();
+        let name = |what: &str| format!("elbow at {deg}°: {what}");
+        rows.add(name("torque (N m)"), torque, ours, 1e-6);
+        rows.add(name("stiffness (N m/rad)"), stiffness, stiff, 1e-5);
     }
-    Some(rows)
 }
 
 /// Rest in the middle, with r²(K1 + K2).
-fn symmetric() -> Option<Vec<VerificationRow>> {
+pub fn symmetric(rows: &mut Rows) {
     let radius = 25.0;
     let on = |radius_mm: f64| muscle(Path::Pulley { radius_mm }, 0.1);
     let joint = Joint::new(
@@ -133,11 +110,11 @@ fn symmetric() -> Option<Vec<VerificationRow>> {
         Link::default(),
         (-60.0, 60.0),
     )
-    .ok()?;
+    .unwrap();
     let ideals = ideals(&joint);
-    let model = model(&joint, &ideals)?;
+    let model = model(&joint, &ideals).unwrap();
     let workspaces = &mut model.workspaces();
-    let rest = match model.rests(workspaces, &[0.2, 0.2], 0.0).ok()?[..] {
+    let rest = match model.rests(workspaces, &[0.2, 0.2], 0.0).unwrap()[..] {
         [
             Rest::Balance {
                 angle_deg,
@@ -148,27 +125,22 @@ fn symmetric() -> Option<Vec<VerificationRow>> {
     };
     let point = model
         .point_at(workspaces, &[0.2, 0.2], 0.0, Turning::Mean)
-        .ok()?;
+        .unwrap();
     let k = ideals[0]
         .response(&mut Workspace::new(), 0.2, 0.1)
-        .ok()?
-        .stiffness_n_per_mm?;
+        .unwrap()
+        .stiffness_n_per_mm
+        .unwrap();
     let stiffness = 2e-3 * radius * radius * k;
-    let ours = Some(point.stiffness_nm_per_rad);
-    let rows = [
-        ("rest (°)", 0.0, rest, 1e-9),
-        ("r²(K1 + K2) (N m/rad)", stiffness, ours, 1e-12),
-    ];
-    let row = |(what, reference, ours, tolerance)| {
-        let name = format!("two equal muscles: {what}");
-        VerificationRow::new(name, SYMMETRY, reference, ours, tolerance)
-    };
-    Some(rows.map(row).to_vec())
+    let ours = point.stiffness_nm_per_rad;
+    rows.add("two equal muscles: rest (°)", 0.0, rest, 1e-9);
+    let name = "two equal muscles: r²(K1 + K2) (N m/rad)";
+    rows.add(name, stiffness, ours, 1e-12);
 }
 
 /// (P1, P2) → torque and stiffness → pressures with the same torque and stiffness; the largest
 /// difference, relative.
-fn inverses() -> VerificationRow {
+pub fn inverses(rows: &mut Rows) {
     let mut random = Random(20_261_121);
     let mut done = 0;
     let mut largest = Some(0.0_f64);
@@ -178,13 +150,8 @@ fn inverses() -> VerificationRow {
             largest = largest.zip(off).map(|(a, b)| a.max(b));
         }
     }
-    VerificationRow::new(
-        format!("{JOINTS} random joints: largest error of the inverse"),
-        INVERSE,
-        0.0,
-        largest,
-        1e-8,
-    )
+    let name = format!("{JOINTS} random joints: largest error of the inverse");
+    rows.add(name, 0.0, largest, 1e-8);
 }
 
 /// The error of one random joint, `Some(None)` where the inverse has no answer; `None` where it has

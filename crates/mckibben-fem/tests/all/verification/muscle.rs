@@ -3,13 +3,13 @@
 //! Loaded and held: pressure inside, the length given, both ends bonded to rigid terminals.
 
 use super::{Rows, changed, section_pull};
-use crate::axisymmetric::Axisymmetric;
 use mckibben_core::{
     differences::slope,
     model::{ForceModel, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Tube},
     rubber::{Law, MooneyRivlin},
 };
+use mckibben_fem::axisymmetric::Axisymmetric;
 use std::f64::consts::PI;
 
 /// π D0² P (3 cos²θ − 1)/(4 sin²θ): blocked force in N at D0 50, θ 28°, P 0.25 of strands that do

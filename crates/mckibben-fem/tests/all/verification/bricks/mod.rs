@@ -11,8 +11,8 @@ pub mod snap;
 pub mod torsion;
 pub mod tube;
 
-use super::Case;
-use crate::{
+use mckibben_core::muscle::Muscle;
+use mckibben_fem::{
     simulation::Divided,
     solver::{
         body::Control,
@@ -23,19 +23,11 @@ use crate::{
         Body, Brick, BrickSpec, Discretisation, Freedom, MuscleInBricks, MuscleMesh, Problem,
     },
 };
-use mckibben_core::muscle::Muscle;
 
 const BRICKS: [(Brick, &str); 2] = [
     (Brick::Linear, "8-node brick"),
     (Brick::Quadratic, "27-node brick"),
 ];
-
-pub const COOK: &str = "H: Cook 1974 [cook1974], membrane, Q1P0, plane strain";
-pub const CONDUCT: &str = "J: numerical conduct (bricks)";
-
-/// The finest meshes of Cook's membrane: some seconds in a program that is optimised, minutes in
-/// one that is not.
-pub const COOK_FINE: Case = ("cooks_membrane_in_fine_meshes", COOK, cook::cook_fine);
 
 fn body(problem: Problem) -> Option<Body> {
     Body::new(Discretisation::new(problem).ok()?).ok()

@@ -1,12 +1,12 @@
 //! Bodies that are no muscles: a box of bricks, bent by a map into what a case needs.
 
-use crate::{
+use crate::verification::rubber;
+use mckibben_core::{muscle::Bulk, rubber::Law};
+use mckibben_fem::{
     element::spatial::Vector,
     solver::dissection::Sheet,
     three_dimensional::{Brick, Problem},
-    verification::rubber,
 };
-use mckibben_core::{muscle::Bulk, rubber::Law};
 
 /// A unit cube of the cases' rubber in 2 × 2 × 2 bricks whose inner places are bent.
 pub fn bent_cube(brick: Brick) -> (Block, Problem) {

@@ -10,12 +10,12 @@ use super::{
     numerics::{dense_tangent, tangent_error},
     prototype, settle,
 };
-use crate::{
+use crate::verification::{Rows, changed};
+use mckibben_core::{muscle::Bulk, rubber::Law};
+use mckibben_fem::{
     solver::continuation::Unstable,
     three_dimensional::{Body, Brick, BrickSpec},
-    verification::{Rows, changed},
 };
-use mckibben_core::{muscle::Bulk, rubber::Law};
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {

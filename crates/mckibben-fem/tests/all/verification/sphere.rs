@@ -4,7 +4,7 @@
 //! z is free.
 
 use super::{Rows, body, neo_hookean, radius, rubber, stretched};
-use crate::axisymmetric::{Ends, Mesh};
+use mckibben_fem::axisymmetric::{Ends, Mesh};
 use std::f64::consts::FRAC_PI_2;
 
 /// Half a sphere from the equator to the pole, of given radii through its wall.

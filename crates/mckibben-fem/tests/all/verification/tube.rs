@@ -5,11 +5,11 @@
 //! together, r is free.
 
 use super::{Rows, at_rest, body, neo_hookean, radius, rubber, stretched};
-use crate::{
+use mckibben_core::muscle::Bulk;
+use mckibben_fem::{
     axisymmetric::{Ends, Mesh, Problem},
     solver::body::Control,
 };
-use mckibben_core::muscle::Bulk;
 
 /// (A, B, λz, a/A, p, b, N − πa²p).
 pub const ROWS: [[f64; 7]; 5] = [

@@ -3,18 +3,18 @@
 //!
 //! Loaded and held: pressure inside, the length given, both ends bonded.
 
-use crate::{
-    axisymmetric::Axisymmetric,
-    three_dimensional::{Brick, BrickSpec, Match, ThreeDimensional},
-    verification::{
-        Rows, changed,
-        muscle::{compared, outer_diameter_limit_n},
-        pull,
-    },
+use crate::verification::{
+    Rows, changed,
+    muscle::{compared, outer_diameter_limit_n},
+    pull,
 };
 use mckibben_core::{
     model::{ForceModel, Workspace},
     muscle::{BraidStiffness, Bulk, Muscle},
+};
+use mckibben_fem::{
+    axisymmetric::Axisymmetric,
+    three_dimensional::{Brick, BrickSpec, Match, ThreeDimensional},
 };
 
 /// The muscle of the comparison: C10 0.12, C01 0.03, K 300 MPa, 48 strands of 0.3 mm² and 2500 MPa

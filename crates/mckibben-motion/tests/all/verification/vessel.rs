@@ -5,20 +5,17 @@
 //! b), then x = b + (1 − b) sin(k (t − t_b)/(1 − b)); without heat it ends at T = T0 κ/(1 + (κ − 1)
 //! x0). A choked discharge is an exponential of time, or a power without heat.
 
-use super::{driven, ran};
-use crate::{
-    ATMOSPHERE_MPA, Actuated, Actuator, Air, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle,
-    Valve,
-};
+use super::{driven, ran, rows::Rows};
 use mckibben_core::{
     extremes::peak,
     model::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace},
     muscle::Muscle,
-    verification::VerificationRow,
+};
+use mckibben_motion::{
+    ATMOSPHERE_MPA, Actuated, Actuator, Air, Drive, Fluid, Heat, Motion, Orifice, SingleMuscle,
+    Valve,
 };
 
-const SOURCE: &str = "ISO 6358: closed form of a rigid vessel";
-const BALANCE: &str = "identity: what goes in, comes out and stays";
 /// The supply's absolute pressure in MPa.
 const SUPPLY_MPA: f64 = 0.6 + ATMOSPHERE_MPA;
 /// k in 1/s: 287 J/(kg K) · 293.15 K · 1.185 kg/m³ · 0.5e-8 m³/(s Pa) / 0.2e-3 m³, from the design
@@ -103,18 +100,12 @@ fn temperature(motion: Option<Motion>) -> Option<f64> {
         .copied()
 }
 
-/// Charges, discharges and balances.
-pub fn vessel() -> Vec<VerificationRow> {
+/// Charges and discharges.
+pub fn vessel(rows: &mut Rows) {
     let from = ATMOSPHERE_MPA / SUPPLY_MPA;
     let choked_s = (CRITICAL - from) / RATE_PER_S;
-    let row = |name: &str, reference: f64, ours, tolerance| {
-        VerificationRow::new(
-            format!("vessel: {name}"),
-            SOURCE,
-            reference,
-            ours,
-            tolerance,
-        )
+    let mut row = |name: &str, reference: f64, ours: Option<f64>, tolerance| {
+        rows.add(format!("vessel: {name}"), reference, ours, tolerance);
     };
     // The standard's flow up to 0.99 p_s; beyond it the linear range about equal pressures.
     let late_s = choked_s + (1.0 - CRITICAL) * (0.69_f64 / 0.7).asin() / RATE_PER_S;
@@ -128,62 +119,58 @@ pub fn vessel() -> Vec<VerificationRow> {
     let late = p(charge(Heat::Isothermal, late_s));
     let polytropic = temperature(charge(Heat::Polytropic(1.4), 2.0));
     let out = p(discharge(Heat::Isothermal, 0.1));
-    let mut rows = vec![
-        row(
-            "p at the end of the choked charge (MPa)",
-            CRITICAL * SUPPLY_MPA,
-            choked,
-            1e-6,
-        ),
-        row(
-            "p of the charge at 0.99 p_s (MPa)",
-            0.99 * SUPPLY_MPA,
-            late,
-            1e-6,
-        ),
-        row(
-            "p of the adiabatic charge at its end (MPa)",
-            SUPPLY_MPA,
-            pressure(warm.as_ref()),
-            1e-7,
-        ),
-        row(
-            "T of the adiabatic charge at its end (K)",
-            warm_k,
-            temperature(warm),
-            1e-6,
-        ),
-        row(
-            "T of a polytropic charge with n = κ (K)",
-            warm_k,
-            polytropic,
-            1e-6,
-        ),
-        row(
-            "p of the isothermal discharge after 0.1 s (MPa)",
-            0.546_580_1,
-            out,
-            2e-7,
-        ),
-        row(
-            "p of the adiabatic discharge after 0.2 s (MPa)",
-            0.360_541_2,
-            pressure(cold.as_ref()),
-            2e-7,
-        ),
-        row(
-            "T of the adiabatic discharge after 0.2 s (K)",
-            242.397_8,
-            temperature(cold),
-            2e-7,
-        ),
-    ];
-    rows.extend(balances());
-    rows
+    row(
+        "p at the end of the choked charge (MPa)",
+        CRITICAL * SUPPLY_MPA,
+        choked,
+        1e-6,
+    );
+    row(
+        "p of the charge at 0.99 p_s (MPa)",
+        0.99 * SUPPLY_MPA,
+        late,
+        1e-6,
+    );
+    row(
+        "p of the adiabatic charge at its end (MPa)",
+        SUPPLY_MPA,
+        pressure(warm.as_ref()),
+        1e-7,
+    );
+    row(
+        "T of the adiabatic charge at its end (K)",
+        warm_k,
+        temperature(warm),
+        1e-6,
+    );
+    row(
+        "T of a polytropic charge with n = κ (K)",
+        warm_k,
+        polytropic,
+        1e-6,
+    );
+    row(
+        "p of the isothermal discharge after 0.1 s (MPa)",
+        0.546_580_1,
+        out,
+        2e-7,
+    );
+    row(
+        "p of the adiabatic discharge after 0.2 s (MPa)",
+        0.360_541_2,
+        pressure(cold.as_ref()),
+        2e-7,
+    );
+    row(
+        "T of the adiabatic discharge after 0.2 s (K)",
+        242.397_8,
+        temperature(cold),
+        2e-7,
+    );
 }
 
 /// What charges with each kind of heat lose of air and energy.
-fn balances() -> [VerificationRow; 2] {
+pub fn balances(rows: &mut Rows) {
     let heats = [
         Heat::Isothermal,
         Heat::Polytropic(1.2),
@@ -201,15 +188,9 @@ fn balances() -> [VerificationRow; 2] {
         (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j)
             / e.enthalpy_in_j
     });
-    [
-        (
-            "air that is lost, of that in it",
-            largest(|m| m.mass_defect),
-            1e-12,
-        ),
-        ("energy that is lost, of the enthalpy", energy, 1e-7),
-    ]
-    .map(|(name, ours, tolerance)| {
-        VerificationRow::new(format!("vessel: {name}"), BALANCE, 0.0, ours, tolerance)
-    })
+    let air = largest(|m| m.mass_defect);
+    let name = "vessel: air that is lost, of that in it";
+    rows.add(name, 0.0, air, 1e-12);
+    let name = "vessel: energy that is lost, of the enthalpy";
+    rows.add(name, 0.0, energy, 1e-7);
 }

@@ -4,11 +4,11 @@
 //! Loaded and held: both ends by given z (all of an end together), r free everywhere, no pressure.
 
 use super::{Rows, body, rubber, stretched};
-use crate::{
+use mckibben_core::rubber::Law;
+use mckibben_fem::{
     axisymmetric::{Body, Ends, Mesh},
     element::{law, plane::Gradient},
 };
-use mckibben_core::rubber::Law;
 use std::f64::consts::PI;
 
 /// A mesh of an annulus 1 ≤ R ≤ 2, 0 ≤ Z ≤ 3 whose inner nodes are moved about.

@@ -5,12 +5,12 @@
 //! free (slice) or bonded (muscles).
 
 use super::{Path, Rows, THROUGH, braid, inflated, pull, radius, rubber, stretched};
-use crate::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_core::{
     model::ThickWall,
     muscle::{Braid, BraidStiffness, Muscle, StrandLay},
     rubber::RubberLaw,
 };
+use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use std::f64::consts::PI;
 
 /// A, B.

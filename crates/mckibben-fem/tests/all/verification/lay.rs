@@ -13,11 +13,11 @@
 //!   P = μ { ln(Ro ri/(Ri ro))/λ + (Ri² − λ ri²)/(2λ²) (1/ro² − 1/ri²) }
 
 use super::{Rows, THROUGH, braid, inflated, muscle, neo_hookean, pull, radius, slice};
-use crate::axisymmetric::{Body, BraidSpec};
 use mckibben_core::{
     model::ThickWall,
     muscle::{Braid, BraidStiffness, Crimp, StrandLay},
 };
+use mckibben_fem::axisymmetric::{Body, BraidSpec};
 use std::f64::consts::PI;
 
 const INNER: f64 = 6.0;

@@ -4,12 +4,12 @@
 //! pressures and lengths.
 
 use super::Rows;
-use crate::{
+use mckibben_core::{model::Workspace, muscle::Muscle};
+use mckibben_fem::{
     axisymmetric::Axisymmetric,
     load::cavity::volume,
     simulation::{ElementModel, Given},
 };
-use mckibben_core::{model::Workspace, muscle::Muscle};
 
 /// The rows of E.
 pub fn follower_pressure(rows: &mut Rows) {
