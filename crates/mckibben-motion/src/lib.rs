@@ -41,7 +41,8 @@ mod file;
 mod flows;
 mod fluid;
 mod hose;
-mod integrate;
+#[doc(hidden)]
+pub mod integrate;
 mod linear;
 mod liquid;
 mod locate;
@@ -55,7 +56,8 @@ mod run;
 mod series;
 mod simulation;
 mod size;
-mod state;
+#[doc(hidden)]
+pub mod state;
 mod system;
 mod valve;
 mod viscoelastic;
