@@ -23,7 +23,8 @@ const TASKS: [Task; 4] = [
     ),
     (
         "book",
-        "what the commands of README and docs print, behind each of them; --check compares",
+        "what the commands of README and docs print, behind each of them, and the list of verified \
+         cases; --check compares",
         book,
     ),
     (
@@ -164,7 +165,61 @@ fn golds(check: bool) -> Done {
 /// `MCKIBBEN_PAGES=tour.md,joints.md` takes some pages.
 fn book(check: bool) -> Done {
     let pages = env::var("MCKIBBEN_PAGES").unwrap_or_else(|_| "1".into());
+    if pages == "1" || pages.contains("verification.md") {
+        cases(check)?;
+    }
     run(test("all", "pages_show_what_their_commands_print", check).env("MCKIBBEN_PAGES", pages))
+}
+
+/// The list of docs/verification.md: rows that the tests of verification write, by their source.
+/// The values of a row depend on the processor in their last digits: `--check` leaves them out.
+fn cases(check: bool) -> Done {
+    const PAGE: &str = "docs/verification.md";
+    let at = |path: &Path, e: std::io::Error| format!("{}: {e}", path.display());
+    let made = made("verification")?;
+    let folder = fs::canonicalize(&made).map_err(|e| at(&made, e))?;
+    run(test("all", "verification::", true).env("MCKIBBEN_VERIFICATION", folder))?;
+    let mut rows = vec![];
+    for file in fs::read_dir(&made).map_err(|e| at(&made, e))? {
+        let path = file.map_err(|e| at(&made, e))?.path();
+        let text = fs::read_to_string(&path).map_err(|e| at(&path, e))?;
+        let of_case = text.lines().filter_map(|row| row.split_once('\t'));
+        rows.extend(of_case.enumerate().map(|(i, (source, row))| {
+            let (source, row) = (source.to_owned(), row.to_owned());
+            (source, path.clone(), i, row)
+        }));
+    }
+    rows.sort();
+    let mut list = "      reference            ours    error  allowed  case\n".to_owned();
+    let mut last = "";
+    for (source, _, _, row) in &rows {
+        if source != last {
+            list += &format!("\n{source}\n");
+            last = source;
+        }
+        list += &format!("{row}\n");
+    }
+    let page = fs::read_to_string(PAGE).map_err(|e| at(Path::new(PAGE), e))?;
+    let old = page.split_once("```text cases\n");
+    let parts = old.and_then(|(head, rest)| Some((head, rest.split_once("```")?)));
+    let (head, (old, tail)) = parts.ok_or(format!("{PAGE}: no block `text cases`"))?;
+    let without_values = |list: &str| {
+        let stated = |line: &str| {
+            let values = if line.starts_with(' ') { 3 } else { 0 };
+            line.split_whitespace()
+                .skip(values)
+                .collect::<Vec<_>>()
+                .join(" ")
+        };
+        list.lines().map(stated).collect::<Vec<_>>()
+    };
+    if !check {
+        let page = format!("{head}```text cases\n{list}```{tail}");
+        return fs::write(PAGE, page).map_err(|e| at(Path::new(PAGE), e));
+    }
+    let same = without_values(old) == without_values(&list);
+    same.then_some(())
+        .ok_or(format!("{PAGE} has not the cases of the tests"))
 }
 
 fn schemas(check: bool) -> Done {

@@ -82,7 +82,6 @@ mod shape;
 mod simulate;
 mod uncertainty;
 pub mod units;
-mod validate;
 mod warnings;
 pub mod words;
 
@@ -135,5 +134,4 @@ pub use shape::*;
 pub use simulate::*;
 pub use uncertainty::*;
 pub use units::{Scale, Units};
-pub use validate::*;
 pub(crate) use words::{number, percent};

@@ -99,7 +99,7 @@ pub enum Command {
     Export(Flags<export::Export>),
     /// Many finite-element tests from a plan into one Parquet table; an interrupted run continues
     Campaign(Flags<campaign::Campaign>),
-    /// Verification against exact values and validation against measured muscles
+    /// Models against measured muscles and rubbers
     Validate(Flags<validate::Validate>),
     /// Compare models with each other or with measured points: errors and figure
     Compare(Flags<compare::Compare>),

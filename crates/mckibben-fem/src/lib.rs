@@ -17,7 +17,6 @@
 //! | [`three_dimensional`] | the same muscle in bricks with single strands |
 //! | [`simulation`], [`results`] | questions to either, and answers |
 //! | [`elements`] | both by name, with their mesh |
-//! | [`verification`] | cases with exact values |
 //!
 //! ```
 //! use mckibben_core::model::{ForceModel, Workspace};
@@ -57,8 +56,6 @@ pub mod simulation;
 pub mod solver;
 #[doc(hidden)]
 pub mod three_dimensional;
-#[doc(hidden)]
-pub mod verification;
 
 pub use error::{FemError, Result};
 pub use seated::with_ends;

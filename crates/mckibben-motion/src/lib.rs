@@ -41,7 +41,8 @@ mod file;
 mod flows;
 mod fluid;
 mod hose;
-mod integrate;
+#[doc(hidden)]
+pub mod integrate;
 mod linear;
 mod liquid;
 mod locate;
@@ -55,11 +56,10 @@ mod run;
 mod series;
 mod simulation;
 mod size;
-mod state;
+#[doc(hidden)]
+pub mod state;
 mod system;
 mod valve;
-#[doc(hidden)]
-pub mod verification;
 mod viscoelastic;
 
 pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO};

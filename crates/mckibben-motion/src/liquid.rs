@@ -45,7 +45,8 @@ pub struct LiquidFill {
 
 impl LiquidFill {
     /// Volume of a mass at atmospheric pressure in mm³.
-    pub(crate) fn volume_mm3(&self, mass_g: f64) -> f64 {
+    #[doc(hidden)]
+    pub fn volume_mm3(&self, mass_g: f64) -> f64 {
         mass_g / self.liquid.mass_g(1.0)
     }
 
@@ -264,7 +265,8 @@ pub struct Syringe {
 impl LiquidValve {
     /// Flow in mm³/s at atmospheric pressure at an opening from −1 to 1 other than 0, in the
     /// direction of the pressure difference in MPa.
-    pub(crate) fn flow(&self, opening: f64, difference_mpa: f64, liquid: &Liquid) -> f64 {
+    #[doc(hidden)]
+    pub fn flow(&self, opening: f64, difference_mpa: f64, liquid: &Liquid) -> f64 {
         let restriction = if opening > 0.0 {
             self.supply
         } else {
@@ -278,13 +280,8 @@ impl LiquidValve {
 impl Pump {
     /// The same; none against the difference, which a relief valve and an empty inlet do not let
     /// pass. `supply_mpa` is the relief valve's pressure.
-    pub(crate) fn flow(
-        &self,
-        opening: f64,
-        difference_mpa: f64,
-        supply_mpa: f64,
-        liquid: &Liquid,
-    ) -> f64 {
+    #[doc(hidden)]
+    pub fn flow(&self, opening: f64, difference_mpa: f64, supply_mpa: f64, liquid: &Liquid) -> f64 {
         if opening * difference_mpa <= 0.0 {
             return 0.0;
         }
@@ -303,7 +300,8 @@ impl LiquidFill {
     /// Flow from the supply and flow from the muscle's other side (negative: out of it) at an
     /// opening from −1 to 1, for gauge pressures; `volume` gives it in mm³/s for a pressure
     /// difference in MPa.
-    pub(crate) fn flows(
+    #[doc(hidden)]
+    pub fn flows(
         &self,
         opening: f64,
         (supply_mpa, muscle_mpa): (f64, f64),
@@ -325,85 +323,5 @@ impl LiquidFill {
         } else {
             (self.flow(0.0), flow)
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn water() -> Liquid {
-        Liquid::named("water", 0.0).unwrap()
-    }
-
-    /// Water (998.2 kg/m³, 1.00 mPa s) in 1 m of 4 mm: computed apart with Darcy and Weisbach's
-    /// equation, f = 64/Re and 0.3164 Re^−0.25. 3 mL/s, Re 953: 477.5 Pa. 20 mL/s, Re 6355: 11.20
-    /// kPa.
-    #[test]
-    fn losses_of_a_line_are_those_of_darcy_and_weisbach() {
-        let line = Hose::new(4.0, 1000.0).unwrap();
-        let losses = Losses::in_series(None, 1.0, Some(line), &water());
-        for (q_mm3_per_s, loss_mpa) in [(3e3, 4.774648e-4), (2e4, 1.1200306e-2)] {
-            let flow = losses.flow(loss_mpa);
-            assert!(
-                (flow / q_mm3_per_s - 1.0).abs() < 1e-6,
-                "{flow} {q_mm3_per_s}"
-            );
-            assert_eq!(losses.flow(-loss_mpa), -flow);
-        }
-        assert_eq!(losses.flow(0.0), 0.0);
-    }
-
-    /// Kv of water at 1 bar by definition, less the laminar term's 0.05 %; four times the pressure,
-    /// twice the flow.
-    #[test]
-    fn a_flow_coefficient_is_the_flow_at_one_bar() {
-        let restriction = Restriction::new(1e5).unwrap();
-        let water = Liquid {
-            density_kg_per_m3: 1000.0,
-            ..water()
-        };
-        let flow = |p: f64| Losses::in_series(Some(restriction), 1.0, None, &water).flow(p);
-        assert!((flow(0.1) / 1e5 - 0.9995).abs() < 1e-6, "{}", flow(0.1));
-        assert!((flow(0.4) / 2e5 - 0.99975).abs() < 1e-6);
-        // With a line behind it the sum of both losses is the difference.
-        let line = Hose::new(4.0, 1000.0).unwrap();
-        let both = Losses::in_series(Some(restriction), 1.0, Some(line), &water).flow(0.3);
-        let loss = |l: Losses, q: f64| {
-            l.square * q * q + l.linear * q + (l.laminar * q).max(l.turbulent * q.powf(1.75))
-        };
-        let sum = loss(
-            Losses::in_series(Some(restriction), 1.0, None, &water),
-            both,
-        ) + loss(Losses::in_series(None, 1.0, Some(line), &water), both);
-        assert!((sum / 0.3 - 1.0).abs() < 1e-9, "{sum}");
-    }
-
-    #[test]
-    fn a_pump_gives_its_flow_up_to_its_relief_valve() {
-        let fill = LiquidFill {
-            liquid: water(),
-            temperature_k: 293.15,
-            dead_volume_mm3: 0.0,
-        };
-        let pump = Pump {
-            kind: ValveKind::DEFAULT,
-            flow_mm3_per_s: 1e4,
-            line: None,
-        };
-        let flow = |opening, muscle| {
-            let (into, out) = fill.flows(opening, (0.5, muscle), |p| {
-                pump.flow(opening, p, 0.5, &fill.liquid)
-            });
-            fill.volume_mm3(into.mass_g_per_s + out.mass_g_per_s)
-        };
-        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-6 * 1e4, "{a} {b}");
-        near(flow(1.0, 0.2), 1e4);
-        near(flow(0.5, 0.2), 5e3);
-        near(flow(-1.0, 0.2), -1e4);
-        near(flow(1.0, 0.4975), 5e3);
-        near(flow(1.0, 0.5), 0.0);
-        near(flow(-1.0, 0.0), 0.0);
-        near(flow(0.0, 0.2), 0.0);
     }
 }

@@ -7,7 +7,7 @@ use super::{
     paper_method::Rules,
 };
 use mckibben_core::formula::Formula;
-use mckibben_fem::verification::VerificationRow;
+use mckibben_core::verification::VerificationRow;
 
 /// The formulas by both methods, fitted without D0 35, and the published one.
 pub fn cases() -> Vec<VerificationRow> {

@@ -1,33 +1,25 @@
-//! `validate`: verification and validation, each with its table.
+//! `validate`: models against measured muscles.
 
-use crate::{Bar, Format, NO_ANSWER, Output, Plot, Problem, cli::examples, output::width};
-use mckibben_app::{
-    MeasuredFolder, MeasuredRequest, ProblemKind, ValidateRequest, measured_folder,
-};
+use crate::{Bar, Format, Output, Plot, Problem, cli::examples};
+use mckibben_app::{MeasuredFolder, MeasuredRequest, ProblemKind, measured_folder};
 use mckibben_core::joined;
 use mckibben_fit::validation::built_in::built_in;
 use std::path::{Path, PathBuf};
 
-/// Where tables are as wide, they have the sources of the cases.
-const WITH_SOURCES: usize = 160;
-
-/// Verification and validation.
+/// Validation.
 #[derive(clap::Args)]
 #[command(after_long_help = examples(&[
-    "validate",
     "validate --measured --only dmsp-20-300",
     "validate --measured --only dmsp-10-hose --model thick-wall",
     "validate --measured --only rubber-treloar"
 ]))]
 pub struct Validate {
-    #[command(flatten)]
-    request: ValidateRequest,
     /// Validation report of measured muscles and rubbers: known data, fitted constants, errors at
     /// fitted points and at predicted points
     ///
     /// Cases of DIR, one folder each [the built-in cases].
-    #[arg(long, value_name = "DIR", num_args = 0..=1, conflicts_with = "all")]
-    measured: Option<Option<PathBuf>>,
+    #[arg(long, value_name = "DIR", num_args = 0..=1, required = true)]
+    measured: Option<PathBuf>,
     /// Only these cases, by folder name
     #[arg(
         long,
@@ -47,26 +39,17 @@ pub struct Validate {
 
 impl Validate {
     pub fn run(self, format: Format) -> Result<u8, Problem> {
-        if let Some(folder) = self.measured {
-            let cases = folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?;
-            let request = MeasuredRequest {
-                cases: chosen(cases, &self.only)?,
-                model: self.model,
-                figure: self.plot.wanted(),
-            };
-            let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
-            self.plot.save(&mut answer.figure)?;
-            return self.output.print(format, &answer);
-        }
-        if self.plot.plot.is_some() {
-            let message = "--plot draws the measured muscles: it requires --measured";
-            let hint = "mckibben validate --measured --plot FILE.svg";
-            return Err(Problem::usage(message, hint));
-        }
-        let mut answer = mckibben_app::validate(&self.request, &Bar::new("groups of cases"))?;
-        answer.has_sources = self.output.output.is_none() && width::of_tables() >= WITH_SOURCES;
-        self.output.print(format, &answer)?;
-        Ok(if answer.ok() { 0 } else { NO_ANSWER })
+        let cases = self
+            .measured
+            .map_or_else(|| Ok(built_in()), |folder| folders(&folder))?;
+        let request = MeasuredRequest {
+            cases: chosen(cases, &self.only)?,
+            model: self.model,
+            figure: self.plot.wanted(),
+        };
+        let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
+        self.plot.save(&mut answer.figure)?;
+        self.output.print(format, &answer)
     }
 }
 

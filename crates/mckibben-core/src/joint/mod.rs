@@ -20,7 +20,6 @@ mod sought;
 #[cfg(test)]
 mod tests;
 mod uncertainty;
-pub mod verification;
 
 pub use error::{JointError, Result};
 pub use file::parse_joint;

@@ -8,3 +8,4 @@ mod inverses;
 mod literature;
 mod models;
 mod temperature;
+mod verification;

@@ -113,7 +113,7 @@ pub struct Body {
     pub control: Control,
     /// Sums of the last assembly.
     pub totals: Totals,
-    pub(crate) assembled: Assembled,
+    pub assembled: Assembled,
     pub(super) end: EndSystem,
     /// The last step.
     step: State,

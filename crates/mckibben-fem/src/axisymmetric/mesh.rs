@@ -154,21 +154,3 @@ impl Mesh {
         self.nodes[j * (2 * self.through + 1) + i]
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn stations_rise_and_middle_nodes_stand_in_the_middle() {
-        for along in 1..200 {
-            let mesh = Mesh::tube(12.0, 15.0, 142.5, (1, along, 2.0));
-            let z = |j: usize| mesh.node(0, j)[1];
-            assert_eq!((z(0), z(2 * along)), (0.0, 142.5));
-            for e in 0..along {
-                assert!(z(2 * e) < z(2 * e + 1) && z(2 * e + 1) < z(2 * e + 2));
-                assert!((z(2 * e) + z(2 * e + 2) - 2.0 * z(2 * e + 1)).abs() < 1e-12);
-            }
-        }
-    }
-}

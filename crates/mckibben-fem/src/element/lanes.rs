@@ -326,25 +326,3 @@ mod wide {
     lanes!(Four, __m256d, 4, "Four lanes.", four);
     lanes!(Eight, __m512d, 8, "Eight lanes.", eight);
 }
-
-#[cfg(test)]
-pub(crate) mod tests {
-    use super::Width;
-    use std::sync::{Mutex, PoisonError};
-
-    /// The limit is that of the process: one test at a time changes it.
-    static ONE: Mutex<()> = Mutex::new(());
-
-    /// Work on lanes of each width that this processor has.
-    pub fn each_width(mut work: impl FnMut(Width)) {
-        let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
-        for width in [Width::One, Width::Four, Width::Eight]
-            .into_iter()
-            .filter(|w| *w <= Width::widest())
-        {
-            width.limit();
-            work(width);
-        }
-        Width::Eight.limit();
-    }
-}

@@ -54,7 +54,7 @@ impl SpatialLaw<'_> {
 /// x^(−1/3), lane by lane. Rubber keeps its volume: near 1 a series and two Newton steps y(4 − x
 /// y³)/3 are exact to rounding and take a tenth of the time of a cube root.
 #[inline(always)]
-pub(crate) fn inverse_cube_root<R: Real>(x: R) -> R {
+pub fn inverse_cube_root<R: Real>(x: R) -> R {
     let mut out = x;
     let mut near = true;
     for l in 0..R::LANES {

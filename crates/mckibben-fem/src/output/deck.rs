@@ -253,24 +253,3 @@ fn laws_of_decks() -> String {
     let last = names.pop().unwrap_or_default();
     format!("{} and {last}", names.join(", "))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{increments, steps};
-
-    /// The path of a test at ε = .10 by 0.01 MPa: five increments of filling, twenty of shortening,
-    /// twenty of filling.
-    #[test]
-    fn a_muscle_is_filled_before_it_is_shortened() {
-        let pressures: Vec<f64> = (1..=25).map(|i| 0.01 * f64::from(i)).collect();
-        let at = |contraction: f64, pressures: &[f64]| {
-            increments(contraction, pressures).map(|i| steps(&i))
-        };
-        assert_eq!(at(0.0, &pressures).unwrap(), [(25, (0.0, 0.25))]);
-        let filled = [(5, (0.0, 0.05)), (20, (0.1, 0.05)), (20, (0.1, 0.25))];
-        assert_eq!(at(0.1, &pressures).unwrap(), filled);
-        assert!(
-            at(0.1, &[0.0, 0.1]).is_err() && at(0.1, &[]).is_err() && at(0.1, &[0.2, 0.1]).is_err()
-        );
-    }
-}

@@ -64,25 +64,3 @@ impl Sheet {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_point_comes_once() {
-        for (around, along, stride) in [(1, 1, 1), (13, 39, 1), (25, 78, 2), (2, 100, 1), (3, 7, 2)]
-        {
-            let mut all = Sheet {
-                around,
-                along,
-                stride,
-            }
-            .order();
-            assert_eq!(all.len(), around * along);
-            all.sort_unstable();
-            all.dedup();
-            assert_eq!(all.len(), around * along);
-        }
-    }
-}

@@ -137,7 +137,7 @@ impl Symbolic {
         self.first_value.last().copied().unwrap_or(0)
     }
 
-    fn fundamental(pattern: &Pattern) -> Option<Self> {
+    pub fn fundamental(pattern: &Pattern) -> Option<Self> {
         let n = pattern.dimension();
         let mut begin = vec![];
         let mut first_row = vec![0];
@@ -282,118 +282,5 @@ impl Symbolic {
         }
         self.first_update = first;
         self.updates = from;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use mckibben_core::random::Random;
-
-    fn patterns() -> impl Iterator<Item = Pattern> {
-        let mut r = Random(5);
-        (0..300).map(move |case| {
-            let n = case % 41;
-            let density = [0.02, 0.06, 0.15, 0.6][case % 4];
-            let (mut columns, mut rows) = (vec![0], vec![]);
-            for j in 0..n {
-                rows.push(j as u32);
-                let near = |i: usize| case % 3 == 0 && i < j + 3;
-                rows.extend(
-                    (j + 1..n)
-                        .filter(|i| r.between(0.0, 1.0) < density || near(*i))
-                        .map(|i| i as u32),
-                );
-                columns.push(rows.len() as u32);
-            }
-            Pattern { columns, rows }
-        })
-    }
-
-    /// Rows of each column of L by elimination on the whole matrix.
-    fn eliminated(pattern: &Pattern) -> Vec<Vec<u32>> {
-        let n = pattern.dimension();
-        let mut full = vec![vec![false; n]; n];
-        for (j, column) in full.iter_mut().enumerate() {
-            for k in pattern.columns[j]..pattern.columns[j + 1] {
-                column[pattern.rows[k as usize] as usize] = true;
-            }
-        }
-        for k in 0..n {
-            let pivot = full[k].clone();
-            for j in (k + 1..n).filter(|j| pivot[*j]) {
-                full[j][j..]
-                    .iter_mut()
-                    .zip(&pivot[j..])
-                    .for_each(|(to, from)| *to |= from);
-            }
-        }
-        full.iter()
-            .map(|c| (0..n as u32).filter(|i| c[*i as usize]).collect())
-            .collect()
-    }
-
-    /// Rows of each column as the supernodes have them.
-    fn columns(s: &Symbolic) -> Vec<Vec<u32>> {
-        let supernode = |i: usize| {
-            s.columns(i)
-                .map(move |j| (j as u32..s.columns(i).end as u32).chain(s.below(i).iter().copied()))
-        };
-        (0..s.count())
-            .flat_map(supernode)
-            .map(Iterator::collect)
-            .collect()
-    }
-
-    #[test]
-    fn fundamental_supernodes_have_the_rows_of_the_elimination() {
-        for pattern in patterns() {
-            let s = Symbolic::fundamental(&pattern).unwrap();
-            let wanted = eliminated(&pattern);
-            assert_eq!(columns(&s), wanted);
-            // Two neighbours are one supernode just where the later one is the parent of the
-            // earlier one alone and has the same rows.
-            for j in 1..pattern.dimension() {
-                let parent = |c: &Vec<u32>| c.get(1) == Some(&(j as u32));
-                let only =
-                    parent(&wanted[j - 1]) && wanted[..j].iter().filter(|c| parent(c)).count() == 1;
-                let one = only && wanted[j - 1].len() == wanted[j].len() + 1;
-                assert_eq!(!s.begin.contains(&(j as u32)), one, "{j}");
-            }
-        }
-    }
-
-    #[test]
-    fn merged_supernodes_hold_the_elimination_with_few_zeros_more() {
-        for pattern in patterns() {
-            let s = Symbolic::from_pattern(&pattern).unwrap();
-            let (wanted, got) = (eliminated(&pattern), columns(&s));
-            assert_eq!(got.len(), wanted.len());
-            assert!(
-                wanted
-                    .iter()
-                    .zip(&got)
-                    .all(|(w, g)| w.iter().all(|r| g.contains(r)))
-            );
-            for i in 0..s.count() {
-                let entries =
-                    |c: &[Vec<u32>]| c[s.columns(i)].iter().map(Vec::len).sum::<usize>() as f64;
-                let (all, width) = (entries(&got), s.columns(i).len());
-                let share = ZEROS.iter().find(|z| z.0 >= width).unwrap().1;
-                assert!(all - entries(&wanted) <= share * all);
-                assert_eq!(s.values(i).len(), width * s.height(i));
-                let inside = |d: &usize| {
-                    s.below(*d)
-                        .iter()
-                        .any(|r| s.columns(i).contains(&(*r as usize)))
-                };
-                let earlier: Vec<u32> = (0..i).filter(inside).map(|d| d as u32).collect();
-                assert_eq!(s.updates(i), earlier);
-            }
-            assert_eq!(
-                s.entries(),
-                (0..s.count()).map(|i| s.values(i).len()).sum::<usize>()
-            );
-        }
     }
 }

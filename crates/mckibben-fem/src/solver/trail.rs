@@ -71,25 +71,3 @@ impl Trail {
         true
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_cubic_is_predicted_exactly() {
-        let at = |p: f64| State {
-            u: vec![p * p * p - 2.0 * p],
-            pressure: p,
-            ..State::default()
-        };
-        let mut trail = Trail::default();
-        for p in [9.0, 0.1, 0.3, 0.4, 0.9] {
-            trail.push(&at(p));
-        }
-        let mut out = at(0.0);
-        assert!(trail.predict(Along::Pressure, 1.5, &mut out));
-        assert!((out.u[0] - at(1.5).u[0]).abs() < 1e-13 && out.pressure == 1.5);
-        assert!(!trail.predict(Along::Length, 1.0, &mut out));
-    }
-}

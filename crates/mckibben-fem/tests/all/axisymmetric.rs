@@ -10,7 +10,7 @@ use mckibben_core::{
 };
 use mckibben_fem::{
     FemError,
-    axisymmetric::{Axisymmetric, MeshSpec},
+    axisymmetric::{Axisymmetric, Mesh, MeshSpec},
     simulation::{Detail, ElementModel, Given, free_contraction},
 };
 use std::sync::Arc;
@@ -472,5 +472,18 @@ fn the_largest_diameter_is_that_of_the_elements_surface() {
             (-1e-12..1e-6).contains(&above),
             "{p} {e}: {bulged} {highest}"
         );
+    }
+}
+
+#[test]
+fn stations_rise_and_middle_nodes_stand_in_the_middle() {
+    for along in 1..200 {
+        let mesh = Mesh::tube(12.0, 15.0, 142.5, (1, along, 2.0));
+        let z = |j: usize| mesh.node(0, j)[1];
+        assert_eq!((z(0), z(2 * along)), (0.0, 142.5));
+        for e in 0..along {
+            assert!(z(2 * e) < z(2 * e + 1) && z(2 * e + 1) < z(2 * e + 2));
+            assert!((z(2 * e) + z(2 * e + 2) - 2.0 * z(2 * e + 1)).abs() < 1e-12);
+        }
     }
 }

@@ -1,9 +1,12 @@
 //! Files of the three-dimensional model: one eighth of a muscle, and the whole one from it.
 
-use mckibben_core::{model::Workspace, muscle::Muscle};
+use mckibben_core::{
+    model::Workspace,
+    muscle::{Muscle, file::parse_muscle},
+};
 use mckibben_fem::{
     FemError,
-    output::{Extent, Shape, deck, vtu::Grid},
+    output::{Extent, Shape, deck, increments, vtu::Grid},
     three_dimensional::{BrickSpec, Field, Plug, PlugMaterial, ThreeDimensional},
 };
 
@@ -172,4 +175,53 @@ fn a_deck_with_a_terminal_that_is_a_body_is_refused() {
         deck(&model, 0.0, &[0.1]),
         Err(FemError::Refused(_))
     ));
+}
+
+/// The steps of a deck: how many increments, and where the last one ends.
+fn steps(model: &ThreeDimensional, contraction: f64, pressures: &[f64]) -> Vec<(f64, f64, f64)> {
+    let half = model.divided.mesh.tube.half_mm;
+    let text = deck(model, contraction, pressures).unwrap();
+    let number = |step: &str, before: &str, after: char| -> f64 {
+        let (_, rest) = step.split_once(before).unwrap();
+        rest.split(after).next().unwrap().parse().unwrap()
+    };
+    let of_step = |step: &str| {
+        (
+            number(step, "*STATIC, DIRECT\n", ',').recip(),
+            -number(step, "NEND, 3, 3, ", '\n') / half,
+            number(step, "EIN, P6, ", '\n'),
+        )
+    };
+    text.split("*STEP, ").skip(1).map(of_step).collect()
+}
+
+/// The path of a test at ε = .10 by 0.01 MPa: five increments of filling, twenty of shortening,
+/// twenty of filling.
+#[test]
+fn a_muscle_is_filled_before_it_is_shortened() {
+    let pressures: Vec<f64> = (1..=25).map(|i| 0.01 * f64::from(i)).collect();
+    let peers = include_str!("../../../../examples/peers.toml");
+    let muscle = parse_muscle(peers).unwrap();
+    let model =
+        ThreeDimensional::between_ends_with(&muscle, &BrickSpec::parse("1x4").unwrap()).unwrap();
+    let near = |contraction: f64, wanted: &[(f64, f64, f64)]| {
+        let got = steps(&model, contraction, &pressures);
+        let off = |(a, b): (&(f64, f64, f64), &(f64, f64, f64))| {
+            (a.0 - b.0)
+                .abs()
+                .max((a.1 - b.1).abs())
+                .max((a.2 - b.2).abs())
+        };
+        assert_eq!(got.len(), wanted.len(), "{got:?}");
+        assert!(
+            got.iter().zip(wanted).map(off).all(|x| x < 1e-12),
+            "{got:?}"
+        );
+    };
+    near(0.0, &[(25.0, 0.0, 0.25)]);
+    let filled = [(5.0, 0.0, 0.05), (20.0, 0.1, 0.05), (20.0, 0.1, 0.25)];
+    near(0.1, &filled);
+    assert_eq!(increments(0.1, &pressures).unwrap().len(), 45);
+    let refused = |pressures: &[f64]| increments(0.1, pressures).is_err();
+    assert!(refused(&[0.0, 0.1]) && refused(&[]) && refused(&[0.2, 0.1]));
 }

@@ -1,6 +1,6 @@
 //! A rigid vessel: C 0.5 L/(s bar), b 0.3, V 0.2 L, supply 701 325 Pa.
 
-use crate::support::close;
+use crate::{support::close, verification};
 use mckibben_motion::*;
 
 #[test]

@@ -196,7 +196,7 @@ fn closed_form_presliding_stiffens_the_linear_system() {
 fn closed_form_an_impact_loses_its_kinetic_energy_and_a_stop_holds() {
     // A heavy mass falls freely on a muscle without pressure … from rest h above the stop: v² = 2 g
     // h.
-    let model = verification::Vessel::default();
+    let model = crate::verification::Vessel::default();
     let load = SingleMuscle {
         stops_mm: (-20.0, 50.0),
         ..SingleMuscle::hanging(&model, 2.0)

@@ -1,13 +1,14 @@
 //! What is refused, and how it is said.
 
 use crate::support::{note_muscle, regulator, steps, valve};
+use crate::verification::Vessel;
 use mckibben_core::{
     cancel::Cancel,
     load::Load,
     model::{ForceModel, ModelKind},
     progress::Silent,
 };
-use mckibben_motion::{verification::Vessel, *};
+use mckibben_motion::*;
 use std::sync::Arc;
 
 #[test]
