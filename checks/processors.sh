@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 if ! command -v qemu-x86_64 >/dev/null; then
     (apt-get update -qq && apt-get install -y -qq --no-install-recommends qemu-user) >/dev/null
 fi
-program=$(cargo test --workspace --locked --no-run 2>&1 | sed -n "s/.*Executable tests.lanes.rs (\(.*\))/\1/p")
+program=$(cargo test --workspace --locked --no-run 2>&1 | sed -n "s/.*Executable tests.lanes.main.rs (\(.*\))/\1/p")
 for processor in Nehalem Haswell; do
     qemu-x86_64 -cpu "$processor" "$program" --quiet
 done
