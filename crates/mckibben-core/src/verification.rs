@@ -1,5 +1,4 @@
-//! Rows of the tables that `mckibben validate` prints: verification against exact values,
-//! validation against measurements.
+//! Rows of the validation against measurements.
 
 use schemars::JsonSchema;
 use serde::Serialize;

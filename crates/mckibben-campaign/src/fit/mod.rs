@@ -9,8 +9,6 @@ mod error;
 pub mod errors;
 #[doc(hidden)]
 pub mod global;
-#[doc(hidden)]
-pub mod held_out;
 mod least_squares;
 mod make;
 #[doc(hidden)]

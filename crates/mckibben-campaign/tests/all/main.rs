@@ -4,3 +4,4 @@
 
 mod formulas;
 mod universal;
+mod verification;
