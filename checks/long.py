@@ -202,13 +202,20 @@ PARTS = {
         ["bash web/build.sh", "bash web/test.sh static"],
     ),
     "studies": (
-        "research scripts and benches build, and their figures",
-        [r"studies/.*"],
+        "research scripts and benches build, their tests, the tables of the validation and prior.json, and their figures",
+        [
+            r"studies/.*",
+            r"crates/mckibben-(core|fit|fem)/(src|data)/.*",
+            r"examples/(measured|library)/.*",
+        ],
         None,
         [
             "cargo clippy --manifest-path studies/Cargo.toml --target-dir target/studies --all-targets --locked -- -D warnings",
             "cargo study peers_figure -- target/peers.svg && cmp target/peers.svg docs/figures/peers.svg",
             "cargo study universal_figure -- target/universal.svg 150 && cmp target/universal.svg docs/figures/universal.svg",
+            "cargo test --release --manifest-path studies/Cargo.toml --target-dir target/studies --bins --locked",
+            "cargo study validation -- --check",
+            "cargo study validation -- --plot target/measured.svg && cmp target/measured.svg docs/figures/measured.svg",
         ],
     ),
     "peers": (

@@ -148,15 +148,13 @@ fn golds(check: bool) -> Done {
             check,
         )?;
     }
-    for (name, file) in [("rubber_laws", "rubber-laws.json"), ("prior", "prior.json")] {
-        let path = made.join(file);
-        save(&mut example(name)?, &path)?;
-        keep(
-            &path,
-            &Path::new("crates/mckibben-core/data").join(file),
-            check,
-        )?;
-    }
+    let path = made.join("rubber-laws.json");
+    save(&mut example("rubber_laws")?, &path)?;
+    keep(
+        &path,
+        Path::new("crates/mckibben-core/data/rubber-laws.json"),
+        check,
+    )?;
     let path = made.join("paper.csv");
     save(&mut example("paper_campaign_csv")?, &path)?;
     keep(&path, Path::new("data/campaign/paper.csv"), check)

@@ -188,7 +188,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         long("motion", motion),
         long("study", |r, _| study(r)),
         long("simulate", simulate),
-        long("measured", measured),
         long("compare", compare),
         long("identify", identify),
         long("fit", fit),

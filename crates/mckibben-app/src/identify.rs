@@ -23,6 +23,7 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_fit::{
+    library::write::{SavedMuscle, measured_files},
     identify::{
         Identification, IdentificationRequest, Identified, LawTrial, Parameter, PointFit, Target,
         TrialMuscle, default_parameters, identify_default, try_laws,
@@ -32,7 +33,6 @@ use mckibben_fit::{
         DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
         read_points,
     },
-    validation::write::{SavedMuscle, measured_files},
 };
 use mckibben_io::table::{OverTime, read_over_time};
 use mckibben_report::Figure;

@@ -111,7 +111,7 @@ const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --mo
 
 /// What every command writes, and where: the flag with its folder or file, and the file that is in
 /// its way.
-const WRITERS: [(&str, &str, &str); 36] = [
+const WRITERS: [(&str, &str, &str); 35] = [
     (
         "design -F 300 -e 10% -p 2.5bar -D 40 -s 2 --model paper",
         "-o w.toml",
@@ -187,11 +187,6 @@ const WRITERS: [(&str, &str, &str); 36] = [
     ("campaign show c0.parquet", "-o t.txt", "t.txt"),
     ("campaign status parts", "-o t.txt", "t.txt"),
     ("campaign merge parts", "-o t.parquet", "t.parquet"),
-    (
-        "validate --measured examples/measured --only bench",
-        "-o t.txt",
-        "t.txt",
-    ),
     ("compare --models ideal,paper", "-o t.csv", "t.csv"),
     (
         "identify examples/bench.toml --data examples/bench.csv --model thick-wall --free mu",
@@ -262,9 +257,9 @@ fn an_existing_file_is_overwritten_only_on_request() {
 }
 
 /// Flags with a file or folder that is read.
-const READ: [&str; 16] = [
+const READ: [&str; 15] = [
     "log", "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers",
-    "load", "measured", "braid", "tube", "tubes", "samples",
+    "load", "braid", "tube", "tubes", "samples",
 ];
 
 #[test]

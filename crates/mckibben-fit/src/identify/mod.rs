@@ -23,7 +23,6 @@ mod signs;
 mod trial_muscle;
 
 pub use crate::measured::{DataPoint, Quantity, mean_of_data, read_data};
-pub(crate) use bench::farthest_first;
 pub use bench::written as written_bench;
 pub use default_parameters::{default_parameters, identify_default};
 pub(crate) use error::Result;
@@ -37,6 +36,7 @@ pub use run::{IdentificationRequest, identify};
 #[doc(hidden)]
 pub use {
     crate::measured::Section,
+    bench::farthest_first,
     default_parameters::matters,
     parameter::{Parameter, ParameterError},
     problem::Build,

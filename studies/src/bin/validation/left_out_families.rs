@@ -1,13 +1,9 @@
 //! Measured muscles by the families that they do not belong to.
 
-use super::{Known, Series, experience, posterior, prior_of};
 use crate::{
-    identify::{farthest_first, written_bench},
-    measured::{DataPoint, Quantity},
-    validation::{
-        left_out::{Judged, SeriesJudged},
-        residual::{Fitter, of_branch},
-    },
+    families::{Known, Series, experience, prior_of},
+    fit::posterior,
+    left_out::{Judged, SeriesJudged},
 };
 use mckibben_core::{
     analysis::{Evaluation, Options},
@@ -18,16 +14,21 @@ use mckibben_core::{
     muscle::Muscle,
     threads,
 };
+use mckibben_fit::{
+    identify::{Build, Quantity, farthest_first, written_bench},
+    library::residual::of_branch,
+    measured::DataPoint,
+};
 
 /// The points of a series by a predictor of its muscle, or of one made from it.
-pub(super) fn judged(
+pub fn judged(
     series: &Series,
     muscle: &Muscle,
     predictor: &Predictor,
     points: &[DataPoint],
-    by: Fitter<'_>,
+    build: &Build<'_>,
 ) -> Option<Vec<Judged>> {
-    let model = (by.build)(muscle).ok()?;
+    let model = build(muscle).ok()?;
     let highest_mpa = peak(series.points.iter().map(|p| p.at.pressure_mpa));
     let largest_n = predictor.at(highest_mpa, 0.0, 0.0)?.force_n;
     let w = &mut Workspace::new();
@@ -91,22 +92,22 @@ fn spread(points: &[DataPoint], n: usize) -> Vec<usize> {
 }
 
 /// The muscle of a series, and what is known of it, after some of its points were measured.
-pub(super) fn after(
+pub fn after(
     series: &Series,
     points: &[DataPoint],
-    (experience, prior): (&Experience, &Prior),
-    by: Fitter<'_>,
+    before: (&Experience, &Prior),
+    build: &Build<'_>,
 ) -> Option<(Muscle, Predictor)> {
-    let posterior = posterior(series, points, (experience, prior), by)?;
+    let posterior = posterior(&series.muscle, points, before, build)?;
     let muscle = series.muscle.with_constants(&posterior.constants).ok()?;
     let bench = written_bench(&muscle, &posterior, "fe".to_owned(), false)?;
     let muscle = muscle.with_bench(bench);
-    let predictor = Predictor::of(&muscle, experience)?;
+    let predictor = Predictor::of(&muscle, before.0)?;
     Some((muscle, predictor))
 }
 
 /// Every series by the families that it does not belong to, and so many of its own points.
-pub fn left_out(known: &[Known<'_>], own_points: usize, by: Fitter<'_>) -> Vec<SeriesJudged> {
+pub fn left_out(known: &[Known<'_>], own_points: usize, build: &Build<'_>) -> Vec<SeriesJudged> {
     let one = |of: &&Known<'_>| {
         let series = of.series;
         let others: Vec<&Known<'_>> = known
@@ -117,15 +118,15 @@ pub fn left_out(known: &[Known<'_>], own_points: usize, by: Fitter<'_>) -> Vec<S
         let prior = prior_of(series, &experience);
         let list = if own_points == 0 {
             let predictor = Predictor::about(&series.muscle, prior.centre, prior.covariance())?;
-            judged(series, &series.muscle, &predictor, &series.points, by)?
+            judged(series, &series.muscle, &predictor, &series.points, build)?
         } else {
             let own = spread(&series.points, own_points);
             let all = 0..series.points.len();
             let (own, rest): (Vec<_>, Vec<_>) = all.partition(|i| own.contains(i));
             let [fitted, rest] =
                 [own, rest].map(|list| Vec::from_iter(list.iter().map(|&i| series.points[i])));
-            let (muscle, predictor) = after(series, &fitted, (&experience, &prior), by)?;
-            judged(series, &muscle, &predictor, &rest, by)?
+            let (muscle, predictor) = after(series, &fitted, (&experience, &prior), build)?;
+            judged(series, &muscle, &predictor, &rest, build)?
         };
         Some((series.name.clone(), list))
     };

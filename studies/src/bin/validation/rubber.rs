@@ -1,36 +1,71 @@
-//! A law fitted to measured stresses, and its errors there.
+//! The errors of each law of a measured rubber, at the stresses it was fitted to and at those it
+//! predicts.
 
-use super::{
-    case::RubberCaseFit,
-    rubber::{RubberFit, RubberGroup},
-};
 use crate::{
-    rubber::{
-        FitSettings, FittedLaw, Mode, StressErrors, TensionFit, TensionPoint, fit_tension_with,
-        no_fit,
-    },
-    rubber_over_time::{Bar, Result, TimePoint, fit_prony},
+    Result,
+    case::{Points, RubberCase, RubberFit},
 };
-use mckibben_core::{progress::Progress, rubber::over_time::Prony};
+use mckibben_core::rubber::over_time::Prony;
+use mckibben_fit::{
+    rubber::{
+        FitSettings, FittedLaw, Mode, Parameter, StressErrors, TensionFit, TensionPoint,
+        fit_tension,
+    },
+    rubber_over_time::{Bar, TimePoint, fit_prony},
+};
+
+/// A law that was fitted, with its constants and errors.
+#[derive(Debug, Default)]
+pub struct FittedRubber {
+    pub fit: String,
+    /// Its constants, with a Prony series those at once.
+    pub parameters: Vec<Parameter>,
+    /// The Prony series, where one was fitted.
+    pub prony: Prony,
+    /// Whether the law is stable in a muscle.
+    pub stable: bool,
+    /// Errors, group by group: fitted points before those that are predicted.
+    pub groups: Vec<RubberGroup>,
+}
+
+/// Errors at some nominal stresses: measured less computed.
+#[derive(Debug, Clone)]
+pub struct RubberGroup {
+    /// A mode, a mode `further` than the law was fitted, or a branch of a test over time.
+    pub of: String,
+    /// Whether nothing was fitted to them.
+    pub blind: bool,
+    pub errors: StressErrors,
+}
+
+/// Every fit of a rubber.
+pub fn report(case: &RubberCase) -> Result<Vec<FittedRubber>> {
+    let one = |fit: &RubberFit| {
+        let result = match &case.points {
+            Points::Tests(points) => fit.to_tests(points),
+            Points::History(points) => fit.to_history(points),
+        };
+        let fitted = result.map_err(|e| format!("{}, fit \"{}\": {e}", case.name, fit.name))?;
+        Ok(FittedRubber {
+            fit: fit.name.clone(),
+            ..fitted
+        })
+    };
+    case.fits.iter().map(one).collect()
+}
 
 /// Strain that tells a move from a hold.
 const MOVE: f64 = 1e-3;
 
-impl RubberCaseFit {
+impl RubberFit {
     /// The recommended law of a fit: held stable where the free one is not.
     fn law(&self, fit: &TensionFit) -> Result<FittedLaw> {
-        let law = fit
-            .recommended
-            .or(Some(0))
-            .and_then(|i| fit.laws.get(i))
-            .cloned();
-        let failed = || {
-            fit.failed
-                .first()
-                .cloned()
-                .unwrap_or_else(|| no_fit(self.form, "no law was left"))
-        };
-        law.ok_or_else(|| failed().into())
+        let place = fit.recommended.unwrap_or(0);
+        let law = fit.laws.get(place).cloned();
+        law.ok_or_else(|| match fit.failed.first() {
+            Some(failed) => failed.to_string().into(),
+            None => "no law was left".into(),
+        })
     }
 
     fn settings(&self) -> FitSettings {
@@ -43,12 +78,8 @@ impl RubberCaseFit {
     }
 
     /// Fits the law to tests without time.
-    pub(super) fn to_tests(
-        &self,
-        points: &[TensionPoint],
-        progress: &dyn Progress,
-    ) -> Result<RubberFit> {
-        let fit = fit_tension_with(points, &self.settings(), progress)?;
+    fn to_tests(&self, points: &[TensionPoint]) -> Result<FittedRubber> {
+        let fit = fit_tension(points, &self.settings())?;
         let fitted = self.law(&fit)?;
         let whole = FitSettings {
             up_to_stretch: None,
@@ -57,7 +88,7 @@ impl RubberCaseFit {
         // Points behind a rupture are in neither.
         let beyond = match self.up_to_stretch {
             Some(end) => {
-                let all = fit_tension_with(points, &whole, progress)?;
+                let all = fit_tension(points, &whole)?;
                 let further = |p: &TensionPoint| p.stretch.max(p.across) > end;
                 all.points
                     .into_iter()
@@ -83,26 +114,22 @@ impl RubberCaseFit {
             }));
         }
         groups.retain(|g| g.errors.points > 0);
-        Ok(RubberFit {
+        Ok(FittedRubber {
             stable: fitted.quality.stable,
             parameters: fitted.parameters,
             groups,
-            ..RubberFit::default()
+            ..FittedRubber::default()
         })
     }
 
     /// Fits the law to a test over time, with a Prony series if it is wanted.
-    pub(super) fn to_history(
-        &self,
-        points: &[TimePoint],
-        progress: &dyn Progress,
-    ) -> Result<RubberFit> {
+    fn to_history(&self, points: &[TimePoint]) -> Result<FittedRubber> {
         let list: Vec<TensionPoint> = points.iter().map(TimePoint::tension).collect();
         let elastic = FitSettings {
             history: true,
             ..self.settings()
         };
-        let fit = fit_tension_with(&list, &elastic, progress)?;
+        let fit = fit_tension(&list, &elastic)?;
         let FittedLaw {
             mut law,
             quality,
@@ -146,17 +173,12 @@ impl RubberCaseFit {
         };
         let mut groups = ["loading", "unloading", "held"].map(group).to_vec();
         groups.retain(|g| g.errors.points > 0);
-        let prony = prony
-            .branches
-            .iter()
-            .map(|b| (b.share, b.time_constant_s))
-            .collect();
-        Ok(RubberFit {
+        Ok(FittedRubber {
             stable: quality.stable,
             parameters,
             prony,
             groups,
-            ..RubberFit::default()
+            ..FittedRubber::default()
         })
     }
 }

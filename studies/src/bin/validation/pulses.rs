@@ -14,25 +14,26 @@
 //! Source: valve pulses of a Festo DMSP-10 hose in three lengths (data/volume). Range: above 0.1
 //! MPa, where the outflow is choked, and muscles that pull.
 
-use super::{
-    case::{CaseFit, MuscleCase},
-    coverage::validated,
-    residual::Fitter,
-};
 use crate::{
+    Result,
+    bounds::Row,
+    case::{CaseFit, MuscleCase},
+    fit::fitted,
+};
+use mckibben_core::{
+    analysis::{ATMOSPHERE_MPA, Evaluation},
+    model::Workspace,
+    muscle::{Direction, Muscle},
+    threads,
+};
+use mckibben_fit::{
     identify::Build,
     least_squares::{Errors, Line},
     measured::{Section, mean_of_data},
 };
-use mckibben_core::{
-    analysis::{ATMOSPHERE_MPA, Evaluation},
-    model::{ModelError, Workspace},
-    muscle::{Direction, Muscle},
-    threads,
-    verification::{Measure, VerificationRow},
-};
 
-const TABLE: &str = include_str!("../../data/volume/festo-dmsp-10-pulses.csv");
+const TABLE: &str =
+    include_str!("../../../../crates/mckibben-fit/data/volume/festo-dmsp-10-pulses.csv");
 /// Gauge pressures in MPa between which pulses are counted.
 const BETWEEN: (f64, f64) = (0.3, 0.5);
 /// Steps of Simpson's rule for the integral over the pressure.
@@ -71,9 +72,9 @@ impl Predicted {
 }
 
 /// A row of the table: L0, ε, test, gauge pressure.
-type Row = (f64, f64, f64, f64);
+type Vented = (f64, f64, f64, f64);
 
-fn vented(line: &str) -> Option<Row> {
+fn vented(line: &str) -> Option<Vented> {
     let cells: Vec<&str> = line.split(',').collect();
     let number = |i: usize| cells.get(i).and_then(|cell| cell.parse::<f64>().ok());
     (cells.get(5) == Some(&"vent")).then_some((number(1)?, number(3)?, number(4)?, number(7)?))
@@ -81,7 +82,7 @@ fn vented(line: &str) -> Option<Row> {
 
 /// The pulses between 0.3 and 0.5 MPa of every length and contraction whose muscle pulls.
 pub fn counted() -> Vec<Counted> {
-    let rows: Vec<Row> = TABLE.lines().filter_map(vented).collect();
+    let rows: Vec<Vented> = TABLE.lines().filter_map(vented).collect();
     let mut out: Vec<Counted> = vec![];
     for group in rows.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
         let length_mm = group[0].0;
@@ -118,20 +119,17 @@ fn pulses_until(pressures: &[f64], gauge_mpa: f64) -> Option<f64> {
 }
 
 /// ∫ V dp/p + V(p1) − V(p2) in mm³ of a muscle at ε.
-fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, ModelError> {
-    let no_volume = || ModelError::NoVolume("of the pulses".to_owned());
+fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64> {
     let section = Section {
         length_mm: Some(at.length_mm),
         ..Section::default()
     };
-    let model = build(&section.apply(muscle).map_err(|_| no_volume())?)?;
+    let model = build(&section.apply(muscle)?)?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, Direction::Mean);
-    let mut volume = |gauge_mpa: f64| -> Result<f64, ModelError> {
-        model
-            .response(gauge_mpa, at.contraction)?
-            .volume_mm3
-            .ok_or_else(no_volume)
+    let mut volume = |gauge_mpa: f64| -> Result<f64> {
+        let response = model.response(gauge_mpa, at.contraction)?;
+        Ok(response.volume_mm3.ok_or("no volume")?)
     };
     let absolute = (BETWEEN.0 + ATMOSPHERE_MPA, BETWEEN.1 + ATMOSPHERE_MPA);
     // Even steps in ln p.
@@ -150,12 +148,12 @@ fn let_out(build: &Build<'_>, muscle: &Muscle, at: &Counted) -> Result<f64, Mode
 }
 
 /// k and Vd from the muscles at their rest lengths, and what they predict of the contracted ones.
-pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted, ModelError> {
+pub fn predict(build: &Build<'_>, muscle: &Muscle) -> Result<Predicted> {
     let counted = counted();
     let (rest, contracted): (Vec<Counted>, Vec<Counted>) =
         counted.iter().partition(|c| c.contraction == 0.0);
     let log = ((BETWEEN.1 + ATMOSPHERE_MPA) / (BETWEEN.0 + ATMOSPHERE_MPA)).ln();
-    let volumes = |list: &[Counted]| -> Result<Vec<f64>, ModelError> {
+    let volumes = |list: &[Counted]| -> Result<Vec<f64>> {
         list.iter().map(|c| let_out(build, muscle, c)).collect()
     };
     let at_rest = volumes(&rest)?;
@@ -181,79 +179,28 @@ const TOLERANCE: f64 = 0.03;
 
 /// Rows of the fits: only the first, whose ends do not slip, must predict the pulses; the errors of
 /// the others speak against them.
-pub(super) fn cases(sets: &[&'static MuscleCase], by: Fitter<'_>) -> Vec<VerificationRow> {
-    let Some(set) = sets.iter().find(|set| set.facts.name == "dmsp-10-hose") else {
-        return vec![];
-    };
-    let means = mean_of_data(&set.points);
-    let row = |fit: &CaseFit| {
-        let fitted = by.fitted(fit, &means).ok();
-        let predicted =
-            fitted.and_then(|(muscle, _)| Some((predict(by.build, &muscle).ok()?, muscle)));
-        let (pulses, muscle) = predicted.unzip();
-        let angle = muscle.map_or_else(String::new, |m| format!(" ({:.1}°)", m.braid().angle_deg));
-        let tolerance = if fit.name == FITS[0] { TOLERANCE } else { 0.1 };
-        let name = format!(
-            "{}: air let out by pulses of a valve, {}{angle}",
-            set.facts.title, fit.name
+pub fn rows(cases: &[&MuscleCase], build: &Build<'_>) -> Result<Vec<Row>> {
+    let case = cases.iter().find(|case| case.name == "dmsp-10-hose");
+    let case = case.ok_or("no hose")?;
+    let means = mean_of_data(&case.points);
+    let row = |fit: &&CaseFit| {
+        let (muscle, _) = fitted(build, fit, &means)?;
+        let pulses = predict(build, &muscle)?;
+        let about = format!(
+            "{:.1}°, dead volume {:.0} mL, rms at rest {:.1} %",
+            muscle.braid().angle_deg,
+            1e-3 * pulses.dead_volume_mm3,
+            100.0 * pulses.rms_at_rest
         );
-        let measured = pulses.map_or(0.0, |p| p.measured);
-        let ours = pulses.map(|p| p.predicted);
-        let row = VerificationRow::new(name, &set.facts.source, measured, ours, tolerance);
-        validated(row, Measure::Value, pulses.map(|p| p.bias().abs()))
+        Ok(Row {
+            name: format!("{}: pulses, {} ({about})", case.facts.title, fit.name),
+            reference: pulses.measured,
+            computed: pulses.predicted,
+            error: pulses.bias().abs(),
+            allowed: if fit.name == FITS[0] { TOLERANCE } else { 0.1 },
+        })
     };
-    let fits: Vec<&CaseFit> = FITS
-        .iter()
-        .filter_map(|name| set.fits.iter().find(|f| f.name == *name))
-        .collect();
-    threads::map(&fits, |fit| row(fit))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use mckibben_core::{
-        model::{ForceModel, ThickWall},
-        muscle::{Braid, BraidStiffness, Terminals, Tube},
-        rubber::{Law, NeoHookean},
-    };
-
-    /// An independent calculation on the same table (`thick-wall` by another program): 1 % at rest,
-    /// a dead volume of 44 to 56 mL, and at ε 0.044 a bias of +7.7, +2.7, +0.3 and −2.0 % for
-    /// braids of 25, 28.6, 31 and 34°.
-    #[test]
-    fn the_bias_by_angle_is_that_of_an_independent_calculation() {
-        let build = |m: &Muscle| -> Result<Box<dyn ForceModel>, ModelError> {
-            Ok(Box::new(ThickWall::between_ends(m)))
-        };
-        for (angle_deg, bias) in [(25.0, 0.077), (28.6, 0.027), (31.0, 0.003), (34.0, -0.020)] {
-            let rubber =
-                mckibben_core::muscle::Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 1.5 }));
-            let braid = Braid {
-                angle_deg,
-                stiffness: BraidStiffness::Inextensible,
-                ..Braid::paper()
-            };
-            let muscle = Muscle::new(
-                Tube::new(13.6, 1.8, 281.0, rubber),
-                braid,
-                Terminals::default(),
-                None,
-            )
-            .unwrap();
-            let predicted = predict(&build, &muscle).unwrap();
-            assert!(
-                (predicted.bias() - bias).abs() < 0.006,
-                "{angle_deg}: {:.4}",
-                predicted.bias()
-            );
-            assert!(
-                predicted.rms_at_rest < 0.015,
-                "{angle_deg}: {:.4}",
-                predicted.rms_at_rest
-            );
-            let dead_ml = 1e-3 * predicted.dead_volume_mm3;
-            assert!((40.0..60.0).contains(&dead_ml), "{angle_deg}: {dead_ml} mL");
-        }
-    }
+    let named = |name: &&str| case.fits.iter().find(|f| f.name == **name);
+    let fits: Vec<&CaseFit> = FITS.iter().filter_map(named).collect();
+    threads::map(&fits, row).into_iter().collect()
 }

@@ -1,22 +1,19 @@
 //! What a measurement was promised to leave of a ±, beside what it left when it was made: measured
 //! muscles, each by the families to which it does not belong.
 
-use super::{
-    Series, experience, known,
-    left_out::{after, judged},
-    prior_of, series,
-};
+use super::muscles;
 use crate::{
-    measured::DataPoint,
-    validation::{built_in, elements, residual::Fitter},
+    elements,
+    families::{Series, experience, known, prior_of, series},
+    left_out_families::{after, judged},
 };
 use mckibben_core::{
     built::{Experience, Measurement, Predictor, Prior},
     by_number::ByNumber,
     extremes::peak,
     muscle::Direction,
-    progress::Silent,
 };
+use mckibben_fit::measured::DataPoint;
 
 /// The measured point nearest to a state, if there is one so near that it can stand for it.
 fn nearest<'a>(
@@ -69,7 +66,6 @@ fn kept(
     series: &Series,
     job: &DataPoint,
     known_before: (&Experience, &Prior),
-    by: Fitter<'_>,
 ) -> Vec<(Measurement, f64)> {
     let (_, prior) = known_before;
     let predictor = Predictor::about(&series.muscle, prior.centre, prior.covariance()).unwrap();
@@ -80,8 +76,8 @@ fn kept(
     for promised in predictor.measurements(p, e, job.at.direction().sign()) {
         let points = points_of(promised.measurement, job, series, &predictor);
         if !points.is_empty() {
-            let (muscle, predictor) = after(series, &points, known_before, by).unwrap();
-            let left = judged(series, &muscle, &predictor, &[*job], by).unwrap()[0];
+            let (muscle, predictor) = after(series, &points, known_before, &elements).unwrap();
+            let left = judged(series, &muscle, &predictor, &[*job], &elements).unwrap()[0];
             let ratio = left.half * largest_n / promised.uncertainty_n;
             out.push((promised.measurement, ratio));
         }
@@ -94,12 +90,8 @@ fn kept(
 #[test]
 fn identity_a_measurement_leaves_of_the_interval_what_was_promised() {
     const JOBS: usize = 3;
-    let by = Fitter {
-        build: &elements,
-        progress: &Silent,
-    };
-    let all = series(&built_in::muscles().unwrap());
-    let known = known(&all, by);
+    let all = series(&muscles());
+    let known = known(&all, &elements);
     let mut rows = vec![];
     for series in &all {
         let others: Vec<_> = known
@@ -115,7 +107,7 @@ fn identity_a_measurement_leaves_of_the_interval_what_was_promised() {
             .filter(|p| p.at.contraction >= 0.03 && p.at.force_n > 0.1 * largest_n)
             .collect();
         for job in jobs.iter().step_by(jobs.len().div_ceil(JOBS).max(1)) {
-            rows.extend(kept(series, job, (&experience, &prior), by));
+            rows.extend(kept(series, job, (&experience, &prior)));
         }
     }
     for (measurement, least) in [

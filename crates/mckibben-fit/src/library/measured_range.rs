@@ -1,6 +1,6 @@
 //! Sizes and pressures of the measured muscles, on which the ± is founded.
 
-use super::{built_in::muscles, case::CaseError};
+use super::measured;
 use mckibben_core::{extremes::ends, muscle::Muscle};
 use std::sync::LazyLock;
 
@@ -39,30 +39,22 @@ fn values(muscle: &Muscle, pressure_mpa: f64) -> [f64; 5] {
 type Ranges = [(f64, f64); 5];
 
 /// Those of the muscles of the program, of which each point may state a part.
-static MEASURED: LazyLock<Result<Ranges, &'static CaseError>> = LazyLock::new(|| {
-    let cases = muscles()?;
-    let points = cases.iter().flat_map(|case| {
-        let fit = case.fits.first();
-        case.points.iter().filter_map(move |point| {
-            let muscle = point.section.apply(&fit?.muscle).ok()?;
+static MEASURED: LazyLock<Ranges> = LazyLock::new(|| {
+    let points = measured().iter().flat_map(|of| {
+        of.points.iter().filter_map(|point| {
+            let muscle = point.section.apply(&of.muscle).ok()?;
             Some(values(&muscle, point.at.pressure_mpa))
         })
     });
     let all: Vec<[f64; 5]> = points.collect();
     let [diameter, wall, length, angle, pressure] =
         [0, 1, 2, 3, 4].map(|i| ends(all.iter().map(|values| values[i])));
-    Ok([diameter, wall, length, angle, (0.0, pressure.1)])
+    [diameter, wall, length, angle, (0.0, pressure.1)]
 });
 
 /// What of a muscle at a pressure lies outside of the measured muscles of the program.
-///
-/// # Errors
-/// [`CaseError`], which no released program should see.
-pub fn not_measured(
-    muscle: &Muscle,
-    pressure_mpa: f64,
-) -> Result<impl Iterator<Item = NotMeasured>, &'static CaseError> {
-    let measured = (*MEASURED)?.into_iter().zip(QUANTITIES);
+pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> impl Iterator<Item = NotMeasured> {
+    let measured = MEASURED.into_iter().zip(QUANTITIES);
     let of = |(value, (measured, quantity))| NotMeasured {
         quantity,
         value,
@@ -73,5 +65,5 @@ pub fn not_measured(
         q.value < q.measured.0 * (1.0 - 1e-9) || q.value > q.measured.1 * (1.0 + 1e-9)
     };
     let all = values(muscle, pressure_mpa).into_iter().zip(measured);
-    Ok(all.map(of).filter(beyond))
+    all.map(of).filter(beyond)
 }

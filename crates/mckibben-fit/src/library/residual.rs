@@ -1,8 +1,7 @@
 //! Measured pulls less those of a model.
 
-use super::case::CaseFit;
 use crate::{
-    identify::{Build, Identification, IdentificationRequest, Identified, Result, identify, learn},
+    identify::Build,
     least_squares::Errors,
     measured::{DataPoint, MeasuredPoint, Quantity, Section},
 };
@@ -12,17 +11,13 @@ use mckibben_core::{
     extremes::peak,
     model::{ForceModel, Workspace},
     muscle::{Direction, Muscle},
-    progress::Progress,
 };
-use serde::Serialize;
 
 /// One measured point beside what a model says of it.
 #[derive(Debug, Clone, Copy)]
 pub struct Residual {
     /// ε.
     pub contraction: f64,
-    /// ε over the ideal muscle's largest contraction.
-    pub contraction_share: f64,
     /// Measured less computed, in N; of a volume |∂F/∂ε| / |∂V/∂ε| times its difference.
     pub difference_n: f64,
     /// The branch it was measured on.
@@ -84,7 +79,6 @@ fn residual(
     });
     Some(Residual {
         contraction,
-        contraction_share: contraction / model.muscle().max_ideal_contraction(),
         difference_n,
         branch,
         pressure_mpa,
@@ -95,7 +89,7 @@ fn residual(
 
 /// The median of what a muscle that is built pulls in N, and half of its interval, on the branch that
 /// was measured: on the mean of both without the friction.
-pub(super) fn of_branch(
+pub fn of_branch(
     branch: Direction,
     (built, parts): (Built, UncertaintyParts),
 ) -> (f64, f64) {
@@ -117,7 +111,7 @@ type SectionModel = (Section, Option<Box<dyn ForceModel>>, [Workspace; 2]);
 
 /// Measured points less the model of a muscle; without those to which the model has no answer; on
 /// single branches with a friction that is estimated by c_f where the muscle states none.
-pub(super) fn residuals<'a>(
+pub fn residuals<'a>(
     build: &Build<'_>,
     muscle: &Muscle,
     points: impl IntoIterator<Item = &'a DataPoint>,
@@ -139,54 +133,8 @@ pub(super) fn residuals<'a>(
     out
 }
 
-/// The model that is fitted, and the progress that may end it.
-#[derive(Clone, Copy)]
-pub struct Fitter<'a> {
-    pub build: &'a Build<'a>,
-    pub progress: &'a dyn Progress,
-}
-
-impl Fitter<'_> {
-    /// What points tell of the muscle of a fit, beside what is known of all muscles.
-    pub(super) fn learnt(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
-        let request = IdentificationRequest::new(&fit.muscle, &[], points, self.build);
-        learn(&IdentificationRequest {
-            progress: self.progress,
-            ..request
-        })
-    }
-
-    /// The muscle and the constants of a fit to points: least squares of the pulls, from one side,
-    /// without history.
-    pub(super) fn fitted(
-        &self,
-        fit: &CaseFit,
-        points: &[DataPoint],
-    ) -> Result<(Muscle, Vec<Identified>)> {
-        if fit.free.is_empty() {
-            return Ok((fit.muscle.clone(), vec![]));
-        }
-        let request = IdentificationRequest::new(&fit.muscle, &fit.free, points, self.build);
-        let identification = identify(&IdentificationRequest {
-            progress: self.progress,
-            ..request
-        })?;
-        Ok((identification.muscle, identification.parameters))
-    }
-}
-
-/// Means of branches and points without one, then the single branches. A point whose other branch
-/// is missing is in the second list alone.
-pub(super) fn compared<'a>(means: &'a [DataPoint], points: &'a [DataPoint]) -> Vec<&'a DataPoint> {
-    means
-        .iter()
-        .filter(|p| p.at.direction().is_mean())
-        .chain(points.iter().filter(|p| !p.at.direction().is_mean()))
-        .collect()
-}
-
 /// Errors of a model at some points: measured less computed.
-#[derive(Debug, Clone, Copy, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct ForceErrors {
     /// How many points.
     pub points: usize,
@@ -201,7 +149,6 @@ pub struct ForceErrors {
     /// Share of the points within the ± of the model; null if there are none, or no ±.
     pub held: Option<f64>,
     /// Largest blocked force of the points in N.
-    #[serde(skip)]
     pub blocked_n: f64,
 }
 

@@ -1,18 +1,133 @@
-//! What some series tell of a muscle that nobody measured.
+//! What families of measured muscles tell of one that nobody measured.
+//!
+//! A family is what one maker, or one workshop, made; a series of it is one muscle of one length. The
+//! points of a series tell of its constants beside a wide prior ([`known`]); what the families tell
+//! together is a population (`population.rs`).
 
-use super::{
-    super::population::{Population, Told},
-    Known,
+use crate::{
+    case::MuscleCase,
+    fit::posterior,
+    population::{Population, Told},
 };
 use mckibben_core::{
-    built::{Belief, Experience},
+    built::{Belief, Experience, Prior},
     muscle::{Constant, Constants, EndsMade, Muscle},
+    threads,
 };
+use mckibben_fit::{
+    identify::{Build, Posterior, Section},
+    measured::DataPoint,
+};
+use nalgebra::{SMatrix, SVector};
 use std::f64::consts::SQRT_2;
+
+/// One measured muscle of one length.
+pub struct Series {
+    pub family: String,
+    pub name: String,
+    pub muscle: Muscle,
+    pub angle_deviation_deg: Option<f64>,
+    pub points: Vec<DataPoint>,
+}
+
+/// The series of the measured muscles that belong to a family.
+pub fn series(sets: &[&MuscleCase]) -> Vec<Series> {
+    let mut out = vec![];
+    for set in sets {
+        let (Some(family), Some(fit)) = (&set.facts.family, set.fits.first()) else {
+            continue;
+        };
+        let mut sections: Vec<Section> = vec![];
+        for point in &set.points {
+            if !sections.contains(&point.section) {
+                sections.push(point.section);
+            }
+        }
+        for section in sections {
+            let Ok(muscle) = section.apply(&fit.muscle) else {
+                continue;
+            };
+            let own = set.points.iter().filter(|p| p.section == section);
+            let length = section
+                .length_mm
+                .map_or_else(String::new, |l| format!(", {l} mm"));
+            out.push(Series {
+                family: family.clone(),
+                name: format!("{}{length}", set.facts.title),
+                muscle,
+                angle_deviation_deg: set.facts.angle_deviation_deg,
+                points: own.copied().collect(),
+            });
+        }
+    }
+    out
+}
+
+/// The prior of a measured muscle whose rubber nobody stated.
+pub fn prior_of(series: &Series, experience: &Experience) -> Prior {
+    let mut prior = Prior::of(&series.muscle, experience);
+    let angle = &mut prior.deviation[Constant::Angle as usize];
+    *angle = series.angle_deviation_deg.unwrap_or(*angle);
+    prior.deviation[Constant::Modulus as usize] = GUESSED_RUBBER;
+    prior
+}
+
+/// A series with what all of its points tell.
+pub struct Known<'a> {
+    pub series: &'a Series,
+    /// What its points tell.
+    told: Told,
+}
+
+/// The constants of every series, with a wide prior.
+pub fn known<'a>(all: &'a [Series], build: &Build<'_>) -> Vec<Known<'a>> {
+    let wide = without_families();
+    let one = |series: &&'a Series| {
+        let mut prior = prior_of(series, &wide);
+        prior.deviation[Constant::Friction as usize] *= 2.0;
+        let before = (&wide, &prior);
+        let posterior = posterior(&series.muscle, &series.points, before, build)?;
+        Some(Known {
+            series,
+            told: told(&posterior),
+        })
+    };
+    let list: Vec<&Series> = all.iter().collect();
+    threads::map(&list, one).into_iter().flatten().collect()
+}
+
+/// What the points of a series tell beside the prior: Λ = C⁻¹ − Σ0⁻¹, Λ x̂ = C⁻¹ x − Σ0⁻¹ x0.
+fn told(posterior: &Posterior) -> Told {
+    let Posterior {
+        constants,
+        covariance,
+        prior,
+        ..
+    } = posterior;
+    const N: usize = Constant::ALL.len();
+    let c = SMatrix::<f64, N, N>::from_fn(|i, k| covariance[i][k]);
+    let mut precision = c.try_inverse().unwrap_or_else(SMatrix::zeros);
+    let mut weighted = precision * SVector::<f64, N>::from_iterator(constants.iter().copied());
+    for i in 0..N {
+        let variance = prior.deviation[i].powi(2).max(1e-12);
+        precision[(i, i)] -= 1.0 / variance;
+        weighted[i] -= prior.centre[i] / variance;
+        // A constant that no series has is told by none.
+        if prior.deviation[i] == 0.0 {
+            precision.row_mut(i).fill(0.0);
+            precision.column_mut(i).fill(0.0);
+            weighted[i] = 0.0;
+        }
+    }
+    Told {
+        precision,
+        weighted,
+    }
+}
 
 /// What one would say of each constant without any measured muscle: m0 and s0, a judgement. Ends that
 /// are crimped give way less than those that are clamped by hand.
-pub(super) fn without_families() -> Experience {
+fn without_families() -> Experience {
     let belief = |centre, deviation| Belief { centre, deviation };
     Experience {
         pull_factor: belief(0.0, 0.055),
@@ -41,7 +156,7 @@ pub(super) fn without_families() -> Experience {
 /// Standard deviation of the angle between specimens of a product.
 const ANGLE_OF_SPECIMENS_DEG: f64 = 0.4;
 /// Standard deviation of ln of the modulus of a rubber that is guessed.
-pub(super) const GUESSED_RUBBER: f64 = 0.35;
+const GUESSED_RUBBER: f64 = 0.35;
 
 /// Another specimen of a product is made by another family, of the same rubber and braid.
 fn specimen(population: &Population, wide: &Experience) -> Constants {
