@@ -24,8 +24,8 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     identify::{
-        Identification, IdentificationRequest, Identified, LawTrial, Parameter, PointFit, Target,
-        TrialMuscle, default_parameters, identify_default, try_laws,
+        Identification, IdentificationRequest, Identified, Parameter, PointFit, Target,
+        TrialMuscle, identify_default,
     },
     least_squares::Loss,
     measured::{
@@ -82,9 +82,6 @@ pub struct IdentifyRequest {
         hide_short_help = true
     )]
     pub bounds: Vec<String>,
-    /// Fit every rubber law, with all its constants free, together with the other free parameters
-    #[arg(long)]
-    pub laws: bool,
     /// The muscle, with a value for everything that is not free.
     #[serde(deserialize_with = "MuscleFields::or_name")]
     #[command(flatten)]
@@ -148,50 +145,10 @@ pub struct IdentifyAnswer {
     #[serde(serialize_with = "points")]
     #[schemars(with = "Vec<IdentifiedPoint>")]
     pub points: Vec<PointFit>,
-    /// Fit of each rubber law, the best first; empty if it was not requested.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub laws: Vec<LawRow>,
     /// Warnings: contradictions, parameters that are not identifiable, missing measurements.
     pub warnings: Vec<String>,
     /// The figure, if requested.
     pub figure: Option<Figure>,
-}
-
-/// Fit of a rubber law to the points.
-#[skip_serializing_none]
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct LawRow {
-    /// The law.
-    pub law: String,
-    /// What was free, with its value and error.
-    pub parameters: Vec<Identified>,
-    /// Root mean square of the residuals, N.
-    pub rms_n: Option<f64>,
-    /// AICc less that of the preferred law: 10 is decided where the errors of the points are
-    /// independent.
-    pub aicc_difference: Option<f64>,
-    /// Correlation of neighbouring residuals on a curve: near 0 where the model follows, near 1
-    /// where it does not.
-    pub neighbour_correlation: Option<f64>,
-    /// What makes its constants implausible, or why there are none.
-    pub doubt: Option<String>,
-}
-
-impl LawRow {
-    fn new(trial: LawTrial, best: f64) -> Self {
-        let (identified, error) = match trial.result {
-            Ok(identified) => (Some(identified), None),
-            Err(error) => (None, Some(error.to_string())),
-        };
-        Self {
-            law: trial.law.to_owned(),
-            rms_n: identified.as_ref().map(|identified| identified.rms_n),
-            aicc_difference: identified.as_ref().map(|_| trial.aicc - best),
-            neighbour_correlation: identified.as_ref().map(|_| trial.neighbours),
-            parameters: identified.map_or_else(Vec::new, |identified| identified.parameters),
-            doubt: error.or(trial.doubt),
-        }
-    }
 }
 
 /// A point, with the value of the model.
@@ -327,21 +284,6 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     } else {
         mckibben_fit::identify::identify(&input)?
     };
-    let laws = if request.laws {
-        let sought = if free.is_empty() {
-            default_parameters(&input)?
-        } else {
-            free.clone()
-        };
-        let trials = try_laws(&IdentificationRequest {
-            free: &sought,
-            ..input
-        })?;
-        let best = trials.first().map_or(0.0, |t| t.aicc);
-        trials.into_iter().map(|t| LawRow::new(t, best)).collect()
-    } else {
-        vec![]
-    };
     // Identified constants hold for the stretches of the points; those that were kept for those of
     // their data.
     let kept = identified.muscle.tube().rubber == muscle.tube().rubber;
@@ -361,7 +303,6 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         data: origin,
         understood,
         muscle: summary,
-        laws,
         warnings: self::warnings(request, &identified, beyond),
         figure,
         points: std::mem::take(&mut identified.points),

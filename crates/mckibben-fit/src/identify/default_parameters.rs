@@ -1,23 +1,19 @@
 //! The default of the free parameters.
 
 use super::{
-    Build, Identification, IdentificationRequest, IdentifyError, Parameter, Result, Target,
-    TrialMuscle, identify, learn,
+    Identification, IdentificationRequest, IdentifyError, Parameter, Result, Target,
+    identify, learn,
 };
 use crate::{
     least_squares::Loss,
     measured::{DataPoint, Quantity, distinct},
 };
 use mckibben_core::{
-    model::Workspace,
     muscle::{
         Direction, Muscle,
         measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING},
     },
 };
-
-/// A stiffness in N/mm of strands that do not stretch.
-const STIFF: f64 = 1e5;
 
 /// The law's modulus (its one constant, or a factor on all of them), the stiffness of strands that
 /// stretch, and the friction where both branches were measured; of rows in time order the friction
@@ -114,25 +110,4 @@ pub fn identify_default(request: &IdentificationRequest<'_>) -> Result<Identific
         by name to see its value";
     result.notes.push(note.into());
     Ok(result)
-}
-
-/// Whether the pulls of a model at the points depend on a parameter at all, from two muscles that
-/// differ in it: the ideal formula has no modulus, and a model that computes the ends no end
-/// factor.
-pub fn matters(muscle: &Muscle, target: Target, points: &[DataPoint], build: &Build<'_>) -> bool {
-    let value = target.value(muscle).unwrap_or(STIFF);
-    let model = |value: f64| build(&TrialMuscle::new(muscle, &[(target, value)]).ok()?.muscle).ok();
-    let other = if value == 0.0 { 0.01 } else { 1.1 * value };
-    let (Some(a), Some(b)) = (model(value), model(other)) else {
-        return false;
-    };
-    let mut wa = Workspace::new();
-    let mut wb = Workspace::new();
-    points.iter().any(|p| {
-        let (p, e) = (p.at.pressure_mpa, p.at.contraction);
-        match (a.force_n(&mut wa, p, e), b.force_n(&mut wb, p, e)) {
-            (Ok(a), Ok(b)) => (a - b).abs() > 1e-9 * (1.0 + a.abs()),
-            _ => false,
-        }
-    })
 }

@@ -12,7 +12,6 @@ mod bench;
 mod default_parameters;
 mod error;
 mod history;
-mod laws;
 mod learn;
 mod parameter;
 mod posterior;
@@ -28,7 +27,6 @@ pub use bench::written as written_bench;
 pub use default_parameters::{default_parameters, identify_default};
 pub(crate) use error::Result;
 pub use error::{DataError, IdentifyError};
-pub use laws::{LawTrial, try_laws};
 pub use learn::learn;
 pub use parameter::Target;
 pub use posterior::{Posterior, PosteriorRequest};
@@ -37,7 +35,6 @@ pub use run::{IdentificationRequest, identify};
 #[doc(hidden)]
 pub use {
     crate::measured::Section,
-    default_parameters::matters,
     parameter::{Parameter, ParameterError},
     problem::Build,
     signs::doubts,
