@@ -356,4 +356,3 @@ fn answers(
     };
     states.map(point).collect()
 }
-

@@ -23,16 +23,15 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_fit::{
-    identify::{
-        Identification, IdentificationRequest, Identified, Parameter, PointFit, Target,
-        TrialMuscle, identify_default,
-    },
-    least_squares::Loss,
+    identify::{Identification, IdentificationRequest, Identified, PointFit, Target, with_values},
     measured::{
         DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
         read_points,
     },
-    validation::write::{SavedMuscle, measured_files},
+    validation::{
+        chosen::Parameter,
+        write::{SavedMuscle, measured_files},
+    },
 };
 use mckibben_io::table::{OverTime, read_over_time};
 use mckibben_report::Figure;
@@ -56,8 +55,8 @@ pub struct IdentifyRequest {
     /// Seconds to add to the times of the log [found where the pull follows the pressure]
     #[arg(long, hide_short_help = true)]
     pub log_offset_s: Option<Time>,
-    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [all constants, each
-    /// with what measured muscles tell of it]
+    /// Free constants, all others being known [all constants, each with what measured muscles
+    /// tell of it]
     #[arg(
         long,
         value_name = "LIST",
@@ -65,7 +64,7 @@ pub struct IdentifyRequest {
         allow_hyphen_values = true
     )]
     pub free: Vec<String>,
-    /// Fix a parameter: NAME=VALUE
+    /// Fix a constant: NAME=VALUE
     #[arg(
         long,
         value_name = "LIST",
@@ -73,7 +72,7 @@ pub struct IdentifyRequest {
         allow_hyphen_values = true
     )]
     pub fix: Vec<String>,
-    /// Bounds of free parameters: NAME=LOW:HIGH
+    /// Bounds of free constants: NAME=LOW:HIGH
     #[arg(
         long,
         value_name = "LIST",
@@ -100,9 +99,6 @@ pub struct IdentifyRequest {
     /// slack there
     #[arg(long, help_heading = "Advanced")]
     pub two_sided: bool,
-    /// Loss function of the residuals
-    #[arg(long, value_parser = flags::word::<Loss>(), default_value = "squares", help_heading = "Advanced")]
-    pub loss: Loss,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[arg(skip)]
     pub figure: Option<Units>,
@@ -274,16 +270,11 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         points: &points,
         build: &build,
         progress,
-        loss: request.loss,
         two_sided: request.two_sided,
         history: request.branches == Branches::History,
     };
     model.admit(&muscle)?;
-    let mut identified = if free.is_empty() {
-        identify_default(&input)?
-    } else {
-        mckibben_fit::identify::identify(&input)?
-    };
+    let mut identified = mckibben_fit::identify::identify(&input)?;
     // Identified constants hold for the stretches of the points; those that were kept for those of
     // their data.
     let kept = identified.muscle.tube().rubber == muscle.tube().rubber;
@@ -310,9 +301,9 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     })
 }
 
-/// What is free, what is held at a value, and the bounds where nothing is named.
+/// What is free, what is held at a value, and bounds.
 struct Parameters {
-    free: Vec<Parameter>,
+    free: Vec<Target>,
     fixed: Vec<(Target, f64)>,
     bounds: Vec<(Target, (f64, f64))>,
 }
@@ -379,7 +370,8 @@ impl IdentifyRequest {
             .map(|file| Path::new(&file.name).file_name());
         let origin = joined(files.flatten().map(|name| name.to_string_lossy()), ", ");
         let Parameters { free, fixed, .. } = self.parameters(&muscle)?;
-        let start = TrialMuscle::new(&muscle, &fixed)?.muscle;
+        let start = with_values(&muscle, &fixed)?;
+        let free: Vec<Parameter> = free.into_iter().map(Parameter::free).collect();
         let has_branch = |p: &DataPoint| !p.at.direction().is_mean();
         Ok(measured_files(&SavedMuscle {
             muscle: &start,
@@ -449,41 +441,25 @@ impl IdentifyRequest {
 
     /// What is free and what is held.
     fn parameters(&self, muscle: &Muscle) -> Result<Parameters> {
-        let wrong = |field: &str, message: String, hint| {
-            Err(Problem::new(ProblemKind::Parameter, message, hint).in_field(field))
-        };
-        let parse = |text: &String| Parameter::parse(text, muscle);
-        let mut free: Vec<Parameter> = self.free.iter().map(parse).collect::<Result<_, _>>()?;
-        let mut fixed = vec![];
-        for text in &self.fix {
-            let p = parse(text)?;
-            match p.start.filter(|_| p.bounds.is_none()) {
-                Some(value) => fixed.push((p.target, value)),
-                None => {
-                    return wrong(
-                        "fix",
-                        format!("\"{}\" has no value", text.trim()),
-                        "write NAME=VALUE",
-                    );
-                }
-            }
+        if let Some(text) = self.free.iter().find(|text| text.contains('=')) {
+            let message = format!("\"{}\" has a start", text.trim());
+            let hint = "write the name alone: the search begins at what is known before; `bounds` \
+                NAME=LOW:HIGH bounds it";
+            return Err(Problem::new(ProblemKind::Parameter, message, hint).in_field("free"));
         }
-        let mut bounds = vec![];
-        for text in &self.bounds {
-            let (target, within) = Parameter::parse_bounds(text, muscle)?;
-            if let Some(p) = free.iter_mut().find(|p| p.target == target) {
-                p.bounds = Some(within);
-            } else if free.is_empty() {
-                bounds.push((target, within));
-            } else {
-                let message = format!("{} is not free", target.name(muscle));
-                return wrong("bounds", message, "name it in `free` too");
-            }
-        }
+        let free = self.free.iter().map(|text| Target::parse(text, muscle));
+        let fixed = self
+            .fix
+            .iter()
+            .map(|text| Target::parse_value(text, muscle));
+        let bounds = self
+            .bounds
+            .iter()
+            .map(|text| Target::parse_bounds(text, muscle));
         Ok(Parameters {
-            free,
-            fixed,
-            bounds,
+            free: free.collect::<Result<_, _>>()?,
+            fixed: fixed.collect::<Result<_, _>>()?,
+            bounds: bounds.collect::<Result<_, _>>()?,
         })
     }
 }
@@ -509,7 +485,6 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
             p if p.identifiable => "",
             p if p.prior_standard_deviation.is_some() => " (from measured muscles)",
             p if p.at_bound => " (on its bound)",
-            p if p.implausible => " (not determined)",
             _ => " (not identifiable)",
         };
         let unit = if p.unit.is_empty() {

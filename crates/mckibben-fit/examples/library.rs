@@ -7,10 +7,7 @@ use mckibben_core::{
     muscle::{Bench, Muscle, file::to_toml},
 };
 use mckibben_fem::elements::Elements;
-use mckibben_fit::{
-    identify::{IdentificationRequest, identify},
-    validation::built_in,
-};
+use mckibben_fit::validation::{built_in, chosen::ChosenFit};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -23,13 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let case = case.ok_or_else(|| format!("no measured muscle is named \"{name}\""))?;
     let fit = case.fit_of_library().ok_or("it has no fit")?;
     let points = case.points_of(fit);
-    let muscle = identify(&IdentificationRequest::new(
-        &fit.muscle,
-        &fit.free,
-        &points,
-        &build,
-    ))?
-    .with_bench();
+    let chosen = ChosenFit::new(&fit.muscle, &fit.free, &points, &build);
+    let muscle = chosen.with_bench(&chosen.found()?);
     let bench = muscle.bench().ok_or("it has no bench")?.clone();
     let muscle = muscle.with_bench(Bench {
         laboratory: Some(case.facts.source.clone()),

@@ -106,7 +106,6 @@ pub fn constants(parameters: &[Identified]) -> Table<'_, Identified> {
             p if p.at_bound => "nothing: on its bound",
             p if p.identifiable => "these points",
             p if p.prior_standard_deviation.is_some() => "measured muscles",
-            p if p.implausible => "nothing: too much",
             p if !p.matters => "nothing: no effect",
             _ => "nothing",
         })

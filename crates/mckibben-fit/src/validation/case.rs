@@ -3,8 +3,8 @@
 //!
 //! The same reader serves the folders that are built in (`data/measured`) and those of users.
 
+use super::chosen::Parameter;
 use crate::{
-    identify::Parameter,
     measured::{DataPoint, mean_of_data},
     rubber::{Form, Mode, TensionPoint},
     rubber_over_time::TimePoint,

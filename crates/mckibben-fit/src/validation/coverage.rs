@@ -2,10 +2,11 @@
 
 use super::{
     case::MuscleCase,
+    chosen::Parameter,
     residual::{Fitter, ForceErrors, Residual, compared, residuals},
 };
 use crate::{
-    identify::{Parameter, Result},
+    identify::Result,
     measured::mean_of_data,
 };
 use mckibben_core::{

@@ -12,6 +12,7 @@
 
 pub mod built_in;
 pub mod case;
+pub mod chosen;
 pub mod coverage;
 pub mod families;
 pub mod left_out;
@@ -28,9 +29,10 @@ pub mod write;
 
 use crate::{
     compare::compare,
-    identify::{Build, IdentificationRequest, Parameter, Target, identify},
+    identify::{Build, Target},
     measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured},
 };
+use chosen::{ChosenFit, Parameter};
 use coverage::{COVERAGE, validated};
 #[cfg(test)]
 use mckibben_core::model::{ForceModel, ModelError};
@@ -124,14 +126,14 @@ fn fitted(build: &Build<'_>, parameters: &[Target], points: &[MeasuredPoint]) ->
     let m = parse_muscle(&built_in::text_of(FOLDER, "muscle.toml")?).ok()?;
     let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
     let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::new).collect();
-    let request = IdentificationRequest {
+    let fit = ChosenFit {
         two_sided: true,
-        ..IdentificationRequest::new(&m, &free, &data, build)
+        ..ChosenFit::new(&m, &free, &data, build)
     };
     if free.is_empty() {
         Some(m)
     } else {
-        Some(identify(&request).ok()?.muscle)
+        Some(fit.found().ok()?.muscle)
     }
 }
 

@@ -1,11 +1,13 @@
 //! A folder → what was measured.
 
-use super::case::{
-    CaseError, CaseFit, Facts, MeasuredFolder, Measurement, MuscleCase, Points, RubberCase,
-    RubberCaseFit, Split,
+use super::{
+    case::{
+        CaseError, CaseFit, Facts, MeasuredFolder, Measurement, MuscleCase, Points, RubberCase,
+        RubberCaseFit, Split,
+    },
+    chosen::Parameter,
 };
 use crate::{
-    identify::Parameter,
     measured::{Quantity, read_data},
     rubber::read_tests,
     rubber_over_time::read_history,
@@ -139,12 +141,11 @@ fn library_fit(
     named: Option<&str>,
     fits: &[CaseFit],
 ) -> Result<usize, CaseError> {
-    const FORM: &str =
-        "the name of a fit that has no `split` and frees numbers of the muscle file alone";
+    const FORM: &str = "the name of a fit that has no `split`";
     let place = named.map_or(Some(0), |name| fits.iter().position(|fit| fit.name == name));
     let serves = |i: &usize| {
         fits.get(*i).is_some_and(|fit| {
-            fit.split.is_none() && fit.free.iter().all(|p| p.target.is_in_file())
+            fit.split.is_none()
         })
     };
     match place.filter(serves) {

@@ -1,8 +1,8 @@
 //! Measured pulls less those of a model.
 
-use super::case::CaseFit;
+use super::{case::CaseFit, chosen::ChosenFit};
 use crate::{
-    identify::{Build, Identification, IdentificationRequest, Identified, Result, identify, learn},
+    identify::{Build, Identification, IdentificationRequest, Identified, Result, identify},
     least_squares::Errors,
     measured::{DataPoint, MeasuredPoint, Quantity, Section},
 };
@@ -150,7 +150,7 @@ impl Fitter<'_> {
     /// What points tell of the muscle of a fit, beside what is known of all muscles.
     pub(super) fn learnt(&self, fit: &CaseFit, points: &[DataPoint]) -> Result<Identification> {
         let request = IdentificationRequest::new(&fit.muscle, &[], points, self.build);
-        learn(&IdentificationRequest {
+        identify(&IdentificationRequest {
             progress: self.progress,
             ..request
         })
@@ -166,12 +166,12 @@ impl Fitter<'_> {
         if fit.free.is_empty() {
             return Ok((fit.muscle.clone(), vec![]));
         }
-        let request = IdentificationRequest::new(&fit.muscle, &fit.free, points, self.build);
-        let identification = identify(&IdentificationRequest {
+        let chosen = ChosenFit {
             progress: self.progress,
-            ..request
-        })?;
-        Ok((identification.muscle, identification.parameters))
+            ..ChosenFit::new(&fit.muscle, &fit.free, points, self.build)
+        };
+        let found = chosen.found()?;
+        Ok((found.muscle, found.parameters))
     }
 }
 

@@ -1,8 +1,7 @@
 //! What was measured → the files of its folder, which `validation::read` reads.
 
-use super::built_in::IDENTIFIED;
+use super::{built_in::IDENTIFIED, chosen::Parameter};
 use crate::{
-    identify::Parameter,
     measured::{DataPoint, table},
 };
 use mckibben_core::{
@@ -33,7 +32,6 @@ pub struct SavedMuscle<'a> {
 /// The files of its folder by name, with blanks for what its owner alone can state.
 pub fn measured_files(saved: &SavedMuscle<'_>) -> Vec<(&'static str, String)> {
     let free: Vec<String> = saved.free.iter().map(|p| p.word(saved.muscle)).collect();
-    let of_library = saved.free.iter().all(|p| p.target.is_in_file());
     let origin = line(saved.origin);
     let points = format!("# From {origin}.\n{}", table(saved.points));
     let mut values = vec![
@@ -45,7 +43,7 @@ pub fn measured_files(saved: &SavedMuscle<'_>) -> Vec<(&'static str, String)> {
     for (key, holds, text) in [
         ("nothing", free.is_empty(), String::new()),
         ("both", saved.both_branches, String::new()),
-        ("identified", of_library, String::new()),
+        ("identified", true, String::new()),
         ("fixed", !fixed.is_empty(), fixed),
     ] {
         values.extend(holds.then_some((key, text)));
@@ -57,7 +55,7 @@ pub fn measured_files(saved: &SavedMuscle<'_>) -> Vec<(&'static str, String)> {
         ("muscle.toml", to_toml(saved.muscle)),
         ("points.csv", points),
     ];
-    files.extend(of_library.then(|| (IDENTIFIED, saved.identified.into())));
+    files.push((IDENTIFIED, saved.identified.into()));
     files
 }
 
