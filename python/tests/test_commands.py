@@ -543,7 +543,7 @@ def test_what_python_raises_itself_goes_through(tmp_path: Path) -> None:
             model="ideal",
         ).step(raising)
     with pytest.raises(TypeError):
-        mk.ask("validate", progress=lambda: None)  # type: ignore[arg-type, misc]
+        mk.ask("fit-report", progress=lambda: None)  # type: ignore[arg-type, misc]
     (tmp_path / "a.toml").write_bytes(b"\xff\xfe\x00")
     for path in [
         tmp_path,
@@ -730,17 +730,12 @@ def test_a_number_that_is_not_finite_is_named(wrong: float) -> None:
 @pytest.mark.parametrize(
     "command, table",
     [
-        ("validate", "cases"),
-        ("measured", "results"),
         ("fit-report", "findings"),
         ("export-list", "targets"),
     ],
 )
-def test_a_command_without_a_function_is_asked(
-    command: str, table: str, root: Path
-) -> None:
-    cases = {"cases": [str(root / "examples/measured/bench")]}
-    answer = mk.ask(command, cases if command == "measured" else {})
+def test_a_command_without_a_function_is_asked(command: str, table: str) -> None:
+    answer = mk.ask(command, {})
     assert answer[table] and not hasattr(mk, command.replace("-", "_"))
 
 

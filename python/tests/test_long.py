@@ -60,7 +60,6 @@ LONG = {
     "design of many points": "mk.design(points=[{'force_n': 700 - 0.1 * i, 'contraction': 1e-5 * i} for i in range(3000)], max_pressure_mpa=0.25, model='thick-wall')",
     "design of many torques": "mk.design(torques=[{'torque_nm': 1 + 0.01 * i, 'angle_deg': 0.1 * i} for i in range(300)], max_pressure_mpa=0.6, model='thick-wall')",
     "design": "mk.design(force_n=700, contraction=0.15, max_pressure_mpa=0.25, model='fe', outer_diameter_mm='20..80 mm', wall_mm='0.5..8 mm', angle_deg='12..34 deg')",
-    "validation": "mk.ask('validate', {'all': True})",
     "curve": "mk.Muscle.prototype().replace(wall_mm=4).curve('isobaric', pressures_mpa='0..0.5:0.0025 MPa', contractions='0..0.3:0.003', mesh='4x32')",
     "motion": "mk.load('examples/forearm-drive.toml').motion(model='fe', sweep={'key': 'valve.sonic_conductance', 'values': ['%g L/(s bar)' % (0.1 + 0.005 * i) for i in range(100)]})",
 }

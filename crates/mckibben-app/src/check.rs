@@ -19,7 +19,7 @@ use mckibben_core::{
     units::{Dimension, tidy, typed::Pressure},
     warning::{Warning, is_of_burst},
 };
-use mckibben_fit::validation::measured_range::{self, NotMeasured};
+use mckibben_fit::library::measured_range::{self, NotMeasured};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -302,7 +302,7 @@ fn findings_of(
         .chain(of(FindingKind::Unknown, unknown(burst)))
         .chain(of(
             FindingKind::Outside,
-            outside(muscle, values.pressure_mpa)?,
+            outside(muscle, values.pressure_mpa),
         ));
     let measurements = values.uncertainty_words.measurements.iter();
     Ok(findings
@@ -406,18 +406,18 @@ fn unknown(burst: &Burst) -> Vec<String> {
 }
 
 /// The same as one warning, of a muscle that is chosen or built.
-pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Result<Option<Warning>> {
-    let outside = outside(muscle, pressure_mpa)?.join("; ");
+pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Option<Warning> {
+    let outside = outside(muscle, pressure_mpa).join("; ");
     let said =
         format!("outside of the muscles that were measured, on which the ± is founded: {outside}");
-    Ok((!outside.is_empty()).then(|| Warning::from(said)))
+    (!outside.is_empty()).then(|| Warning::from(said))
 }
 
 /// Where the muscle lies outside of the measured ones, on which the ± is founded.
-fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
+fn outside(muscle: &Muscle, pressure_mpa: f64) -> Vec<String> {
     // The measured muscles are no part of the reduced engine.
     if !cfg!(feature = "whole") {
-        return Ok(vec![]);
+        return vec![];
     }
     let said = |q: NotMeasured| {
         let (quantity, unit) = q.quantity;
@@ -429,8 +429,9 @@ fn outside(muscle: &Muscle, pressure_mpa: f64) -> Result<Vec<String>> {
         };
         format!("{quantity} is {value}{unit} (measured: {from} {high}{unit})")
     };
-    let outside = measured_range::not_measured(muscle, pressure_mpa).map_err(Problem::from)?;
-    Ok(outside.map(said).collect())
+    measured_range::not_measured(muscle, pressure_mpa)
+        .map(said)
+        .collect()
 }
 
 /// A measurement, and the ± that it leaves.

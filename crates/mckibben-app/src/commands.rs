@@ -188,8 +188,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         long("motion", motion),
         long("study", |r, _| study(r)),
         long("simulate", simulate),
-        long("validate", validate),
-        long("measured", measured),
         long("compare", compare),
         long("identify", identify),
         long("fit", fit),

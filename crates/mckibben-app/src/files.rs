@@ -1,11 +1,11 @@
 //! Files that users name, together with the files named in them, as requests hold them.
 
 use crate::{
-    ExportJointRequest, ExportRequest, JointFields, LoadFields, MeasuredFolder, MotionRequest,
-    MuscleFields, PAPER, Problem, ProblemKind, Result, TextFile,
+    ExportJointRequest, ExportRequest, JointFields, LoadFields, MotionRequest, MuscleFields,
+    PAPER, Problem, ProblemKind, Result, TextFile,
 };
 use mckibben_core::{load::Load, muscle::file, units::typed::Length};
-use mckibben_fit::validation::library;
+use mckibben_fit::library;
 use mckibben_io::{
     files::{ReadError, read},
     table::{MAX_BYTES, read_text},
@@ -160,26 +160,6 @@ impl MotionRequest {
             ..self
         })
     }
-}
-
-/// The files of a measured muscle or rubber. A measured rubber has no muscle, and a folder of no
-/// library no identified one.
-pub fn measured_folder(folder: &Path) -> Result<MeasuredFolder> {
-    let if_there = |name: &str| match folder.join(name) {
-        path if path.is_file() => TextFile::read(&path).map(|file| file.text),
-        _ => Ok(String::new()),
-    };
-    let name = std::fs::canonicalize(folder).ok();
-    let name = name.as_deref().unwrap_or(folder).file_name();
-    Ok(MeasuredFolder {
-        name: name
-            .map(|n| n.to_string_lossy().into_owned())
-            .unwrap_or_default(),
-        case: TextFile::read(&folder.join("case.toml"))?.text,
-        muscle: if_there("muscle.toml")?,
-        points: TextFile::table(&folder.join("points.csv"))?.text,
-        identified: if_there("identified.toml")?,
-    })
 }
 
 impl LoadFields {

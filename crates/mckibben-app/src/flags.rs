@@ -29,7 +29,7 @@ mod parsers {
         },
     };
     use mckibben_fem::three_dimensional::{Plug, PlugMaterial};
-    use mckibben_fit::{rubber::Form, validation::library};
+    use mckibben_fit::{library, rubber::Form};
     use schemars::JsonSchema;
     use serde::de::DeserializeOwned;
     use std::{ffi::OsStr, marker::PhantomData, path::Path};

@@ -24,13 +24,10 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     identify::{Identification, IdentificationRequest, Identified, PointFit, Target, with_values},
+    library::write::{SavedMuscle, measured_files},
     measured::{
         DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
         read_points,
-    },
-    validation::{
-        chosen::Parameter,
-        write::{SavedMuscle, measured_files},
     },
 };
 use mckibben_io::table::{OverTime, read_over_time};
@@ -371,7 +368,6 @@ impl IdentifyRequest {
         let origin = joined(files.flatten().map(|name| name.to_string_lossy()), ", ");
         let Parameters { free, fixed, .. } = self.parameters(&muscle)?;
         let start = with_values(&muscle, &fixed)?;
-        let free: Vec<Parameter> = free.into_iter().map(Parameter::free).collect();
         let has_branch = |p: &DataPoint| !p.at.direction().is_mean();
         Ok(measured_files(&SavedMuscle {
             muscle: &start,

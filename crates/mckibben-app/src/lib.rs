@@ -62,7 +62,6 @@ mod identify;
 mod joint;
 mod library;
 mod load;
-mod measured;
 mod model;
 mod motion;
 mod muscle;
@@ -82,7 +81,6 @@ mod shape;
 mod simulate;
 mod uncertainty;
 pub mod units;
-mod validate;
 mod warnings;
 pub mod words;
 
@@ -108,8 +106,6 @@ pub use fields::*;
 pub use figure::model_colour;
 #[cfg(feature = "answers")]
 pub use file_schema::file_schema;
-#[cfg(feature = "files")]
-pub use files::measured_folder;
 pub use fill::*;
 pub use fit::*;
 pub use identify::*;
@@ -119,7 +115,6 @@ pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use mckibben_core::model::ModelEntry;
 pub use mckibben_design::TubePart;
 pub use mckibben_motion::{Event, Subject};
-pub use measured::*;
 pub use model::*;
 pub use motion::*;
 pub use muscle::*;
@@ -135,5 +130,4 @@ pub use shape::*;
 pub use simulate::*;
 pub use uncertainty::*;
 pub use units::{Scale, Units};
-pub use validate::*;
 pub(crate) use words::{number, percent};

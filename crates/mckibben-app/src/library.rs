@@ -8,10 +8,7 @@ use mckibben_core::{
     muscle::{Direction, Muscle, file::to_toml},
     threads,
 };
-use mckibben_fit::validation::{
-    case::Facts,
-    library::{self, LibraryAgreement, PREFIX, agreement, library},
-};
+use mckibben_fit::library::{self, Facts, LibraryAgreement, PREFIX, agreement, library};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -79,8 +76,8 @@ impl LibraryMuscle {
 
 /// The muscles of the library.
 pub fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
-    threads::map(&library()?, |(case, muscle)| {
-        LibraryMuscle::new(&case.facts, muscle)
+    threads::map(&library(), |(of, muscle)| {
+        LibraryMuscle::new(&of.facts, muscle)
     })
     .into_iter()
     .collect()
@@ -94,19 +91,16 @@ pub fn library_details(name: &str) -> Result<Option<LibraryDetails>, Problem> {
         .trim()
         .to_lowercase()
         .replace([' ', '_'], "-");
-    let Some((case, muscle)) = library()?.into_iter().find(|m| m.0.facts.name == plain) else {
+    let Some((of, muscle)) = library().into_iter().find(|m| m.0.facts.name == plain) else {
         return Ok(None);
     };
     let file = TextFile {
-        name: format!("{}.toml", case.facts.name),
+        name: format!("{}.toml", of.facts.name),
         text: to_toml(muscle),
     };
     Ok(Some(LibraryDetails {
-        muscle: LibraryMuscle::new(&case.facts, muscle)?,
-        fit: case
-            .fit_of_library()
-            .map(|fit| fit.name.clone())
-            .unwrap_or_default(),
+        muscle: LibraryMuscle::new(&of.facts, muscle)?,
+        fit: of.fit.name.clone(),
         identified: muscle
             .bench()
             .map(|bench| {
@@ -117,7 +111,7 @@ pub fn library_details(name: &str) -> Result<Option<LibraryDetails>, Problem> {
                     .collect()
             })
             .unwrap_or_default(),
-        agreement: agreement(case, muscle, &|m: &Muscle| Model::FE.build(m)),
+        agreement: agreement(of, muscle, &|m: &Muscle| Model::FE.build(m)),
         muscle_file: file,
     }))
 }

@@ -13,7 +13,7 @@ use mckibben_core::{
     rubber::library,
     sleeve::{self, Sleeve},
 };
-use mckibben_fit::validation::library as muscles;
+use mckibben_fit::library as muscles;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::{borrow::Cow, f64::consts::PI, path::Path};
@@ -140,7 +140,7 @@ pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
     }
     let hint = "`parts list muscles` shows them with their sources";
     muscles::file(name)
-        .map(Cow::Owned)
+        .map(Cow::Borrowed)
         .map_err(|error| Problem::new(ProblemKind::File, error, hint))
 }
 

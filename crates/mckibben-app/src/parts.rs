@@ -17,7 +17,7 @@ use mckibben_core::{
     sleeve::{self, SleeveEntry},
 };
 use mckibben_design::tubes::{self, TubePart};
-use mckibben_fit::validation::library;
+use mckibben_fit::library;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;

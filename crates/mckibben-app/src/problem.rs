@@ -22,7 +22,6 @@ use mckibben_fit::{
     least_squares::EstimateError,
     rubber::TensionFitError,
     rubber_over_time::OverTimeFitError,
-    validation::report::ReportError,
 };
 use mckibben_io::table::TableError;
 use mckibben_report::FigureError;
@@ -330,7 +329,6 @@ problems! {
         JointError::Pressures { .. } => Usage "one for each muscle: 2bar" in "pressures_mpa";
         JointError::OneMuscle => Usage in "stiffness_nm_per_rad";
     };
-    ReportError: Fit of Cancelled, around error in (ReportError::Fit(_, error)), around error in (ReportError::Rubber(_, error));
     OverTimeFitError: Fit of Law {
         OverTimeFitError::NotConverged { .. } => NotConverged "take `laws` with fewer constants";
     };

@@ -4,7 +4,7 @@ use crate::{
     Format, Problem,
     commands::{
         build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint,
-        motion, parts, point, rubber, schema, serve, simulate, validate,
+        motion, parts, point, rubber, schema, serve, simulate,
     },
 };
 use clap::{Arg, ArgAction, ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -99,8 +99,6 @@ pub enum Command {
     Export(Flags<export::Export>),
     /// Many finite-element tests from a plan into one Parquet table; an interrupted run continues
     Campaign(Flags<campaign::Campaign>),
-    /// Verification against exact values and validation against measured muscles
-    Validate(Flags<validate::Validate>),
     /// Compare models with each other or with measured points: errors and figure
     Compare(Flags<compare::Compare>),
     /// Constants of rubber, braid and friction from measured curves, with their uncertainty
@@ -141,7 +139,6 @@ impl Command {
             Self::Build(command) => command.0.run(format),
             Self::Export(command) => command.0.run(format),
             Self::Campaign(command) => command.0.run(format),
-            Self::Validate(command) => command.0.run(format),
             Self::Compare(command) => command.0.run(format),
             Self::Identify(command) => command.0.run(format),
             Self::Fit(command) => command.0.run(format),

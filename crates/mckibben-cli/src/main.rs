@@ -73,7 +73,8 @@ fn main() -> ExitCode {
 /// clap's own words.
 fn unparsed(error: &clap::Error) -> ExitCode {
     let format = asked_format();
-    if let Some(problem) = problem::of_value(error).or_else(|| problem::of_gone_flag(error)) {
+    let gone = || problem::of_gone_flag(error).or_else(|| problem::of_gone_command(error));
+    if let Some(problem) = problem::of_value(error).or_else(gone) {
         return report(problem, format);
     }
     if error.use_stderr() && format == Format::Json {

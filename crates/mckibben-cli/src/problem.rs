@@ -111,6 +111,15 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
     Some(Problem::usage(message, hint))
 }
 
+/// A command that is a study of the repository.
+pub fn of_gone_command(error: &clap::Error) -> Option<Problem> {
+    let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else {
+        return None;
+    };
+    let is_gone = word == "validate";
+    is_gone.then(|| Problem::usage("`validate` is now a study", "cargo study validation"))
+}
+
 /// A command line that clap refuses.
 pub fn unparsed(error: &clap::Error) -> Problem {
     let text = error.render().to_string();

@@ -9,7 +9,7 @@
 //! | [`identify`] | measures and constants of a muscle from its points |
 //! | [`compare`] | how far a model is from points |
 //! | [`recorded`] | constants of a motion from quantities recorded over time |
-//! | [`validation`] | every measured muscle and rubber that is built in, and those of users |
+//! | [`library`] | measured muscles that are built in, and those identified from their points |
 //!
 //! Whatever needs a model of a muscle takes a function that builds one ([`identify::Build`]).
 //!
@@ -21,9 +21,9 @@ pub mod compare;
 pub mod identify;
 #[doc(hidden)]
 pub mod least_squares;
+#[doc(hidden)]
+pub mod library;
 pub mod measured;
 pub mod recorded;
 pub mod rubber;
 pub mod rubber_over_time;
-#[doc(hidden)]
-pub mod validation;

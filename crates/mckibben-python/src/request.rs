@@ -2,7 +2,7 @@
 //! numbers that were likely meant in another unit.
 
 use crate::{error::Wrong, value};
-use mckibben_app::{Problem, ProblemKind, TextFile, find, measured_folder};
+use mckibben_app::{Problem, ProblemKind, TextFile, find};
 use mckibben_core::units::{Dimension, NamedUnit, parse_quantity};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
@@ -175,7 +175,6 @@ fn read(name: &str, kind: &str, text: &str) -> Result<Option<Value>, Problem> {
     Ok(match kind {
         "TextFile" => Some(json!(TextFile::of_field(name, path)?)),
         "MuscleFields" => Some(json!({ "file": TextFile::muscle(path)? })),
-        "MeasuredFolder" => Some(json!(measured_folder(path)?)),
         "ModelFields" if is("json") => Some(json!({ "name": TextFile::formula(path)? })),
         "NameOrFile" if is("json") => Some(json!(TextFile::formula(path)?)),
         "NameOrFile" if is("toml") => Some(json!(TextFile::read(path)?)),

@@ -3,7 +3,7 @@
 
 use mckibben::{
     fem::axisymmetric::Axisymmetric,
-    fit::validation::library::file,
+    fit::library::file,
     model::{ForceModel, Workspace},
     prelude::*,
 };

@@ -33,7 +33,7 @@ use mckibben_design::{
     Build, Candidate, CandidatePoint, Demand, Design, Outcome, Several, Spec,
     bought::{Product, bought},
 };
-use mckibben_fit::validation::library::{PREFIX, library};
+use mckibben_fit::library::{PREFIX, library};
 use mckibben_report::Figure;
 use remedies::RelaxationAnswer;
 use spec::Search;
@@ -147,17 +147,16 @@ fn warnings(found: &Design) -> Result<Vec<Warning>> {
     // Where no pitch is given they touch just where they are required to pull.
     let bundle = found.bundle.as_ref().filter(|_| spec.pitch_mm.is_some());
     warnings.extend(bundle.and_then(touches));
-    warnings.extend(not_measured(&winner.muscle, winner.highest_pressure_mpa)?);
+    warnings.extend(not_measured(&winner.muscle, winner.highest_pressure_mpa));
     Ok(warnings)
 }
 
 /// The muscles of the library that have a product and would do, by finite elements.
 fn as_sold(spec: &Spec, is_cut: bool) -> Vec<Bought> {
-    let products = library().unwrap_or_default().into_iter();
-    let products = products.filter_map(|(case, muscle)| {
+    let products = library().into_iter().filter_map(|(of, muscle)| {
         Some(Product {
-            name: format!("{PREFIX}{}", case.facts.name),
-            product: case.facts.product.as_deref()?,
+            name: format!("{PREFIX}{}", of.facts.name),
+            product: of.facts.product.as_deref()?,
             muscle,
         })
     });

@@ -5,14 +5,13 @@ use crate::{percent, units::Units};
 use mckibben_core::{
     analysis::Evaluation,
     by_number::ByNumber,
-    extremes::{ends, peak},
+    extremes::ends,
     model::Workspace,
-    muscle::{Direction, Muscle},
+    muscle::Direction,
 };
 use mckibben_fit::{
     identify::{Build, Identification, PointFit},
-    measured::{DataPoint, Section, distinct, mean_of_data, same},
-    validation::{case::MuscleCase, report::MeasuredFit},
+    measured::{Section, distinct, same},
 };
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
@@ -246,108 +245,6 @@ fn fit(
     }
     if bands.len() <= MOST_BANDS {
         panel.series.append(&mut bands);
-    }
-    panel
-}
-
-/// Pressures of a panel at most; of more some are shown.
-const MEASURED_CURVES: usize = 5;
-/// Points of a line.
-const LINE: u32 = 30;
-
-/// Measured points and lines of a model, muscle by muscle.
-pub fn measured(
-    cases: &[&MuscleCase],
-    results: &[MeasuredFit],
-    model: (&str, &Build<'_>),
-    u: &Units,
-) -> Figure {
-    let name = model.0;
-    let about = format!(
-        "Dots: measured, means of the branches; lines: {name} with the constants of the first fit \
-         of each muscle, over ε at constant pressure"
-    );
-    let mut figure = Figure::new(format!("Measured muscles and {name}"))
-        .caption(caption(&about))
-        .sequential();
-    for (number, case) in cases.iter().enumerate() {
-        let Some(first) = results.iter().find(|r| r.case == number) else {
-            continue;
-        };
-        figure = panels(figure, case, &first.muscle, model.1, u);
-    }
-    figure.columns(2)
-}
-
-/// A panel for each length of a muscle.
-fn panels(
-    mut figure: Figure,
-    case: &MuscleCase,
-    muscle: &Muscle,
-    build: &Build<'_>,
-    u: &Units,
-) -> Figure {
-    let means = mean_of_data(&case.points);
-    let mut sections: Vec<Section> = vec![];
-    for p in &means {
-        if !sections.contains(&p.section) {
-            sections.push(p.section);
-        }
-    }
-    for section in &sections {
-        let points: Vec<&DataPoint> = means.iter().filter(|p| p.section == *section).collect();
-        let title = match section.length_mm {
-            Some(length) if sections.len() > 1 => {
-                format!("{}: {}", case.facts.name, u.length.show(length))
-            }
-            _ => case.facts.title.clone(),
-        };
-        figure = figure.panel(panel(title, &points, muscle, build, u));
-    }
-    figure
-}
-
-fn panel(
-    title: String,
-    points: &[&DataPoint],
-    fitted: &Muscle,
-    build: &Build<'_>,
-    u: &Units,
-) -> Panel {
-    let mut panel = Panel::new(contraction(), pull(u));
-    let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
-    pressures.sort_by(f64::total_cmp);
-    pressures.dedup();
-    let all = pressures.len();
-    let last = pressures.len().saturating_sub(1);
-    let shown: Vec<f64> = match pressures.len() {
-        n if n <= MEASURED_CURVES => pressures,
-        _ => (1..=MEASURED_CURVES)
-            .map(|i| pressures[i * last / MEASURED_CURVES])
-            .collect(),
-    };
-    let some = if shown.len() < all {
-        format!(" ({} of {all} pressures)", shown.len())
-    } else {
-        String::new()
-    };
-    panel = panel.title(title + &some);
-    let muscle = points.first().and_then(|p| p.section.apply(fitted).ok());
-    let model = muscle.and_then(|m| build(&m).ok());
-    let mut workspace = Workspace::new();
-    for (n, &pressure) in shown.iter().enumerate() {
-        let at = || points.iter().filter(|p| p.at.pressure_mpa == pressure);
-        let end = peak(at().map(|p| p.at.contraction));
-        let dots = at().map(|p| (p.at.contraction, u.force.value(p.at.force_n)));
-        panel = panel.series(Series::scatter("", dots).colour(n));
-        let Some(model) = &model else { continue };
-        let line = (0..=LINE).filter_map(|i| {
-            let contraction = end * f64::from(i) / f64::from(LINE);
-            let force_n = model.force_n(&mut workspace, pressure, contraction).ok()?;
-            (force_n >= 0.0).then(|| (contraction, u.force.value(force_n)))
-        });
-        let line = Series::new("", line).end_label(u.pressure.show(pressure));
-        panel = panel.series(line.colour(n));
     }
     panel
 }

@@ -11,7 +11,7 @@ mod tension;
 
 pub use curves::{compare, curves, design, model_colour, study};
 pub use fit::fitted;
-pub use identify::{identified, measured};
+pub use identify::identified;
 pub use joint::joint;
 pub use mesh::mesh;
 pub use motion::motion;

@@ -116,13 +116,6 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "simulate" => vec![
             json!({ "test": "isometric", "model": "fe3d", "pressures_mpa": steps(0.01, 0.2, 3000), "contractions": [0.1] }),
         ],
-        "validate" => vec![json!({ "all": true })],
-        "measured" => {
-            let case = "title = \"t\"\nsource = \"s\"\nterms = \"t\"\nknown = \"k\"\nunknown \
-                = \"u\"\n[[fit]]\nname = \"one\"\nfree = [\"mu\"]\n";
-            let case = json!({ "name": LONG, "case": case, "muscle": text_file("bench.toml")["text"], "points": long()["text"] });
-            vec![json!({}), json!({ "cases": [case], "model": "ideal" })]
-        }
         "compare" => vec![
             json!({ "models": ["fe", "thick-wall"], "pressures_mpa": pressures, "contractions": contractions }),
             json!({ "models": ["fe"], "data": [bench], "fit": ["modulus", "stiffness"] }),

@@ -101,7 +101,6 @@ fn figures() -> Vec<(String, Figure)> {
             "design",
             json!({ "force_n": 500, "contraction": 0.05, "max_pressure_mpa": 0.25, "outer_diameter_mm": 30, "wall_mm": 2, "model": "paper" }),
         ),
-        ("measured", json!({ "model": "thick-wall", "cases": [] })),
         (
             "rubber",
             json!({ "data": [text_file("data/treloar/tension.csv")], "laws": ["yeoh", "neo-hookean"] }),

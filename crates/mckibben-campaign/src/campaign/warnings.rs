@@ -9,7 +9,7 @@ use mckibben_core::{
     muscle::Muscle,
     warning::VALIDATED_STRAND_STRAIN,
 };
-use mckibben_fit::validation::measured_range::not_measured;
+use mckibben_fit::library::measured_range::not_measured;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -47,11 +47,11 @@ impl<'m> Heeded<'m> {
             Some(limit_mpa) if pressure_mpa >= limit_mpa => Some(true),
             _ => known.then_some(false),
         };
-        let outside = not_measured(self.muscle, pressure_mpa);
+        let mut outside = not_measured(self.muscle, pressure_mpa);
         PointRow {
             warning_burst: over(self.burst.least().map(|(_, mpa)| mpa)),
             warning_allowed_pressure: over(self.burst.allowed().map(|most| most.mpa.next_up())),
-            warning_not_measured: outside.ok().map(|mut all| all.next().is_some()),
+            warning_not_measured: Some(outside.next().is_some()),
             ..row
         }
     }

@@ -43,7 +43,7 @@ pub struct Identify {
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     output: Option<PathBuf>,
     /// Write points, muscle, fit and a README.md with blanks into a folder, for others who use the
-    /// points: `validate --measured DIR` reads it
+    /// points: `cargo study validation DIR` reads it
     #[arg(
         long,
         value_name = "DIR",

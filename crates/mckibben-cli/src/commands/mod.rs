@@ -19,4 +19,3 @@ pub mod rubber;
 pub mod schema;
 pub mod serve;
 pub mod simulate;
-pub mod validate;

@@ -2,7 +2,7 @@
 
 mod table;
 pub mod text;
-pub mod width;
+mod width;
 mod write;
 
 use crate::{Format, Problem, clean, display_units, quantities::unit_hint, unprinted};

@@ -621,10 +621,10 @@ fn ten_readings_give_the_muscle_of_which_they_were_computed() {
     assert!(after < 0.2 * before, "{before} {after}");
 }
 
-/// An identity: a measured muscle that is saved gives the report of the muscle from which it was
-/// made, with its blanks as they are.
+/// The files of a measured muscle, with their blanks. (Tests of the study `validation` read such
+/// files as they were.)
 #[test]
-fn a_measured_muscle_that_is_saved_is_validated_as_before() {
+fn a_measured_muscle_is_saved_as_a_folder() {
     let dir = folder();
     let case = root().join("crates/mckibben-fit/data/measured/dmsp-20-300");
     let line = format!(
@@ -634,14 +634,6 @@ fn a_measured_muscle_that_is_saved_is_validated_as_before() {
     );
     let said = run_in(dir.path(), &line).ok().text().to_owned();
     assert!(said.contains("fill in README.md and case.toml"), "{said}");
-    let report = |words: &str| {
-        let line = format!("validate --measured {words} --model thick-wall");
-        let answer = json_in(dir.path(), &line);
-        let points = answer["cases"][0]["points"].clone();
-        let (result, fit) = (&answer["results"][0], &answer["cases"][0]["fits"][0]);
-        (points, result["rms_n"].clone(), fit["parameters"].clone())
-    };
-    assert_eq!(report("mine"), report("--only dmsp-20-300"));
     let names = names(&dir.path().join("mine"));
     assert_eq!(
         names,

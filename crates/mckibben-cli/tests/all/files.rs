@@ -187,11 +187,6 @@ const WRITERS: [(&str, &str, &str); 36] = [
     ("campaign show c0.parquet", "-o t.txt", "t.txt"),
     ("campaign status parts", "-o t.txt", "t.txt"),
     ("campaign merge parts", "-o t.parquet", "t.parquet"),
-    (
-        "validate --measured examples/measured --only bench",
-        "-o t.txt",
-        "t.txt",
-    ),
     ("compare --models ideal,paper", "-o t.csv", "t.csv"),
     (
         "identify examples/bench.toml --data examples/bench.csv --model thick-wall --free mu",
@@ -262,9 +257,9 @@ fn an_existing_file_is_overwritten_only_on_request() {
 }
 
 /// Flags with a file or folder that is read.
-const READ: [&str; 16] = [
+const READ: [&str; 15] = [
     "log", "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers",
-    "load", "measured", "braid", "tube", "tubes", "samples",
+    "load", "braid", "tube", "tubes", "samples",
 ];
 
 #[test]

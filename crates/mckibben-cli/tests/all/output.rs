@@ -287,38 +287,6 @@ fn text_fits_a_terminal_of_80_columns_and_tables_in_files_100() {
     }
 }
 
-/// A page shows this command too; it takes long, and is not run again there.
-const VALIDATE: &str = "validate";
-
-/// No case disappears.
-const HELD: [&str; 4] = [
-    "verification: 317 of 317 cases hold",
-    "measured pulls: 13 of 13 cases hold",
-    "other measured quantities: 3 of 3 cases hold",
-    "± of fe: 8 of 8 cases hold",
-];
-
-/// The one run of all cases of verification and validation.
-#[test]
-fn every_case_of_validate_holds_and_its_tables_fit_80_columns() {
-    let ran = with_columns(VALIDATE, Some("80"));
-    let (_, summary) = ran.text().split_once("\nSummary\n").unwrap_or_default();
-    assert!(
-        ran.code == 0 && !summary.contains("FAILS"),
-        "{summary}{}",
-        ran.err
-    );
-    for held in HELD {
-        assert!(summary.contains(held), "{held}: {summary}");
-    }
-    assert!(
-        widest(ran.text()) <= 80,
-        "{} columns\n{}",
-        widest(ran.text()),
-        ran.text()
-    );
-}
-
 /// In a terminal: one of 80 columns, made by `script`, which every Linux has.
 #[cfg(target_os = "linux")]
 #[test]

@@ -6,7 +6,6 @@
 
 use crate::common::{command, copy, ran, root, words};
 use std::{
-    collections::HashMap,
     fmt::Write,
     fs,
     path::{Path, PathBuf},
@@ -127,8 +126,6 @@ impl Asked {
 
 /// What a command prints; its warnings, which are never shortened, follow.
 fn printed(page: &str, folder: &Path, line: &str, asked: Asked) -> Result<Vec<String>, String> {
-    /// Cases of verification and validation take minutes: once for all pages.
-    static SLOW: Mutex<Option<HashMap<String, String>>> = Mutex::new(None);
     let words = words(line);
     let words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
     if let ["serve", more @ ..] = &words[..]
@@ -137,27 +134,13 @@ fn printed(page: &str, folder: &Path, line: &str, asked: Asked) -> Result<Vec<St
         crate::serve::works(folder, more);
         return Ok(vec![]);
     }
-    let run = || {
-        let output = command(folder).args(&words).env("COLUMNS", "80").output();
-        let result = ran(output.unwrap());
-        if result.code == asked.exit {
-            Ok((without_times(result.text()), without_times(&result.err)))
-        } else {
-            Err(format!(
-                "{page}: {line}: exit {}: {}",
-                result.code, result.err
-            ))
-        }
-    };
-    if words == ["validate"] {
-        let mut slow = SLOW.lock().unwrap();
-        let slow = slow.get_or_insert_default();
-        if !slow.contains_key(line) {
-            slow.insert(line.to_owned(), run()?.0);
-        }
-        return Ok(asked.shortened(broken(&slow[line])));
+    let output = command(folder).args(&words).env("COLUMNS", "80").output();
+    let result = ran(output.unwrap());
+    if result.code != asked.exit {
+        let (code, err) = (result.code, result.err);
+        return Err(format!("{page}: {line}: exit {code}: {err}"));
     }
-    let (out, err) = run()?;
+    let (out, err) = (without_times(result.text()), without_times(&result.err));
     let mut lines = asked.shortened(broken(&out));
     lines.extend(broken(&err));
     let blank = lines

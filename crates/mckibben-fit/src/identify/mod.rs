@@ -18,7 +18,6 @@ mod signs;
 mod values;
 
 pub use crate::measured::{DataPoint, Quantity, mean_of_data, read_data};
-pub(crate) use bench::farthest_first;
 pub use bench::written as written_bench;
 pub(crate) use error::Result;
 pub use error::{DataError, IdentifyError};
@@ -30,7 +29,7 @@ pub use values::with_values;
 #[doc(hidden)]
 pub use {
     crate::measured::Section,
-    bench::left_over,
+    bench::{farthest_first, left_over},
     parameter::{ParameterError, target_and_numbers},
     run::pulls_and_slack,
     signs::doubts,

@@ -18,7 +18,7 @@ pub use bounds::Unknown;
 pub use errors::Errors;
 pub(crate) use estimate::robust_deviation;
 pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate, slopes};
-pub(crate) use line::Line;
+pub use line::Line;
 #[cfg(test)]
 pub(crate) use noise::Noise;
 pub use student::t95;

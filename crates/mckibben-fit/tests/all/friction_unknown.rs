@@ -10,7 +10,7 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::{
     identify::{IdentificationRequest, Parameter, identify},
     measured::{DataPoint, read_data},
-    validation::library::library,
+    library::library,
 };
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
@@ -78,7 +78,7 @@ fn points_without_a_branch_do_not_measure_friction() {
 /// of nowhere, and another one is known worse.
 #[test]
 fn another_length_of_a_measured_muscle_is_known_worse() {
-    for (_, muscle) in library().unwrap() {
+    for (_, muscle) in library() {
         let bench = muscle.bench().unwrap();
         let length = muscle.length_mm();
         let fit_n = |length_mm: f64| {

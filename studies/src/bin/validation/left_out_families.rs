@@ -1,0 +1,135 @@
+//! Measured muscles by the families that they do not belong to.
+
+use crate::{
+    families::{Known, Series, experience, prior_of},
+    fit::posterior,
+    left_out::{Judged, SeriesJudged},
+};
+use mckibben_core::{
+    analysis::{Evaluation, Options},
+    built::{Experience, Predictor, Prior},
+    by_number::SortByNumber,
+    extremes::peak,
+    model::Workspace,
+    muscle::Muscle,
+    threads,
+};
+use mckibben_fit::{
+    identify::{Build, Quantity, farthest_first, written_bench},
+    library::residual::of_branch,
+    measured::DataPoint,
+};
+
+/// The points of a series by a predictor of its muscle, or of one made from it.
+pub fn judged(
+    series: &Series,
+    muscle: &Muscle,
+    predictor: &Predictor,
+    points: &[DataPoint],
+    build: &Build<'_>,
+) -> Option<Vec<Judged>> {
+    let model = build(muscle).ok()?;
+    let highest_mpa = peak(series.points.iter().map(|p| p.at.pressure_mpa));
+    let largest_n = predictor.at(highest_mpa, 0.0, 0.0)?.force_n;
+    let w = &mut Workspace::new();
+    let one = |point: &DataPoint| {
+        let (p, e) = (point.at.pressure_mpa, point.at.contraction);
+        let branch = point.at.direction();
+        let two_sided = Options {
+            two_sided: true,
+            ..branch.into()
+        };
+        let mut model = Evaluation::new(&*model, w, two_sided);
+        let force_n = model.force_n(p, e).ok()?;
+        let predicted = model.predicted_by(predictor, p, e, force_n)?;
+        let (median_n, half_n) = of_branch(branch, predicted);
+        // A muscle that pulls nothing is slack.
+        let median_n = if point.measured == Quantity::Force {
+            median_n.max(0.0)
+        } else {
+            median_n
+        };
+        Some(Judged {
+            off: (point.at.force_n - median_n) / largest_n,
+            half: half_n / largest_n,
+        })
+    };
+    Some(points.iter().filter_map(one).collect())
+}
+
+/// Points of a series that are spread over its pressures and contractions, from ε 0.03 on: `n` of
+/// them.
+fn spread(points: &[DataPoint], n: usize) -> Vec<usize> {
+    const LEAST: f64 = 0.03;
+    let highest_mpa = peak(points.iter().map(|p| p.at.pressure_mpa));
+    let largest = peak(points.iter().map(|p| p.at.contraction));
+    let mut order: Vec<usize> = (0..points.len())
+        .filter(|&i| points[i].at.contraction >= LEAST)
+        .collect();
+    let place = |i: usize| {
+        let at = points[i].at;
+        (
+            at.pressure_mpa / highest_mpa,
+            at.contraction / largest,
+            0.5 * at.direction().sign(),
+        )
+    };
+    // The first in the middle, each further one farthest from those before it.
+    let middle = (0.6, 0.4, 0.0);
+    let apart =
+        |a: (f64, f64, f64), b: (f64, f64, f64)| (a.0 - b.0).hypot(a.1 - b.1).hypot(a.2 - b.2);
+    order.sort_by_number(|&i| apart(place(i), middle));
+    // Of equal ones that farthest from the middle.
+    if let Some(rest) = order.get_mut(1..) {
+        rest.reverse();
+    }
+    farthest_first(order.len(), n, |i, k| {
+        apart(place(order[i]), place(order[k]))
+    })
+    .into_iter()
+    .map(|i| order[i])
+    .collect()
+}
+
+/// The muscle of a series, and what is known of it, after some of its points were measured.
+pub fn after(
+    series: &Series,
+    points: &[DataPoint],
+    before: (&Experience, &Prior),
+    build: &Build<'_>,
+) -> Option<(Muscle, Predictor)> {
+    let posterior = posterior(&series.muscle, points, before, build)?;
+    let muscle = series.muscle.with_constants(&posterior.constants).ok()?;
+    let bench = written_bench(&muscle, &posterior, "fe".to_owned(), false)?;
+    let muscle = muscle.with_bench(bench);
+    let predictor = Predictor::of(&muscle, before.0)?;
+    Some((muscle, predictor))
+}
+
+/// Every series by the families that it does not belong to, and so many of its own points.
+pub fn left_out(known: &[Known<'_>], own_points: usize, build: &Build<'_>) -> Vec<SeriesJudged> {
+    let one = |of: &&Known<'_>| {
+        let series = of.series;
+        let others: Vec<&Known<'_>> = known
+            .iter()
+            .filter(|k| k.series.family != series.family)
+            .collect();
+        let experience = experience(&others);
+        let prior = prior_of(series, &experience);
+        let list = if own_points == 0 {
+            let predictor = Predictor::about(&series.muscle, prior.centre, prior.covariance())?;
+            judged(series, &series.muscle, &predictor, &series.points, build)?
+        } else {
+            let own = spread(&series.points, own_points);
+            let all = 0..series.points.len();
+            let (own, rest): (Vec<_>, Vec<_>) = all.partition(|i| own.contains(i));
+            let [fitted, rest] =
+                [own, rest].map(|list| Vec::from_iter(list.iter().map(|&i| series.points[i])));
+            let (muscle, predictor) = after(series, &fitted, (&experience, &prior), build)?;
+            judged(series, &muscle, &predictor, &rest, build)?
+        };
+        Some((series.name.clone(), list))
+    };
+    let list: Vec<&Known<'_>> = known.iter().collect();
+    threads::map(&list, one).into_iter().flatten().collect()
+}
