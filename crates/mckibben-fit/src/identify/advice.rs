@@ -2,7 +2,7 @@
 //! model does not follow.
 
 use super::{
-    Identification, IdentificationRequest, IdentifyError, PointFit, Posterior, Result, Target,
+    Identification, IdentificationRequest, IdentifyError, PointFit, PosteriorRequest, Result, Target,
 };
 use crate::{
     least_squares::{Loss, Unknown, estimate, robust_deviation},
@@ -292,38 +292,51 @@ fn outlying(points: &[PointFit]) -> Option<String> {
     })
 }
 
-/// Residuals of which a zero of the load cell explains half of the squares, beside rubber, strands
-/// and friction: as a linear problem.
-pub fn zero_of_load_cell(found: &Posterior) -> Option<String> {
-    let points = &found.points;
-    let weights: Vec<f64> = points.iter().map(|p| p.0.weight).collect();
-    let column = |constant: Constant| -> Vec<f64> {
-        found.slopes.iter().map(|s| s[constant as usize]).collect()
-    };
-    let mut columns = [Constant::Modulus, Constant::Strands, Constant::Friction]
-        .map(column)
-        .to_vec();
-    columns.retain(|column| column.iter().any(|slope| *slope != 0.0));
-    let fit = |columns: &[Vec<f64>]| {
-        let moved = |x: &[f64]| {
-            let by = |i: usize| columns.iter().zip(x).map(|(c, x)| c[i] * x).sum::<f64>();
-            let rows = points.iter().enumerate();
-            Some(rows.map(|(i, (p, f))| f - p.at.force_n + by(i)).collect::<Vec<f64>>())
+/// Residuals of which a zero of the load cell explains half of the squares, beside modulus, strands
+/// and friction of the muscle by least squares.
+pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
+    const TURNS: usize = 6;
+    const MOST: f64 = 0.5;
+    let weights: Vec<f64> = request.points.iter().map(|p| p.weight).collect();
+    let is_force = |p: &DataPoint| f64::from(u8::from(p.measured == Quantity::Force));
+    let zero: Vec<f64> = request.points.iter().map(is_force).collect();
+    let mut x = [0.0; Constant::ALL.len()];
+    let mut turn = 0;
+    loop {
+        turn += 1;
+        let rows = request.rows(&x)?.into_iter().collect::<Option<Vec<_>>>()?;
+        let fit = |columns: &[Vec<f64>]| {
+            let moved = |x: &[f64]| {
+                let by = |i: usize| columns.iter().zip(x).map(|(c, x)| c[i] * x).sum::<f64>();
+                let each = request.points.iter().zip(&rows).enumerate();
+                let off = each.map(|(i, (p, row))| row.predicted_n - p.at.force_n + by(i));
+                Some(off.collect::<Vec<f64>>())
+            };
+            let unknowns = vec![Unknown::free(0.0, 1.0); columns.len()];
+            estimate(&moved, &unknowns, &weights, Loss::Squares).ok()
         };
-        let unknowns = vec![Unknown::free(0.0, 1.0); columns.len()];
-        estimate(&moved, &unknowns, &weights, Loss::Squares).ok()
-    };
-    let without = fit(&columns)?;
-    let is_force = |p: &(DataPoint, f64)| f64::from(p.0.measured == Quantity::Force);
-    columns.push(points.iter().map(is_force).collect());
-    let with = fit(&columns)?;
-    let (zero_n, half_n) = (with.x.last()?, with.half_widths.last()?);
-    (with.squares < 0.5 * without.squares && zero_n.abs() > *half_n).then(|| {
-        format!(
-            "the load cell seems to show {} N without a pull: look at its zero",
-            show(*zero_n)
-        )
-    })
+        let slopes = |constant: Constant| rows.iter().map(move |r| r.slopes[constant as usize]);
+        let mut free = vec![Constant::Modulus, Constant::Strands, Constant::Friction];
+        free.retain(|constant| slopes(*constant).any(|slope| slope != 0.0));
+        let mut columns: Vec<Vec<f64>> = free.iter().map(|c| slopes(*c).collect()).collect();
+        if turn < TURNS {
+            let step = fit(&columns)?.x;
+            for (constant, step) in free.iter().zip(step) {
+                x[*constant as usize] += step.clamp(-MOST, MOST);
+            }
+            continue;
+        }
+        let before = fit(&columns)?.squares;
+        columns.push(zero);
+        let with = fit(&columns)?;
+        let (zero_n, half_n) = (with.x.last()?, with.half_widths.last()?);
+        return (with.squares < 0.5 * before && zero_n.abs() > *half_n).then(|| {
+            format!(
+                "the load cell seems to show {} N without a pull: look at its zero",
+                show(*zero_n)
+            )
+        });
+    }
 }
 
 /// An identified modulus that no rubber has.

@@ -19,7 +19,7 @@ use crate::{
 use mckibben_core::{
     analysis::Evaluation,
     extremes::peak,
-    model::{ModelError, Workspace},
+    model::{ModelError, Workspace, pivoting_n_per_mm},
     muscle::{
         Direction, Muscle,
         measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING},
@@ -141,6 +141,8 @@ struct Problem<'a> {
     points: &'a [DataPoint],
     /// N per unit of the measured quantity, by [`Quantity`].
     scales: [f64; 4],
+    /// Of each measured pull that of the mean of the branches in N, and G in N/mm.
+    means: Vec<(f64, f64)>,
 }
 
 impl Problem<'_> {
@@ -168,8 +170,8 @@ impl Problem<'_> {
         })
     }
 
-    /// Residual of every point in N, or why it has none.
-    fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64, ModelError>>> {
+    /// Residual of every point in N.
+    fn residuals(&self, x: &[f64]) -> Option<Vec<f64>> {
         let muscle = self.muscle_at(x)?;
         let in_order = self.request.history.then_some(self.request.points);
         let shares = in_order.and_then(|rows| history::shares(rows, self.points, &muscle));
@@ -180,18 +182,40 @@ impl Problem<'_> {
                 Quantity::Contraction => at_measured_pull(model, point)?.contraction - e,
                 Quantity::Pressure => at_measured_pull(model, point)?.pressure_mpa - p,
                 _ => {
-                    let computed_n = match shares.as_ref().and_then(|list| list.get(i)) {
-                        Some(share) => {
-                            let half = model.half_width_n(p, e)?;
-                            model.model.force_n(model.workspace, p, e)? - share * half
-                        }
-                        None => model.force_n(p, e)?,
-                    };
-                    computed_n - point.at.force_n
+                    let (mean_n, pivoting) = self.means[i];
+                    let law = model.model.muscle().friction().filter(|_| p > 0.0);
+                    let half = law.map_or(0.0, |law| law.half_width_n(p, pivoting));
+                    let share = shares.as_ref().map_or(-point.at.direction().sign(), |z| z[i]);
+                    mean_n - share * half - point.at.force_n
                 }
             };
             Ok(self.scales[point.measured as usize] * off)
-        })
+        })?
+        .into_iter()
+        .map(Result::ok)
+        .collect()
+    }
+
+    /// The points that the model answers with its pull without friction, and what it says there.
+    fn means(&self) -> Option<(Vec<DataPoint>, Vec<(f64, f64)>)> {
+        let stated = self.muscle.friction().is_some_and(|f| f.lever_mm > 0.0);
+        let has_lever = stated || self.targets.contains(&Target::Measure(&FRICTION_LEVER));
+        let rows = self.of_points(self.muscle, |model, i| {
+            let at = &self.points[i].at;
+            let (p, e) = (at.pressure_mpa, at.contraction);
+            let Evaluation {
+                model, workspace, ..
+            } = model;
+            let mean_n = model.force_n(workspace, p, e)?;
+            let pivoting = if has_lever && p > 0.0 {
+                pivoting_n_per_mm(*model, workspace, p, e)?
+            } else {
+                0.0
+            };
+            Ok((mean_n, pivoting))
+        })?;
+        let answered = self.points.iter().zip(rows);
+        Some(answered.filter_map(|(p, row)| Some((*p, row.ok()?))).unzip())
     }
 
     fn mean_slopes(&self, start: &[f64]) -> Option<[f64; 4]> {
@@ -290,22 +314,21 @@ pub fn friction_law(
         targets: &targets,
         points,
         scales: [1.0; 4],
+        means: vec![],
     };
-    let unknowns = problem.unknowns()?;
-    let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
-    if points.iter().any(|p| p.measured != Quantity::Force) {
-        problem.scales = problem.mean_slopes(&start).unwrap_or(problem.scales);
-    }
-    // Points without an answer at the start are left out, where they are few.
-    let rows = problem.rows(&start)?;
-    let kept = points.iter().zip(&rows).filter(|row| row.1.is_ok());
-    let kept: Vec<DataPoint> = kept.map(|row| *row.0).collect();
+    // Points without an answer are left out, where they are few.
+    let (kept, means) = problem.means()?;
     if 5 * (points.len() - kept.len()) > points.len() {
         return None;
     }
     problem.points = &kept;
-    let residuals =
-        |x: &[f64]| -> Option<Vec<f64>> { problem.rows(x)?.into_iter().map(Result::ok).collect() };
+    problem.means = means;
+    let unknowns = problem.unknowns()?;
+    let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
+    if kept.iter().any(|p| p.measured != Quantity::Force) {
+        problem.scales = problem.mean_slopes(&start).unwrap_or(problem.scales);
+    }
+    let residuals = |x: &[f64]| problem.residuals(x);
     let found = estimate(&residuals, &unknowns, &problem.weights()?, Loss::Squares).ok()?;
     let parameters = parameters(&problem, &unknowns, &found);
     let values: Vec<f64> = parameters.iter().map(|p| p.value).collect();

@@ -57,8 +57,6 @@ pub struct Posterior {
     pub rms_before_n: f64,
     /// Each point with the pull of the constants there, in N.
     pub points: Vec<(DataPoint, f64)>,
-    /// ∂f/∂x at each point.
-    pub slopes: Vec<Constants>,
 }
 
 /// Points, the muscle that states what is known, its model and what is known before.
@@ -77,11 +75,11 @@ pub struct PosteriorRequest<'a> {
 }
 
 /// A point beside the muscle with constants.
-struct Row {
+pub struct Row {
     section: Section,
     place: Place,
-    predicted_n: f64,
-    slopes: Constants,
+    pub(super) predicted_n: f64,
+    pub(super) slopes: Constants,
     /// T cosθ η: h in N.
     half_loop_n: f64,
 }
@@ -129,6 +127,13 @@ impl PosteriorRequest<'_> {
             })
         };
         Some(places.iter().map(|&i| one(&self.points[i])).collect())
+    }
+
+    /// Every point by the muscle with constants, in their order.
+    pub(super) fn rows(&self, x: &Constants) -> Option<Vec<Option<Row>>> {
+        by_section(self.points, |section, places| {
+            self.rows_of(*section, places, x)
+        })
     }
 
     /// R of some points.
@@ -263,10 +268,7 @@ impl PosteriorRequest<'_> {
         let mut last: Option<[f64; CONSTANTS]> = None;
         for turn in 0..STEPS {
             self.progress.check()?;
-            let rows = by_section(self.points, |section, places| {
-                self.rows_of(*section, places, &x)
-            });
-            let rows = rows.unwrap_or_default();
+            let rows = self.rows(&x).unwrap_or_default();
             let known: Vec<(&DataPoint, &Row)> = self
                 .points
                 .iter()
@@ -339,7 +341,6 @@ impl PosteriorRequest<'_> {
                 .iter()
                 .map(|(point, row)| (**point, row.predicted_n))
                 .collect(),
-            slopes: known.iter().map(|(_, row)| row.slopes).collect(),
         })
     }
 }

@@ -113,7 +113,7 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
     let experience = Experience::built_in();
     let prior = prior(request, &base, experience);
     let bounds = bounds(request, &base);
-    let found = PosteriorRequest {
+    let sought = PosteriorRequest {
         muscle: &base,
         points: &counted,
         build: request.build,
@@ -123,7 +123,7 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
         bounds: &bounds,
         search: true,
     };
-    let found = found.posterior()?.ok_or_else(|| {
+    let found = sought.posterior()?.ok_or_else(|| {
         let none = "the model has no answer at the points with any constants near to those of the \
             muscle";
         IdentifyError::Refused(none.to_owned())
@@ -159,7 +159,7 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
         .filter_map(|shown| shown.identified(&base, &muscle, &found))
         .chain(law.parameters)
         .collect();
-    notes.extend(advice::zero_of_load_cell(&found));
+    notes.extend(advice::zero_of_load_cell(&sought));
     let identified = Identification {
         bench: bench::written(&muscle, &left, model, request.history),
         correlation: correlation(&parameters, &found),
