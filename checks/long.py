@@ -261,11 +261,17 @@ PARTS = {
         ["bash web/build.sh", "bash web/test.sh static"],
     ),
     "studies": (
-        "research scripts and benches build, and their figures",
-        [r"studies/.*"],
+        "research scripts and benches build, their tests, the tables of the validation and prior.json, and their figures",
+        [
+            r"studies/.*",
+            r"crates/mckibben-(core|fit|fem)/(src|data)/.*",
+            r"examples/(measured|library)/.*",
+        ],
         None,
         [
             "cargo clippy --manifest-path studies/Cargo.toml --target-dir target/studies --all-targets --locked -- -D warnings",
+            "cargo test --release --manifest-path studies/Cargo.toml --target-dir target/studies --bins --locked",
+            "cargo study validation -- --check",
             "cargo xtask study-figures --check",
         ],
     ),

@@ -152,18 +152,15 @@ fn into_folder(line: &str, folder: &Path) -> Vec<PathBuf> {
 fn study_figures(check: bool) -> Done {
     let made = made("studies")?;
     let kept = Path::new("docs/figures");
-    for (file, study, more) in [
-        ("peers.svg", "peers_figure", None),
-        ("universal.svg", "universal_figure", Some("150")),
+    for (file, study, before, more) in [
+        ("peers.svg", "peers_figure", None, None),
+        ("universal.svg", "universal_figure", None, Some("150")),
+        ("measured.svg", "validation", Some("--plot"), None),
     ] {
         let path = made.join(file);
-        quiet(
-            cargo()
-                .args(["study", study])
-                .arg("--")
-                .arg(&path)
-                .args(more),
-        )?;
+        let mut draw = cargo();
+        draw.args(["study", study, "--"]).args(before);
+        quiet(draw.arg(&path).args(more))?;
         keep(&path, &kept.join(file), check)?;
     }
     Ok(())
@@ -194,15 +191,13 @@ fn golds(check: bool) -> Done {
             check,
         )?;
     }
-    for (name, file) in [("rubber_laws", "rubber-laws.json"), ("prior", "prior.json")] {
-        let path = made.join(file);
-        save(&mut example(name)?, &path)?;
-        keep(
-            &path,
-            &Path::new("crates/mckibben-core/data").join(file),
-            check,
-        )?;
-    }
+    let path = made.join("rubber-laws.json");
+    save(&mut example("rubber_laws")?, &path)?;
+    keep(
+        &path,
+        Path::new("crates/mckibben-core/data/rubber-laws.json"),
+        check,
+    )?;
     let path = made.join("paper.csv");
     save(&mut example("paper_campaign_csv")?, &path)?;
     keep(&path, Path::new("data/campaign/paper.csv"), check)

@@ -20,7 +20,7 @@ export const helpButton = () =>
       paragraph("Point at a quantity, or focus its field, to see it in a drawing."),
       paragraph(
         el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
-        ": accuracy, verification, sources.",
+        ": your data, accuracy, sources.",
       ),
       DOCUMENTATION
         ? el("iframe", { class: "book", title: "The book", src: book(help) })

@@ -99,7 +99,7 @@ export const PAGES = [
     "",
     "About",
     "verified",
-    "How accurate the results are, how they were verified, and where the data come from.",
+    "How accurate the results are, and where the data come from.",
   ],
 ].map(([name, place, text, help, about]) => ({ name, place, text, help, about }));
 /** @param {string} name */

@@ -111,7 +111,7 @@ const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --mo
 
 /// What every command writes, and where: the flag with its folder or file, and the file that is in
 /// its way.
-const WRITERS: [(&str, &str, &str); 36] = [
+const WRITERS: [(&str, &str, &str); 35] = [
     (
         "design -F 300 -e 10% -p 2.5bar -D 40 -s 2 --model paper",
         "-o w.toml",

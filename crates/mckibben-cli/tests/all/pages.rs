@@ -302,8 +302,9 @@ fn outputs_are_broken_and_shortened_at_known_places() {
     );
 }
 
-/// A page as prose and as what its numbers may come from: blocks, code in sentences, comments that
-/// begin with `<!-- numbers:`, equations, and the files of examples/ that it links.
+/// A page as prose and as what its numbers may come from: blocks, code in sentences, tables behind
+/// `<!-- study NAME -->`, comments that begin with `<!-- numbers:`, equations, and the files of
+/// examples/ that it links.
 fn prose_and_evidence(page: &Path, text: &str) -> (String, String) {
     let (mut prose, mut evidence) = (String::new(), String::new());
     for (i, part) in text.split("```").enumerate() {
@@ -313,10 +314,12 @@ fn prose_and_evidence(page: &Path, text: &str) -> (String, String) {
         }
         let mut rest = part;
         let mut spoken = String::new();
+        let mut of_study = false;
         while let Some((before, after)) = rest.split_once("<!--") {
-            spoken += before;
+            *(if of_study { &mut evidence } else { &mut spoken }) += before;
             let (comment, after) = after.split_once("-->").unwrap();
             evidence += comment;
+            of_study = comment.starts_with(" study ");
             rest = after;
         }
         spoken += rest;
@@ -489,12 +492,12 @@ fn numbers_of_sentences_are_found_and_compared() {
     assert!(comes_from("1700", "N", &[1711.0]) && !comes_from("1600", "N", &[1711.0]));
     let (prose, evidence) = prose_and_evidence(
         Path::new("x.md"),
-        "a 1 N `2 N` <!-- numbers: 3 -->\n```text\n4\n```\n",
+        "a 1 N `2 N` <!-- numbers: 3 -->\n```text\n4\n```\n<!-- study x -->| 5 |<!-- end -->",
     );
     assert_eq!(claims(&prose), [("1", "N")]);
     assert_eq!(
         numbers(&evidence).iter().map(|n| n.0).collect::<Vec<_>>(),
-        ["3", "2", "4"]
+        ["3", "2", "4", "5"]
     );
 }
 
@@ -522,7 +525,9 @@ fn a_page_is_of_one_kind_and_short() {
             wrong.push(format!("{name} is {named} times in SUMMARY.md"));
         }
         let text = fs::read_to_string(&page).unwrap();
-        let prose: String = text.split("\n```").step_by(2).collect();
+        let behind = |part| str::split_once(part, "<!-- end -->").map_or(part, |(_, rest)| rest);
+        let without_tables: String = text.split("<!-- study ").map(behind).collect();
+        let prose: String = without_tables.split("\n```").step_by(2).collect();
         let words = prose.split_whitespace().count();
         if words > 1500 {
             wrong.push(format!("{name} has {words} words, at most 1500"));

@@ -24,7 +24,7 @@
 //! ([`learnt`]). Below zero a muscle that contracts is slack.
 //!
 //! Range: muscles that contract, of stated or estimated constants; five families of measured
-//! muscles tell the prior, and `mckibben validate` prints what it covers where each is left out.
+//! muscles tell the prior, and `cargo study validation` what it covers where each is left out.
 
 #[doc(hidden)]
 pub mod learnt;

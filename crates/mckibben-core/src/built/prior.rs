@@ -72,8 +72,8 @@ impl Experience {
         self
     }
 
-    /// What the measured muscles that are built in tell: `data/prior.json`, which `cargo xtask
-    /// golds` computes from their points.
+    /// What the measured muscles that are built in tell: `data/prior.json`, which `cargo study
+    /// validation` computes from their points.
     pub fn built_in() -> &'static Self {
         static BUILT_IN: OnceLock<Experience> = OnceLock::new();
         BUILT_IN.get_or_init(|| {

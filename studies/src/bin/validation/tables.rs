@@ -4,7 +4,7 @@ use crate::{
     bounds::Row,
     case::{Case, Facts},
     left_out::Coverage,
-    report::{BIN, BINS, Fitted, Group},
+    report::{BIN, BINS, Fitted},
     rubber::{FittedRubber, RubberGroup},
 };
 use mckibben_core::joined;
@@ -81,6 +81,8 @@ const ERRORS: [&str; 6] = [
     "within ± [%]",
 ];
 
+const FOUND: &str = "found, ± 95 %";
+
 /// Fits to all points, with their constants.
 pub fn fits(all: &[&Fitted<'_>]) -> String {
     let row = |of: &&&Fitted<'_>| {
@@ -91,7 +93,7 @@ pub fn fits(all: &[&Fitted<'_>]) -> String {
     };
     let whole = all.iter().filter(|of| of.fit.split.is_none());
     let rows = whole.filter_map(|of| row(&of));
-    let head = [&["muscle", "fit"][..], &ERRORS, &["found, ± 95 %"]].concat();
+    let head = [&["muscle", "fit"][..], &ERRORS, &[FOUND]].concat();
     table(&head, rows)
 }
 
@@ -104,11 +106,15 @@ pub fn blind(all: &[&Fitted<'_>]) -> String {
         };
         let rms = number(fitted.means.rms_n, 1);
         let names = [&of.case.name, &of.fit.name, &of.to, &rms].map(String::clone);
-        let row = |g: &Group| [&names[..], &[g.of.clone()], &errors(&g.means)].concat();
-        rows.extend(groups.iter().map(row));
+        // In the first row of each fit.
+        let mut found = joined(of.constants.iter().map(constant), ", ");
+        rows.extend(groups.iter().map(|g| {
+            let found = [std::mem::take(&mut found)];
+            [&names[..], &[g.of.clone()], &errors(&g.means), &found].concat()
+        }));
     }
     let head = ["muscle", "fit", "fitted to", "rms there [N]", "predicted"];
-    table(&[&head[..], &ERRORS].concat(), rows)
+    table(&[&head[..], &ERRORS, &[FOUND]].concat(), rows)
 }
 
 /// The branches of the hysteresis.
