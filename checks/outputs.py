@@ -76,8 +76,6 @@ figures = {
         "examples/tondu2012.toml",
         "--data",
         "data/tondu2012/static_force_20deg.csv",
-        "--fit",
-        "modulus,end-factor",
     ],
 }
 with tempfile.TemporaryDirectory() as folder:

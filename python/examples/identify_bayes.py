@@ -1,4 +1,5 @@
-"""The posterior of two constants of a muscle on its bench (examples/bench.csv), by NUTS (NumPyro) and by emcee, against the error bars of identify.
+"""The posterior of two constants of a muscle on its bench (examples/bench.csv) with a flat prior, by NUTS (NumPyro) and by emcee, against the error
+bars of least squares (SciPy).
 
 python identify_bayes.py
 """
@@ -6,7 +7,7 @@ python identify_bayes.py
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +18,20 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 Array = NDArray[np.float64]
 
 
-def bench() -> tuple[Any, Array, Array, Array]:
-    """What identify finds, and the points."""
+class Fit(NamedTuple):
+    """Constants by least squares, with their standard errors and that of a point."""
+
+    muscle: Any
+    names: list[str]
+    value: Array
+    standard_error: Array
+    deviation: float
+
+
+def bench() -> tuple[Fit, Array, Array, Array]:
+    """What least squares find from where identify ends, and the points."""
+    from scipy.optimize import least_squares
+
     found = mk.identify(
         EXAMPLES / "bench.toml",
         EXAMPLES / "bench.csv",
@@ -32,14 +45,31 @@ def bench() -> tuple[Any, Array, Array, Array]:
         [row.force_n for row in rows],
     )
     p, e, f = (np.array(column, dtype=np.float64) for column in columns)
-    return found, p, e, f
+    muscle, names = found.identified, found["name"]
+
+    def at(theta: Array) -> Any:
+        return muscle.with_parameters(dict(zip(names, theta))).force(
+            p, e, jac=names, model="universal"
+        )
+
+    best = least_squares(
+        lambda theta: at(theta)[0] - f,
+        found["value"],
+        jac=lambda theta: at(theta)[1][:, 2:],
+        x_scale=found["value"],
+        xtol=1e-12,
+        ftol=1e-12,
+    )
+    deviation = float(np.sqrt(2 * best.cost / (len(f) - len(names))))
+    error = deviation * np.sqrt(np.diag(np.linalg.inv(best.jac.T @ best.jac)))
+    return Fit(muscle, names, best.x, error, deviation), p, e, f
 
 
-def by_emcee(found: Any, p: Array, e: Array, f: Array, steps: int = 300) -> Array:
-    """Samples of θ: flat prior, errors of the size that identify found."""
+def by_emcee(found: Fit, p: Array, e: Array, f: Array, steps: int = 300) -> Array:
+    """Samples of θ: flat prior, errors of the size that least squares found."""
     import emcee
 
-    muscle, names = found.identified, found["name"]
+    muscle, names = found.muscle, found.names
 
     def log_probability(theta: Array) -> float:
         if not (theta > 0).all():
@@ -51,7 +81,7 @@ def by_emcee(found: Any, p: Array, e: Array, f: Array, steps: int = 300) -> Arra
         return -0.5 * chi if np.isfinite(chi) else -np.inf
 
     rng = np.random.default_rng(1)
-    start = found["value"] + 0.5 * found["standard_error"] * rng.standard_normal(
+    start = found.value + 0.5 * found.standard_error * rng.standard_normal(
         (16, len(names))
     )
     sampler = emcee.EnsembleSampler(16, len(names), log_probability)
@@ -61,7 +91,7 @@ def by_emcee(found: Any, p: Array, e: Array, f: Array, steps: int = 300) -> Arra
     return samples
 
 
-def by_nuts(found: Any, p: Array, e: Array, f: Array, samples: int = 400) -> Array:
+def by_nuts(found: Fit, p: Array, e: Array, f: Array, samples: int = 400) -> Array:
     """The same by NUTS, with the gradients of the model."""
     import jax
     import jax.numpy as jnp
@@ -72,17 +102,17 @@ def by_nuts(found: Any, p: Array, e: Array, f: Array, samples: int = 400) -> Arr
 
     config: Any = jax.config
     config.update("jax_enable_x64", True)
-    pull = force(found.identified, found["name"], errors="nan", model="universal")
+    pull = force(found.muscle, found.names, errors="nan", model="universal")
 
     def model() -> None:
         z = numpyro.sample(
             "z",
-            numpyro.distributions.Normal(jnp.zeros(len(found["value"])), 30.0).to_event(
+            numpyro.distributions.Normal(jnp.zeros(len(found.value)), 30.0).to_event(
                 1
             ),
         )
-        # In standard errors about what identify found: then the sampler needs little tuning.
-        theta = jnp.asarray(found["value"]) + jnp.asarray(found["standard_error"]) * z
+        # In standard errors about what least squares found: then the sampler needs little tuning.
+        theta = jnp.asarray(found.value) + jnp.asarray(found.standard_error) * z
         numpyro.sample(
             "force",
             numpyro.distributions.Normal(pull(p, e, theta), found.deviation),
@@ -92,13 +122,13 @@ def by_nuts(found: Any, p: Array, e: Array, f: Array, samples: int = 400) -> Arr
     mcmc = MCMC(NUTS(model), num_warmup=100, num_samples=samples, progress_bar=False)
     mcmc.run(jax.random.PRNGKey(0))
     z: Array = np.asarray(mcmc.get_samples()["z"])
-    return np.asarray(found["value"] + found["standard_error"] * z)
+    return np.asarray(found.value + found.standard_error * z)
 
 
 def main() -> dict[str, tuple[Array, Array]]:
     """Mean and standard deviation of each, by its name."""
     found, p, e, f = bench()
-    out = {"identify": (found["value"], found["standard_error"])}
+    out = {"squares": (found.value, found.standard_error)}
     for name, ask in (("emcee", by_emcee), ("nuts", by_nuts)):
         try:
             samples = ask(found, p, e, f)

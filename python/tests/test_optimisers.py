@@ -250,16 +250,16 @@ def test_jax_has_no_third_derivatives(jax: Any) -> None:
 
 
 def posterior(made: Any, found: Any, points: list[Any]) -> tuple[Any, Any]:
-    """Mean and standard deviation of the posterior with a flat prior, in standard errors about what identify found: by quadrature on a grid of
+    """Mean and standard deviation of the posterior with a flat prior, in standard errors about what least squares found: by quadrature on a grid of
     half a standard error, which for a density as smooth as this has converged."""
     p, e, f = points
-    names = found["name"]
+    names = found.names
     nodes = np.linspace(-5, 5, 21)
     grid = np.array([[a, b] for a in nodes for b in nodes])
     log = np.empty(len(grid))
     for i, z in enumerate(grid):
-        theta = dict(zip(names, found["value"] + found["standard_error"] * z))
-        pulls = found.identified.with_parameters(theta).force(
+        theta = dict(zip(names, found.value + found.standard_error * z))
+        pulls = found.muscle.with_parameters(theta).force(
             p, e, errors="nan", model="universal"
         )
         log[i] = -0.5 * (((pulls - f) / found.deviation) ** 2).sum()
@@ -287,18 +287,17 @@ def test_a_posterior_is_that_of_quadrature(
     sampler: str, needs: str, root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Mean and standard deviation within four standard errors of the sampling, σ/√n and σ/√(2n) for as many as n independent samples. Regression: the
-    posterior itself lies 0.04 and 0.22 standard errors beside what identify found, and is 1.00 and 1.05 times as wide as its errors."""
+    posterior itself lies 0.04 and 0.22 standard errors beside what least squares found, and is 1.00 and 1.05 times as wide as its errors."""
     pytest.importorskip(needs)
     monkeypatch.syspath_prepend(str(root / "python" / "examples"))
+    pytest.importorskip("scipy")
     made: Any = importlib.import_module("identify_bayes")
     found, *points = made.bench()
     mean, width = posterior(made, found, points)
     assert np.allclose(mean, [0.042, 0.219], atol=0.005) and np.allclose(
         width, [0.999, 1.045], atol=0.005
     )
-    z = (getattr(made, sampler)(found, *points) - found["value"]) / found[
-        "standard_error"
-    ]
+    z = (getattr(made, sampler)(found, *points) - found.value) / found.standard_error
     n = independent(sampler, z)
     assert (n > 50).all(), f"too few samples: {n}"
     assert (abs(z.mean(axis=0) - mean) < 4 * width / np.sqrt(n)).all(), (

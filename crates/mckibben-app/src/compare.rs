@@ -6,15 +6,14 @@ use crate::{
     AskFields, Contractions, DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary,
     NameOrFile, Problem, ProblemKind, Result, UnderstoodTable, Units, contractions, figure,
     flags::{self, Args},
-    list, measured_points, number, steps, warnings,
+    list, measured_points, steps, warnings,
 };
 use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
     extremes::peak,
-    joined,
     model::{ForceModel, ModelError, Workspace},
-    muscle::{Muscle, measures::END_FACTOR},
+    muscle::Muscle,
     progress::Progress,
     size,
     units::typed::{List, Pressure},
@@ -22,10 +21,7 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches},
-    identify::{
-        DataPoint, IdentificationRequest, IdentifyError, Parameter, Target, doubts, identify,
-        matters,
-    },
+    identify::{DataPoint, doubts},
     measured::Quantity,
 };
 use mckibben_report::Figure;
@@ -43,9 +39,6 @@ pub struct CompareRequest {
     #[serde(flatten)]
     #[command(flatten)]
     pub tables: DataFields,
-    /// Constants to fit to the points, for each model
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = flags::word::<FitConstant>())]
-    pub fit: Vec<FitConstant>,
     /// Pressures, where there are no measured points [0.05..0.25:0.05]
     #[arg(short, long)]
     pub pressures_mpa: Option<List<Pressure>>,
@@ -75,28 +68,6 @@ pub struct CompareRequest {
     pub figure: Option<Units>,
 }
 
-/// A constant of the muscle that can be fitted in a comparison.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum FitConstant {
-    /// One factor on all moduli of the rubber law.
-    Modulus,
-    /// The end factor of the terminals.
-    EndFactor,
-    /// Stiffness of a strand family.
-    Stiffness,
-}
-
-impl FitConstant {
-    fn target(self) -> Target {
-        match self {
-            Self::Modulus => Target::Modulus,
-            Self::EndFactor => Target::Measure(&END_FACTOR),
-            Self::Stiffness => Target::Stiffness,
-        }
-    }
-}
-
 /// Models and their errors.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
@@ -112,7 +83,7 @@ pub struct CompareAnswer {
     /// What was understood of the measured points; empty without.
     pub understood: Vec<UnderstoodTable>,
     /// The models.
-    pub models: Vec<ComparedModel>,
+    pub models: Vec<Comparison>,
     /// Warnings about the muscle and its rubber, in sentences.
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
@@ -120,56 +91,13 @@ pub struct CompareAnswer {
     /// Which branch of measured hysteresis was requested.
     #[serde(skip)]
     pub branch: Direction,
-    /// Whether constants were to be fitted.
-    #[serde(skip)]
-    pub is_fitted: bool,
-}
-
-/// A model and its errors, model − reference.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct ComparedModel {
-    #[serde(flatten)]
-    pub errors: Comparison,
-    /// Fitted factor on all moduli of the rubber law.
-    pub fitted_modulus_factor: Option<f64>,
-    /// Fitted end factor.
-    pub fitted_end_factor: Option<f64>,
-    /// Fitted stiffness of a strand family, N/mm.
-    pub fitted_stiffness_n_per_mm: Option<f64>,
-}
-
-impl ComparedModel {
-    fn new(errors: Comparison, fitted: &[(FitConstant, f64)]) -> Self {
-        let value = |constant| fitted.iter().find(|f| f.0 == constant).map(|f| f.1);
-        Self {
-            errors,
-            fitted_modulus_factor: value(FitConstant::Modulus),
-            fitted_end_factor: value(FitConstant::EndFactor),
-            fitted_stiffness_n_per_mm: value(FitConstant::Stiffness),
-        }
-    }
-
-    /// The fitted constants in words; empty where nothing was fitted.
-    pub fn fitted(&self) -> String {
-        let modulus = self
-            .fitted_modulus_factor
-            .map(|v| format!("modulus × {}", number(v, 4)));
-        let end = self
-            .fitted_end_factor
-            .map(|v| format!("end factor {}", number(v, 4)));
-        let stiffness = self
-            .fitted_stiffness_n_per_mm
-            .map(|v| format!("stiffness {} N/mm", number(v, 4)));
-        joined([modulus, end, stiffness].into_iter().flatten(), ", ")
-    }
 }
 
 /// A model that was compared, with its row.
 struct Compared {
     model: Box<dyn ForceModel>,
     workspace: Workspace,
-    row: ComparedModel,
+    row: Comparison,
 }
 
 impl Compared {
@@ -182,11 +110,7 @@ impl CompareRequest {
     /// Which fields exclude each other, and which ones need others.
     fn validate(&self) -> Result<()> {
         if self.tables.data.is_empty() {
-            let fit = [("fit", !self.fit.is_empty())];
-            return Problem::refuse_unused(
-                &fit,
-                "it needs measured points, and no `data` are given",
-            );
+            return Ok(());
         }
         let grid = [
             ("pressures_mpa", self.pressures_mpa.is_some()),
@@ -232,7 +156,6 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let held = Held {
         muscle: &muscle,
         options,
-        fit: &request.fit,
         measured: measured.as_deref(),
         beside: &beside,
         grid: (&pressures, &contractions),
@@ -249,12 +172,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let of_muscle = muscle.warnings().into_iter().chain(doubts);
     let warned: Vec<Warning> = of_muscle.map(Warning::from).chain(beyond).collect();
     let figure = request.figure.as_ref().map(|unit| {
-        let fits: String = compared
-            .iter()
-            .filter(|c| !c.row.fitted().is_empty())
-            .map(|c| format!(". {} fitted: {}", c.row.errors.model, c.row.fitted()))
-            .collect();
-        let about = format!("{}{fits}", MuscleSummary::from(&muscle).line(unit));
+        let about = MuscleSummary::from(&muscle).line(unit);
         let drawn = compared.iter_mut().map(|c| c.evaluation(options)).collect();
         let measured = measured.as_deref().unwrap_or_default();
         figure::compare(drawn, measured, &pressures, &contractions, &about, unit)
@@ -263,7 +181,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         reference: if measured.is_some() {
             "measured".into()
         } else {
-            compared[0].row.errors.model.clone()
+            compared[0].row.model.clone()
         },
         points: points.len(),
         largest_force_n: peak(points.iter().map(|p| p.force_n)),
@@ -273,7 +191,6 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         warnings: Warning::gravest(&warned),
         figure,
         branch: request.branch,
-        is_fitted: !request.fit.is_empty(),
     })
 }
 
@@ -281,7 +198,6 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
 struct Held<'a> {
     muscle: &'a Muscle,
     options: Options,
-    fit: &'a [FitConstant],
     /// Measured pulls, where there are tables.
     measured: Option<&'a [MeasuredPoint]>,
     /// Measured volumes and contractions.
@@ -298,7 +214,7 @@ impl Held<'_> {
         &self,
         models: &[Model],
         progress: &dyn Progress,
-    ) -> Result<(Vec<Compared>, Vec<ComparedModel>, Vec<MeasuredPoint>)> {
+    ) -> Result<(Vec<Compared>, Vec<Comparison>, Vec<MeasuredPoint>)> {
         let mut reference = self.measured.map(<[MeasuredPoint]>::to_vec);
         let mut compared = vec![];
         let mut skipped = vec![];
@@ -317,7 +233,7 @@ impl Held<'_> {
                         cause: Some(problem.message.clone()),
                         ..Comparison::default()
                     };
-                    skipped.push(ComparedModel::new(errors, &[]));
+                    skipped.push(errors);
                     first.get_or_insert(problem);
                 }
             }
@@ -328,17 +244,13 @@ impl Held<'_> {
         Ok((compared, skipped, reference.unwrap_or_default()))
     }
 
-    /// A model, fitted where constants are free, with the points that it is held against.
+    /// A model with the points that it is held against.
     fn compared(
         &self,
         model: &Model,
         reference: Option<&[MeasuredPoint]>,
     ) -> Result<(Compared, Vec<MeasuredPoint>)> {
-        let (muscle, fitted) = match self.measured {
-            Some(points) => fitted(model, self.muscle, self.options.direction, self.fit, points)?,
-            None => (self.muscle.clone(), vec![]),
-        };
-        let model = model.bound(&muscle)?;
+        let model = model.bound(self.muscle)?;
         let mut workspace = Workspace::new();
         let mut evaluation = Evaluation::new(&*model, &mut workspace, self.options);
         let points = match reference {
@@ -350,7 +262,7 @@ impl Held<'_> {
             return Err(ModelError::NoVolume(model.info().name.to_string()).into());
         }
         let compared = Compared {
-            row: ComparedModel::new(errors, &fitted),
+            row: errors,
             model,
             workspace,
         };
@@ -443,74 +355,4 @@ fn answers(
         })
     };
     states.map(point).collect()
-}
-
-/// k in N/mm from which the search begins where the strands do not stretch.
-const STIFF: f64 = 1e5;
-
-type FittedMuscle = (Muscle, Vec<(FitConstant, f64)>);
-
-/// The muscle with the constants that bring a model closest to the points, of those that the model
-/// knows.
-fn fitted(
-    model: &Model,
-    muscle: &Muscle,
-    direction: Direction,
-    constants: &[FitConstant],
-    points: &[MeasuredPoint],
-) -> Result<FittedMuscle> {
-    let build = |m: &Muscle| model.build(m);
-    // All points count, zeros among them.
-    let points: Vec<DataPoint> = points
-        .iter()
-        .map(|p| {
-            DataPoint::new(MeasuredPoint {
-                branch: Some(direction),
-                ..*p
-            })
-        })
-        .collect();
-    let mut known: Vec<FitConstant> = vec![];
-    for &constant in constants {
-        if !known.contains(&constant) && matters(muscle, constant.target(), &points, &build) {
-            known.push(constant);
-        }
-    }
-    if known.is_empty() {
-        return Ok((muscle.clone(), vec![]));
-    }
-    if points.len() < 2 * known.len() + 1 {
-        let points = points.len();
-        let unknowns = known.len();
-        let least = 2 * unknowns + 1;
-        let message = format!(
-            "{points} points are too few to fit {unknowns} constants: measure at least {least}"
-        );
-        return Err(ProblemKind::Fit.problem(message));
-    }
-    let start = |c: FitConstant| Some(c.target().value(muscle).unwrap_or(STIFF));
-    let parameter = |&c: &FitConstant| Parameter {
-        start: start(c),
-        ..Parameter::free(c.target())
-    };
-    let free: Vec<Parameter> = known.iter().map(parameter).collect();
-    let request = IdentificationRequest {
-        two_sided: true,
-        ..IdentificationRequest::new(muscle, &free, &points, &build)
-    };
-    let identified = identify(&request).map_err(|error| match error {
-        IdentifyError::Start(_, error) | IdentifyError::Model(error) => error.into(),
-        IdentifyError::Estimate(_) => {
-            ProblemKind::NotConverged.problem(format!("the fit did not converge: {error}"))
-        }
-        error @ (IdentifyError::Flipped(_) | IdentifyError::NoRubber { .. }) => error.into(),
-        other => ProblemKind::Fit.problem(other),
-    })?;
-    Ok((
-        identified.muscle,
-        known
-            .into_iter()
-            .zip(identified.parameters.iter().map(|p| p.value))
-            .collect(),
-    ))
 }

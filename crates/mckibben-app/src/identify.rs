@@ -23,12 +23,8 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_fit::{
+    identify::{Identification, IdentificationRequest, Identified, PointFit, Target, with_values},
     library::write::{SavedMuscle, measured_files},
-    identify::{
-        Identification, IdentificationRequest, Identified, LawTrial, Parameter, PointFit, Target,
-        TrialMuscle, default_parameters, identify_default, try_laws,
-    },
-    least_squares::Loss,
     measured::{
         DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
         read_points,
@@ -56,8 +52,8 @@ pub struct IdentifyRequest {
     /// Seconds to add to the times of the log [found where the pull follows the pressure]
     #[arg(long, hide_short_help = true)]
     pub log_offset_s: Option<Time>,
-    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [all constants, each
-    /// with what measured muscles tell of it]
+    /// Free constants, all others being known [all constants, each with what measured muscles
+    /// tell of it]
     #[arg(
         long,
         value_name = "LIST",
@@ -65,7 +61,7 @@ pub struct IdentifyRequest {
         allow_hyphen_values = true
     )]
     pub free: Vec<String>,
-    /// Fix a parameter: NAME=VALUE
+    /// Fix a constant: NAME=VALUE
     #[arg(
         long,
         value_name = "LIST",
@@ -73,7 +69,7 @@ pub struct IdentifyRequest {
         allow_hyphen_values = true
     )]
     pub fix: Vec<String>,
-    /// Bounds of free parameters: NAME=LOW:HIGH
+    /// Bounds of free constants: NAME=LOW:HIGH
     #[arg(
         long,
         value_name = "LIST",
@@ -82,9 +78,6 @@ pub struct IdentifyRequest {
         hide_short_help = true
     )]
     pub bounds: Vec<String>,
-    /// Fit every rubber law, with all its constants free, together with the other free parameters
-    #[arg(long)]
-    pub laws: bool,
     /// The muscle, with a value for everything that is not free.
     #[serde(deserialize_with = "MuscleFields::or_name")]
     #[command(flatten)]
@@ -103,9 +96,6 @@ pub struct IdentifyRequest {
     /// slack there
     #[arg(long, help_heading = "Advanced")]
     pub two_sided: bool,
-    /// Loss function of the residuals
-    #[arg(long, value_parser = flags::word::<Loss>(), default_value = "squares", help_heading = "Advanced")]
-    pub loss: Loss,
     /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[arg(skip)]
     pub figure: Option<Units>,
@@ -148,50 +138,10 @@ pub struct IdentifyAnswer {
     #[serde(serialize_with = "points")]
     #[schemars(with = "Vec<IdentifiedPoint>")]
     pub points: Vec<PointFit>,
-    /// Fit of each rubber law, the best first; empty if it was not requested.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub laws: Vec<LawRow>,
     /// Warnings: contradictions, parameters that are not identifiable, missing measurements.
     pub warnings: Vec<String>,
     /// The figure, if requested.
     pub figure: Option<Figure>,
-}
-
-/// Fit of a rubber law to the points.
-#[skip_serializing_none]
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct LawRow {
-    /// The law.
-    pub law: String,
-    /// What was free, with its value and error.
-    pub parameters: Vec<Identified>,
-    /// Root mean square of the residuals, N.
-    pub rms_n: Option<f64>,
-    /// AICc less that of the preferred law: 10 is decided where the errors of the points are
-    /// independent.
-    pub aicc_difference: Option<f64>,
-    /// Correlation of neighbouring residuals on a curve: near 0 where the model follows, near 1
-    /// where it does not.
-    pub neighbour_correlation: Option<f64>,
-    /// What makes its constants implausible, or why there are none.
-    pub doubt: Option<String>,
-}
-
-impl LawRow {
-    fn new(trial: LawTrial, best: f64) -> Self {
-        let (identified, error) = match trial.result {
-            Ok(identified) => (Some(identified), None),
-            Err(error) => (None, Some(error.to_string())),
-        };
-        Self {
-            law: trial.law.to_owned(),
-            rms_n: identified.as_ref().map(|identified| identified.rms_n),
-            aicc_difference: identified.as_ref().map(|_| trial.aicc - best),
-            neighbour_correlation: identified.as_ref().map(|_| trial.neighbours),
-            parameters: identified.map_or_else(Vec::new, |identified| identified.parameters),
-            doubt: error.or(trial.doubt),
-        }
-    }
 }
 
 /// A point, with the value of the model.
@@ -317,31 +267,11 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         points: &points,
         build: &build,
         progress,
-        loss: request.loss,
         two_sided: request.two_sided,
         history: request.branches == Branches::History,
     };
     model.admit(&muscle)?;
-    let mut identified = if free.is_empty() {
-        identify_default(&input)?
-    } else {
-        mckibben_fit::identify::identify(&input)?
-    };
-    let laws = if request.laws {
-        let sought = if free.is_empty() {
-            default_parameters(&input)?
-        } else {
-            free.clone()
-        };
-        let trials = try_laws(&IdentificationRequest {
-            free: &sought,
-            ..input
-        })?;
-        let best = trials.first().map_or(0.0, |t| t.aicc);
-        trials.into_iter().map(|t| LawRow::new(t, best)).collect()
-    } else {
-        vec![]
-    };
+    let mut identified = mckibben_fit::identify::identify(&input)?;
     // Identified constants hold for the stretches of the points; those that were kept for those of
     // their data.
     let kept = identified.muscle.tube().rubber == muscle.tube().rubber;
@@ -361,7 +291,6 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         data: origin,
         understood,
         muscle: summary,
-        laws,
         warnings: self::warnings(request, &identified, beyond),
         figure,
         points: std::mem::take(&mut identified.points),
@@ -369,9 +298,9 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     })
 }
 
-/// What is free, what is held at a value, and the bounds where nothing is named.
+/// What is free, what is held at a value, and bounds.
 struct Parameters {
-    free: Vec<Parameter>,
+    free: Vec<Target>,
     fixed: Vec<(Target, f64)>,
     bounds: Vec<(Target, (f64, f64))>,
 }
@@ -438,7 +367,7 @@ impl IdentifyRequest {
             .map(|file| Path::new(&file.name).file_name());
         let origin = joined(files.flatten().map(|name| name.to_string_lossy()), ", ");
         let Parameters { free, fixed, .. } = self.parameters(&muscle)?;
-        let start = TrialMuscle::new(&muscle, &fixed)?.muscle;
+        let start = with_values(&muscle, &fixed)?;
         let has_branch = |p: &DataPoint| !p.at.direction().is_mean();
         Ok(measured_files(&SavedMuscle {
             muscle: &start,
@@ -508,41 +437,25 @@ impl IdentifyRequest {
 
     /// What is free and what is held.
     fn parameters(&self, muscle: &Muscle) -> Result<Parameters> {
-        let wrong = |field: &str, message: String, hint| {
-            Err(Problem::new(ProblemKind::Parameter, message, hint).in_field(field))
-        };
-        let parse = |text: &String| Parameter::parse(text, muscle);
-        let mut free: Vec<Parameter> = self.free.iter().map(parse).collect::<Result<_, _>>()?;
-        let mut fixed = vec![];
-        for text in &self.fix {
-            let p = parse(text)?;
-            match p.start.filter(|_| p.bounds.is_none()) {
-                Some(value) => fixed.push((p.target, value)),
-                None => {
-                    return wrong(
-                        "fix",
-                        format!("\"{}\" has no value", text.trim()),
-                        "write NAME=VALUE",
-                    );
-                }
-            }
+        if let Some(text) = self.free.iter().find(|text| text.contains('=')) {
+            let message = format!("\"{}\" has a start", text.trim());
+            let hint = "write the name alone: the search begins at what is known before; `bounds` \
+                NAME=LOW:HIGH bounds it";
+            return Err(Problem::new(ProblemKind::Parameter, message, hint).in_field("free"));
         }
-        let mut bounds = vec![];
-        for text in &self.bounds {
-            let (target, within) = Parameter::parse_bounds(text, muscle)?;
-            if let Some(p) = free.iter_mut().find(|p| p.target == target) {
-                p.bounds = Some(within);
-            } else if free.is_empty() {
-                bounds.push((target, within));
-            } else {
-                let message = format!("{} is not free", target.name(muscle));
-                return wrong("bounds", message, "name it in `free` too");
-            }
-        }
+        let free = self.free.iter().map(|text| Target::parse(text, muscle));
+        let fixed = self
+            .fix
+            .iter()
+            .map(|text| Target::parse_value(text, muscle));
+        let bounds = self
+            .bounds
+            .iter()
+            .map(|text| Target::parse_bounds(text, muscle));
         Ok(Parameters {
-            free,
-            fixed,
-            bounds,
+            free: free.collect::<Result<_, _>>()?,
+            fixed: fixed.collect::<Result<_, _>>()?,
+            bounds: bounds.collect::<Result<_, _>>()?,
         })
     }
 }
@@ -568,7 +481,6 @@ pub fn in_one_line(parameters: &[Identified]) -> String {
             p if p.identifiable => "",
             p if p.prior_standard_deviation.is_some() => " (from measured muscles)",
             p if p.at_bound => " (on its bound)",
-            p if p.implausible => " (not determined)",
             _ => " (not identifiable)",
         };
         let unit = if p.unit.is_empty() {

@@ -305,7 +305,7 @@ problems! {
         ExportError::NoPull { .. } => NoAnswer "give a higher `pressure_mpa`";
     };
     IdentifyError: Parameter of Cancelled Model {
-        IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start) | IdentifyError::Start { .. } => NotConverged;
+        IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start) => NotConverged;
         IdentifyError::Data(_) => Data;
         IdentifyError::Implausible(_) => Data "if they are right, free what may be wrong: `free` \
             ...,braid.angle";
@@ -313,11 +313,8 @@ problems! {
             "forces are positive where the muscle pulls, contractions where it is shorter than at \
              rest; a minus before a heading turns the sign: `columns` force=\"-F:N\", or \
              contraction=\"-e:%\"";
-        IdentifyError::NoRubber { .. } => NotConverged
-            "check the signs and units of the columns, the diameter, wall and angle of the muscle, \
-             and the zero of its contraction";
     };
-    EstimateError: NotConverged "give better starts (`free` NAME=START), or free less";
+    EstimateError: NotConverged "free less";
     TensionFitError: Fit of Cancelled {
         TensionFitError::NotConverged { .. } => NotConverged;
         TensionFitError::NoBetter { .. } => NoAnswer "take `terms` with a smaller number";

@@ -4,7 +4,7 @@
 
 use mckibben_core::{muscle::file::parse_muscle, prelude::*};
 use mckibben_fem::elements::Elements;
-use mckibben_fit::identify::{IdentificationRequest, Target, identify_default, read_data};
+use mckibben_fit::identify::{IdentificationRequest, Target, identify, read_data};
 use std::error::Error;
 
 /// What a ruler tells, and guesses for the rest.
@@ -26,7 +26,7 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
         Ok(Elements::Axisymmetric(Default::default()).build(m)?)
     };
     let request = IdentificationRequest::new(&muscle, &[], &points, &build);
-    let result = identify_default(&request)?;
+    let result = identify(&request)?;
     for p in &result.parameters {
         println!(
             "{:<18} {:8.3} ± {:.3} {}",

@@ -50,6 +50,25 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
     })
 }
 
+/// Flags that a command had, by its name, with what is typed in their place.
+const GONE: [(&str, &str, &str); 3] = [
+    (
+        "compare",
+        "--fit",
+        "`mckibben identify` finds constants from points, and `compare` takes its muscle file",
+    ),
+    (
+        "identify",
+        "--laws",
+        "`--rubber NAME:LAW` takes a law of a rubber",
+    ),
+    (
+        "identify",
+        "--loss",
+        "take outliers out of the table, or give their rows a smaller `weight`",
+    ),
+];
+
 /// A flag that a command does not have, and what to type in its place.
 pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
     let Some(ContextValue::String(flag)) = error.get(ContextKind::InvalidArg) else {
@@ -58,10 +77,12 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
     if error.kind() != ErrorKind::UnknownArgument {
         return None;
     }
-    let is_force = std::env::args_os()
-        .nth(1)
-        .is_some_and(|word| word == "force");
-    if is_force && ["-F", "--force"].contains(&&**flag) {
+    let command = std::env::args_os().nth(1).unwrap_or_default();
+    if let Some((name, _, hint)) = GONE.iter().find(|g| command == g.0 && flag == g.1) {
+        let message = format!("`mckibben {name}` has no {flag} any more");
+        return Some(Problem::usage(message, *hint));
+    }
+    if command == "force" && ["-F", "--force"].contains(&&**flag) {
         let message = "`mckibben force` gives the force at a pressure and a contraction";
         let hint = "`mckibben pressure` and `mckibben contraction` take a force";
         return Some(Problem::usage(message, hint));

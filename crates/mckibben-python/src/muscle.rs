@@ -88,15 +88,9 @@ impl Muscle {
 
     /// Constants and measures by which a model has derivatives, with their values.
     fn parameters(&self) -> Vec<(String, f64)> {
-        let unknown = [
-            Target::ContractionOffset,
-            Target::DeadVolume,
-            Target::StiffnessExponent,
-            Target::Modulus,
-        ];
         let all = Target::all(&self.held)
             .into_iter()
-            .filter(|target| !unknown.contains(target));
+            .filter(|target| *target != Target::Modulus);
         all.filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?)))
             .collect()
     }

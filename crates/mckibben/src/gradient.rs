@@ -8,7 +8,7 @@ use mckibben_core::{
     muscle::{Braid, BraidStiffness, Muscle, MuscleError},
     rubber::RubberLaw,
 };
-use mckibben_fit::identify::{ParameterError, Target, TrialMuscle};
+use mckibben_fit::identify::{ParameterError, Target, with_values};
 use thiserror::Error;
 
 /// The derivatives of a pull.
@@ -33,9 +33,6 @@ pub enum GradientError {
     /// A name that is no constant or measure of the muscle.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
-    /// A quantity of measured data, not of a muscle.
-    #[error("`{0}` is a property of measured data, not of the muscle: it has no derivative")]
-    OfData(String),
     /// A derivative that is no number, or that the model does not have.
     #[error("{model} has no derivative by {by} at P = {pressure_mpa}\u{a0}MPa, ε = {contraction}")]
     None {
@@ -65,12 +62,7 @@ const STEP: f64 = 1e-3;
 /// # Errors
 /// [`GradientError`] with the nearest name.
 pub fn parameter(muscle: &Muscle, name: &str) -> Result<Target, GradientError> {
-    match Target::parse(name, muscle)? {
-        Target::ContractionOffset | Target::DeadVolume | Target::StiffnessExponent => {
-            Err(GradientError::OfData(name.into()))
-        }
-        target => Ok(target),
-    }
+    Ok(Target::parse(name, muscle)?)
 }
 
 /// A muscle with other values of constants and measures, all others held as derivatives hold them.
@@ -86,9 +78,7 @@ pub fn with_parameters(
         .iter()
         .map(|(name, value)| Ok((parameter(muscle, name.as_ref())?, *value)))
         .collect();
-    Ok(TrialMuscle::new(&held, &list?)?
-        .muscle
-        .with_bench_of(muscle))
+    Ok(with_values(&held, &list?)?.with_bench_of(muscle))
 }
 
 /// The same muscle with k stated in N/mm, where it follows from other measures: by the diameter,
@@ -152,7 +142,7 @@ pub fn by_parameters(
         };
         let step = STEP * if value == 0.0 { scale } else { value.abs() };
         slope(step, |change| {
-            let other = TrialMuscle::new(&held, &[(*target, value + change)])?.muscle;
+            let other = with_values(&held, &[(*target, value + change)])?;
             let other = choice.build(&other)?;
             Ok(Evaluation::new(&*other, &mut Workspace::new(), options).force_n(p, e)?)
         })

@@ -3,7 +3,7 @@
 use crate::Model;
 use mckibben_core::muscle::Muscle;
 use mckibben_fit::{
-    identify::{Identification, IdentificationRequest, IdentifyError, identify_default},
+    identify::{Identification, IdentificationRequest, IdentifyError, identify},
     measured::DataPoint,
 };
 
@@ -12,7 +12,7 @@ impl Model {
     /// named as free, so each has its interval from the points and from what measured muscles tell.
     ///
     /// Points are counted from 1 where they have no line of a file; messages call that a line. For
-    /// free and fixed constants, errors and weights take [`IdentificationRequest`].
+    /// free and fixed constants, and weights, take [`IdentificationRequest`].
     ///
     /// # Errors
     /// [`IdentifyError`] for points that are too few, or that no such muscle gives.
@@ -27,6 +27,6 @@ impl Model {
         };
         let points: Vec<DataPoint> = (1..).zip(points).map(counted).collect();
         let build = |muscle: &Muscle| self.bound(muscle);
-        identify_default(&IdentificationRequest::new(muscle, &[], &points, &build))
+        identify(&IdentificationRequest::new(muscle, &[], &points, &build))
     }
 }

@@ -289,7 +289,6 @@ const LABELS = {
   "tube.material.mu": "shear modulus",
   "tube.material.modulus": "factor of the modulus",
   pull_factor: "factor of the pull",
-  force_offset: "zero of the load cell",
   friction_share: "friction of the usual one",
 };
 /** A field without its unit. @param {string} field */

@@ -1,6 +1,6 @@
 //! Compared models as people read them.
 
-use super::{CompareAnswer, ComparedModel};
+use super::CompareAnswer;
 use crate::{
     UnderstoodTable, Units,
     print::{Csv, Page, Show, Table, sentences},
@@ -20,31 +20,25 @@ impl Show for CompareAnswer {
         page.line(self.muscle.line(u));
         page.line(format!("against {}", self.against(u)));
         page.gap();
-        let (there, not): (Vec<&ComparedModel>, Vec<&ComparedModel>) =
-            self.models.iter().partition(|m| m.errors.cause.is_none());
+        let (there, not): (Vec<&Comparison>, Vec<&Comparison>) =
+            self.models.iter().partition(|m| m.cause.is_none());
         let some = not
             .iter()
             .copied()
-            .filter(|m| m.errors.rms_n.is_some() || m.errors.volume_points > 0);
-        let compared: Vec<&ComparedModel> = there.into_iter().chain(some).collect();
+            .filter(|m| m.rms_n.is_some() || m.volume_points > 0);
+        let compared: Vec<&Comparison> = there.into_iter().chain(some).collect();
         let force = u.force.digits(3);
         page.table(
             Table::of(&compared)
-                .text("model", |m| &m.errors.model)
-                .quantity("rms", &force, |m| m.errors.rms_n)
+                .text("model", |m| &m.model)
+                .quantity("rms", &force, |m| m.rms_n)
                 .quantity("of the largest pull", &PERCENT.digits(3), |m| {
-                    m.errors.rms_n.map(|rms| rms / self.largest_force_n)
+                    m.rms_n.map(|rms| rms / self.largest_force_n)
                 })
-                .quantity("R²", &NUMBER.digits(4), |m| m.errors.r_squared)
-                .quantity("largest", &force, |m| m.errors.max_n)
-                .quantity("mean", &force, |m| m.errors.mean_n)
-                .text("points", |m| m.errors.points)
-                .text("fitted", |m| match m.fitted() {
-                    none if none.is_empty() && self.is_fitted => {
-                        "none of the constants to fit".into()
-                    }
-                    fitted => fitted,
-                }),
+                .quantity("R²", &NUMBER.digits(4), |m| m.r_squared)
+                .quantity("largest", &force, |m| m.max_n)
+                .quantity("mean", &force, |m| m.mean_n)
+                .text("points", |m| m.points),
         );
         page.paragraph("mean: above zero if the model predicts too much pull");
         // Beside the pulls: what of them, its unit, and its points with rms and mean of the errors.
@@ -56,24 +50,24 @@ impl Show for CompareAnswer {
             ("volume of the cavity:", &u.volume.digits(3), volumes),
             ("contraction under the load:", &PERCENT, contractions),
         ] {
-            if self.models.iter().all(|m| of(&m.errors).0 == 0) {
+            if self.models.iter().all(|m| of(m).0 == 0) {
                 continue;
             }
             page.paragraph(what);
             page.table(
                 Table::of(&compared)
-                    .text("model", |m| &m.errors.model)
-                    .quantity("rms", scale, |m| of(&m.errors).1)
-                    .quantity("mean", scale, |m| of(&m.errors).2)
-                    .text("points", |m| Some(of(&m.errors).0).filter(|n| *n > 0)),
+                    .text("model", |m| &m.model)
+                    .quantity("rms", scale, |m| of(m).1)
+                    .quantity("mean", scale, |m| of(m).2)
+                    .text("points", |m| Some(of(m).0).filter(|n| *n > 0)),
             );
         }
-        let cause = |m: &ComparedModel| Some(u.sentence(m.errors.cause.as_ref()?));
+        let cause = |m: &Comparison| Some(u.sentence(m.cause.as_ref()?));
         page.table_under(
             "not compared, or not at these points:",
             Table::of(&not)
-                .text("model", |m| &m.errors.model)
-                .text("points", |m| Some(m.errors.unanswered).filter(|n| *n > 0))
+                .text("model", |m| &m.model)
+                .text("points", |m| Some(m.unanswered).filter(|n| *n > 0))
                 .text("cause", |m| cause(m)),
         );
         page

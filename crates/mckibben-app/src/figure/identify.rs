@@ -186,7 +186,7 @@ fn fit(
     let shown = |x: f64| if isobaric { x } else { u.pressure.value(x) };
     let x = if isobaric { contraction() } else { pressure(u) };
     let mut panel = Panel::new(x, pull(u));
-    let muscle = identified.candidate.section_muscle(section);
+    let muscle = section.apply(&identified.muscle);
     if named && let Ok(m) = &muscle {
         let [diameter, wall] = [m.outer_diameter_mm(), m.wall_mm()].map(|mm| u.length.show(mm));
         panel = panel.title(format!("D0 {diameter}, s {wall}"));
@@ -197,7 +197,6 @@ fn fit(
         .as_ref()
         .filter(|_| muscle.as_ref().is_ok_and(|m| *m == identified.muscle));
     let mut bands = vec![];
-    let offset = identified.candidate.contraction_offset;
     let model = muscle.ok().and_then(|m| build(&m).ok());
     for (n, &value) in levels.fixed.iter().enumerate() {
         let key = |f: &&&PointFit| same(levels.key(f), value);
@@ -221,12 +220,11 @@ fn fit(
                 let (pressure, contraction) = if isobaric { (value, x) } else { (x, value) };
                 // A muscle does not push.
                 let force = evaluation
-                    .force_n(pressure, contraction + offset)
+                    .force_n(pressure, contraction)
                     .ok()
                     .filter(|f| *f >= 0.0)?;
                 let x = shown(x);
-                let built =
-                    bench.and_then(|_| evaluation.predicted(pressure, contraction + offset, force));
+                let built = bench.and_then(|_| evaluation.predicted(pressure, contraction, force));
                 edges.extend(built.map(|(built, _)| {
                     (
                         x,

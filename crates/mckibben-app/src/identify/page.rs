@@ -1,11 +1,10 @@
 //! Identified constants as people read them.
 
-use super::{IdentifiedPoint, IdentifyAnswer, LawRow, with_error_bar};
+use super::{IdentifiedPoint, IdentifyAnswer, with_error_bar};
 use crate::{
     UnderstoodTable, Units, percent,
     print::{Csv, Page, Rows, Show, Table},
     units::NUMBER,
-    words::in_a_row,
 };
 use mckibben_core::{
     extremes::peak,
@@ -43,9 +42,6 @@ impl Show for IdentifyAnswer {
                 .quantity("largest", &force, |s| s.max_n)
                 .quantity("mean", &force, |s| s.mean_n),
         );
-        if !self.laws.is_empty() {
-            self.laws_onto(&mut page, u);
-        }
         if !self.warnings.is_empty() {
             page.gap();
         }
@@ -77,43 +73,6 @@ impl IdentifyAnswer {
                 Some(largest_n).filter(|n| *n > 0.0),
             )
             .text("this bench", bench.map(|bench| bench_text(bench, u)))
-    }
-
-    /// Law by law, the preferred one first.
-    fn laws_onto(&self, page: &mut Page, u: &Units) {
-        page.gap();
-        page.table(
-            Table::of(&self.laws)
-                .text("law", |l| &l.law)
-                .text("constants", LawRow::constants)
-                .unaligned("rms", &u.force.digits(3), |l| l.rms_n)
-                .unaligned("ΔAICc", &NUMBER.digits(3), |l| l.aicc_difference)
-                .unaligned("neighbours", &NUMBER.digits(2), |l| l.neighbour_correlation),
-        );
-        let doubts = self.laws.iter().filter_map(|row| {
-            let doubt = row.doubt.as_ref()?;
-            Some(format!("  {}: {doubt}", row.law))
-        });
-        page.lines(doubts);
-        let mut correlations = self.laws.iter().filter_map(|row| row.neighbour_correlation);
-        if correlations.any(|r| r > 0.5) {
-            page.line(
-                "  the residuals of neighbouring points are correlated: differences of AICc are \
-                 less significant than their values suggest",
-            );
-        }
-    }
-}
-
-impl LawRow {
-    /// Its constants of the rubber, each with its ±.
-    fn constants(&self) -> String {
-        let constants = self.parameters.iter().filter_map(|p| {
-            let name = p.name.strip_prefix("tube.material.")?;
-            let (value, bar) = with_error_bar(p);
-            Some(format!("{name} {value} ± {bar}"))
-        });
-        in_a_row(constants)
     }
 }
 
@@ -147,7 +106,6 @@ pub fn constants(parameters: &[Identified]) -> Table<'_, Identified> {
             p if p.at_bound => "nothing: on its bound",
             p if p.identifiable => "these points",
             p if p.prior_standard_deviation.is_some() => "measured muscles",
-            p if p.implausible => "nothing: too much",
             p if !p.matters => "nothing: no effect",
             _ => "nothing",
         })

@@ -313,12 +313,10 @@ impl Fit<'_> {
                 unit: free.dimension.unit_inside().name,
                 standard_error: found.standard_errors[i],
                 half_width,
-                limit,
                 prior_standard_deviation: None,
                 identifiable: !at_bound && half_width <= limit,
                 at_bound,
                 matters: at_bound || half_width.is_finite(),
-                implausible: false,
             }
         };
         Ok(free.iter().enumerate().map(one).collect())

@@ -1,8 +1,7 @@
 //! The constants of the paper's finite elements, from its Table 1 and its formula (11).
 //!
 //! Unknown are C10 (C01 comes out as 0) and the stiffness k = k₅₀ (D0/50 mm)ⁿ of a strand family.
-//! [`mckibben_fit::identify`] does it in three steps; errors count as shares of the blocked force
-//! of each muscle.
+//! They are found in three steps; errors count as shares of the blocked force of each muscle.
 //!
 //! 1. Both sets together by least squares: C10. Walls of 1 to 5 mm determine it, Table 1 with its
 //!    one thin wall hardly does.
@@ -16,15 +15,16 @@ use super::{
 };
 use mckibben_core::{
     formula::Coefficients,
-    model::{ForceModel, ModelError},
+    model::{ForceModel, ModelError, Workspace},
     muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber},
     rubber::{Law, MooneyRivlin},
+    threads,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::{
     compare::MeasuredPoint,
-    identify::{DataPoint, IdentificationRequest, Parameter, Section, Target, identify},
-    least_squares::Loss,
+    identify::{DataPoint, IdentificationRequest, Section, pulls_and_slack},
+    least_squares::{Loss, Residuals, Unknown, estimate},
 };
 
 /// Table 1 of the paper: P in MPa, and a, b, c in N of F = a ε² + b ε + c at D0 50, s 1.
@@ -121,48 +121,96 @@ fn elements(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     ))
 }
 
-/// Values of the free targets, which begin at a start.
+/// What is unknown: C10, k₅₀ and n, each with the start of the search and its scale.
+fn unknown(place: usize) -> Unknown {
+    match place {
+        0 => Unknown::free(0.1, 0.1),
+        1 => Unknown::above(600.0, 0.0, 300.0),
+        _ => Unknown::free(1.0, 1.0),
+    }
+}
+
+/// The residuals at points as a function of some of the constants.
+struct Problem<'a> {
+    free: &'a [usize],
+    /// C10, k₅₀ and n where they are held.
+    held: [f64; 3],
+    points: &'a [DataPoint],
+}
+
+impl Problem<'_> {
+    fn constants(&self, x: &[f64]) -> [f64; 3] {
+        let mut all = self.held;
+        self.free.iter().zip(x).for_each(|(&i, x)| all[i] = *x);
+        all
+    }
+
+    /// The residuals of points of one muscle.
+    fn of_muscle(constants: &Constants, points: &[DataPoint]) -> Option<Vec<f64>> {
+        let section = points.first()?.section;
+        let muscle = constants.muscle(section.outer_diameter_mm?, section.wall_mm?)?;
+        let model = elements(&muscle).ok()?;
+        let w = &mut Workspace::new();
+        let off = |DataPoint { at, .. }: &DataPoint| {
+            let force_n = model.force_n(w, at.pressure_mpa, at.contraction).ok()?;
+            Some(force_n - at.force_n)
+        };
+        points.iter().map(off).collect()
+    }
+}
+
+impl Residuals for Problem<'_> {
+    fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let [c10_mpa, k, exponent] = self.constants(x);
+        let constants = Constants {
+            c10_mpa,
+            stiffness_at_40_n_per_mm: k * (40.0 / TABLE_1_SECTION.0).powf(exponent),
+            exponent,
+        };
+        let sections: Vec<&[DataPoint]> = self
+            .points
+            .chunk_by(|a, b| a.section == b.section)
+            .collect();
+        let lists = threads::map(&sections, |points| Self::of_muscle(&constants, points));
+        Some(lists.into_iter().collect::<Option<Vec<_>>>()?.concat())
+    }
+}
+
+/// Values of some of the constants, others being held.
 fn values<const N: usize>(
-    free: [(Target, f64); N],
-    fixed: &[(Target, f64)],
+    free: [usize; N],
+    held: [f64; 3],
     points: &[DataPoint],
     loss: Loss,
 ) -> Result<[f64; N]> {
-    let failed =
-        |e: &dyn std::fmt::Display| FitError::singular(format!("the constants of the paper ({e})"));
-    let (d, s) = TABLE_1_SECTION;
-    let muscle = Muscle::prototype()
-        .with_section(d, s)
-        .map_err(|e| failed(&e))?;
-    let free = free.map(|(target, start)| Parameter {
-        start: Some(start),
-        ..Parameter::free(target)
-    });
-    let request = IdentificationRequest {
-        fixed,
-        loss,
-        ..IdentificationRequest::new(&muscle, &free, points, &elements)
+    let failed = || FitError::singular("the constants of the paper");
+    // Where the formula does not pull it says nothing.
+    let muscle = Muscle::prototype();
+    let (points, _) = pulls_and_slack(&IdentificationRequest::new(&muscle, &[], points, &elements));
+    let problem = Problem {
+        free: &free,
+        held,
+        points: &points,
     };
-    let found = identify(&request).map_err(|e| failed(&e))?.parameters;
-    let values: Vec<f64> = found.iter().map(|p| p.value).collect();
-    let missing = |_| FitError::singular("the constants of the paper");
-    values.try_into().map_err(missing)
+    let weight = |p: &DataPoint| p.error.map_or(1.0, |e| 1.0 / (e * e));
+    let weights: Vec<f64> = points.iter().map(weight).collect();
+    let found = estimate(&problem, &free.map(unknown), &weights, loss);
+    found
+        .ok()
+        .and_then(|f| f.x.try_into().ok())
+        .ok_or_else(failed)
 }
 
 /// The constants with which our finite elements come nearest to Table 1 and (11).
 pub fn fit_constants() -> Result<Constants> {
-    let c10 = Target::Law(0);
-    let k = Target::Stiffness;
-    let n = Target::StiffnessExponent;
+    let [c10, k, n] = [0, 1, 2];
     let table = points(TABLE_1_SECTION, table_1);
     let formula = formula_points();
     let both = [table.clone(), formula.clone()].concat();
-    let free = [(c10, 0.1), (k, 600.0), (n, 1.0)];
-    let [c10_mpa, ..] = values(free, &[], &both, Loss::Squares)?;
-    let held = [(c10, c10_mpa)];
-    let [stiffness] = values([(k, 600.0)], &held, &table, Loss::Largest)?;
-    let held = [(c10, c10_mpa), (k, stiffness)];
-    let [exponent] = values([(n, 1.0)], &held, &formula, Loss::Squares)?;
+    let [c10_mpa, ..] = values([c10, k, n], [0.0; 3], &both, Loss::Squares)?;
+    let [stiffness] = values([k], [c10_mpa, 0.0, 1.0], &table, Loss::Largest)?;
+    let held = [c10_mpa, stiffness, 0.0];
+    let [exponent] = values([n], held, &formula, Loss::Squares)?;
     let ratio: f64 = 40.0 / TABLE_1_SECTION.0;
     Ok(Constants {
         c10_mpa,

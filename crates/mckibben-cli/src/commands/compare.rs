@@ -7,7 +7,7 @@ use mckibben_app::CompareRequest;
 #[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "compare --models ideal,paper,thick-wall -p 1,2bar",
-    "compare --models ideal,thick-wall --muscle examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor"
+    "compare --models ideal,thick-wall --muscle examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv"
 ]))]
 pub struct Compare {
     #[command(flatten)]

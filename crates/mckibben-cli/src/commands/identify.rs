@@ -32,7 +32,7 @@ pub struct Identify {
         long,
         value_name = "LOG.csv",
         requires = "file",
-        conflicts_with_all = ["data", "fix", "laws"]
+        conflicts_with_all = ["data", "fix"]
     )]
     motion: Option<PathBuf>,
     #[command(flatten)]

@@ -396,26 +396,36 @@ fn the_bench_example_finds_what_made_its_points_and_its_file_has_the_uncertainty
     assert!(half("-p 3bar -D 21") > 1.5 * own);
 }
 
-/// Forces are rounded to 0.01 N; what conversions round adds less than 0.001 N. With J = ∂F/∂μ at
-/// the n points, least squares move μ by JᵀδF/JᵀJ, at most |δF|/|J| = 0.006 N/rms(J), and rms(J) is
-/// the rms residual at the start over the way from there. The points of `tests/bench` are one
-/// muscle's with a shear modulus of 0.25 MPa (`muscle.toml`, which begins at 0.4), computed by
-/// finite elements, in the spellings of seventeen benches.
+/// The points of `tests/bench` are one muscle's with a shear modulus of 0.25 MPa and without
+/// friction, computed by finite elements, in the spellings of seventeen benches. Where the muscle
+/// states that modulus, the prior and exact points agree on it. Forces are rounded to 0.01 N; what
+/// conversions round adds less than 0.001 N. With g the slopes and s² = 1/(gᵀR⁻¹g + 1/σ²), rounding
+/// moves μ by s² gᵀR⁻¹δF. By Cauchy and Schwarz that is at most s (δFᵀR⁻¹δF)^½, and R ≥ (0.02 F0)²
+/// with F0 at least the largest pull: s √12 · 0.006 N/(0.02 F0).
 #[test]
 fn every_bench_gives_the_modulus_that_made_its_points() {
     let dir = copy();
+    let muscle = dir.path().join("bench/muscle.toml");
+    let text = std::fs::read_to_string(&muscle).unwrap();
+    assert_eq!(text.matches("0.4 MPa").count(), 1, "{text}");
+    std::fs::write(&muscle, text.replace("0.4 MPa", "0.25 MPa")).unwrap();
     for row in include_str!("../rows/benches.tsv").lines() {
         let cells: Vec<&str> = row.split('\t').collect();
         let line = format!(
-            "identify bench/muscle.toml --data bench/{} --free mu {}",
+            "identify bench/muscle.toml --data bench/{} --free mu --fix \
+             friction.c=0,friction.beta=1 {}",
             cells[0], cells[1]
         );
         let identified = json_in(dir.path(), &line);
-        let tolerance = 0.006 / (number(&identified, "rms_before_n") / (0.4 - 0.25));
-        let mu = number(&identified["parameters"][0], "value");
+        let of_point = |p: &Value| number(p, "force_n");
+        let pulls = identified["points"].as_array().unwrap().iter().map(of_point);
+        let rounding = 0.006 * 12_f64.sqrt() / (0.02 * pulls.fold(0.0, f64::max));
+        let found = &identified["parameters"][0];
+        let tolerance = number(found, "standard_error") * rounding;
+        let mu = number(found, "value");
         assert!(
-            tolerance < 3e-5 && (mu - 0.25).abs() <= tolerance,
-            "{row}: {mu}"
+            tolerance < 3e-4 && (mu - 0.25).abs() <= tolerance,
+            "{row}: {mu} {tolerance}"
         );
         assert_eq!(identified["understood"][0]["rows"], 12, "{row}");
         let columns = identified["understood"][0]["columns"]
@@ -579,7 +589,9 @@ fn the_test_sheet_is_read_back_by_identify() {
     std::fs::write(&sheet, &filled).unwrap();
     let answer = json_in(
         dir.path(),
-        "identify muscle.toml --data test.csv --model thick-wall --free modulus",
+        // The pulls of the model have no friction.
+        "identify muscle.toml --data test.csv --model thick-wall --free modulus --fix \
+         friction.c=0,friction.beta=1",
     );
     assert_eq!(answer["points"].as_array().unwrap().len(), points.len() + 1);
     assert_close(number(&answer["parameters"][0], "value"), 1.0, 1e-6);
@@ -719,6 +731,12 @@ fn messages_say_what_to_type() {
             &["--set area=VALUE"][..],
         ),
         (&["identify", "paper", "t.csv"], &["write --data t.csv"]),
+        (&["identify", "--laws"], &["--rubber NAME:LAW"]),
+        (&["identify", "--loss", "huber"], &["smaller `weight`"]),
+        (
+            &["compare", "--fit", "modulus"],
+            &["`mckibben identify` finds constants"],
+        ),
         (
             &[
                 "force",

@@ -2,8 +2,7 @@
 //! model does not follow.
 
 use super::{
-    Build, Identification, IdentificationRequest, IdentifyError, PointFit, Result, Target,
-    parameter::{NO_LOCK, sets_limit},
+    Identification, IdentificationRequest, IdentifyError, PointFit, PosteriorRequest, Result, Target,
 };
 use crate::{
     least_squares::{Loss, Unknown, estimate, robust_deviation},
@@ -16,8 +15,8 @@ use mckibben_core::{
     joined,
     model::{Ideal, Workspace},
     muscle::{
-        Muscle,
-        measures::{ANGLE, GRIP, SEATING, SLIP},
+        Constant, Muscle,
+        measures::{ANGLE, SEATING, SLIP},
     },
     rubber::RubberLaw,
 };
@@ -70,14 +69,14 @@ pub fn before(request: &IdentificationRequest<'_>, points: &[DataPoint]) -> Resu
     let mut notes = vec![];
     let muscle = request.muscle;
     let history = request.history;
-    let free: Vec<Target> = request.free.iter().map(|p| p.target).collect();
+    let free = request.free;
     if let Some(sentence) = units(muscle, points) {
-        if !free.iter().any(|t| t.is_geometry()) {
+        if !free.contains(&Target::Measure(&ANGLE)) {
             return Err(IdentifyError::Implausible(sentence));
         }
         notes.push(sentence);
     }
-    notes.extend(too_short(muscle, &free, points));
+    notes.extend(too_short(muscle, free, points));
     cancel::check()?;
     notes.extend(no_branch(points).filter(|_| !history));
     // Minor loops pass one place with several pulls.
@@ -98,7 +97,7 @@ pub fn before(request: &IdentificationRequest<'_>, points: &[DataPoint]) -> Resu
     let lengths = points
         .iter()
         .map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
-    let ends = [&SEATING, &SLIP, &GRIP]
+    let ends = [&SEATING, &SLIP]
         .into_iter()
         .map(Target::Measure)
         .find(|t| free.contains(t));
@@ -195,10 +194,7 @@ pub fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
 
 /// Pulls past the contraction at which the ideal muscle ends.
 fn too_short(muscle: &Muscle, free: &[Target], points: &[DataPoint]) -> Option<String> {
-    if free
-        .iter()
-        .any(|t| [Target::Measure(&ANGLE), Target::ContractionOffset].contains(t))
-    {
+    if free.contains(&Target::Measure(&ANGLE)) {
         return None;
     }
     let end = muscle.max_ideal_contraction();
@@ -274,164 +270,73 @@ pub fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
     scaled.iter().zip(residuals).map(is_far).collect()
 }
 
-/// Sentences about the result.
+/// Sentences about the result; of constants that are named more than of all.
 pub fn after(result: &Identification, request: &IdentificationRequest<'_>) -> Vec<String> {
-    let mut notes = unidentifiable(result);
-    notes.extend(no_rubber(result));
-    notes.extend(correlated(result));
-    if request.loss == Loss::Largest {
-        notes.push(
-            "the largest residual was made small, not the sum of squares: standard errors \
-            are a rough guide only"
-                .into(),
-        );
+    let mut notes = vec![];
+    if !request.free.is_empty() {
+        notes.extend(no_rubber(result));
+        notes.extend(correlated(result));
+        notes.extend(outlying(&result.points));
+        notes.extend(slack(result, request));
     }
-    let far: Vec<u64> = result
-        .points
-        .iter()
-        .filter(|p| p.outlier)
-        .map(|p| p.point.line)
-        .collect();
-    if !far.is_empty() {
-        let robust = if request.loss == Loss::Squares {
-            "; check them, or use a robust loss"
-        } else {
-            ""
-        };
-        let which = lines(&far);
-        let s = if far.len() == 1 { "s" } else { "" };
-        notes.push(format!(
-            "{which} lie{s} more than {FAR} robust deviations from the model{robust}"
-        ));
-    }
-    let parameters = result.parameters.len();
-    if result.freedom < 2 * parameters {
-        notes.push(format!(
-            "{} points for {parameters} parameters: the error bars have only {} degrees of \
-             freedom and are therefore wide; measure more points",
-            result.points.len(),
-            result.freedom
-        ));
-    }
-    notes.extend(misfit(result));
     notes.extend(pattern(&result.points));
-    notes.extend(slack(result, request.build));
-    let not_in_a_file = [
-        (
-            Target::ContractionOffset,
-            "contraction_offset: add it to your contractions",
-        ),
-        (
-            Target::DeadVolume,
-            "dead_volume: subtract it from your volumes",
-        ),
-        (
-            Target::ForceOffset,
-            "force_offset: subtract it from your pulls",
-        ),
-        (
-            Target::StiffnessExponent,
-            "braid.stiffness_exponent: it states k at its own diameter",
-        ),
-    ];
-    let identified = not_in_a_file
-        .iter()
-        .filter(|(target, _)| result.parameter(*target).is_some());
-    notes.extend(identified.map(|(_, what)| format!("a muscle file cannot hold {what}")));
     notes
 }
 
-/// Residuals of which a zero of the load cell explains half of the squares: with the constants,
-/// whose slopes are in `columns`, as a linear problem.
-pub fn zero_of_load_cell(result: &Identification, columns: &[Vec<f64>]) -> Option<String> {
-    let points = &result.points;
-    let is_force = |p: &PointFit| f64::from(p.point.measured == Quantity::Force);
-    let zero = points.iter().map(is_force).collect();
-    let columns: Vec<Vec<f64>> = columns.iter().cloned().chain([zero]).collect();
-    let moved = |x: &[f64]| {
-        let by = |i: usize| columns.iter().zip(x).map(|(c, x)| c[i] * x).sum::<f64>();
-        let rows = points.iter().enumerate();
-        Some(
-            rows.map(|(i, p)| p.residual_n + by(i))
-                .collect::<Vec<f64>>(),
-        )
-    };
-    let weights: Vec<f64> = points.iter().map(|p| p.weight).collect();
-    let unknowns = vec![Unknown::free(0.0, 1.0); columns.len()];
-    let with = estimate(&moved, &unknowns, &weights, Loss::Squares).ok()?;
-    let before: f64 = points.iter().map(|p| p.weight * p.residual_n.powi(2)).sum();
-    let (zero_n, half_n) = (with.x.last()?, with.half_widths.last()?);
-    (with.squares < 0.5 * before && zero_n.abs() > *half_n).then(|| {
-        format!(
-            "the load cell seems to show {} N without a pull: look at its zero, or free \
-             `force_offset`",
-            show(*zero_n)
-        )
+fn outlying(points: &[PointFit]) -> Option<String> {
+    let far: Vec<u64> = points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
+    let s = if far.len() == 1 { "s" } else { "" };
+    let which = lines(&far);
+    (!far.is_empty()).then(|| {
+        format!("{which} lie{s} more than {FAR} robust deviations from the model; check them")
     })
 }
 
-/// The law whose limit a constant is, where that lies far beyond the stretches of a muscle.
-fn never_locks(result: &Identification, target: Target) -> Option<&'static str> {
-    let law = &result.muscle.tube().rubber.law;
-    let limit = matches!(target, Target::Law(i) if sets_limit(law, i));
-    (limit && law.locks_at()? > 0.1 * NO_LOCK).then(|| law.name())
-}
-
-fn unidentifiable(result: &Identification) -> Vec<String> {
-    let one = |p: &super::Identified| {
-        let name = &p.name;
-        let unit = p.unit;
-        let value = show(p.value);
-        if p.implausible {
-            format!(
-                "{name} {value} {unit} gives an end displacement of more than 0.3 of the outer \
-                 diameter, more than that of any known muscle: it is not determined; an error in \
-                 another constant (length, angle, modulus) is more likely"
-            )
-        } else if let Some(law) = p.target.and_then(|target| never_locks(result, target)) {
-            format!(
-                "{name} is not identifiable: no chains lock within these points, and with {value} \
-                 the {law} law has no limit in a muscle; a law without one fits as well: law \
-                 = \"neo-hookean\""
-            )
-        } else if !p.matters {
-            format!(
-                "{name}: it has no effect on any point with this model: hold it constant (`fix`)"
-            )
-        } else if p.at_bound {
-            let at = format!("{value} {unit}");
-            format!(
-                "{name} is at its bound, {}: the best fit lies beyond it; widen the bound, or \
-                 fix the parameter",
-                at.trim()
-            )
-        } else if p.target == Some(Target::Stiffness) && p.value > 30.0 * p.start {
-            format!(
-                "{name} grows without limit ({:.1e} N/mm): inextensible strands fit these data \
-                 equally well; set it to \"inextensible\"",
-                p.value
-            )
-        } else if !p.half_width.is_finite() {
-            format!(
-                "{name} is not identifiable from these data: it acts like another parameter; fix \
-                 one of them"
-            )
-        } else {
-            let limit = format!("{} {unit}", show(p.limit));
-            format!(
-                "{name} is not identifiable from these data: ± {} is more than {}; hold it \
-                 constant (`fix`)",
-                show(p.half_width),
-                limit.trim()
-            )
+/// Residuals of which a zero of the load cell explains half of the squares, beside modulus, strands
+/// and friction of the muscle by least squares.
+pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
+    const TURNS: usize = 6;
+    const MOST: f64 = 0.5;
+    let weights: Vec<f64> = request.points.iter().map(|p| p.weight).collect();
+    let is_force = |p: &DataPoint| f64::from(u8::from(p.measured == Quantity::Force));
+    let zero: Vec<f64> = request.points.iter().map(is_force).collect();
+    let mut x = [0.0; Constant::ALL.len()];
+    let mut turn = 0;
+    loop {
+        turn += 1;
+        let rows = request.rows(&x)?.into_iter().collect::<Option<Vec<_>>>()?;
+        let fit = |columns: &[Vec<f64>]| {
+            let moved = |x: &[f64]| {
+                let by = |i: usize| columns.iter().zip(x).map(|(c, x)| c[i] * x).sum::<f64>();
+                let each = request.points.iter().zip(&rows).enumerate();
+                let off = each.map(|(i, (p, row))| row.predicted_n - p.at.force_n + by(i));
+                Some(off.collect::<Vec<f64>>())
+            };
+            let unknowns = vec![Unknown::free(0.0, 1.0); columns.len()];
+            estimate(&moved, &unknowns, &weights, Loss::Squares).ok()
+        };
+        let slopes = |constant: Constant| rows.iter().map(move |r| r.slopes[constant as usize]);
+        let mut free = vec![Constant::Modulus, Constant::Strands, Constant::Friction];
+        free.retain(|constant| slopes(*constant).any(|slope| slope != 0.0));
+        let mut columns: Vec<Vec<f64>> = free.iter().map(|c| slopes(*c).collect()).collect();
+        if turn < TURNS {
+            let step = fit(&columns)?.x;
+            for (constant, step) in free.iter().zip(step) {
+                x[*constant as usize] += step.clamp(-MOST, MOST);
+            }
+            continue;
         }
-    };
-    result
-        .parameters
-        .iter()
-        .filter(|p| !p.identifiable)
-        .map(one)
-        .collect()
+        let before = fit(&columns)?.squares;
+        columns.push(zero);
+        let with = fit(&columns)?;
+        let (zero_n, half_n) = (with.x.last()?, with.half_widths.last()?);
+        return (with.squares < 0.5 * before && zero_n.abs() > *half_n).then(|| {
+            format!(
+                "the load cell seems to show {} N without a pull: look at its zero",
+                show(*zero_n)
+            )
+        });
+    }
 }
 
 /// An identified modulus that no rubber has.
@@ -474,21 +379,6 @@ fn correlated(result: &Identification) -> Vec<String> {
     out
 }
 
-fn misfit(result: &Identification) -> Option<String> {
-    let times = show(result.deviation);
-    match result.deviation {
-        _ if !result.errors_stated => None,
-        s if s > 1.5 => Some(format!(
-            "the residuals are {times} times the stated errors: the model does not explain the \
-             data, or the errors are larger"
-        )),
-        s if s < 0.5 => Some(format!(
-            "the residuals are only {times} of the stated errors: these are stated too large"
-        )),
-        _ => None,
-    }
-}
-
 /// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the
 /// correlation ρ of their residuals, −1 to 1.
 pub fn neighbours(points: &[PointFit]) -> (usize, f64) {
@@ -525,18 +415,17 @@ pub fn pattern(points: &[PointFit]) -> Option<String> {
 }
 
 /// Points without a measured force at which the model pulls.
-fn slack(result: &Identification, build: &Build<'_>) -> Option<String> {
+fn slack(result: &Identification, request: &IdentificationRequest<'_>) -> Option<String> {
     let n = result.slack.len();
     if n == 0 {
         return None;
     }
     let limit = (2.0 * result.rms_n).max(1e-3);
     let pulls = |p: &&DataPoint| {
-        let e = p.at.contraction + result.candidate.contraction_offset;
         let force_n = || {
-            build(&result.candidate.section_muscle(&p.section).ok()?)
+            (request.build)(&p.section.apply(&result.muscle).ok()?)
                 .ok()?
-                .force_n(&mut Workspace::new(), p.at.pressure_mpa, e)
+                .force_n(&mut Workspace::new(), p.at.pressure_mpa, p.at.contraction)
                 .ok()
         };
         force_n().is_some_and(|f| f > limit)

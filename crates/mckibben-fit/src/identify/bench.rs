@@ -1,10 +1,8 @@
 //! What the points tell of an identified muscle, as its file keeps it: the covariance of its
 //! constants, and up to 20 of the points with what the constants miss there.
 
-use super::{
-    Identification, IdentificationRequest, Posterior, Result, posterior::PosteriorRequest,
-};
-use crate::measured::{DataPoint, Quantity, Section};
+use super::{IdentificationRequest, Posterior, PosteriorRequest, Result};
+use crate::measured::{DataPoint, Section};
 use mckibben_core::{
     built::{Experience, Prior},
     by_number::SortByNumber,
@@ -17,46 +15,29 @@ use mckibben_core::{
 const APART: (f64, f64) = (0.03, 0.25);
 
 /// The points of a muscle in any of its lengths, as its constants have them.
-fn of_muscle(muscle: &Muscle, points: impl Iterator<Item = DataPoint>) -> Vec<DataPoint> {
+fn of_muscle(muscle: &Muscle, points: &[DataPoint]) -> Vec<DataPoint> {
     let in_any_length = |p: &DataPoint| {
         let section = Section {
             length_mm: None,
             ..p.section
         };
-        p.measured != Quantity::Volume
-            && section.apply(muscle).is_ok_and(|of_row| of_row == *muscle)
+        section.apply(muscle).is_ok_and(|of_row| of_row == *muscle)
     };
-    points.filter(in_any_length).collect()
+    points.iter().copied().filter(in_any_length).collect()
 }
 
-/// What the points tell of a muscle whose constants somebody found: these stay.
-pub fn bench(request: &IdentificationRequest<'_>, result: &Identification) -> Option<Bench> {
-    let candidate = &result.candidate;
-    let muscle = &candidate.muscle;
-    let points = result.points.iter().map(|f| {
-        let mut point = f.point;
-        point.at.contraction += candidate.contraction_offset;
-        point.at.force_n -= candidate.force_offset_n;
-        point
-    });
-    let posterior = left_over(request, muscle, points, None).ok()??;
-    let model = (request.build)(muscle).ok()?.info().name.to_string();
-    written(muscle, &posterior, model, request.history)
-}
-
-/// What points leave of a muscle whose constants somebody found, beside a factor on the pull and the
-/// friction: those of the constants `kept`, or none and that of the prior. Nothing is sought.
+/// What points leave of a muscle whose constants were found, beside the factor on the pull and the
+/// friction among them. Nothing is sought.
 pub fn left_over(
     request: &IdentificationRequest<'_>,
     muscle: &Muscle,
-    points: impl Iterator<Item = DataPoint>,
-    kept: Option<&Constants>,
+    points: &[DataPoint],
+    found: &Constants,
 ) -> Result<Option<Posterior>> {
     let experience = Experience::built_in();
     let mut prior = Prior::of(muscle, experience);
-    prior.centre = Constant::ALL.map(|constant| match (constant, kept) {
-        (Constant::PullFactor | Constant::Friction, Some(kept)) => kept[constant as usize],
-        (Constant::Friction, None) => prior.centre[constant as usize],
+    prior.centre = Constant::ALL.map(|constant| match constant {
+        Constant::PullFactor | Constant::Friction => found[constant as usize],
         _ => 0.0,
     });
     PosteriorRequest {

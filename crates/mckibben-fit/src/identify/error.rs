@@ -25,15 +25,6 @@ pub enum IdentifyError {
     /// A column with the wrong sign.
     #[error("{0}")]
     Flipped(String),
-    /// Points that no rubber explains.
-    #[error(
-        "no constants were found: {0}, which no rubber has. The measured pull is higher, or \
-         decreases less with contraction, than that of this muscle with any rubber"
-    )]
-    NoRubber(String),
-    /// The model fails at the start.
-    #[error("the model has no answer for {0}: {1}")]
-    Start(String, ModelError),
     /// Starting values that make no muscle.
     #[error("the starting values give no valid muscle: {0}")]
     Muscle(#[from] MuscleError),
@@ -41,10 +32,7 @@ pub enum IdentifyError {
     #[error("the starting values give no valid model: {0}")]
     Model(ModelError),
     /// No minimum.
-    #[error(
-        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the \
-         data cannot determine"
-    )]
+    #[error("{0}; fix what the data cannot determine")]
     Estimate(EstimateError),
 }
 
@@ -52,20 +40,11 @@ pub enum IdentifyError {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DataError {
-    /// Not more points than parameters.
-    #[error(
-        "{points} points that pull{} do not determine {parameters} parameters: at least {} are \
-         needed, and three for each parameter for a meaningful error bar; measure more, or free \
-         fewer",
-        left_out(*.dropped), .parameters + 1
-    )]
-    TooFew {
-        /// Points that count.
-        points: usize,
-        /// Those left out because the muscle was slack.
-        dropped: usize,
-        /// Free parameters.
-        parameters: usize,
+    /// No point that tells a pull.
+    #[error("there is no point with a pull{}", left_out(*.slack))]
+    NoPull {
+        /// Points that were left out because the muscle was slack.
+        slack: usize,
     },
     /// A number that no muscle gives.
     #[error("line {line}: the {quantity} is {value}, which no muscle has; check number and unit")]
@@ -76,19 +55,6 @@ pub enum DataError {
         quantity: &'static str,
         /// Its value.
         value: f64,
-    },
-    /// Errors stated for some points only.
-    #[error(
-        "{stated} of {all} points state their error (first without: line {line}): state the errors \
-         of all points, or of none"
-    )]
-    SomeErrors {
-        /// Points that state their error.
-        stated: usize,
-        /// All points.
-        all: usize,
-        /// Line of the first without.
-        line: u64,
     },
 }
 

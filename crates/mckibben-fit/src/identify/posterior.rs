@@ -16,7 +16,7 @@
 //! variance has h² more. A contraction or a pressure that was measured counts as the pull there.
 //! What ends below 0.7 of its deviation before was learnt from the points.
 
-use super::{Build, IdentifyError, Result};
+use super::{Build, IdentifyError, Result, by_section::by_section};
 use crate::{
     least_squares::{Errors, EstimateError},
     measured::{DataPoint, Quantity, Section},
@@ -30,7 +30,6 @@ use mckibben_core::{
     model::Workspace,
     muscle::{Constant, Constants, Muscle},
     progress::Progress,
-    threads,
 };
 use nalgebra::{DMatrix, DVector};
 use std::array::from_fn;
@@ -76,11 +75,11 @@ pub struct PosteriorRequest<'a> {
 }
 
 /// A point beside the muscle with constants.
-struct Row {
+pub struct Row {
     section: Section,
     place: Place,
-    predicted_n: f64,
-    slopes: Constants,
+    pub(super) predicted_n: f64,
+    pub(super) slopes: Constants,
     /// T cosθ η: h in N.
     half_loop_n: f64,
 }
@@ -91,14 +90,19 @@ fn clamp(value: f64, (low, high): (f64, f64)) -> f64 {
 }
 
 impl PosteriorRequest<'_> {
-    /// Every point of one section by the muscle with constants; `None` where it has no answer.
-    fn rows_of(&self, section: Section, x: &Constants) -> Option<Vec<Option<Row>>> {
+    /// Points of one section by the muscle with constants; `None` where it has no answer.
+    fn rows_of(
+        &self,
+        section: Section,
+        places: &[usize],
+        x: &Constants,
+    ) -> Option<Vec<Option<Row>>> {
         let muscle = section.apply(self.muscle).ok()?;
         let model = (self.build)(&muscle.with_constants(x).ok()?).ok()?;
         let predictor = Predictor::about(&muscle, *x, self.prior.covariance())?;
         let w = &mut Workspace::new();
         let stated = muscle.friction().copied();
-        let one = |point: &DataPoint| {
+        let mut one = |point: &DataPoint| {
             let (p, e) = (point.at.pressure_mpa, point.at.contraction);
             let sign = point.at.direction().sign();
             let at = predictor.at(p, e, sign)?;
@@ -122,26 +126,14 @@ impl PosteriorRequest<'_> {
                 half_loop_n,
             })
         };
-        let own = self.points.iter().filter(|p| p.section == section);
-        Some(own.map(one).collect())
+        Some(places.iter().map(|&i| one(&self.points[i])).collect())
     }
 
     /// Every point by the muscle with constants, in their order.
-    fn rows(&self, x: &Constants) -> Option<Vec<Option<Row>>> {
-        let mut sections: Vec<Section> = vec![];
-        for point in self.points {
-            if !sections.contains(&point.section) {
-                sections.push(point.section);
-            }
-        }
-        let lists = threads::map(&sections, |section| self.rows_of(*section, x));
-        let mut lists: Vec<_> = lists.into_iter().collect::<Option<_>>()?;
-        let mut iterators: Vec<_> = lists.iter_mut().map(|list| list.drain(..)).collect();
-        let next = |point: &DataPoint| {
-            let place = sections.iter().position(|s| *s == point.section)?;
-            iterators[place].next()?
-        };
-        Some(self.points.iter().map(next).collect())
+    pub(super) fn rows(&self, x: &Constants) -> Option<Vec<Option<Row>>> {
+        by_section(self.points, |section, places| {
+            self.rows_of(*section, places, x)
+        })
     }
 
     /// R of some points.

@@ -1,6 +1,6 @@
 //! The result of an identification.
 
-use super::{Target, TrialMuscle};
+use super::Target;
 use crate::{
     least_squares::Errors,
     measured::{DataPoint, Quantity},
@@ -17,7 +17,7 @@ pub struct Identified {
     pub target: Option<Target>,
     /// Its name, as in the muscle file.
     pub name: String,
-    /// Where the search began.
+    /// Where the search began: the centre of what was known before.
     pub start: f64,
     /// Its value.
     pub value: f64,
@@ -31,9 +31,6 @@ pub struct Identified {
     #[serde(rename = "half_width_95")]
     #[schemars(with = "Option<f64>")]
     pub half_width: f64,
-    /// The half-width up to which it counts as identifiable.
-    #[serde(skip)]
-    pub limit: f64,
     /// Standard deviation before, where measured muscles tell of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub prior_standard_deviation: Option<f64>,
@@ -43,10 +40,6 @@ pub struct Identified {
     pub at_bound: bool,
     /// Whether the points change with it at all.
     pub matters: bool,
-    /// Whether it is an end whose displacement is more than that of any known muscle: 0.3 of the
-    /// outer diameter.
-    #[serde(skip)]
-    pub implausible: bool,
 }
 
 /// A point with the residual of the model.
@@ -91,11 +84,9 @@ pub struct Identification {
     pub rms_n: f64,
     /// Largest residual, N.
     pub max_n: f64,
-    /// Standard deviation of one point: in N, or of stated errors.
+    /// Standard deviation of one point, N.
     pub deviation: f64,
-    /// Whether the points state their errors.
-    pub errors_stated: bool,
-    /// Points less parameters that lie on no bound.
+    /// Points that counted.
     #[serde(rename = "degrees_of_freedom")]
     pub freedom: usize,
     /// Residuals by branch, by measured quantity, and by table.
@@ -109,9 +100,6 @@ pub struct Identification {
     /// The muscle with the identified values.
     #[serde(skip)]
     pub muscle: Muscle,
-    /// The same, for rows of several muscles.
-    #[serde(skip)]
-    pub candidate: TrialMuscle,
     /// Sentences a user should read.
     #[serde(skip)]
     pub notes: Vec<String>,

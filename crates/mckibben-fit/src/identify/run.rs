@@ -1,28 +1,29 @@
-//! From points and parameters to an [`Identification`].
+//! What points tell of a muscle, beside what is known of all muscles.
+//!
+//! All constants of a built muscle are free, or those that are named, with a prior
+//! ([`posterior`](super::posterior)); what the points do not tell stays where the prior is. Where
+//! both branches were measured, the law of the friction C·P^β follows by least squares of the pulls
+//! with the constants that were found ([`friction`](super::friction)).
 
 use super::{
-    Build, DataError, Identification, Identified, IdentifyError, Parameter, PointFit, Result,
-    Target, TrialMuscle, advice,
-    bench::bench,
+    Build, DataError, Identification, Identified, IdentifyError, PointFit, Posterior,
+    PosteriorRequest, Result, Target, advice, bench,
+    friction::{FrictionLaw, friction_law},
     history,
-    problem::Problem,
     result::{spread, spreads},
     signs,
+    values::with_values,
 };
-use crate::{
-    least_squares::{Estimate, EstimateError, Loss, Residuals, Unknown, estimate},
-    measured::{DataPoint, Quantity},
-};
+use crate::measured::{DataPoint, Quantity};
 use mckibben_core::{
-    cancel::Cancelled,
+    built::{Experience, HALF_95, Prior},
     extremes::peak,
-    model::ModelError,
+    joined,
     muscle::{
-        Direction, Muscle, MuscleError,
-        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP},
+        Constant, Muscle,
+        measures::{ANGLE, SEATING, SLIP, TAKE_UP},
     },
     progress::{Progress, Silent},
-    rubber::RubberLaw,
 };
 
 /// An identification that is requested.
@@ -30,15 +31,15 @@ use mckibben_core::{
 pub struct IdentificationRequest<'a> {
     /// The muscle, with a value for everything that is not free.
     pub muscle: &'a Muscle,
-    pub free: &'a [Parameter],
+    /// The constants that are sought, the others being known; all where nothing is named.
+    pub free: &'a [Target],
     /// Values in place of those of the muscle.
     pub fixed: &'a [(Target, f64)],
-    /// Lowest and highest values where nothing is named in `free`.
+    /// Lowest and highest values.
     pub bounds: &'a [(Target, (f64, f64))],
     pub points: &'a [DataPoint],
     pub build: &'a Build<'a>,
     pub progress: &'a dyn Progress,
-    pub loss: Loss,
     /// Whether forces of zero and below are measurements: by default the muscle was slack there.
     pub two_sided: bool,
     /// Whether the points are in time order, so that the friction has their history; `branch` then
@@ -47,10 +48,10 @@ pub struct IdentificationRequest<'a> {
 }
 
 impl<'a> IdentificationRequest<'a> {
-    /// The usual request: nothing fixed, least squares, forces above zero, points in no order.
+    /// The usual request: nothing fixed, forces above zero, points in no order.
     pub fn new(
         muscle: &'a Muscle,
-        free: &'a [Parameter],
+        free: &'a [Target],
         points: &'a [DataPoint],
         build: &'a Build<'a>,
     ) -> Self {
@@ -62,102 +63,17 @@ impl<'a> IdentificationRequest<'a> {
             points,
             build,
             progress: &Silent,
-            loss: Loss::Squares,
             two_sided: false,
             history: false,
         }
     }
-
-    /// The muscle at values of the free parameters.
-    pub(super) fn candidate(&self, x: &[f64]) -> Result<TrialMuscle, MuscleError> {
-        let free = self.free.iter().map(|p| p.target).zip(x.iter().copied());
-        let values: Vec<_> = self.fixed.iter().copied().chain(free).collect();
-        TrialMuscle::new(self.muscle, &values)
-    }
 }
 
-/// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
-fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
-    let sum = |branch| {
-        let list = points.iter().filter(|p| p.at.branch == Some(branch));
-        let (f, n) = list.fold((0.0, 0.0), |(f, n), p| (f + p.at.force_n, n + 1.0));
-        if n > 0.0 { f / n } else { 0.0 }
-    };
-    let p = points.iter().map(|p| p.at.pressure_mpa).sum::<f64>() / points.len().max(1) as f64;
-    let forces = peak(points.iter().map(|p| p.at.force_n));
-    let half = 0.5 * (sum(Direction::Elongation) - sum(Direction::Contraction));
-    half.max(0.005 * forces).max(1e-3) / p.max(1e-3).powf(exponent)
-}
-
-/// Starts and bounds of the free parameters.
-fn unknowns(request: &IdentificationRequest<'_>) -> Result<Vec<Unknown>> {
-    let muscle = request.muscle;
-    let free = request.free.iter().map(|p| p.target);
-    let named: Vec<Target> = free.chain(request.fixed.iter().map(|f| f.0)).collect();
-    if let Some(twice) = (1..named.len()).find(|i| named[..*i].contains(&named[*i])) {
-        let name = named[twice].name(muscle);
-        return Err(IdentifyError::Refused(format!(
-            "{name} is named twice, free or fixed: name it once"
-        )));
-    }
-    let one = |p: &Parameter| {
-        let name = p.target.name(muscle);
-        let value = p.target.value(muscle).or_else(|| match p.target {
-            Target::Measure(m) if *m == FRICTION_COEFFICIENT => {
-                let exponent = Target::Measure(&FRICTION_EXPONENT).value(muscle)?;
-                Some(friction_start(request.points, exponent))
-            }
-            // Inside of its bounds, and small beside the muscle.
-            other => other.identify().and_then(|i| i.start(muscle)),
-        });
-        let start = p.start.or(value).ok_or_else(|| {
-            IdentifyError::Refused(format!(
-                "{name} has no value to begin with in this muscle: write {name}=START"
-            ))
-        })?;
-        let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));
-        if !(start >= low && start <= high && low < high) {
-            return Err(IdentifyError::Refused(format!(
-                "{name}: the start {start} lies outside of the bounds {low} to {high}: write \
-                 {name}=START:LOW:HIGH"
-            )));
-        }
-        let scale = p.target.limit(muscle, start);
-        let scale = if scale > 0.0 { scale } else { 1.0 };
-        // A lower end without an upper one is known to the search, the reverse is not.
-        let low = if low.is_infinite() && high.is_finite() {
-            start - 1e6 * scale
-        } else {
-            low
-        };
-        Ok(Unknown {
-            start,
-            low,
-            high,
-            scale,
-        })
-    };
-    request.free.iter().map(one).collect()
-}
-
-/// The weights of the points, and whether they state their errors.
-fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec<f64>, bool)> {
-    let stated = points.iter().filter(|p| p.error.is_some()).count();
-    let without = points.iter().find(|p| p.error.is_none());
-    if let Some(DataPoint { line, .. }) = without.filter(|_| stated > 0) {
-        return Err(DataError::SomeErrors {
-            stated,
-            all: points.len(),
-            line: *line,
-        }
-        .into());
-    }
-    let one = |p: &DataPoint| p.weight / p.error.map_or(1.0, |e| (e * scale(p.measured)).powi(2));
-    Ok((points.iter().map(one).collect(), stated > 0))
-}
+/// A constant whose deviation fell below this share of that before was learnt from the points.
+const LEARNT: f64 = 0.7;
 
 /// Refuses numbers that are none.
-pub(super) fn check(points: &[DataPoint]) -> Result<(), DataError> {
+fn check(points: &[DataPoint]) -> Result<(), DataError> {
     let wrong = points
         .iter()
         .find_map(|p| p.impossible().map(|found| (p.line, found)));
@@ -170,7 +86,11 @@ pub(super) fn check(points: &[DataPoint]) -> Result<(), DataError> {
     })
 }
 
-/// Identifies the free parameters of a muscle so that its model comes closest to the points.
+/// The constants of a muscle with the largest posterior.
+///
+/// # Errors
+/// [`IdentifyError`] for points that are too few, or that no such muscle gives, and for names that
+/// are no constants of it.
 pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
     check(request.points)?;
     let directed;
@@ -181,118 +101,96 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
         request.points
     };
     let request = &IdentificationRequest { points, ..*request };
-    let flipped = signs::check(request.muscle, request.points, request.two_sided)?;
-    match search(request, &flipped) {
-        // The search cannot tell a model without an answer from a caller who has gone.
-        _ if request.progress.cancelled() => Err(Cancelled.into()),
-        Err(
-            IdentifyError::Estimate(_)
-            | IdentifyError::NoRubber { .. }
-            | IdentifyError::Start { .. },
-        ) if !flipped.is_empty() => Err(IdentifyError::Flipped(flipped.join("; "))),
-        result => result,
-    }
-}
-
-/// A minimum of the residuals, with the unknowns that are at their bounds set to these.
-struct Minimum<'a> {
-    unknowns: &'a [Unknown],
-    estimate: &'a Estimate,
-    x: &'a [f64],
-}
-
-fn search(request: &IdentificationRequest<'_>, flipped: &[String]) -> Result<Identification> {
-    if request.free.is_empty() {
-        let message = "nothing is free: name at least one parameter to identify";
-        return Err(IdentifyError::Refused(message.into()));
-    }
-    let unknowns = unknowns(request)?;
-    let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
+    let base = with_values(request.muscle, request.fixed)?;
+    check_names(request, &base)?;
+    let flipped = signs::check(&base, request.points, request.two_sided)?;
     let (counted, slack) = pulls_and_slack(request);
-    let too_few = |points| too_few(points, slack.len(), unknowns.len());
-    if counted.len() <= unknowns.len() {
-        return Err(too_few(counted.len()));
+    if counted.is_empty() {
+        return Err(DataError::NoPull { slack: slack.len() }.into());
     }
     let mut notes = advice::before(request, &counted)?;
-    notes.extend_from_slice(flipped);
-    let first = request.candidate(&start)?;
-    (request.build)(&first.muscle).map_err(IdentifyError::Model)?;
-
-    let history = request.history.then_some(request.points);
-    let problem_of = |points| Problem::new(request, (points, history), &start);
-    let no_answer = IdentifyError::Estimate(EstimateError::Start);
-    // Residuals at the start, point by point.
-    let rows = problem_of(&counted).rows(&start);
-    let (points, first_residuals, left_out) = leave_out(&counted, rows.ok_or(no_answer.clone())?)?;
-    notes.extend(left_out);
-    let problem = problem_of(&points);
-    let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
-    let estimate = estimate(&problem, &unknowns, &weights, request.loss).map_err(|e| match e {
-        EstimateError::TooFew { points, .. } => too_few(points),
-        EstimateError::NoMinimum { ref at, .. } => {
-            let end = problem.candidate(at);
-            end.and_then(|end| check_modulus(request, &first.muscle, &end.muscle).err())
-                .unwrap_or(IdentifyError::Estimate(e))
-        }
-        other => IdentifyError::Estimate(other),
-    })?;
-    // Unknowns at a bound are set to it, where that is a muscle.
-    let bounded = unknowns.iter().zip(&estimate.x);
-    let on_bounds = bounded.map(|(u, x)| u.at_its_bound(*x)).collect();
-    let muscle_at = |x: Vec<f64>| Some((problem.candidate(&x)?, x));
-    let (candidate, x) = muscle_at(on_bounds)
-        .or_else(|| muscle_at(estimate.x.clone()))
-        .ok_or(no_answer)?;
-    check_modulus(request, &first.muscle, &candidate.muscle)?;
-    let minimum = Minimum {
-        unknowns: &unknowns,
-        estimate: &estimate,
-        x: &x,
+    notes.extend(flipped);
+    let experience = Experience::built_in();
+    let prior = prior(request, &base, experience);
+    let bounds = bounds(request, &base);
+    let sought = PosteriorRequest {
+        muscle: &base,
+        points: &counted,
+        build: request.build,
+        experience,
+        prior: &prior,
+        progress: request.progress,
+        bounds: &bounds,
+        search: true,
     };
-    let fitted = fits(&problem, &points, &estimate, &weights);
-    let all = spread("all", &estimate.residuals);
-    let inside = estimate.at_bound.iter().filter(|b| !**b).count();
-    let mut out = Identification {
-        muscle: candidate.muscle.clone(),
-        parameters: parameters(&problem, &minimum, &candidate.muscle),
-        candidate,
-        correlation: estimate.correlation.clone(),
-        spreads: spreads(&fitted),
-        freedom: points.len().saturating_sub(inside).max(1),
-        points: fitted,
-        slack,
-        rms_before_n: spread("start", &first_residuals).rms_n,
+    let found = sought.posterior()?.ok_or_else(|| {
+        let none = "the model has no answer at the points with any constants near to those of the \
+            muscle";
+        IdentifyError::Refused(none.to_owned())
+    })?;
+    let muscle = base.with_constants(&found.constants)?;
+    let law = friction_law(request, &muscle, &counted).unwrap_or_else(|| FrictionLaw {
+        muscle,
+        parameters: vec![],
+        left: vec![],
+    });
+    let muscle = law.muscle;
+    let mut left = bench::left_over(request, &muscle, &counted, &found.constants)?
+        .unwrap_or_else(|| found.clone());
+    // Of rows in time order the friction has a history, which the bench does not know.
+    let points = if request.history && !law.left.is_empty() {
+        fits(law.left)
+    } else {
+        let off = |(point, predicted_n): &(DataPoint, f64)| (*point, predicted_n - point.at.force_n);
+        fits(left.points.iter().map(off).collect())
+    };
+    // Constants that are held are not known better for it.
+    if request.free.is_empty() {
+        left.covariance.clone_from(&found.covariance);
+    }
+    let model = (request.build)(&muscle)
+        .map_err(IdentifyError::Model)?
+        .info()
+        .name
+        .to_string();
+    let residuals: Vec<f64> = points.iter().map(|f| f.residual_n).collect();
+    let all = spread("all", &residuals);
+    let parameters: Vec<Identified> = Shown::all(&base)
+        .filter_map(|shown| shown.identified(&base, &muscle, &found))
+        .chain(law.parameters)
+        .collect();
+    notes.extend(advice::zero_of_load_cell(&sought));
+    let identified = Identification {
+        bench: bench::written(&muscle, &left, model, request.history),
+        correlation: correlation(&parameters, &found),
+        spreads: spreads(&points),
+        freedom: points.len(),
+        rms_before_n: found.rms_before_n,
         rms_n: all.rms_n,
         max_n: all.max_n,
-        deviation: estimate.deviation,
-        errors_stated,
-        notes,
-        bench: None,
+        deviation: all.rms_n,
+        notes: vec![],
+        muscle,
+        parameters,
+        points,
+        slack,
     };
-    out.notes
-        .extend(advice::zero_of_load_cell(&out, &estimate.slopes));
-    out.bench = bench(request, &out);
-    out.notes.extend(advice::after(&out, request));
-    Ok(out)
+    notes.extend(advice::after(&identified, request));
+    Ok(Identification {
+        notes,
+        ..identified
+    })
 }
 
-/// The points that count, and of them those at which the muscle was slack.
+/// The points that count, without volumes, and of them those at which the muscle was slack.
 pub fn pulls_and_slack(request: &IdentificationRequest<'_>) -> (Vec<DataPoint>, Vec<DataPoint>) {
     let noise_n = noise_n(request.points);
     let pulls = |p: &DataPoint| {
         request.two_sided || p.measured != Quantity::Force || p.at.force_n > noise_n
     };
-    let counted = request.points.iter().filter(|p| p.weight > 0.0).copied();
+    let counts = |p: &&DataPoint| p.weight > 0.0 && p.measured != Quantity::Volume;
+    let counted = request.points.iter().filter(counts).copied();
     counted.partition(pulls)
-}
-
-/// Fewer points than parameters.
-pub fn too_few(points: usize, dropped: usize, parameters: usize) -> IdentifyError {
-    IdentifyError::Data(DataError::TooFew {
-        points,
-        dropped,
-        parameters,
-    })
 }
 
 /// Up to which reading in N a load cell may show no pull: three times what it shows below zero, of
@@ -315,136 +213,216 @@ fn noise_n(points: &[DataPoint]) -> f64 {
     (DEVIATIONS * deviation_n).min(MOST * peak(forces))
 }
 
-/// Each point with its residual.
-fn fits(
-    problem: &Problem<'_>,
-    points: &[DataPoint],
-    estimate: &Estimate,
-    weights: &[f64],
-) -> Vec<PointFit> {
-    let outliers = advice::outliers(&estimate.residuals, weights);
-    let one = |(i, point): (usize, &DataPoint)| PointFit {
-        point: *point,
-        residual: estimate.residuals[i] / problem.scale(point.measured),
-        residual_n: estimate.residuals[i],
-        weight: estimate.weights[i],
+/// Each point with what is left in N, model less measured.
+fn fits(left: Vec<(DataPoint, f64)>) -> Vec<PointFit> {
+    let (points, off): (Vec<DataPoint>, Vec<f64>) = left.into_iter().unzip();
+    let weights: Vec<f64> = points.iter().map(|p| p.weight).collect();
+    let outliers = advice::outliers(&off, &weights);
+    let one = |(i, point): (usize, DataPoint)| PointFit {
+        point: DataPoint {
+            measured: Quantity::Force,
+            ..point
+        },
+        residual: off[i],
+        residual_n: off[i],
+        weight: weights[i],
         outlier: outliers[i],
     };
-    points.iter().enumerate().map(one).collect()
+    points.into_iter().enumerate().map(one).collect()
 }
 
-/// No rubber of which muscles are made is softer, in MPa.
-const SOFTEST_MPA: f64 = 1e-3;
-/// An end displacement above this share of the outer diameter is implausible.
-const LONGEST_END: f64 = 0.3;
-
-/// Refuses a modulus that fell towards zero.
-fn check_modulus(request: &IdentificationRequest<'_>, start: &Muscle, end: &Muscle) -> Result<()> {
-    let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
-    match request.free.iter().find(|p| p.target.is_of_law()) {
-        Some(p) if modulus(end) < SOFTEST_MPA.min(0.01 * modulus(start)) => {
-            let name = p.target.name(request.muscle);
-            Err(IdentifyError::NoRubber(format!(
-                "{name} falls towards zero, to {:.1e} MPa",
-                modulus(end)
-            )))
-        }
-        _ => Ok(()),
-    }
+/// How a constant stands in the muscle file.
+struct Shown {
+    constant: Constant,
+    /// The parameter of that name; the factor on the pull and the share of friction have none.
+    target: Option<Target>,
+    /// The value without the constant.
+    zero: f64,
+    /// What one unit of the constant makes of the value; `None` where it is the logarithm of a factor.
+    factor: Option<f64>,
 }
 
-/// The largest displacement of an end at the points, in mm; `None` of what is no end.
-fn end_displacement_mm(
-    request: &IdentificationRequest<'_>,
-    target: Target,
-    value: f64,
-    muscle: &Muscle,
-) -> Option<f64> {
-    match target {
-        Target::Measure(m) if *m == SEATING || *m == GRIP => Some(value),
-        Target::Measure(m) if *m == SLIP => {
-            let ends = muscle.ends();
-            let load = |p: &DataPoint| ends.load_n(p.at.pressure_mpa, p.at.force_n);
-            Some(value * peak(request.points.iter().map(load)))
-        }
-        _ => None,
-    }
-}
-
-type Kept = (Vec<DataPoint>, Vec<f64>, Option<String>);
-
-/// Points without an answer at the start are left out, where they are few: those that remain with
-/// their residuals, and a sentence on the others.
-fn leave_out(points: &[DataPoint], rows: Vec<Result<f64, ModelError>>) -> Result<Kept> {
-    let mut kept = vec![];
-    let mut residuals = vec![];
-    let mut lines = vec![];
-    let mut first = None;
-    for (point, row) in points.iter().zip(rows) {
-        match row {
-            Ok(residual) => {
-                kept.push(*point);
-                residuals.push(residual);
+impl Shown {
+    /// `None` where a muscle has no such constant.
+    fn new(constant: Constant, base: &Muscle) -> Option<Self> {
+        let d0_mm = base.outer_diameter_mm();
+        let (target, factor) = match constant {
+            Constant::PullFactor => (None, None),
+            Constant::Seating => (Some(Target::Measure(&SEATING)), Some(d0_mm)),
+            Constant::Compliance => (Some(Target::Measure(&SLIP)), Some(1.0 / d0_mm)),
+            Constant::TakeUp => (Some(Target::Measure(&TAKE_UP)), Some(1.0)),
+            // A law of one constant is that constant.
+            Constant::Modulus => match base.tube().rubber.law.values().len() {
+                1 => (Some(Target::Law(0)), None),
+                _ => (Some(Target::Modulus), None),
+            },
+            Constant::Angle => (Some(Target::Measure(&ANGLE)), Some(1.0)),
+            Constant::Strands => {
+                base.family_stiffness_n_per_mm()?;
+                (Some(Target::Stiffness), None)
             }
-            Err(error) => {
-                lines.push(point.line);
-                first.get_or_insert(error);
+            Constant::Friction => (None, Some(1.0)),
+        };
+        let value = target.and_then(|target| target.value(base));
+        Some(Self {
+            constant,
+            target,
+            zero: value.unwrap_or(if factor.is_some() { 0.0 } else { 1.0 }),
+            factor,
+        })
+    }
+
+    fn all(base: &Muscle) -> impl Iterator<Item = Self> {
+        Constant::ALL
+            .into_iter()
+            .filter_map(|constant| Self::new(constant, base))
+    }
+
+    /// Whether a name means it: a factor on all moduli, or the one modulus of the law.
+    fn is(&self, target: Target, base: &Muscle) -> bool {
+        let law = &base.tube().rubber.law;
+        let moduli = || law.constants().into_iter().filter(|c| c.constant.is_modulus());
+        let is_modulus = match target {
+            Target::Modulus => true,
+            Target::Law(i) => {
+                let own = law.constants().into_iter().nth(i);
+                own.is_some_and(|c| c.constant.is_modulus()) && moduli().count() == 1
             }
+            _ => false,
+        };
+        self.target == Some(target) || is_modulus && self.constant == Constant::Modulus
+    }
+
+    fn name(&self, base: &Muscle) -> String {
+        match self.target {
+            Some(target) => target.name(base),
+            None if self.constant == Constant::Friction => "friction_share".to_owned(),
+            None => self.constant.word().to_owned(),
         }
     }
-    let all = points.len();
-    let n = lines.len();
-    let Some(error) = first else {
-        return Ok((kept, residuals, None));
-    };
-    if 5 * n > all {
-        let line = lines[0];
-        let which = format!("{n} of {all} points at the starting values (first: line {line})");
-        return Err(IdentifyError::Start(which, error));
-    }
-    let note = format!(
-        "{n} points ({}) have no answer of the model at the start and were left out: {error}",
-        advice::lines(&lines)
-    );
-    Ok((kept, residuals, Some(note)))
-}
 
-fn parameters(problem: &Problem<'_>, minimum: &Minimum<'_>, muscle: &Muscle) -> Vec<Identified> {
-    let request = problem.request;
-    let Minimum {
-        unknowns,
-        estimate,
-        x,
-    } = *minimum;
-    let matters = |i: usize| {
-        let mut x = estimate.x.clone();
-        x[i] += 0.1 * unknowns[i].scale;
-        let change = |(a, b): (&f64, &f64)| (a - b).abs() > 1e-9 * (1.0 + b.abs());
-        let moves = |r: Vec<f64>| r.iter().zip(&estimate.residuals).any(change);
-        estimate.standard_errors[i].is_finite() || problem.residuals_at(&x).is_none_or(moves)
-    };
-    let one = |i: usize| {
-        let target = request.free[i].target;
-        let value = x[i];
-        let limit = target.limit(muscle, value);
-        let displacement = end_displacement_mm(request, target, value, muscle);
-        let implausible =
-            displacement.is_some_and(|mm| mm > LONGEST_END * muscle.outer_diameter_mm());
-        Identified {
-            target: Some(target),
-            name: target.name(request.muscle),
-            start: unknowns[i].start,
+    fn value_of(&self, x: f64) -> f64 {
+        match self.factor {
+            Some(factor) => self.zero + factor * x,
+            None => self.zero * x.exp(),
+        }
+    }
+
+    fn constant_of(&self, value: f64) -> f64 {
+        match self.factor {
+            Some(factor) => (value - self.zero) / factor,
+            None => (value / self.zero).ln(),
+        }
+    }
+
+    /// The constant as it was found; none that is known.
+    fn identified(&self, base: &Muscle, muscle: &Muscle, found: &Posterior) -> Option<Identified> {
+        let i = self.constant as usize;
+        let before = found.prior.deviation[i];
+        let is_law = self.constant == Constant::Friction && muscle.friction().is_some();
+        if before == 0.0 || is_law {
+            return None;
+        }
+        let deviation = found.covariance[i][i].sqrt();
+        let value = self.value_of(found.constants[i]);
+        let slope = self.factor.unwrap_or(value).abs();
+        Some(Identified {
+            target: self.target,
+            name: self.name(base),
+            start: self.value_of(found.prior.centre[i]),
             value,
-            unit: target.unit(request.muscle),
-            standard_error: estimate.standard_errors[i],
-            half_width: estimate.half_widths[i],
-            limit,
-            prior_standard_deviation: None,
-            identifiable: !estimate.at_bound[i] && !implausible && estimate.half_widths[i] <= limit,
-            at_bound: estimate.at_bound[i],
-            matters: matters(i),
-            implausible,
-        }
-    };
-    (0..x.len()).map(one).collect()
+            unit: self.target.map_or("", |target| target.unit(base)),
+            standard_error: slope * deviation,
+            half_width: HALF_95 * slope * deviation,
+            prior_standard_deviation: Some(slope * before),
+            identifiable: deviation < LEARNT * before,
+            at_bound: found.at_bound[i],
+            matters: true,
+        })
+    }
 }
+
+/// Refuses names that are no constants which are sought, and those that are named twice.
+fn check_names(request: &IdentificationRequest<'_>, base: &Muscle) -> Result<()> {
+    let refuse = |target: Target, what: &str| {
+        let name = target.name(base);
+        Err(IdentifyError::Refused(format!("{name} {what}")))
+    };
+    for (i, &target) in request.free.iter().enumerate() {
+        let fixed = request.fixed.iter().map(|f| f.0);
+        if request.free[..i].iter().copied().chain(fixed).any(|other| other == target) {
+            return refuse(target, "is named twice, free or fixed: name it once");
+        }
+        if !target.is_of_friction() && !Shown::all(base).any(|shown| shown.is(target, base)) {
+            let known = Shown::all(base).filter_map(|shown| Some(shown.target?.name(base)));
+            let known = joined(known, ", ");
+            return refuse(
+                target,
+                &format!(
+                    "is not told by points: measure it and state it. Free can be {known}, and \
+                     the friction"
+                ),
+            );
+        }
+    }
+    let is_free = |target: &Target| {
+        let of_points = Shown::all(base).any(|shown| shown.target == Some(*target));
+        of_points && request.free.is_empty() || request.free.contains(target)
+    };
+    match request.bounds.iter().find(|b| !is_free(&b.0)) {
+        Some(b) => refuse(b.0, "has bounds and is not free: name it in `free` too"),
+        None => Ok(()),
+    }
+}
+
+/// The bounds of constants by those of parameters.
+fn bounds(request: &IdentificationRequest<'_>, base: &Muscle) -> Vec<(Constant, (f64, f64))> {
+    let one = |&(target, (low, high)): &(Target, (f64, f64))| {
+        let shown = Shown::all(base).find(|shown| shown.is(target, base))?;
+        Some((
+            shown.constant,
+            (shown.constant_of(low), shown.constant_of(high)),
+        ))
+    };
+    request.bounds.iter().filter_map(one).collect()
+}
+
+/// What is known before: a constant that is fixed, or not among those that are free, is known. The
+/// share of the friction is then that of measured muscles.
+fn prior(request: &IdentificationRequest<'_>, base: &Muscle, experience: &Experience) -> Prior {
+    let mut prior = Prior::of(base, experience);
+    for shown in Shown::all(base) {
+        let is_fixed = |(target, _): &(Target, f64)| {
+            Some(*target) == shown.target
+                || target.is_of_law() && shown.constant == Constant::Modulus
+        };
+        let is_free =
+            request.free.is_empty() || request.free.iter().any(|t| shown.is(*t, base));
+        if !is_free || request.fixed.iter().any(is_fixed) {
+            let i = shown.constant as usize;
+            prior.deviation[i] = 0.0;
+            if shown.constant != Constant::Friction {
+                prior.centre[i] = 0.0;
+            }
+        }
+    }
+    prior
+}
+
+/// The correlation of the constants that are listed; those of the law of the friction have none.
+fn correlation(parameters: &[Identified], found: &Posterior) -> Vec<Vec<f64>> {
+    let listed: Vec<usize> = (0..Constant::ALL.len())
+        .filter(|&i| found.prior.deviation[i] > 0.0)
+        .collect();
+    let of = |i: usize, k: usize| match (listed.get(i), listed.get(k)) {
+        _ if i == k => 1.0,
+        (Some(&a), Some(&b)) => {
+            let c = &found.covariance;
+            c[a][b] / (c[a][a] * c[b][b]).sqrt()
+        }
+        _ => 0.0,
+    };
+    let n = parameters.len();
+    (0..n).map(|i| (0..n).map(|k| of(i, k)).collect()).collect()
+}
+

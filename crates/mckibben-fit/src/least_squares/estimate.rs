@@ -13,7 +13,6 @@ use super::{Unknown, t95};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use mckibben_core::{cancel, extremes::peak};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
-use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use thiserror::Error;
 
@@ -35,19 +34,11 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
 }
 
 /// Loss function of the residuals.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(rename = "LossWord")]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Loss {
     /// Sum of squares.
-    #[default]
     Squares,
-    // By the square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly
-    // beyond (Huber 1964 [huber1964]).
-    /// Huber: outliers count less.
-    Huber,
-    // By the sixth power; standard errors then say little.
-    /// Sixth powers: the largest residual counts most.
+    /// Sixth powers: the largest residual counts most; standard errors then say little.
     Largest,
 }
 
@@ -332,10 +323,8 @@ const STEP: f64 = 1e-6;
 /// Shares of the step that are tried.
 const SHARES: [f64; 5] = [1.0, 0.3, 0.1, 0.01, 0.001];
 
-/// Turns of the robust loss at most; the weights settle long before.
+/// Turns of sixth powers at most; the weights settle long before.
 const TURNS: usize = 60;
-/// Huber's constant: 95 % of the efficiency of squares where the errors are normal.
-const HUBER: f64 = 1.345;
 
 /// The unknowns that make the residuals small, with their errors. `weights` has one number ≥ 0 a
 /// point.
@@ -384,7 +373,6 @@ pub fn estimate(
             .ok_or(EstimateError::Start)?;
         let next = match loss {
             Loss::Squares => break,
-            Loss::Huber => huber(&r, weights),
             Loss::Largest => sixth_power(&r, weights, &factors),
         };
         let moved = next.iter().zip(&factors).map(|(a, b)| (a - b).abs());
@@ -414,22 +402,6 @@ pub fn robust_deviation(r: &[f64], weights: &[f64]) -> (Vec<f64>, f64) {
     sorted.sort_by(f64::total_cmp);
     let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
     (scaled, 1.4826 * median)
-}
-
-/// Huber's factors on the weights.
-fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
-    let (scaled, deviation) = robust_deviation(r, weights);
-    let limit = HUBER * deviation;
-    scaled
-        .iter()
-        .map(|&s| {
-            if s <= limit || s == 0.0 {
-                1.0
-            } else {
-                limit / s
-            }
-        })
-        .collect()
 }
 
 /// Factors that turn squares into sixth powers, r⁴ over the largest, approached by halves in the

@@ -2,7 +2,7 @@
 
 use super::folder::IDENTIFIED;
 use crate::{
-    identify::Parameter,
+    identify::Target,
     measured::{DataPoint, table},
 };
 use mckibben_core::{
@@ -21,7 +21,7 @@ pub struct SavedMuscle<'a> {
     /// Where they come from.
     pub origin: &'a str,
     /// What was free; all constants where nothing is named.
-    pub free: &'a [Parameter],
+    pub free: &'a [Target],
     /// What was held at a value.
     pub fixed: &'a [String],
     /// Whether the single branches were fitted, in place of their means.
@@ -32,8 +32,7 @@ pub struct SavedMuscle<'a> {
 
 /// The files of its folder by name, with blanks for what its owner alone can state.
 pub fn measured_files(saved: &SavedMuscle<'_>) -> Vec<(&'static str, String)> {
-    let free: Vec<String> = saved.free.iter().map(|p| p.word(saved.muscle)).collect();
-    let of_library = saved.free.iter().all(|p| p.target.is_in_file());
+    let free: Vec<String> = saved.free.iter().map(|t| t.name(saved.muscle)).collect();
     let origin = line(saved.origin);
     let points = format!("# From {origin}.\n{}", table(saved.points));
     let mut values = vec![
@@ -45,18 +44,17 @@ pub fn measured_files(saved: &SavedMuscle<'_>) -> Vec<(&'static str, String)> {
     for (key, holds, text) in [
         ("nothing", free.is_empty(), String::new()),
         ("both", saved.both_branches, String::new()),
-        ("identified", of_library, String::new()),
+        ("identified", true, String::new()),
         ("fixed", !fixed.is_empty(), fixed),
     ] {
         values.extend(holds.then_some((key, text)));
     }
     let made = |template| render(template, &[], &values);
-    let mut files = vec![
+    vec![
         ("README.md", made(include_str!("../../templates/README.md"))),
         ("case.toml", made(include_str!("../../templates/case.toml"))),
         ("muscle.toml", to_toml(saved.muscle)),
         ("points.csv", points),
-    ];
-    files.extend(of_library.then(|| (IDENTIFIED, saved.identified.into())));
-    files
+        (IDENTIFIED, saved.identified.into()),
+    ]
 }

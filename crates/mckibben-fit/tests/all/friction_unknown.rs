@@ -8,7 +8,7 @@ use mckibben_core::{
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::{
-    identify::{IdentificationRequest, Parameter, identify},
+    identify::{IdentificationRequest, Target, identify},
     measured::{DataPoint, read_data},
     library::library,
 };
@@ -44,7 +44,7 @@ fn at_2_bar(word: impl Fn(usize) -> &'static str) -> (UncertaintyParts, bool) {
     );
     let points: Vec<DataPoint> = read_data(&table).unwrap();
     let muscle = parse_muscle(MUSCLE).unwrap();
-    let free = ["mu", "braid.stiffness"].map(|name| Parameter::parse(name, &muscle).unwrap());
+    let free = ["mu", "braid.stiffness"].map(|name| Target::parse(name, &muscle).unwrap());
     let request = IdentificationRequest::new(&muscle, &free, &points, &elements);
     let result = identify(&request).unwrap();
     let model = elements(&result.with_bench()).unwrap();

@@ -6,10 +6,6 @@ use mckibben_core::{
     rubber::{Law, NeoHookean},
 };
 use mckibben_fem::{FemError, axisymmetric::Axisymmetric};
-use mckibben_fit::{
-    compare::MeasuredPoint,
-    identify::{DataPoint, IdentificationRequest, Parameter, identify},
-};
 
 fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
     let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.2 }));
@@ -258,47 +254,4 @@ fn models_say_what_they_leave_out() {
             .notes
             .is_empty()
     );
-}
-
-/// Points that fe makes of a known muscle, rounded to 0.1 N: its thickness and its crimp come back.
-#[test]
-fn thickness_and_crimp_come_back_from_rounded_points() {
-    let truth = muscle(|b| {
-        b.thickness_mm = 0.6;
-        b.crimp = Some(Crimp {
-            strain: 0.012,
-            stiffness_ratio: 0.1,
-        });
-    });
-    let (model, w) = (
-        Axisymmetric::between_ends(&truth).unwrap(),
-        &mut Workspace::new(),
-    );
-    let mut points = vec![];
-    for pressure_mpa in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6] {
-        for contraction in [0.0, 0.05, 0.1, 0.15, 0.2] {
-            let force_n =
-                0.1 * (10.0 * model.force_n(w, pressure_mpa, contraction).unwrap()).round();
-            let branch = Some(Direction::Mean);
-            points.push(DataPoint::new(MeasuredPoint {
-                pressure_mpa,
-                contraction,
-                force_n,
-                branch,
-            }));
-        }
-    }
-    let m = muscle(|_| {});
-    let free = ["braid.thickness", "braid.crimp"].map(|t| Parameter::parse(t, &m).unwrap());
-    let result = identify(&IdentificationRequest::new(&m, &free, &points, &|m| {
-        Ok(Box::new(Axisymmetric::between_ends(m)?))
-    }))
-    .unwrap();
-    for (p, truth) in result.parameters.iter().zip([0.6, 0.012]) {
-        assert!(
-            (p.value - truth).abs() < p.half_width.max(1e-3 * truth),
-            "{p:?}"
-        );
-        assert!(p.identifiable, "{p:?}");
-    }
 }

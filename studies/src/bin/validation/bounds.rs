@@ -6,7 +6,14 @@
 //! 300 mm, rayon; the rubber is not stated, so that its modulus is fitted. Models are compared with
 //! the mean of the two hysteresis branches.
 
-use crate::{Result, case::MuscleCase, fit::first_fit_residuals, left_out::Coverage, pulses};
+use crate::{
+    Result,
+    case::MuscleCase,
+    chosen::{ChosenFit, Parameter},
+    fit::first_fit_residuals,
+    left_out::Coverage,
+    pulses,
+};
 use mckibben_core::{
     analysis::{Evaluation, Options},
     extremes::peak,
@@ -17,7 +24,7 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     compare::compare,
-    identify::{Build, IdentificationRequest, Parameter, Target, identify},
+    identify::{Build, Target},
     library::residual::ForceErrors,
     measured::{DataPoint, MeasuredPoint, mean_of_branches},
 };
@@ -139,9 +146,9 @@ pub fn with_constants(
     }
     let free: Vec<Parameter> = free.iter().copied().map(Parameter::free).collect();
     let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::new).collect();
-    let request = IdentificationRequest {
+    let fit = ChosenFit {
         two_sided: true,
-        ..IdentificationRequest::new(muscle, &free, &data, build)
+        ..ChosenFit::new(muscle, &free, &data, build)
     };
-    Ok(identify(&request)?.muscle)
+    Ok(fit.found()?.muscle)
 }

@@ -1,13 +1,12 @@
 //! What was measured, as a folder: `case.toml`, `points.csv`, and of a muscle `muscle.toml` and, in
 //! the library, `identified.toml`. `docs/own-cases.md` describes them.
 
-use crate::Result;
+use crate::{Result, chosen::Parameter};
 use mckibben_core::{
     built::Experience,
     muscle::{Muscle, file::parse_muscle},
 };
 use mckibben_fit::{
-    identify::Parameter,
     measured::{DataPoint, Quantity, mean_of_data, read_data},
     rubber::{Form, Mode, TensionPoint, read_tests},
     rubber_over_time::{TimePoint, read_history},
@@ -284,7 +283,7 @@ impl Files {
         }
         let muscle = parse_muscle(&self.changed(number)?).map_err(|e| wrong(e.to_string()))?;
         let free = free.iter().map(|word| Parameter::parse(word, &muscle));
-        let free = free.collect::<std::result::Result<_, _>>();
+        let free = free.collect::<Result<_>>();
         Ok(CaseFit {
             free: free.map_err(|e| wrong(e.to_string()))?,
             both_branches: branches == Branches::Both,

@@ -3,6 +3,7 @@
 use crate::{
     Result,
     case::{CaseFit, MuscleCase},
+    chosen::ChosenFit,
 };
 use mckibben_core::{
     built::{Experience, Prior},
@@ -11,7 +12,7 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     identify::{
-        Build, IdentificationRequest, Identified, Posterior, PosteriorRequest, identify, learn,
+        Build, IdentificationRequest, Identified, Posterior, PosteriorRequest, identify,
     },
     library::residual::{Residual, residuals},
     measured::{DataPoint, mean_of_data},
@@ -27,8 +28,7 @@ pub fn fitted(
     if fit.free.is_empty() {
         return Ok((fit.muscle.clone(), vec![]));
     }
-    let request = IdentificationRequest::new(&fit.muscle, &fit.free, points, build);
-    let found = identify(&request)?;
+    let found = ChosenFit::new(&fit.muscle, &fit.free, points, build).found()?;
     Ok((found.muscle, found.parameters))
 }
 
@@ -43,7 +43,7 @@ pub fn predicted(
     let section = points.first().map(|p| p.section.apply(&fit.muscle));
     let muscle = section.and_then(|m| m.ok()).unwrap_or(fit.muscle.clone());
     let request = IdentificationRequest::new(&muscle, &[], points, build);
-    let muscle = learn(&request)?.with_bench();
+    let muscle = identify(&request)?.with_bench();
     Ok(residuals(build, &muscle, others, 0.0))
 }
 
@@ -94,8 +94,8 @@ pub fn first_fit_residuals(
 pub fn identified(case: &MuscleCase, build: &Build<'_>) -> Result<Muscle> {
     let fit = case.fits.get(case.library_fit).ok_or("no fit")?;
     let points = case.points_of(fit);
-    let request = IdentificationRequest::new(&fit.muscle, &fit.free, &points, build);
-    let muscle = identify(&request)?.with_bench();
+    let chosen = ChosenFit::new(&fit.muscle, &fit.free, &points, build);
+    let muscle = chosen.with_bench(&chosen.found()?);
     let bench = muscle.bench().ok_or("no bench")?.clone();
     Ok(muscle.with_bench(Bench {
         laboratory: Some(case.facts.source.clone()),

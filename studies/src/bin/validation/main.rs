@@ -12,6 +12,7 @@
 
 mod bounds;
 mod case;
+mod chosen;
 mod families;
 mod figure;
 mod fit;

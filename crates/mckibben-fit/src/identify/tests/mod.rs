@@ -2,20 +2,22 @@ mod doubts;
 mod history;
 
 use super::*;
-use crate::{
-    least_squares::{Loss, Noise},
-    measured::MeasuredPoint,
-};
+use crate::{least_squares::Noise, measured::MeasuredPoint};
 use mckibben_core::{
+    built::{
+        Experience, HALF_95, Predictor, Prior,
+        learnt::{NOISE, Place, kernel},
+    },
     cancel::Cancelled,
     model::{ForceModel, ModelError, ThickWall, Workspace},
     muscle::{
-        Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube,
-        measures::{END_FACTOR, PRESTRETCH},
+        Braid, BraidStiffness, Constant, Direction, Friction, Muscle, Rubber, Terminals, Tube,
+        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT},
     },
     progress::Progress,
-    rubber::{Law, MooneyRivlin, NeoHookean, Yeoh},
+    rubber::{Law, NeoHookean},
 };
+use nalgebra::DMatrix;
 
 fn thick(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     Ok(Box::new(ThickWall::between_ends(m)))
@@ -127,11 +129,8 @@ fn noisy(points: &[DataPoint], deviation: f64, seed: u64) -> Vec<DataPoint> {
     out
 }
 
-fn free(m: &Muscle, names: &[&str]) -> Vec<Parameter> {
-    names
-        .iter()
-        .map(|n| Parameter::parse(n, m).unwrap())
-        .collect()
+fn free(m: &Muscle, names: &[&str]) -> Vec<Target> {
+    names.iter().map(|n| Target::parse(n, m).unwrap()).collect()
 }
 
 /// Whether a note of a fit has this part.
@@ -173,240 +172,170 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
     );
 }
 
-fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {
-    let fit = identified(m, names, points).unwrap();
-    assert!(
-        fit.parameters.iter().all(|p| p.identifiable),
-        "{:#?}",
-        fit.parameters
-    );
-    fit.parameters.iter().map(|p| p.value).collect()
+/// Softer than [`soft`].
+fn softer() -> Muscle {
+    muscle(
+        Law::NeoHookean(NeoHookean { mu_mpa: 0.25 }),
+        BraidStiffness::NewtonPerMm(400.0),
+    )
 }
 
-#[test]
-fn known_constants_come_back_from_exact_points() {
-    let yeoh = Law::Yeoh(Yeoh {
-        c10_mpa: 0.15,
-        c20_mpa: 0.01,
-        c30_mpa: 0.0,
+/// What the posterior weighs of a muscle whose modulus alone is free, κ its logarithm: pulls less
+/// those of the model, their slopes by κ by differences, and R as its formula stands in
+/// [`posterior`](super::posterior).
+fn weighed(base: &Muscle, points: &[DataPoint], kappa: f64) -> [DMatrix<f64>; 3] {
+    let w = &mut Workspace::new();
+    let mut pull_n = |kappa: f64, p: &DataPoint| {
+        let changed = with_values(base, &[(Target::Modulus, kappa.exp())]).unwrap();
+        let model = ThickWall::between_ends(&changed);
+        model.force_n(w, p.at.pressure_mpa, p.at.contraction).unwrap()
+    };
+    let n = points.len();
+    let off = points.iter().map(|p| p.at.force_n - pull_n(kappa, p));
+    let off = DMatrix::from_iterator(n, 1, off.collect::<Vec<_>>());
+    const STEP: f64 = 1e-4;
+    let slopes = points.iter().map(|p| {
+        (pull_n(kappa + STEP, p) - pull_n(kappa - STEP, p)) / (2.0 * STEP)
     });
-    let rubbing = soft()
-        .with_friction(Some(Friction::power_law(25.0, 0.7)))
-        .unwrap();
-    let with = |measure, value| soft().with(measure, value).unwrap();
-    type Case<'a> = (Muscle, f64, Vec<(&'a str, f64)>);
-    let cases: Vec<Case<'_>> = vec![
-        (soft(), 0.0, vec![("mu=0.5", 0.3)]),
-        (
-            soft(),
-            0.0,
-            vec![("mu=0.2", 0.3), ("braid.stiffness=900", 400.0)],
-        ),
-        (
-            soft(),
-            0.0,
-            vec![
-                ("mu=0.2", 0.3),
-                ("braid.angle=23", 25.0),
-                ("tube.outer_diameter=21", 20.0),
-            ],
-        ),
-        (
-            soft(),
-            0.0,
-            vec![
-                ("tube.wall_thickness=1.0", 1.5),
-                ("braid.stiffness=300", 400.0),
-            ],
-        ),
-        (
-            soft(),
-            0.02,
-            vec![("mu=0.5", 0.3), ("contraction_offset", 0.02)],
-        ),
-        (
-            muscle(yeoh.clone(), BraidStiffness::Inextensible),
-            0.0,
-            vec![("modulus=1.5", 1.0)],
-        ),
-        (
-            muscle(yeoh, BraidStiffness::Inextensible),
-            0.0,
-            vec![("c10=0.3", 0.15), ("c20=0", 0.01)],
-        ),
-        (
-            rubbing,
-            0.0,
-            vec![
-                ("mu=0.5", 0.3),
-                ("friction.c=10", 25.0),
-                ("friction.beta=1", 0.7),
-            ],
-        ),
-        (
-            with(&END_FACTOR, 1.15),
-            0.0,
-            vec![("end-factor=1.0", 1.15), ("mu=0.4", 0.3)],
-        ),
-        (
-            with(&PRESTRETCH, 1.15),
-            0.0,
-            vec![("tube.prestretch=1.0", 1.15)],
-        ),
-    ];
-    for (m, offset, wanted) in cases {
-        let names: Vec<&str> = wanted.iter().map(|w| w.0).collect();
-        for (value, (name, truth)) in values(&m, &names, &bench(&m, offset)).iter().zip(&wanted) {
-            assert!(
-                (value - truth).abs() < 1e-6 * (1.0 + truth.abs()),
-                "{name}: {value}, not {truth}"
-            );
+    let slopes = DMatrix::from_iterator(n, 1, slopes.collect::<Vec<_>>());
+    let mut x = [0.0; Constant::ALL.len()];
+    x[Constant::Modulus as usize] = kappa;
+    let prior = Prior::of(base, Experience::built_in());
+    let predictor = Predictor::about(base, x, prior.covariance()).unwrap();
+    let place = |p: &DataPoint| -> Place {
+        predictor.at(p.at.pressure_mpa, p.at.contraction, 0.0).unwrap().place
+    };
+    let places: Vec<Place> = points.iter().map(place).collect();
+    let highest = |of: fn(&Place) -> f64| places.iter().map(of).fold(0.0, f64::max);
+    let (highest_mpa, blocked_n) = (highest(|p| p.pressure_mpa), highest(|p| p.blocked_n));
+    let covariance = DMatrix::from_fn(n, n, |i, k| {
+        let noise_n = if i == k { NOISE * blocked_n } else { 0.0 };
+        kernel(&places[i], &places[k], highest_mpa) + noise_n * noise_n
+    });
+    [off, slopes, covariance]
+}
+
+/// By the normal equation of one unknown: with κ = ln(μ/μ0), σ its deviation before and g the slopes,
+/// gᵀR⁻¹(y − f(κ)) = κ/σ², by halving; its variance is 1/(gᵀR⁻¹g + 1/σ²). The search ends where a
+/// step is below 1e-6 σ. Nothing else moves.
+#[test]
+fn one_constant_that_is_named_is_that_of_its_normal_equation() {
+    let base = softer();
+    let points = noisy(&bench(&soft(), 0.0), 4.0, 7);
+    let sigma = Prior::of(&base, Experience::built_in()).deviation[Constant::Modulus as usize];
+    let solved = |kappa: f64| {
+        let [off, slopes, covariance] = weighed(&base, &points, kappa);
+        let weighted = covariance.lu().solve(&slopes).unwrap();
+        let told = (weighted.transpose() * off)[(0, 0)];
+        let known = (weighted.transpose() * slopes)[(0, 0)];
+        (told - kappa / (sigma * sigma), known + 1.0 / (sigma * sigma))
+    };
+    let (mut low, mut high) = (-1.0, 1.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if solved(middle).0 > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
         }
+    }
+    let deviation = 1.0 / solved(low).1.sqrt();
+    let fit = identified(&base, &["mu"], &points).unwrap();
+    let [mu] = &fit.parameters[..] else {
+        panic!("{:#?}", fit.parameters)
+    };
+    let kappa = (mu.value / 0.25).ln();
+    assert!((kappa - low).abs() < 1e-5 * sigma, "{kappa} {low}");
+    let expected = HALF_95 * mu.value * deviation;
+    assert!((mu.half_width / expected - 1.0).abs() < 1e-4, "{mu:#?} {expected}");
+    assert!(mu.identifiable && (mu.value - 0.3).abs() < mu.half_width, "{mu:#?}");
+    let stated = with_values(&base, &[(Target::Law(0), mu.value)]).unwrap();
+    assert_eq!(fit.muscle, stated);
+}
+
+/// Where the muscle has its constants the points say nothing else: the prior and they agree. A name
+/// is any of those of a constant.
+#[test]
+fn constants_that_are_right_stay_where_they_are() {
+    let m = soft();
+    for names in [&["mu"][..], &["modulus"], &["mu", "braid.stiffness", "braid.angle"]] {
+        let fit = identified(&m, names, &bench(&m, 0.0)).unwrap();
+        assert_eq!(fit.parameters.len(), names.len());
+        for (p, truth) in fit.parameters.iter().zip([0.3, 25.0, 400.0]) {
+            let truth = if p.name == "braid.stiffness" { 400.0 } else { truth };
+            assert!((p.value / truth - 1.0).abs() < 1e-6, "{p:#?}");
+        }
+        assert!(fit.rms_n < 1e-3, "{}", fit.rms_n);
     }
 }
 
-/// The same muscle read three ways gives the same constants.
+/// With the other constants as they are, exact loops give the law of the friction back.
+#[test]
+fn the_law_of_the_friction_comes_back_from_exact_points() {
+    let rubbing = soft().with_friction(Some(Friction::power_law(25.0, 0.7))).unwrap();
+    let names = ["friction.c", "friction.beta"];
+    let fit = identified(&soft(), &names, &bench(&rubbing, 0.0)).unwrap();
+    for (measure, truth) in [(&FRICTION_COEFFICIENT, 25.0), (&FRICTION_EXPONENT, 0.7)] {
+        let p = fit.parameter(Target::Measure(measure)).unwrap();
+        assert!(p.identifiable && (p.value - truth).abs() < 1e-6 * (1.0 + truth), "{p:#?}");
+    }
+    // Both that were fixed stay.
+    let fixed = [(Target::Measure(&FRICTION_COEFFICIENT), 20.0)];
+    let points = bench(&rubbing, 0.0);
+    let m = soft();
+    let fit = identify(&IdentificationRequest {
+        fixed: &fixed,
+        ..IdentificationRequest::new(&m, &[], &points, &thick)
+    })
+    .unwrap();
+    assert_eq!(fit.muscle.friction().unwrap().coefficient, 20.0);
+    assert!(fit.parameter(fixed[0].0).is_none());
+}
+
+/// The same muscle read three ways gives the same constants: what was read counts as the pull there.
 #[test]
 fn isotonic_and_pressure_readings_tell_the_same() {
-    let m = soft();
+    let names = ["mu", "braid.stiffness"];
+    let found = |points: &[DataPoint]| -> Vec<f64> {
+        let fit = identified(&softer(), &names, points).unwrap();
+        fit.parameters.iter().map(|p| p.value).collect()
+    };
+    let mut points = noisy(&bench(&soft(), 0.0), 1.0, 7);
+    let pulls = found(&points);
     for quantity in [Quantity::Contraction, Quantity::Pressure] {
-        let mut points = bench(&m, 0.0);
         points
             .iter_mut()
             .step_by(2)
             .for_each(|p| p.measured = quantity);
-        let v = values(&m, &["mu=0.45", "braid.stiffness=700"], &points);
-        assert!(
-            (v[0] - 0.3).abs() < 1e-6 && (v[1] - 400.0).abs() < 1e-3,
-            "{quantity:?}: {v:?}"
-        );
+        assert_eq!(found(&points), pulls, "{quantity:?}");
     }
 }
 
-/// Volumes alone, read with hose and fittings, give the angle of a braid and what they hold.
+/// Exact loops of which half was read as contractions: the law of the friction comes back.
 #[test]
-fn volumes_without_pulls_give_the_angle_and_the_dead_volume() {
-    let m = soft();
-    let volume = |p: &DataPoint| {
-        let at = &p.at;
-        let dead_mm3 = 5000.0;
-        let inside = ThickWall::between_ends(&m).response(
-            &mut Workspace::new(),
-            at.pressure_mpa,
-            at.contraction,
-        );
-        DataPoint {
-            measured: Quantity::Volume,
-            volume_mm3: Some(inside.unwrap().volume_mm3.unwrap() + dead_mm3),
-            at: MeasuredPoint {
-                force_n: 0.0,
-                ..*at
-            },
-            ..*p
-        }
-    };
-    let points: Vec<DataPoint> = bench(&m, 0.0).iter().map(volume).collect();
-    let v = values(&m, &["braid.angle=29", "dead_volume"], &points);
-    assert!(
-        (v[0] - 25.0).abs() < 1e-6 && (v[1] - 5000.0).abs() < 1e-2,
-        "{v:?}"
-    );
+fn contractions_under_a_load_tell_the_friction() {
+    let rubbing = soft().with_friction(Some(Friction::power_law(25.0, 0.7))).unwrap();
+    let mut points = bench(&rubbing, 0.0);
+    for (i, p) in points.iter_mut().enumerate() {
+        p.measured = [Quantity::Force, Quantity::Contraction, Quantity::Pressure][i % 3];
+    }
+    let fit = identified(&soft(), &["friction.c", "friction.beta"], &points).unwrap();
+    for (p, truth) in fit.parameters.iter().zip([25.0, 0.7]) {
+        assert!(p.identifiable && (p.value - truth).abs() < 1e-5 * (1.0 + truth), "{p:#?}");
+    }
 }
 
+/// Volumes tell no pull.
 #[test]
-fn muscles_of_several_diameters_tell_how_the_stiffness_grows() {
+fn volumes_alone_are_refused() {
     let m = soft();
-    let mut points = vec![];
-    for d in [15.0, 20.0, 30.0] {
-        let braid = BraidStiffness::NewtonPerMm(400.0 * (d / 20.0f64).powf(0.8));
-        let wide = m.with_section(d, 1.5).unwrap();
-        let wide = wide
-            .with_braid(Braid {
-                stiffness: braid,
-                ..wide.braid().clone()
-            })
-            .unwrap();
-        let section = Section {
-            outer_diameter_mm: Some(d),
-            ..Section::default()
-        };
-        points.extend(
-            bench(&wide, 0.0)
-                .into_iter()
-                .map(|p| DataPoint { section, ..p }),
-        );
+    let mut points = bench(&m, 0.0);
+    for p in &mut points {
+        p.measured = Quantity::Volume;
+        p.volume_mm3 = Some(1e4);
     }
-    let v = values(
-        &m,
-        &[
-            "mu=0.4",
-            "braid.stiffness=500",
-            "braid.stiffness_exponent=0",
-        ],
-        &points,
-    );
-    assert!(
-        (v[1] - 400.0).abs() < 1e-3 && (v[2] - 0.8).abs() < 1e-6,
-        "{v:?}"
-    );
-}
-
-/// 95 % intervals hold the truth in 95 % of 300 trials: 285, ± 3 standard deviations of a binomial
-/// count are ± 11.3.
-#[test]
-fn error_bars_cover_the_truth_at_their_rate() {
-    let m = soft();
-    let exact = bench(&m, 0.0);
-    let mut hits = [0; 2];
-    for trial in 0..300 {
-        let fit = identified(
-            &m,
-            &["mu", "braid.stiffness"],
-            &noisy(&exact, 4.0, 77 + trial),
-        )
-        .unwrap();
-        for (i, truth) in [0.3, 400.0].iter().enumerate() {
-            hits[i] += usize::from(
-                (fit.parameters[i].value - truth).abs() <= fit.parameters[i].half_width,
-            );
-        }
-    }
-    assert!(hits.iter().all(|h| (274..=296).contains(h)), "{hits:?}");
-}
-
-/// Where the errors are stated, points count by them: a muscle read ten times worse at half of its
-/// points tells its modulus better than one whose points all count the same.
-#[test]
-fn stated_errors_weigh_the_points() {
-    let m = soft();
-    let exact = bench(&m, 0.0);
-    let mut plain = 0.0;
-    let mut weighed = 0.0;
-    for trial in 0..60 {
-        let mut noise = Noise(9000 + trial);
-        let mut points = exact.clone();
-        for (i, p) in points.iter_mut().enumerate() {
-            let error = if i % 2 == 0 { 1.0 } else { 10.0 };
-            p.at.force_n += error * noise.next();
-            p.error = Some(error);
-        }
-        let off = |points: &[DataPoint]| {
-            let fit = identified(&m, &["mu"], points).unwrap();
-            (fit.parameters[0].value - 0.3).powi(2)
-        };
-        weighed += off(&points);
-        points.iter_mut().for_each(|p| p.error = None);
-        plain += off(&points);
-    }
-    // Variances: 1/Σ(g²/σ²) against Σ g²σ²/(Σ g²)², with equal slopes g some 25 to 1.
-    assert!(plain > 8.0 * weighed, "{plain} {weighed}");
-    let mut points = exact;
-    points[3].error = Some(1.0);
-    let error = identified(&m, &["mu"], &points).unwrap_err().to_string();
-    assert!(
-        error.contains("1 of 15 points state their error") && error.contains("line 2"),
-        "{error}"
-    );
+    let said = identified(&m, &["braid.angle"], &points).unwrap_err();
+    assert_eq!(said, DataError::NoPull { slack: 0 }.into());
 }
 
 /// What a bench would read of muscles of three lengths whose ends give way by so much, in mm.
@@ -426,19 +355,19 @@ fn of_lengths(m: &Muscle, seating_mm: f64) -> Vec<DataPoint> {
         .collect()
 }
 
-/// Ends that give way by δ shift a muscle by δ/L0: several lengths tell δ, the modulus and an error
-/// of the length's zero apart.
+/// Points of several lengths; of one length it is said what cannot be distinguished. No point is of
+/// the muscle itself (200 mm): nothing is said of its bench.
 #[test]
 fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     let m = soft();
-    let seating = 1.6;
-    let points = of_lengths(&m, seating);
-    let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
+    let points = of_lengths(&m, 1.6);
+    let free = free(&m, &["mu", "terminals.seating"]);
     let request = IdentificationRequest::new(&m, &free, &points, &with_ends);
     let fit = identify(&request).unwrap();
-    for (p, truth) in fit.parameters.iter().zip([0.3, seating, 0.0]) {
-        assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
+    for (p, truth) in fit.parameters.iter().zip([1.6, 0.3]) {
+        assert!((p.value - truth).abs() < p.half_width, "{p:#?}");
     }
+    assert_eq!(fit.bench, None);
     let determined = |points: &[DataPoint]| {
         says(
             &identify(&IdentificationRequest { points, ..request }).unwrap(),
@@ -446,87 +375,4 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
         )
     };
     assert!(determined(&noisy(&points[..PLACES.len()], 0.5, 3)) && !determined(&points));
-}
-
-/// Ends that slip under F + π Ri² P and hold 4 mm each: points are made from the muscle between its
-/// ends, whose contraction is chosen, so that the whole's follows without a search. Slip, grip and
-/// modulus come back.
-#[test]
-fn muscles_of_several_lengths_tell_slip_and_grip() {
-    let m = soft();
-    let slip = 2e-3;
-    let grip = 4.0;
-    let model = ThickWall::between_ends(&m);
-    let bore = std::f64::consts::PI * m.tube().inner_radius_mm().powi(2);
-    let mut points = vec![];
-    for length_mm in [150.0, 250.0, 400.0] {
-        for (pressure_mpa, x) in PLACES {
-            let force_n = model
-                .force_n(&mut Workspace::new(), pressure_mpa, x)
-                .unwrap();
-            let way = slip * (force_n + bore * pressure_mpa);
-            let contraction = (x * (length_mm - 2.0 * grip) - way) / length_mm;
-            let section = Section {
-                length_mm: Some(length_mm),
-                ..Default::default()
-            };
-            points.push(DataPoint {
-                section,
-                ..pull(pressure_mpa, contraction, force_n)
-            });
-        }
-    }
-    let free = free(&m, &["mu=0.5", "terminals.slip", "grip"]);
-    let request = IdentificationRequest {
-        two_sided: true,
-        ..IdentificationRequest::new(&m, &free, &points, &with_ends)
-    };
-    let fit = identify(&request).unwrap();
-    for (p, (truth, scale)) in fit
-        .parameters
-        .iter()
-        .zip([(0.3, 0.3), (slip, slip), (grip, grip)])
-    {
-        assert!(
-            p.identifiable && (p.value - truth).abs() < 1e-5 * scale,
-            "{p:#?}"
-        );
-    }
-}
-
-/// Points of a Gent muscle, rounded to 0.1 N: the law that made them is preferred, its constants
-/// come back, and the errors of neighbours are independent with it alone.
-#[test]
-fn of_all_laws_the_points_prefer_the_one_that_made_them() {
-    use mckibben_core::rubber::Gent;
-    let m = soft();
-    let truth = muscle(
-        Law::Gent(Gent {
-            mu_mpa: 0.35,
-            jm: 6.0,
-        }),
-        m.braid().stiffness,
-    );
-    let mut points = curves(&truth, &[0.1, 0.2, 0.3, 0.4], 0.02);
-    points
-        .iter_mut()
-        .for_each(|p| p.at.force_n = 0.1 * (10.0 * p.at.force_n).round());
-    let free = [Parameter::free(Target::Modulus)];
-    let trials = try_laws(&IdentificationRequest::new(&m, &free, &points, &thick)).unwrap();
-    assert_eq!(
-        trials.len(),
-        Law::KINDS.iter().filter(|k| !k.is_sum).count()
-    );
-    let best = &trials[0];
-    assert_eq!(best.law, "gent");
-    let fit = best.result.as_ref().unwrap();
-    assert!((fit.parameters[0].value - 0.35).abs() < fit.parameters[0].half_width);
-    assert!((fit.parameters[1].value - 6.0).abs() < fit.parameters[1].half_width);
-    let plain = trials.iter().find(|t| t.law == "neo-hookean").unwrap();
-    let neighbours = [best.neighbours, plain.neighbours];
-    assert!(
-        neighbours[0].abs() < 0.4 && neighbours[1] > 0.8,
-        "{neighbours:?}"
-    );
-    assert!(plain.aicc - best.aicc > 100.0);
 }

@@ -4,6 +4,7 @@ use super::{muscle, rubbers};
 use crate::{
     bounds::{hand_made, with_constants},
     case::MuscleCase,
+    chosen::{Chosen, ChosenFit},
     elements,
     pulses::predict,
     report::{Fitted, Group, report},
@@ -17,9 +18,7 @@ use mckibben_core::{
     rubber::{Law, NeoHookean, RubberLaw},
 };
 use mckibben_fit::{
-    identify::{
-        Identification, IdentificationRequest, Identified, Target, identify, identify_default,
-    },
+    identify::{Identified, Target},
     library::{
         agreement, library,
         residual::{ForceErrors, Residual},
@@ -180,17 +179,12 @@ fn the_bias_by_angle_is_that_of_an_independent_calculation() {
 }
 
 /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
-fn refit(case: &MuscleCase) -> (Muscle, Identification) {
+fn refit(case: &MuscleCase) -> (Muscle, Chosen) {
     let fit = &case.fits[case.library_fit];
     let points = case.points_of(fit);
-    let request = IdentificationRequest::new(&fit.muscle, &fit.free, &points, &elements);
-    let identify = if fit.free.is_empty() {
-        identify_default
-    } else {
-        identify
-    };
-    let identification = identify(&request).unwrap();
-    (identification.with_bench(), identification)
+    let chosen = ChosenFit::new(&fit.muscle, &fit.free, &points, &elements);
+    let found = chosen.found().unwrap();
+    (chosen.with_bench(&found), found)
 }
 
 /// Whether a constant of the muscle that is kept is that of the refit. A factor on all moduli
@@ -236,7 +230,7 @@ fn the_kept_muscle_is_the_one_that_its_points_give() {
         let pulls = identification
             .points
             .iter()
-            .map(|p| (p.residual_n, p.point.at.force_n));
+            .map(|(point, residual_n)| (*residual_n, point.at.force_n));
         let residuals = pulls.map(|(residual, measured)| (residual + measured).max(0.0) - measured);
         let rms_n =
             (residuals.map(|r| r * r).sum::<f64>() / identification.points.len() as f64).sqrt();

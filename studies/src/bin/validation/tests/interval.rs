@@ -3,6 +3,7 @@
 use super::{muscle, muscles};
 use crate::{
     case::{CaseFit, MuscleCase},
+    chosen::ChosenFit,
     elements,
     fit::{first_fit_residuals, predicted},
 };
@@ -13,7 +14,6 @@ use mckibben_core::{
     muscle::{Direction, Muscle},
 };
 use mckibben_fit::{
-    identify::{IdentificationRequest, identify},
     library::residual::{ForceErrors, Residual},
     measured::{DataPoint, Section},
 };
@@ -44,14 +44,14 @@ fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() 
             .step_by(3)
             .copied()
             .collect();
-        let request = IdentificationRequest::new(&fit.muscle, &fit.free, &points, &elements);
-        let result = identify(&request).unwrap();
+        let fit = ChosenFit::new(&fit.muscle, &fit.free, &points, &elements);
+        let result = fit.found().unwrap();
         assert!(result.muscle.friction().is_some());
         let (mut held, mut judged) = (0, 0);
         let mut models: Vec<(Section, _, Workspace)> = vec![];
         for p in &points {
             if !models.iter().any(|m| m.0 == p.section) {
-                let muscle = result.candidate.section_muscle(&p.section).unwrap();
+                let muscle = p.section.apply(&result.muscle).unwrap();
                 models.push((p.section, elements(&muscle).unwrap(), Workspace::new()));
             }
             let (_, model, w) = models.iter_mut().find(|m| m.0 == p.section).unwrap();

@@ -1,6 +1,8 @@
 //! Tests of the study, on the cases that the program carries.
 
+mod by_elements;
 mod cases;
+mod chosen;
 mod fits;
 mod interval;
 mod promised;

@@ -5,30 +5,26 @@
 //!   force        r = F(P, ε; θ) − F,           ∂r/∂θ = ∂F/∂θ
 //!   contraction  r = g (ε(P, F; θ) − ε),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂ε)
 //!   pressure     r = g (P(F, ε; θ) − P),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂P)
-//!   volume       r = g (V(P, ε; θ) + Vd − V),  by differences
 //!
 //! g: N per unit of the measured quantity, the mean slope at the start, so that all residuals are
-//! in N; of a volume |∂F/∂ε| / |∂V/∂ε| with ∂V/∂ε = L0 ∂F/∂P. Vd: volume of hose and fittings
-//! (`dead_volume`). ∂F/∂θ is that of the model ([`Slopes`](mckibben_core::model::Slopes)) where it has
-//! one and no volumes were measured.
+//! in N. ∂F/∂θ is that of the model ([`Slopes`](mckibben_core::model::Slopes)) where it has one.
 
-use super::{IdentificationRequest, Parameter, Target, TrialMuscle, history};
-use crate::{
-    least_squares::Residuals,
-    measured::{DataPoint, Quantity, Section},
-};
+use super::{ChosenFit, Parameter};
 use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, ModelError, Result, Workspace},
     muscle::{
         BraidStiffness, Friction, Muscle,
-        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER},
+        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT},
     },
     threads,
 };
 
-/// Makes the model of a muscle.
-pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>> + Sync + 'a;
+use mckibben_fit::{
+    identify::{Target, with_values},
+    least_squares::Residuals,
+    measured::{DataPoint, Quantity, Section},
+};
 
 /// Rows of one muscle that one model answers, in an order that suits a model with a memory.
 struct Chunk {
@@ -40,15 +36,10 @@ struct Chunk {
 const PARTS: usize = 4;
 const LEAST: usize = 24;
 
-/// Points that count, and all rows in time order.
-type Rows<'a> = (&'a [DataPoint], Option<&'a [DataPoint]>);
-
 /// The residuals as a function of the free parameters.
 pub struct Problem<'a> {
-    pub(super) request: &'a IdentificationRequest<'a>,
+    pub(super) request: &'a ChosenFit<'a>,
     points: &'a [DataPoint],
-    /// All rows in time order, where the friction has their history.
-    history: Option<&'a [DataPoint]>,
     chunks: Vec<Chunk>,
     /// N per unit of the measured quantity, by [`Quantity`].
     scales: [f64; 4],
@@ -85,12 +76,11 @@ fn at_measured_pull(
     m: &dyn ForceModel,
     w: &mut Workspace,
     point: &DataPoint,
-    offset: f64,
     options: Options,
 ) -> Result<Local> {
     let at = &point.at;
     let mut p = at.pressure_mpa;
-    let mut e = at.contraction + offset;
+    let mut e = at.contraction;
     const STEPS: usize = 30;
     for _ in 0..STEPS {
         let here = local(m, w, p, e, options)?;
@@ -119,17 +109,11 @@ fn at_measured_pull(
 }
 
 impl<'a> Problem<'a> {
-    /// A problem of points, and of all rows in time order where the friction has their history;
-    /// `start`: values of the free targets.
-    pub fn new(
-        request: &'a IdentificationRequest<'a>,
-        (points, history): Rows<'a>,
-        start: &[f64],
-    ) -> Self {
+    /// A problem of points; `start`: values of the free targets.
+    pub fn new(request: &'a ChosenFit<'a>, points: &'a [DataPoint], start: &[f64]) -> Self {
         let mut out = Self {
             request,
             points,
-            history,
             chunks: chunks(points),
             scales: [1.0; 4],
             analytic: false,
@@ -155,46 +139,23 @@ impl<'a> Problem<'a> {
     }
 
     /// The muscle at values of the free targets.
-    pub fn candidate(&self, x: &[f64]) -> Option<TrialMuscle> {
-        self.request.candidate(x).ok()
+    pub fn candidate(&self, x: &[f64]) -> Option<Muscle> {
+        let free = self.request.free.iter().map(|p| p.target);
+        let values: Vec<_> = free.zip(x.iter().copied()).collect();
+        with_values(self.request.muscle, &values).ok()
     }
 
     /// Residual of every point in N, or why it has none.
     pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64>>> {
         let candidate = self.candidate(x)?;
-        let shares = self
-            .history
-            .and_then(|rows| history::shares(rows, self.points, &candidate.muscle));
-        let offset = candidate.contraction_offset;
         self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
             let (at, options) = (&point.at, self.options(point));
-            let p = at.pressure_mpa;
-            let e = at.contraction + offset;
-            let zeroed = without_zero(point, candidate.force_offset_n);
-            let pull_n = zeroed.at.force_n;
+            let (p, e) = (at.pressure_mpa, at.contraction);
             let off = match point.measured {
-                Quantity::Force => match shares.as_ref().and_then(|list| list.get(i)) {
-                    Some(share) => {
-                        let half = Evaluation::new(m, w, options).half_width_n(p, e)?;
-                        m.force_n(w, p, e)? - share * half - pull_n
-                    }
-                    None => Evaluation::new(m, w, options).force_n(p, e)? - pull_n,
-                },
-                Quantity::Contraction => {
-                    at_measured_pull(m, w, &zeroed, offset, options)?.contraction
-                        - offset
-                        - at.contraction
-                }
-                Quantity::Pressure => {
-                    at_measured_pull(m, w, &zeroed, offset, options)?.pressure_mpa - p
-                }
-                Quantity::Volume => {
-                    let inside = Evaluation::new(m, w, options).response(p, e)?.volume_mm3;
-                    let none = || ModelError::NoVolume(m.info().name.to_string());
-                    inside.ok_or_else(none)? + candidate.dead_volume_mm3
-                        - point.volume_mm3.unwrap_or_default()
-                }
+                Quantity::Contraction => at_measured_pull(m, w, point, options)?.contraction - e,
+                Quantity::Pressure => at_measured_pull(m, w, point, options)?.pressure_mpa - p,
+                _ => Evaluation::new(m, w, options).force_n(p, e)? - at.force_n,
             };
             Ok(self.scale(point.measured) * off)
         })
@@ -203,14 +164,11 @@ impl<'a> Problem<'a> {
     /// A value of every row, by the model of its muscle.
     fn over_rows<T: Send>(
         &self,
-        candidate: &TrialMuscle,
+        candidate: &Muscle,
         one: impl Fn(&dyn ForceModel, &mut Workspace, usize) -> Result<T> + Sync,
     ) -> Option<Vec<Result<T>>> {
         let compute = |chunk: &Chunk| -> Option<Vec<Result<T>>> {
-            if self.request.progress.cancelled() {
-                return None;
-            }
-            let muscle = candidate.section_muscle(&chunk.section).ok()?;
+            let muscle = chunk.section.apply(candidate).ok()?;
             let model = (self.request.build)(&muscle).ok()?;
             let mut w = Workspace::new();
             Some(
@@ -242,7 +200,7 @@ impl<'a> Problem<'a> {
                 m,
                 w,
                 at.pressure_mpa,
-                at.contraction + candidate.contraction_offset,
+                at.contraction,
                 self.options(&self.points[i]),
             )
         })?;
@@ -256,30 +214,26 @@ impl<'a> Problem<'a> {
             let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
             if mean > 0.0 { mean } else { 1.0 }
         };
-        let length = candidate.muscle.length_mm();
-        let by_volume = |l: &Local| l.by_contraction / (length * l.by_pressure);
         Some([
             1.0,
             mean(Quantity::Contraction, &|l| l.by_contraction),
             mean(Quantity::Pressure, &|l| l.by_pressure),
-            mean(Quantity::Volume, &by_volume),
+            1.0,
         ])
     }
 
     /// Whether the model has all of ∂F/∂θ.
     fn knows_derivatives(&self, start: &[f64]) -> bool {
-        let Some(candidate) = self.candidate(start) else {
+        let Some(muscle) = &self.candidate(start) else {
             return false;
         };
-        let muscle = &candidate.muscle;
         // A braid that follows from the measures of the muscle has another derivative by these.
         let follows = matches!(
             muscle.braid().stiffness,
             BraidStiffness::Paper | BraidStiffness::OfStrands
         );
-        if self.history.is_some()
-            || self.points.iter().any(|p| p.measured == Quantity::Volume)
-            || follows && self.request.free.iter().any(|p| p.target.is_geometry())
+        let is_geometry = |p: &Parameter| p.target.identify().is_some_and(|i| i.is_geometry);
+        if follows && self.request.free.iter().any(is_geometry)
             // Friction that is estimated, or from contact, depends on every free parameter.
             || self.friction_share > 0.0
             || muscle.friction().is_some_and(|f| f.lever_mm > 0.0)
@@ -288,21 +242,20 @@ impl<'a> Problem<'a> {
         }
         let probe = || {
             let DataPoint { at, section, .. } = self.points.first()?;
-            let model = (self.request.build)(&candidate.section_muscle(section).ok()?).ok()?;
-            let e = at.contraction + candidate.contraction_offset;
-            let names = self.names(&candidate);
+            let model = (self.request.build)(&section.apply(muscle).ok()?).ok()?;
+            let (p, e) = (at.pressure_mpa, at.contraction);
             model
-                .force_by(&mut Workspace::new(), at.pressure_mpa, e, &names)
+                .force_by(&mut Workspace::new(), p, e, &self.names(muscle))
                 .ok()?
         };
         probe().is_some()
     }
 
     /// Names whose ∂F is needed.
-    fn names(&self, candidate: &TrialMuscle) -> Vec<String> {
+    fn names(&self, muscle: &Muscle) -> Vec<String> {
         let mut names: Vec<String> = vec![];
         for free in self.request.free {
-            for (name, _) in chain_rule(free.target, 1.0, &candidate.muscle, candidate) {
+            for (name, _) in chain_rule(free.target, 1.0, muscle) {
                 if !names.contains(&name) {
                     names.push(name);
                 }
@@ -316,7 +269,6 @@ impl<'a> Problem<'a> {
         &self,
         (m, w): (&dyn ForceModel, &mut Workspace),
         point: &DataPoint,
-        candidate: &TrialMuscle,
         x: &[f64],
         names: &[String],
         here: &Local,
@@ -348,11 +300,7 @@ impl<'a> Problem<'a> {
                 };
                 friction.filter(|_| p > 0.0).map_or(0.0, by_law)
             }
-            // The residual is of the pull less the zero, or of what has that pull.
-            Target::ForceOffset => 1.0,
-            // The residual is of ε + offset.
-            Target::ContractionOffset => here.by_contraction,
-            other => chain_rule(other, v, muscle, candidate)
+            other => chain_rule(other, v, muscle)
                 .iter()
                 .map(|(n, factor)| factor * slope(n))
                 .sum(),
@@ -361,24 +309,15 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// A point without what the load cell shows of no pull.
-fn without_zero(point: &DataPoint, force_offset_n: f64) -> DataPoint {
-    let mut point = *point;
-    point.at.force_n -= force_offset_n;
-    point
-}
-
 /// c_f of the friction that is estimated: that of points of one branch alone, which do not tell it.
-fn friction_share(request: &IdentificationRequest<'_>) -> f64 {
+fn friction_share(request: &ChosenFit<'_>) -> f64 {
     let one = request.points.first().and_then(|p| p.at.branch);
     let of_one = one
         .filter(|one| !one.is_mean())
         .is_some_and(|one| request.points.iter().all(|p| p.at.branch == Some(one)));
-    let free = request.free.iter().map(|p| p.target);
-    let fixed = request.fixed.iter().map(|f| f.0);
-    let known = free.chain(fixed).any(Target::is_of_friction);
+    let known = request.free.iter().any(|p| p.target.is_of_friction());
     let muscle = request.muscle;
-    if of_one && !known && !request.history && muscle.friction().is_none() && !muscle.is_extensile()
+    if of_one && !known && muscle.friction().is_none() && !muscle.is_extensile()
     {
         muscle.friction_share()
     } else {
@@ -388,15 +327,7 @@ fn friction_share(request: &IdentificationRequest<'_>) -> f64 {
 
 /// ∂F/∂θ of a target with the value v: names of which the model knows ∂F, each with the factor of
 /// it.
-fn chain_rule(
-    target: Target,
-    v: f64,
-    muscle: &Muscle,
-    candidate: &TrialMuscle,
-) -> Vec<(String, f64)> {
-    let d = muscle.outer_diameter_mm();
-    let family = candidate.family;
-    let by_stiffness = |factor: f64| ("braid.stiffness".to_owned(), factor);
+fn chain_rule(target: Target, v: f64, muscle: &Muscle) -> Vec<(String, f64)> {
     match target {
         Target::Modulus => muscle
             .tube()
@@ -407,21 +338,8 @@ fn chain_rule(
             .filter(|c| c.constant.is_modulus())
             .map(|c| (format!("tube.material.{}", c.name), c.value / v))
             .collect(),
-        Target::Stiffness => vec![by_stiffness(
-            family.map_or(1.0, |f| f.ratio(d).powf(f.exponent)),
-        )],
-        Target::StiffnessExponent => vec![by_stiffness(
-            family.map_or(0.0, |f| f.stiffness_at(d) * f.ratio(d).ln()),
-        )],
-        Target::Measure(m) if *m == OUTER_DIAMETER => {
-            let through = family.map(|f| by_stiffness(f.exponent * f.stiffness_at(d) / d));
-            [(m.key.to_owned(), 1.0)]
-                .into_iter()
-                .chain(through)
-                .collect()
-        }
+        Target::Stiffness => vec![("braid.stiffness".to_owned(), 1.0)],
         Target::Measure(m) if m.section() == "friction" => vec![],
-        Target::ContractionOffset | Target::DeadVolume | Target::ForceOffset => vec![],
         Target::Law(_) | Target::Measure(_) => vec![(target.name(muscle), 1.0)],
     }
 }
@@ -437,26 +355,24 @@ impl Residuals for Problem<'_> {
         }
         let candidate = self.candidate(x)?;
         let names = self.names(&candidate);
-        let offset = candidate.contraction_offset;
         let rows = self.over_rows(&candidate, |m, w, i| {
             let point = &self.points[i];
             let scale = self.scale(point.measured);
-            let zeroed = without_zero(point, candidate.force_offset_n);
-            // Volumes have no derivatives of the model.
             let (here, factor) = if let Quantity::Contraction | Quantity::Pressure = point.measured
             {
-                let here = at_measured_pull(m, w, &zeroed, offset, self.options(point))?;
+                let here = at_measured_pull(m, w, point, self.options(point))?;
                 let by = match point.measured {
                     Quantity::Contraction => here.by_contraction,
                     _ => here.by_pressure,
                 };
                 (here, -scale / by)
             } else {
-                let (at, e) = (&point.at, point.at.contraction + offset);
-                (local(m, w, at.pressure_mpa, e, self.options(point))?, scale)
+                let at = &point.at;
+                let (p, e) = (at.pressure_mpa, at.contraction);
+                (local(m, w, p, e, self.options(point))?, scale)
             };
             Ok(self
-                .slopes((m, w), point, &candidate, x, &names, &here)?
+                .slopes((m, w), point, x, &names, &here)?
                 .into_iter()
                 .map(|s| factor * s)
                 .collect::<Vec<f64>>())
