@@ -21,7 +21,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
         2012 [tondu2012] eq. (18)",
 };
 
-pub fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
+fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
     let g = braid.shape_at(contraction)?;
     let bore = braid.bore(&g, contraction)?;
     let sin2 = 1.0 - g.cos * g.cos;

@@ -17,6 +17,5 @@ mod small_angles;
 mod sweep;
 mod temperature;
 mod three_dimensional;
-mod universal_small;
 mod verification;
 mod vtu;

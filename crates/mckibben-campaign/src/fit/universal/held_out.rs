@@ -106,7 +106,7 @@ pub struct HeldOutRow {
 type Build<'a> = &'a (dyn Fn(&Muscle) -> Option<Box<dyn ForceModel>> + Sync);
 
 /// The models on random muscles: ideal, thick-wall with strands that do not stretch, thick-wall,
-/// both universal forms.
+/// universal.
 pub fn held_out(samples: &[Sample]) -> Vec<HeldOutRow> {
     let rigid = |m: &Muscle| -> Option<Box<dyn ForceModel>> {
         let braid = Braid {
@@ -117,14 +117,11 @@ pub fn held_out(samples: &[Sample]) -> Vec<HeldOutRow> {
             &m.with_braid(braid).ok()?,
         )))
     };
-    let models: [(&str, Build<'_>); 5] = [
+    let models: [(&str, Build<'_>); 4] = [
         ("ideal", &|m| Some(Box::new(Ideal::between_ends(m)))),
         ("thick-wall, strands that do not stretch", &rigid),
         ("thick-wall", &|m| {
             Some(Box::new(ThickWall::between_ends(m)))
-        }),
-        ("universal-small", &|m| {
-            ModelKind::UniversalSmall.build(m).ok()
         }),
         ("universal", &|m| ModelKind::Universal.build(m).ok()),
     ];

@@ -24,7 +24,6 @@ pub static MEASURES: &[&Measure] = &[
     &PULL_OFF,
     &RATED_PRESSURE,
     &END_FACTOR,
-    &CONE_FACTOR,
     &STIFFNESS,
     &STIFFNESS_FACTOR,
     &STRANDS,
@@ -352,21 +351,6 @@ pub static END_FACTOR: Measure = Measure {
     get: |p| p.terminals.end_factor.map(|k| k.at(0.0)),
     set: |p, v| p.terminals.end_factor = Some(EndFactor::Constant(v)),
     ..Measure::NONE
-};
-
-/// kc of Tondu 2012
-pub static CONE_FACTOR: Measure = Measure {
-    key: "terminals.cone_factor",
-    field: Some("cone_factor"),
-    symbol: "kc",
-    label: "cone factor",
-    about: "Cone factor kc",
-    has_flag: true,
-    has_rules: true,
-    bounds: NotNegative,
-    models: &["conical-ends"],
-    digested: true,
-    ..optional!(terminals.cone_factor)
 };
 
 /// k of one strand family. No field: in requests `stiffness` is a number or a name, which no
