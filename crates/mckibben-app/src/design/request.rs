@@ -6,7 +6,6 @@ use crate::{
     fields::name_or_file,
     flags::{self, Args},
 };
-#[cfg(feature = "clap")]
 use mckibben_core::units::{QuantityError, typed};
 use mckibben_core::{
     muscle::{Direction, Muscle},
@@ -332,7 +331,6 @@ impl DesignRequest {
 }
 
 /// A contraction ratio; a shortening in mm is a stroke.
-#[cfg(feature = "clap")]
 fn contraction(text: &str) -> Result<Ratio> {
     text.parse().map_err(|error: QuantityError| {
         let hint = match text.parse::<Length>() {
@@ -344,7 +342,6 @@ fn contraction(text: &str) -> Result<Ratio> {
 }
 
 /// A required pull at a contraction: `700N@15%`.
-#[cfg(feature = "clap")]
 fn operating_point(text: &str) -> Result<OperatingPoint> {
     let expected = "operating point; expected a pull at a contraction such as 700N@15%";
     let (Force(force_n), Ratio(contraction)) = pair_at_sign(text, expected)?;
@@ -355,7 +352,6 @@ fn operating_point(text: &str) -> Result<OperatingPoint> {
 }
 
 /// A required torque at an angle to either side: `8Nm@45deg`.
-#[cfg(feature = "clap")]
 fn torque(text: &str) -> Result<TorqueWanted> {
     let expected = "torque at an angle; expected one such as 8Nm@45deg";
     let (typed::Torque(torque_nm), Angle(angle_deg)) = pair_at_sign(text, expected)?;
@@ -365,7 +361,6 @@ fn torque(text: &str) -> Result<TorqueWanted> {
     })
 }
 
-#[cfg(feature = "clap")]
 fn pair_at_sign<A, B>(text: &str, expected: &str) -> Result<(A, B)>
 where
     A: std::str::FromStr<Err = QuantityError>,
