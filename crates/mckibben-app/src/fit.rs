@@ -26,7 +26,6 @@ use mckibben_core::{
     formula::{Body, Document, GlobalTerms, Made, Provenance, UniversalFormula},
     model::ModelKind,
     progress::Progress,
-    size,
     units::typed::{Length, List, Ratio},
 };
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
@@ -482,7 +481,7 @@ fn rows(path: &Path) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)>
     /// Bytes of memory that a point takes.
     const OF_POINT: f64 = 80.0;
     let table = mckibben_campaign::campaign::rows(path)?;
-    size::bytes("campaign", OF_POINT * table.provenance.points() as f64)?;
+    mckibben_core::size::bytes("campaign", OF_POINT * table.provenance.points() as f64)?;
     let from = Provenance {
         table: file_name(path),
         plan_hash: Some(table.provenance.plan_sha256.clone()),
