@@ -70,7 +70,7 @@ pub struct DesignRequest {
     /// does, the slimmest bundle of up to 7]
     ///
     /// The candidates are one of them; the bundle of the best one is shown below.
-    #[arg(long, alias = "bundle", value_name = "N")]
+    #[arg(long, value_name = "N")]
     pub count: Option<Count<1, { bundle::MOST as usize }>>,
     /// Quantity to rank by
     ///
@@ -95,12 +95,7 @@ pub struct DesignRequest {
     /// Safety factor of strands and clamps: failure pressure over allowed pressure [4]
     ///
     /// 2 or more, or 0 for none. The strength of the strands must be known.
-    #[arg(
-        long = "safety",
-        alias = "min-burst-margin",
-        value_name = "FACTOR",
-        help_heading = "Limits"
-    )]
+    #[arg(long = "safety", value_name = "FACTOR", help_heading = "Limits")]
     pub min_burst_margin: Option<f64>,
     /// Safety factor of the tube, which leaks where it fails [half of that of the strands,
     /// at least 1.5]
@@ -240,7 +235,7 @@ pub struct DesignRequest {
     ///
     /// A model that is named meets the requirement by its own pull; without one, a muscle that is
     /// built does, which shortens against its friction.
-    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = flags::word::<Direction>(), hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long = "branch", value_name = "BRANCH", value_parser = flags::word::<Direction>(), hide_short_help = true, help_heading = "Advanced")]
     pub direction: Option<Direction>,
     /// Compute outside the model's range too, with a warning
     #[arg(long, help_heading = "Advanced")]
