@@ -22,7 +22,6 @@ mod proportional;
 mod quadrature;
 mod range;
 mod response;
-pub(crate) mod root;
 mod seated;
 mod thick_wall;
 mod tondu_lopez;
