@@ -19,7 +19,7 @@ use super::{
     least_squares::Triangle,
 };
 use crate::hash;
-pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
+pub use held_out::{HeldOutRow, drawn, held_out, held_out_samples};
 use mckibben_core::{
     extremes::ends,
     formula::{

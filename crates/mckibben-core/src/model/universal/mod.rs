@@ -28,8 +28,8 @@ mod volume;
 pub use end_point::EndPoint;
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ModelEntry, ModelId, ModelInfo, Reference, Response, Result,
-    ThickWall, Workspace, notes,
+    Accuracy, ForceModel, ModelEntry, ModelId, ModelInfo, Reference, Response, Result, ThickWall,
+    Workspace, notes,
 };
 use crate::{formula::UniversalFormula, muscle::Muscle, rubber::RubberLaw};
 use end::EndZone;
@@ -110,14 +110,13 @@ fn plug_share(muscle: &Muscle, angle: f64) -> f64 {
 
 fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelInfo {
     let name = &formula.name;
-    let accuracy = Accuracy {
-        share_of_blocked: Some(formula.errors.half_width() + plug_share(muscle, angle)),
-        blocked_at: BlockedAt::SamePressure,
-        reference: Reference::Elements(
+    let accuracy = Accuracy::share(
+        formula.errors.half_width() + plug_share(muscle, angle),
+        Reference::Elements(
             "covers 95 % of the points of its campaign on muscles left out of the fit, against \
              axisymmetric finite elements, as stated in the formula's file",
         ),
-    };
+    );
     let end_factor = muscle.terminals().end_factor.is_some();
     let left_out = [
         notes::incompressible(name, muscle),
