@@ -1,4 +1,4 @@
-//! The universal formulas: one muscle built, one pull, one response; pulls over a grid of pressures
+//! The universal formula: one muscle built, one pull, one response; pulls over a grid of pressures
 //! and contractions.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -8,10 +8,8 @@ use std::hint::black_box;
 
 fn points(c: &mut Criterion) {
     let muscle = Muscle::prototype();
-    for kind in [ModelKind::Universal, ModelKind::UniversalSmall] {
-        let Ok(model) = kind.build(&muscle) else {
-            continue;
-        };
+    let kind = ModelKind::Universal;
+    if let Ok(model) = kind.build(&muscle) {
         let w = &mut Workspace::new();
         let mut group = c.benchmark_group(kind.name());
         group.bench_function("build", |b| {

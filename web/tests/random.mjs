@@ -113,7 +113,6 @@ const FLAGS = {
     ],
   ],
   end_factor: ["terminals.end_factor", [["", 1]]],
-  cone_factor: ["terminals.cone_factor", [["", 1]]],
   strand_length_mm: [
     "braid.strand_length",
     [
@@ -157,7 +156,6 @@ const MORE = {
     ],
   ],
   end_factor: ["terminals.end_factor", 1, 1.15, []],
-  cone_factor: ["terminals.cone_factor", 0.1, 0.3, []],
   braid_thickness_mm: [
     "braid.thickness",
     0.005,

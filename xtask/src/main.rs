@@ -132,22 +132,19 @@ fn golds(check: bool) -> Done {
             .args(["campaign", "plans/universal.toml", "-o"])
             .arg(&campaign),
     )?;
-    for form in ["universal", "universal-small"] {
-        let file = format!("{form}.json");
-        let path = made.join(&file);
-        quiet(
-            Command::new(&program)
-                .arg("fit")
-                .arg(&campaign)
-                .args(["--method", form, "-o"])
-                .arg(&path),
-        )?;
-        keep(
-            &path,
-            &Path::new("crates/mckibben-core/data").join(file),
-            check,
-        )?;
-    }
+    let path = made.join("universal.json");
+    quiet(
+        Command::new(&program)
+            .arg("fit")
+            .arg(&campaign)
+            .args(["--method", "universal", "-o"])
+            .arg(&path),
+    )?;
+    keep(
+        &path,
+        Path::new("crates/mckibben-core/data/universal.json"),
+        check,
+    )?;
     let path = made.join("rubber-laws.json");
     save(&mut example("rubber_laws")?, &path)?;
     keep(

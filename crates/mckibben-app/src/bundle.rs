@@ -16,7 +16,7 @@ impl CommandEntry {
     /// Its JSON Schema: `request`, `answer` and `error`.
     pub fn schema(&self) -> Value {
         let [answer, error] =
-            [self.answered, root::<Problem>()].map(|of| schema_of(of, Contract::Serialize));
+            [self.schemas.answer, root::<Problem>()].map(|of| schema_of(of, Contract::Serialize));
         json!({ "request": self.request_schema(), "answer": answer, "error": error })
     }
 }

@@ -16,14 +16,12 @@ use std::sync::LazyLock;
 pub struct CommandEntry {
     /// Its name: the words of the command line, joined by a hyphen.
     pub name: &'static str,
-    #[cfg(feature = "answers")]
-    pub(crate) answered: schemas::Root,
     read: Box<Read>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
-    /// The schema of its request, which is made once.
-    #[cfg(feature = "schema")]
-    request: LazyLock<Value>,
+    /// Its schemas.
+    #[cfg(feature = "files")]
+    pub(crate) schemas: schemas::CommandSchemas,
 }
 
 /// What makes the work of a request.
@@ -60,68 +58,10 @@ impl CommandEntry {
 
     /// Reads a request, before any work is done for it: what is wrong with it is an error at once.
     pub fn read(&self, request: Value) -> Result<Ready, Problem> {
-        #[cfg(feature = "schema")]
+        #[cfg(feature = "files")]
         self.check_fields(&request)?;
         (self.read)(&request)
     }
-
-    /// A field that no request of this kind has is an error: a mistyped one must not turn into a
-    /// default.
-    #[cfg(feature = "schema")]
-    fn check_fields(&self, request: &Value) -> Result<(), Problem> {
-        let schema = self.request_schema();
-        check_fields(format_args!("a request"), request, schema, schema)
-    }
-
-    /// The JSON Schema of its request, made once.
-    #[cfg(feature = "schema")]
-    pub fn request_schema(&self) -> &Value {
-        &self.request
-    }
-}
-
-/// Refuses fields that a schema does not have, in the objects of fields within too.
-#[cfg(feature = "schema")]
-fn check_fields(
-    what: std::fmt::Arguments<'_>,
-    fields: &Value,
-    schema: &Value,
-    root: &Value,
-) -> Result<(), Problem> {
-    let place = schema["$ref"].as_str().and_then(|r| r.strip_prefix('#'));
-    let schema = place
-        .and_then(|place| root.pointer(place))
-        .unwrap_or(schema);
-    let known = schema["properties"].as_object();
-    if let Some(list) = fields.as_array() {
-        // By its type a list would be read as the fields in their order.
-        if known.is_some() {
-            return Err(
-                ProblemKind::Usage.problem(format!("{what} is an object of fields, not a list"))
-            );
-        }
-        return list.iter().try_for_each(|item| {
-            check_fields(format_args!("each of {what}"), item, &schema["items"], root)
-        });
-    }
-    let (Some(fields), Some(known)) = (fields.as_object(), known) else {
-        return Ok(());
-    };
-    for (field, value) in fields {
-        let Some(schema) = known.get(field) else {
-            let near = nearest(field, known.keys().map(String::as_str));
-            let hint = near.map_or_else(String::new, |name| format!("did you mean `{name}`?"));
-            let message = format!("there is no field \"{field}\" in this request");
-            return Err(Problem::usage(message, hint).in_field(field.clone()));
-        };
-        check_fields(format_args!("`{field}`"), value, schema, root).map_err(|problem| {
-            Problem {
-                field: problem.field.or_else(|| Some(field.clone())),
-                ..problem
-            }
-        })?;
-    }
-    Ok(())
 }
 
 /// A command that may take long.
@@ -135,16 +75,14 @@ where
 {
     CommandEntry {
         name,
-        #[cfg(feature = "answers")]
-        answered: schemas::root::<A>(),
         read: Box::new(move |value| {
             let request: Q = understood(value)?;
             Ok(Ready(Box::new(move |progress| {
                 json(&answer(&request, progress)?)
             })))
         }),
-        #[cfg(feature = "schema")]
-        request: LazyLock::new(schemas::of_request::<Q>),
+        #[cfg(feature = "files")]
+        schemas: schemas::CommandSchemas::of::<Q, A>(),
         long: true,
     }
 }

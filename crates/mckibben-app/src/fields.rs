@@ -254,6 +254,6 @@ pub struct AskFields {
     /// of the muscle file's job]
     ///
     /// The friction is that of the muscle, or else estimated.
-    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = flags::word::<Direction>(), hide_short_help = true)]
+    #[arg(long = "branch", value_name = "BRANCH", value_parser = flags::word::<Direction>(), hide_short_help = true)]
     pub direction: Option<Direction>,
 }

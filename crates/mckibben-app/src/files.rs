@@ -45,9 +45,7 @@ impl TextFile {
     /// A muscle file. `paper` is the paper's muscle, and `lib:NAME` one of the library, where no
     /// file has that name (a folder may); `check` also takes the formulas that are built in.
     pub fn muscle(path: &Path) -> Result<Self> {
-        let named = [PAPER, "universal", "universal-small"]
-            .map(Path::new)
-            .contains(&path)
+        let named = [PAPER, "universal"].map(Path::new).contains(&path)
             || path.to_str().and_then(library::named).is_some();
         if named && !path.is_file() {
             return Ok(Self {

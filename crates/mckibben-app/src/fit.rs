@@ -23,10 +23,9 @@ use mckibben_campaign::{
     },
 };
 use mckibben_core::{
-    formula::{Body, Document, Form, GlobalTerms, Made, Provenance, UniversalFormula},
+    formula::{Body, Document, GlobalTerms, Made, Provenance, UniversalFormula},
     model::ModelKind,
     progress::Progress,
-    size,
     units::typed::{Length, List, Ratio},
 };
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
@@ -105,8 +104,6 @@ pub enum FitMethod {
     Global,
     /// Ends of muscles of every make, from a campaign over them: the built-in model `universal`.
     Universal,
-    /// The same with 16 terms, for hand calculation: the built-in model `universal-small`.
-    UniversalSmall,
 }
 
 /// A formula with its data, as in its file.
@@ -165,8 +162,7 @@ pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
             Problem::refuse_unused(&[("tables", request.tables)], why)?;
             section(request, Method::Global)
         }
-        FitMethod::Universal => universal(request, Form::Membrane, progress),
-        FitMethod::UniversalSmall => universal(request, Form::Bulge, progress),
+        FitMethod::Universal => universal(request, progress),
     }
 }
 
@@ -218,7 +214,7 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
 }
 
 /// A formula for muscles of every make.
-fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Result<FitAnswer> {
+fn universal(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
     request.check_foreign()?;
     request.check_name()?;
     let Some(path) = &request.campaign else {
@@ -235,15 +231,10 @@ fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Resul
     for row in rows {
         samples.add(row?)?;
     }
-    let usual = match form {
-        Form::Membrane => ModelKind::Universal,
-        Form::Bulge => ModelKind::UniversalSmall,
-    };
     let samples = samples.all().map_err(|e| no_fit(&origin.name, e))?;
     let wanted = UniversalRequest {
         samples: &samples,
-        form,
-        name: request.name.clone().unwrap_or_else(|| usual.name().into()),
+        name: request.name.clone().unwrap_or_else(|| "universal".into()),
         from: origin.from,
     };
     let fitted = universal::universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?;
@@ -301,7 +292,7 @@ impl FitRequest {
         )
     }
 
-    /// Refuses what the universal methods do not know.
+    /// Refuses what the universal method does not know.
     fn check_foreign(&self) -> Result<()> {
         let foreign = [
             ("hold_out_mm", self.hold_out_mm.is_some()),
@@ -386,8 +377,7 @@ impl FitRequest {
 pub struct CheckFormulaRequest {
     /// The formula's file.
     pub file: Option<TextFile>,
-    /// A built-in formula in its place: `universal`, `universal-small`, or `paper`, the published
-    /// one.
+    /// A built-in formula in its place: `universal`, or `paper`, the published one.
     pub name: Option<String>,
     /// Add the equation as LaTeX to the answer.
     pub latex: bool,
@@ -439,18 +429,12 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
 }
 
 fn built_in(name: &str) -> Result<Document> {
-    let formula = match name.parse::<ModelKind>() {
-        Ok(ModelKind::Universal) => UniversalFormula::large(),
-        Ok(ModelKind::UniversalSmall) => UniversalFormula::small(),
-        _ => None,
-    };
+    let formula = UniversalFormula::large().filter(|_| name == ModelKind::Universal.name());
     formula
         .map(|formula| Document::Universal((*formula).clone()))
         .ok_or_else(|| {
-            let message = format!(
-                "there is no built-in formula \"{name}\"; there are paper, universal and \
-                 universal-small"
-            );
+            let message =
+                format!("there is no built-in formula \"{name}\"; there are paper and universal");
             ProblemKind::Model.problem(message).in_field("name")
         })
 }
@@ -497,7 +481,7 @@ fn rows(path: &Path) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)>
     /// Bytes of memory that a point takes.
     const OF_POINT: f64 = 80.0;
     let table = mckibben_campaign::campaign::rows(path)?;
-    size::bytes("campaign", OF_POINT * table.provenance.points() as f64)?;
+    mckibben_core::size::bytes("campaign", OF_POINT * table.provenance.points() as f64)?;
     let from = Provenance {
         table: file_name(path),
         plan_hash: Some(table.provenance.plan_sha256.clone()),

@@ -30,13 +30,11 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 // The documentation of a request's field is its help too, which shows defaults in brackets.
 #![allow(rustdoc::broken_intra_doc_links)]
-// What only flags use.
-#![cfg_attr(not(feature = "clap"), allow(unused_imports))]
 
 mod batch;
 mod braid;
 mod build;
-#[cfg(feature = "answers")]
+#[cfg(feature = "files")]
 mod bundle;
 mod burst;
 #[cfg(feature = "files")]
@@ -51,9 +49,8 @@ mod design;
 mod export;
 mod fields;
 mod figure;
-#[cfg(feature = "answers")]
-mod file_schema;
 #[cfg(feature = "files")]
+mod file_schema;
 mod files;
 mod fill;
 mod fit;
@@ -75,7 +72,7 @@ mod quantities;
 mod report;
 mod rubber;
 mod rubber_fit;
-#[cfg(feature = "schema")]
+#[cfg(feature = "files")]
 mod schemas;
 mod shape;
 mod simulate;
@@ -87,7 +84,7 @@ pub mod words;
 pub use batch::{ArrayError, BoundModel, Many, PointQuantity, with_parameters};
 pub use braid::*;
 pub use build::*;
-#[cfg(feature = "answers")]
+#[cfg(feature = "files")]
 pub use bundle::{bundle, schema};
 pub use burst::*;
 #[cfg(feature = "files")]
@@ -104,7 +101,7 @@ pub use design::*;
 pub use export::*;
 pub use fields::*;
 pub use figure::model_colour;
-#[cfg(feature = "answers")]
+#[cfg(feature = "files")]
 pub use file_schema::file_schema;
 pub use fill::*;
 pub use fit::*;

@@ -350,7 +350,6 @@ impl From<ModelError> for Problem {
             ModelError::Missing { key, .. } => {
                 let hint = match key {
                     "model.tondu-lopez.end_factor" => "or give `end_factor`, such as 1.29",
-                    "model.conical-ends.cone_factor" => "or give `cone_factor`, such as 0.4",
                     "braid.strand_length" => "or give `strand_length_mm` and `turns`",
                     _ => "",
                 };

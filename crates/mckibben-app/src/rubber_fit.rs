@@ -7,7 +7,6 @@ use crate::{
     flags::{self, Args},
     muscle_of, readable,
 };
-#[cfg(feature = "clap")]
 use mckibben_core::units::typed::Ratio;
 use mckibben_core::{
     muscle::{Muscle, Rubber, file::to_toml},
@@ -353,7 +352,6 @@ impl RubberFitRequest {
 }
 
 /// Weights of the modes: `uniaxial=1,equibiaxial=2`.
-#[cfg(feature = "clap")]
 fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
     let mut out = BTreeMap::new();
     for entry in text.split(',').filter(|entry| !entry.trim().is_empty()) {

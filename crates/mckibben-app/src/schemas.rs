@@ -1,16 +1,86 @@
 //! The schemas of requests and answers.
 
-use mckibben_core::units::NamedUnit;
+use crate::{CommandEntry, Problem, ProblemKind};
+use mckibben_core::{nearest::nearest, units::NamedUnit};
 use schemars::{
     JsonSchema, Schema, SchemaGenerator,
     generate::{Contract, SchemaSettings},
 };
 use serde_json::{Map, Value, json};
-use std::borrow::Cow;
+use std::{borrow::Cow, sync::LazyLock};
 
-/// The schema of a type that is read.
-pub fn of_request<Q: JsonSchema>() -> Value {
-    schema_of(root::<Q>(), Contract::Deserialize)
+/// The schemas of a command.
+pub struct CommandSchemas {
+    /// The type of its answer.
+    pub answer: Root,
+    /// The schema of its request, which is made once.
+    request: LazyLock<Value>,
+}
+
+impl CommandSchemas {
+    pub fn of<Q: JsonSchema, A: JsonSchema>() -> Self {
+        Self {
+            answer: root::<A>(),
+            request: LazyLock::new(|| schema_of(root::<Q>(), Contract::Deserialize)),
+        }
+    }
+}
+
+impl CommandEntry {
+    /// A field that no request of this kind has is an error: a mistyped one must not turn into a
+    /// default.
+    pub(crate) fn check_fields(&self, request: &Value) -> Result<(), Problem> {
+        let schema = self.request_schema();
+        check_fields(format_args!("a request"), request, schema, schema)
+    }
+
+    /// The JSON Schema of its request, made once.
+    pub fn request_schema(&self) -> &Value {
+        &self.schemas.request
+    }
+}
+
+/// Refuses fields that a schema does not have, in the objects of fields within too.
+fn check_fields(
+    what: std::fmt::Arguments<'_>,
+    fields: &Value,
+    schema: &Value,
+    root: &Value,
+) -> Result<(), Problem> {
+    let place = schema["$ref"].as_str().and_then(|r| r.strip_prefix('#'));
+    let schema = place
+        .and_then(|place| root.pointer(place))
+        .unwrap_or(schema);
+    let known = schema["properties"].as_object();
+    if let Some(list) = fields.as_array() {
+        // By its type a list would be read as the fields in their order.
+        if known.is_some() {
+            return Err(
+                ProblemKind::Usage.problem(format!("{what} is an object of fields, not a list"))
+            );
+        }
+        return list.iter().try_for_each(|item| {
+            check_fields(format_args!("each of {what}"), item, &schema["items"], root)
+        });
+    }
+    let (Some(fields), Some(known)) = (fields.as_object(), known) else {
+        return Ok(());
+    };
+    for (field, value) in fields {
+        let Some(schema) = known.get(field) else {
+            let near = nearest(field, known.keys().map(String::as_str));
+            let hint = near.map_or_else(String::new, |name| format!("did you mean `{name}`?"));
+            let message = format!("there is no field \"{field}\" in this request");
+            return Err(Problem::usage(message, hint).in_field(field.clone()));
+        };
+        check_fields(format_args!("`{field}`"), value, schema, root).map_err(|problem| {
+            Problem {
+                field: problem.field.or_else(|| Some(field.clone())),
+                ..problem
+            }
+        })?;
+    }
+    Ok(())
 }
 
 /// A type by its functions, so that what makes a schema of it is compiled once for all types.

@@ -11,7 +11,6 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_core::{
     joined,
-    muscle::measures::MEASURES,
     units::{QuantityError, RangeError},
 };
 use std::{error::Error, io};
@@ -88,10 +87,6 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
         return Some(Problem::usage(message, hint));
     }
     let is_table = !flag.starts_with('-') && flag.contains('.');
-    let measure = || {
-        let name = flag.strip_prefix("--")?;
-        MEASURES.iter().find(|m| m.flag().as_deref() == Some(name))
-    };
     let of_table = ["--area", "--gauge-length", "--mode"].contains(&&**flag);
     let (what, hint) = if let Some(data) = flag_of("data").filter(|_| is_table) {
         ("a table stands behind its flag", format!("{data} {flag}"))
@@ -99,11 +94,7 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
         let name = flag[2..].replace('-', "_");
         ("it is a constant of a table", format!("--set {name}=VALUE"))
     } else {
-        let key = measure()?.key;
-        (
-            "it is a key of the muscle file",
-            format!("--with {key}=VALUE"),
-        )
+        return None;
     };
     let thing = if is_table { "place for" } else { "flag" };
     let message = format!("there is no {thing} {flag}: {what}");

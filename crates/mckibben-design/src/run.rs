@@ -6,7 +6,7 @@ use crate::{
     choice::{EQUAL, Sharing, order, ranked},
     limits::check::{Probe, Score, fits, probe, probe_with},
     line::STEPS,
-    relax::{Kind, Misses},
+    misses::{Kind, Misses},
     search::{NEARLY, NEARLY_SHORT, Pick, SPARE, Search, SearchResult},
     trial::Trial,
 };

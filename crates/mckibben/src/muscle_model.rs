@@ -4,7 +4,7 @@ use crate::Model;
 use mckibben_core::{
     analysis::{AnalysisError, Burst, Evaluation, NoBurst, QUIET_MPA, burst},
     answer::{Answer, Options},
-    model::{ForceModel, ModelError, Reference, Workspace},
+    model::{ForceModel, ModelError, Workspace},
     muscle::{Direction, Muscle},
     threads,
     warning::Warning,
@@ -86,10 +86,9 @@ impl MuscleModel {
     /// A model of your own, or any other that is bound to its muscle.
     pub fn new(model: impl ForceModel + 'static) -> Self {
         let muscle = model.muscle();
-        let by_map = matches!(model.info().accuracy.reference, Reference::ForceMap(_));
         let options = Options {
             direction: muscle.job().and_then(|job| job.branch).unwrap_or_default(),
-            friction_share: if by_map { 0.0 } else { muscle.friction_share() },
+            friction_share: muscle.friction_share(),
             ..Options::default()
         };
         Self {

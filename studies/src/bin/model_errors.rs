@@ -54,7 +54,6 @@ fn main() {
         "thick-wall",
         "chou-hannaford",
         "force-balance",
-        "klute-hannaford",
     ];
     let mut errors: Vec<Vec<(f64, f64)>> = vec![vec![]; names.len()];
     for (muscle, p) in (0..count).filter_map(|_| random(&mut r)) {
@@ -82,7 +81,6 @@ fn main() {
         for kind in [
             ModelKind::ChouHannaford,
             ModelKind::ForceBalance,
-            ModelKind::KluteHannaford,
         ] {
             models.extend(kind.build(&muscle));
         }

@@ -6,10 +6,10 @@
 use mckibben_core::{
     analysis::bisect,
     model::{ForceModel, ModelKind, Workspace},
-    rubber::RubberLaw,
+    rubber::{Gent, Law, NeoHookean, Ogden, RubberLaw, Yeoh},
 };
 use mckibben_campaign::fit::universal::{
-    HeldOutRow, Sample, held_out, held_out_samples, rubber_laws, summary,
+    HeldOutRow, Sample, drawn, held_out, held_out_samples, shares, summary,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
 
@@ -54,6 +54,33 @@ fn main() {
         let [rms, p99, max] = of(&[list]);
         println!("volume of {kind}, in % of it: rms {rms:.3}, 99 % {p99:.3}, worst {max:.2}");
     }
+}
+
+/// `universal` on random muscles of other rubber laws with the same moduli.
+fn rubber_laws(count: usize, seed: u64) -> Vec<HeldOutRow> {
+    type Make = fn(f64, f64) -> Law;
+    let laws: [(&str, Make); 4] = [
+        ("neo-hookean", |mu_mpa, _| Law::NeoHookean(NeoHookean { mu_mpa })),
+        ("yeoh", |mu, _| {
+            let c10_mpa = 0.5 * mu;
+            Law::Yeoh(Yeoh { c10_mpa, c20_mpa: -0.007 * c10_mpa, c30_mpa: 2e-4 * c10_mpa })
+        }),
+        ("ogden (Treloar's rubber)", |mu, _| {
+            // Ogden 1972 [ogden1972], Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
+            let scale = mu / 0.414_319;
+            let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
+            Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * scale, a)).collect() })
+        }),
+        ("gent (jm 30 to 80)", |mu_mpa, unit| {
+            Law::Gent(Gent { mu_mpa, jm: 30.0 + 50.0 * unit })
+        }),
+    ];
+    let row = |(name, law): (&str, Make)| {
+        let samples = drawn(count, seed, law);
+        let list = shares(&samples, |s| ModelKind::Universal.build(&s.muscle).ok(), |_, _| true);
+        HeldOutRow { model: format!("universal, {name}"), errors: summary(&list) }
+    };
+    laws.into_iter().map(row).collect()
 }
 
 /// Root mean square, 99 % and largest of some errors, in %.

@@ -23,7 +23,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     for kind in [
         ModelKind::Universal,
-        ModelKind::UniversalSmall,
         ModelKind::ThickWall,
         ModelKind::Ideal,
     ] {

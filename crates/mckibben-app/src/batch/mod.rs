@@ -11,14 +11,14 @@ mod point;
 pub use point::with_parameters;
 
 use crate::{
-    AskFields, Model, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of,
-    check_branch, finite, ratio,
+    AskFields, Model, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of, finite,
+    ratio,
 };
 use mckibben::gradient;
 use mckibben_core::{
     analysis::{Burst, Evaluation},
     answer::{Answer, Options},
-    model::{ForceModel, ModelInfo, ModelKind, Reference, Workspace},
+    model::{ForceModel, ModelInfo, ModelKind, Workspace},
     muscle::Muscle,
     progress::Progress,
     threads::{self, Threads},
@@ -105,15 +105,9 @@ type Quiet = (Burst, (f64, f64));
 impl BoundModel {
     /// The model of this muscle, and how it is asked.
     pub fn new(muscle: &Muscle, choice: Model, asking: AskFields) -> Result<Self> {
-        let mut options = asking.options(muscle)?;
-        let model = choice.bound(muscle)?;
-        if matches!(model.info().accuracy.reference, Reference::ForceMap(_)) {
-            options.friction_share = 0.0;
-            check_branch(options, muscle)?;
-        }
         Ok(Self {
-            model,
-            options,
+            options: asking.options(muscle)?,
+            model: choice.bound(muscle)?,
             choice,
             quiet: OnceLock::new(),
         })

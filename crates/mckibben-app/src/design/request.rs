@@ -6,7 +6,6 @@ use crate::{
     fields::name_or_file,
     flags::{self, Args},
 };
-#[cfg(feature = "clap")]
 use mckibben_core::units::{QuantityError, typed};
 use mckibben_core::{
     muscle::{Direction, Muscle},
@@ -71,7 +70,7 @@ pub struct DesignRequest {
     /// does, the slimmest bundle of up to 7]
     ///
     /// The candidates are one of them; the bundle of the best one is shown below.
-    #[arg(long, alias = "bundle", value_name = "N")]
+    #[arg(long, value_name = "N")]
     pub count: Option<Count<1, { bundle::MOST as usize }>>,
     /// Quantity to rank by
     ///
@@ -96,12 +95,7 @@ pub struct DesignRequest {
     /// Safety factor of strands and clamps: failure pressure over allowed pressure [4]
     ///
     /// 2 or more, or 0 for none. The strength of the strands must be known.
-    #[arg(
-        long = "safety",
-        alias = "min-burst-margin",
-        value_name = "FACTOR",
-        help_heading = "Limits"
-    )]
+    #[arg(long = "safety", value_name = "FACTOR", help_heading = "Limits")]
     pub min_burst_margin: Option<f64>,
     /// Safety factor of the tube, which leaks where it fails [half of that of the strands,
     /// at least 1.5]
@@ -241,7 +235,7 @@ pub struct DesignRequest {
     ///
     /// A model that is named meets the requirement by its own pull; without one, a muscle that is
     /// built does, which shortens against its friction.
-    #[arg(long = "branch", alias = "motion", value_name = "BRANCH", value_parser = flags::word::<Direction>(), hide_short_help = true, help_heading = "Advanced")]
+    #[arg(long = "branch", value_name = "BRANCH", value_parser = flags::word::<Direction>(), hide_short_help = true, help_heading = "Advanced")]
     pub direction: Option<Direction>,
     /// Compute outside the model's range too, with a warning
     #[arg(long, help_heading = "Advanced")]
@@ -332,7 +326,6 @@ impl DesignRequest {
 }
 
 /// A contraction ratio; a shortening in mm is a stroke.
-#[cfg(feature = "clap")]
 fn contraction(text: &str) -> Result<Ratio> {
     text.parse().map_err(|error: QuantityError| {
         let hint = match text.parse::<Length>() {
@@ -344,7 +337,6 @@ fn contraction(text: &str) -> Result<Ratio> {
 }
 
 /// A required pull at a contraction: `700N@15%`.
-#[cfg(feature = "clap")]
 fn operating_point(text: &str) -> Result<OperatingPoint> {
     let expected = "operating point; expected a pull at a contraction such as 700N@15%";
     let (Force(force_n), Ratio(contraction)) = pair_at_sign(text, expected)?;
@@ -355,7 +347,6 @@ fn operating_point(text: &str) -> Result<OperatingPoint> {
 }
 
 /// A required torque at an angle to either side: `8Nm@45deg`.
-#[cfg(feature = "clap")]
 fn torque(text: &str) -> Result<TorqueWanted> {
     let expected = "torque at an angle; expected one such as 8Nm@45deg";
     let (typed::Torque(torque_nm), Angle(angle_deg)) = pair_at_sign(text, expected)?;
@@ -365,7 +356,6 @@ fn torque(text: &str) -> Result<TorqueWanted> {
     })
 }
 
-#[cfg(feature = "clap")]
 fn pair_at_sign<A, B>(text: &str, expected: &str) -> Result<(A, B)>
 where
     A: std::str::FromStr<Err = QuantityError>,

@@ -67,7 +67,7 @@ fn terms(formula: &Document) -> Vec<TermRow> {
             }
         },
         Document::Universal(f) => {
-            let terms = f.deficit.terms.iter();
+            let terms = f.terms.iter();
             terms.map(|t| row((f.term_name(t), "1", t.value))).collect()
         }
     }
@@ -160,7 +160,7 @@ fn universal(f: &UniversalFormula) -> Rows {
     Rows::default()
         .text("name", &f.name)
         .text("kind", "universal")
-        .text("form", f.deficit.form.to_string())
+        .text("form", "membrane")
         .text("equation", f.equation())
         .text(
             "range",

@@ -104,7 +104,6 @@ fn every_part_that_is_listed_is_shown_and_makes_a_muscle() {
         let mut request = json!({ "model": model["name"], "pressure_mpa": 0.1, "contraction": 0.05, "extrapolate": true });
         for (key, value) in [
             ("end_factor", 1.2),
-            ("cone_factor", 0.4),
             ("strand_length_mm", 323.0),
             ("turns", 1.5),
         ] {

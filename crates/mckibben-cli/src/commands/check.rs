@@ -16,8 +16,8 @@ use std::path::Path;
 pub struct Check {
     #[command(flatten)]
     request: CheckRequest,
-    /// Of a formula (FILE.json, paper, universal, universal-small): print its equation with its
-    /// numbers as LaTeX, and a table of its coefficients
+    /// Of a formula (FILE.json, paper, universal): print its equation with its numbers as LaTeX,
+    /// and a table of its coefficients
     #[arg(long)]
     latex: bool,
     #[command(flatten)]
@@ -62,7 +62,7 @@ impl Check {
 /// The formula that is named in the place of a muscle.
 fn formula(file: &TextFile) -> Option<CheckFormulaRequest> {
     let mut request = CheckFormulaRequest::default();
-    let built_in = ["paper", "universal", "universal-small"];
+    let built_in = ["paper", "universal"];
     if file.text.is_empty() && built_in.contains(&&*file.name) {
         request.name = Some(file.name.clone());
         return Some(request);

@@ -7,11 +7,12 @@
 use super::{
     error::{AnalysisError, Result},
     evaluation::{Evaluation, Options},
+    rising_root::rising_root,
     sweep::Sweep,
 };
 use crate::{
     cancel,
-    model::{ModelError, Workspace, root::rising_root},
+    model::{ModelError, Workspace},
     muscle::Muscle,
     refused::Refused,
 };

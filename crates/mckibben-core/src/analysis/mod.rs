@@ -8,6 +8,7 @@ mod error;
 mod evaluation;
 mod golden;
 mod inverse;
+mod rising_root;
 mod root;
 mod sweep;
 

@@ -45,7 +45,7 @@ pub use {
 
 use crate::{
     analysis::{Evaluation, Options},
-    model::{Accuracy, BlockedAt, ForceModel, ModelError, Reference, Result},
+    model::{Accuracy, BlockedAt, ModelError, Result},
     muscle::{Constant, Direction, Muscle},
 };
 use serde::{Deserialize, Serialize};
@@ -101,11 +101,6 @@ impl Built {
     }
 }
 
-/// Whether it is a formula of a bought muscle, which was held against measured pulls.
-fn is_of_product(model: &dyn ForceModel) -> bool {
-    matches!(model.info().accuracy.reference, Reference::ForceMap(_))
-}
-
 /// The branch on which a muscle works: it pulls while it shortens, or pushes while it extends.
 pub fn working_direction(muscle: &Muscle, asked: Direction) -> Direction {
     match asked {
@@ -139,17 +134,6 @@ impl Evaluation<'_> {
         force_n: f64,
     ) -> Option<(Built, UncertaintyParts)> {
         let muscle = Arc::clone(&self.model.info().muscle);
-        if is_of_product(self.model) {
-            let parts = UncertaintyParts {
-                formula: self.formula_n(pressure_mpa)?,
-                ..UncertaintyParts::default()
-            };
-            let built = Built {
-                predicted_direction: self.options.direction,
-                ..Built::default()
-            };
-            return Some((self.interval(built, force_n, parts), parts));
-        }
         let predictor = self.predictor(&muscle);
         let predictor = Option::as_ref(&predictor)?;
         self.predicted_by(predictor, pressure_mpa, contraction, force_n)
@@ -238,15 +222,12 @@ impl Evaluation<'_> {
     }
 
     /// The median of what a muscle that is built pulls in N, without the ± and without slack, on its
-    /// working branch; the model's own pull of a bought muscle.
+    /// working branch.
     ///
     /// # Errors
     /// As those of the model, and where the infinitely long muscle has no equilibrium.
     pub fn built_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let muscle = Arc::clone(&self.model.info().muscle);
-        if is_of_product(self.model) {
-            return self.force_n(pressure_mpa, contraction);
-        }
         let mean = Options {
             direction: Direction::Mean,
             ..self.options
@@ -283,7 +264,7 @@ impl Evaluation<'_> {
     /// not known.
     pub fn measurements(&mut self, pressure_mpa: f64, contraction: f64) -> Vec<Left> {
         let muscle = Arc::clone(&self.model.info().muscle);
-        if self.model.info().accuracy.share_of_blocked.is_none() || is_of_product(self.model) {
+        if self.model.info().accuracy.share_of_blocked.is_none() {
             return vec![];
         }
         let sign = working_direction(&muscle, self.options.direction).sign();

@@ -19,7 +19,6 @@ const BASIS: &str = "all else: docs/interval.md; all parts add as squares";
 pub fn basis_of(accuracy: &Accuracy) -> String {
     match accuracy.reference {
         Reference::Unknown => accuracy.reference.to_string(),
-        Reference::ForceMap(_) => format!("formula: {}", accuracy.reference),
         _ => format!("formula: {}; {BASIS}", accuracy.reference),
     }
 }
@@ -28,7 +27,7 @@ pub fn basis_of(accuracy: &Accuracy) -> String {
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct UncertaintyParts {
-    /// The model against finite elements (for a formula of a bought muscle: against that muscle).
+    /// The model against finite elements.
     pub formula: Option<f64>,
     /// Finite elements against the limit of fine meshes.
     pub mesh: Option<f64>,

@@ -1,6 +1,6 @@
 use super::{learnt::*, *};
 use crate::{
-    model::{Ideal, ThickWall, Workspace},
+    model::{ForceModel, Ideal, ThickWall, Workspace},
     muscle::{Braid, BraidStiffness, Constants, Friction, Rubber, Tube},
     rubber::{Law, NeoHookean},
 };

@@ -30,7 +30,7 @@ pub use {
     made::{Made, MadeBraid, MadeRubber, NamedBraid},
     paper::Section,
     terms::{GlobalSection, GlobalTerms, Scales, Term, paper_terms},
-    universal::{Deficit, Form, UniversalErrors, UniversalRange, UniversalSummary, UniversalTerm},
+    universal::{UniversalErrors, UniversalRange, UniversalSummary, UniversalTerm},
 };
 
 use file::{File, check::interval};

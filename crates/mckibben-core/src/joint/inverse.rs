@@ -138,11 +138,10 @@ impl BoundJoint {
                     }
                 }
                 let sought = [passive_slope, stiffness];
-                line.first_pull(workspaces, (low, high), sought)?
-                    .map_err(|reached| {
-                        let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
-                        out_of_reach(sought, reached, &unit)
-                    })?
+                line.first_pull(workspaces, (low, high), sought, |reached| {
+                    let sought = format!("{stiffness} N m/rad with {} N m", wanted.torque_nm);
+                    out_of_reach(sought, reached, &unit)
+                })?
             }
         };
         point(workspaces, pull)
@@ -158,14 +157,15 @@ struct Line<'l> {
 }
 
 impl Line<'_> {
-    /// The least pull of the first muscle at which both muscles pull and have a stiffness, or the
-    /// least and the largest stiffness that they have.
+    /// The least pull of the first muscle at which both muscles pull and have a stiffness; else the
+    /// error of the least and the largest stiffness that they have.
     fn first_pull(
         &self,
         workspaces: &mut [Workspace],
         (low, high): (f64, f64),
         [passive_slope, stiffness]: [f64; 2],
-    ) -> Result<Result<f64, [f64; 2]>> {
+        out_of_reach: impl FnOnce([f64; 2]) -> JointError,
+    ) -> Result<f64> {
         let (low, high) = (low + TAUT * (high - low), high - TAUT * (high - low));
         let excess = |pull| -> Result<f64> {
             Ok(self.stiffness(workspaces, pull)? - passive_slope - stiffness)
@@ -184,9 +184,8 @@ impl Line<'_> {
                 .least(|k| sign * k)
                 .map_or(f64::NAN, |(_, k)| k + stiffness)
         };
-        Ok(zero
-            .map(|zero| zero.at)
-            .ok_or_else(|| [end(1.0), end(-1.0)]))
+        zero.map(|zero| zero.at)
+            .ok_or_else(|| out_of_reach([end(1.0), end(-1.0)]))
     }
 
     /// Pull of the second muscle where the first has one.

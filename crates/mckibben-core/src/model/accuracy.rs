@@ -21,8 +21,6 @@ pub enum Reference {
     Equations,
     /// Finite elements of the same muscles.
     Elements(&'static str),
-    /// The static force map of a bought muscle (Martens & Boblan 2017).
-    ForceMap(&'static str),
 }
 
 impl Reference {
@@ -42,7 +40,7 @@ impl fmt::Display for Reference {
                 "the reference for all other models; mesh: the difference from a fine mesh at the \
                  same point"
             }
-            Self::Elements(sentence) | Self::ForceMap(sentence) => sentence,
+            Self::Elements(sentence) => sentence,
         })
     }
 }

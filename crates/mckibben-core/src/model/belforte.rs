@@ -54,7 +54,7 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
         Ok(PerPressure {
             f,
             f_l: 6.0 * l * length / n2,
-            volume_mm3: Some(area * l),
+            volume_mm3: area * l,
             diameter_mm: 2.0 * (area / PI).sqrt(),
             tension: Some((f + area) * b / l),
         })

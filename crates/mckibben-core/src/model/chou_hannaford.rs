@@ -38,7 +38,7 @@ pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
         Ok(PerPressure {
             f: -PI * (bore * bore + 2.0 * bore * g.r1 * g.l),
             f_l: -2.0 * PI * (2.0 * bore * g.r1 + g.r1 * g.r1 * g.l + bore * g.r2 * g.l),
-            volume_mm3: Some(PI * bore * bore * (1.0 - contraction) * braid.length),
+            volume_mm3: PI * bore * bore * (1.0 - contraction) * braid.length,
             diameter_mm: 2.0 * g.r,
             tension: None,
         })

@@ -65,20 +65,6 @@ pub enum ModelError {
         /// Its key in the muscle file; empty where no key gives it.
         key: &'static str,
     },
-    /// The muscle is too short for a model of its ends.
-    #[error(
-        "the {model} model needs a muscle longer than {least_mm:.1}\u{a0}mm (its outer diameter \
-         times cot² of its braid angle); this one is {length_mm}\u{a0}mm: its ends would take up \
-         more than the middle gives"
-    )]
-    TooShort {
-        /// The model's name.
-        model: &'static str,
-        /// The length that it needs in mm.
-        least_mm: f64,
-        /// That of the muscle in mm.
-        length_mm: f64,
-    },
     /// No geometry exists at this contraction.
     #[error(
         "at a contraction of {contraction} the muscle has no shape: it must lie above {lowest:.6} \

@@ -21,23 +21,6 @@ pub const ENTRY: ModelEntry = ModelEntry {
         2012 [tondu2012] eq. (18)",
 };
 
-pub fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
-    let g = braid.shape_at(contraction)?;
-    let bore = braid.bore(&g, contraction)?;
-    let sin2 = 1.0 - g.cos * g.cos;
-    let cot2 = g.cos * g.cos / sin2;
-    let cot2_l = 2.0 * g.cos * braid.cos / (sin2 * sin2);
-    let both = g.r * bore.r;
-    let both_l = g.r1 * bore.r + g.r * bore.r1;
-    Ok(PerPressure {
-        f: 2.0 * PI * both * cot2 - PI * bore.r * bore.r,
-        f_l: 2.0 * PI * (both_l * cot2 + both * cot2_l - bore.r * bore.r1),
-        volume_mm3: Some(PI * bore.r * bore.r * (1.0 - contraction) * braid.length),
-        diameter_mm: 2.0 * g.r,
-        tension: Some(2.0 * PI * both * cot2 / g.cos),
-    })
-}
-
 /// The force balance of an incompressible wall whose rubber carries nothing.
 ///
 /// The wall thins as the muscle bulges, but the rubber's own stress is left out, which costs force
@@ -46,7 +29,26 @@ pub fn balance(braid: &Pantograph, contraction: f64) -> Result<PerPressure> {
 pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
     let info = ModelInfo::of_soft_strands(&ENTRY, muscle, 0.77);
     let braid = Pantograph::from_muscle(muscle);
-    let per_pressure = move |contraction| balance(&braid, contraction);
+    let per_pressure = move |contraction: f64| {
+        let g = braid.shape_at(contraction)?;
+        let bore = (g.r * g.r - braid.section / g.l).sqrt();
+        if bore.is_nan() || bore == 0.0 {
+            return Err(braid.no_shape(contraction));
+        }
+        let bore_l = (2.0 * g.r * g.r1 + braid.section / (g.l * g.l)) / (2.0 * bore);
+        let sin2 = 1.0 - g.cos * g.cos;
+        let cot2 = g.cos * g.cos / sin2;
+        let cot2_l = 2.0 * g.cos * braid.cos / (sin2 * sin2);
+        let both = g.r * bore;
+        let both_l = g.r1 * bore + g.r * bore_l;
+        Ok(PerPressure {
+            f: 2.0 * PI * both * cot2 - PI * bore * bore,
+            f_l: 2.0 * PI * (both_l * cot2 + both * cot2_l - bore * bore_l),
+            volume_mm3: PI * bore * bore * (1.0 - contraction) * braid.length,
+            diameter_mm: 2.0 * g.r,
+            tension: Some(2.0 * PI * both * cot2 / g.cos),
+        })
+    };
     proportional(info, per_pressure)
 }
 

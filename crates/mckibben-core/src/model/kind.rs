@@ -8,8 +8,24 @@ use crate::{
 };
 use std::{fmt, str::FromStr};
 
-/// That no model has a name: the nearest, and all that there are.
+/// Models of version 3, and what stays in their place.
+const GONE: [(&str, &str); 6] = [
+    ("klute-hannaford", "thick-wall"),
+    ("conical-ends", "fe"),
+    ("rounded-ends", "fe"),
+    ("festo-dmsp-10", "the measured muscle lib:dmsp-10-250"),
+    ("festo-dmsp-20-200", "the measured muscle lib:dmsp-20-300"),
+    ("universal-small", "universal"),
+];
+
+/// That no model has a name: what stays in its place, or the nearest and all that there are.
 pub fn unknown_model(name: &str, names: &[&'static str]) -> Refused {
+    if let Some((gone, stays)) = GONE.iter().find(|(gone, _)| *gone == name.trim()) {
+        return Refused::new(
+            ["model"],
+            format!("the model `{gone}` is gone: take {stays}"),
+        );
+    }
     let meant = meant(nearest(name, names.iter().copied()));
     Refused::new(
         ["model"],
@@ -53,31 +69,15 @@ models! {
     TonduLopez = tondu_lopez::ENTRY, |m| Ok(Box::new(TonduLopez::between_ends(m)?));
     /// The ideal muscle by a measured strand
     Belforte = belforte::ENTRY, belforte::build;
-    /// [`KluteHannaford`]
-    KluteHannaford = klute_hannaford::ENTRY, |m| Ok(Box::new(KluteHannaford::between_ends(m)?));
-    /// A cylinder between two cones
-    ConicalEnds = conical_ends::ENTRY, conical_ends::build;
-    /// The force balance of the middle of a muscle with round ends
-    RoundedEnds = rounded_ends::ENTRY, rounded_ends::build;
-    /// [`FestoSarosi`], size 10
-    FestoDmsp10 = festo_sarosi::DMSP_10.entry, |m| Ok(Box::new(FestoSarosi::between_ends(festo_sarosi::DMSP_10, m)));
-    /// [`FestoSarosi`], size 20, 200 mm
-    FestoDmsp20 = festo_sarosi::DMSP_20_200.entry, |m| Ok(Box::new(FestoSarosi::between_ends(festo_sarosi::DMSP_20_200, m)));
     /// [`Universal`]
-    Universal = universal::ENTRY, |m| universal("universal", UniversalFormula::large(), m);
-    /// [`Universal`] in its short form
-    UniversalSmall = universal::SMALL, |m| universal("universal-small", UniversalFormula::small(), m);
+    Universal = universal::ENTRY, universal;
     /// [`FormulaModel::paper`]
     Paper = paper::ENTRY, |m| Ok(Box::new(FormulaModel::paper(m)));
 }
 
-fn universal(
-    model: &'static str,
-    formula: Option<std::sync::Arc<UniversalFormula>>,
-    muscle: &Muscle,
-) -> Result<Box<dyn ForceModel>> {
-    let formula = formula.ok_or(ModelError::Missing {
-        model,
+fn universal(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
+    let formula = UniversalFormula::large().ok_or(ModelError::Missing {
+        model: universal::ENTRY.name,
         missing: "its built-in coefficients, which cannot be read; rebuild the program",
         key: "",
     })?;
@@ -139,8 +139,16 @@ mod tests {
         }
         let error = "idael".parse::<ModelKind>().unwrap_err().to_string();
         assert!(
-            error.contains("idael` (did you mean ideal?)") && error.contains("festo-dmsp-20-200"),
+            error.contains("idael` (did you mean ideal?)") && error.contains("universal"),
             "{error}"
         );
+    }
+
+    #[test]
+    fn a_model_of_version_3_names_what_stays() {
+        for (gone, stays) in GONE {
+            let error = gone.parse::<ModelKind>().unwrap_err().to_string();
+            assert_eq!(error, format!("the model `{gone}` is gone: take {stays}"));
+        }
     }
 }

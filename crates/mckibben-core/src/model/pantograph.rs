@@ -33,13 +33,6 @@ pub struct Shape {
     pub r2: f64,
 }
 
-/// The bore of an incompressible wall under the pantograph.
-pub struct Bore {
-    pub r: f64,
-    /// d/dλ
-    pub r1: f64,
-}
-
 impl Pantograph {
     pub fn from_muscle(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
@@ -80,18 +73,5 @@ impl Pantograph {
             r1,
             r2: -(q + r1 * r1) / r,
         })
-    }
-
-    /// ri² = r² − (Ro² − Ri²)/λ: the wall keeps its volume.
-    pub fn bore(&self, s: &Shape, contraction: f64) -> Result<Bore> {
-        let r = (s.r * s.r - self.section / s.l).sqrt();
-        if r > 0.0 {
-            Ok(Bore {
-                r,
-                r1: (2.0 * s.r * s.r1 + self.section / (s.l * s.l)) / (2.0 * r),
-            })
-        } else {
-            Err(self.no_shape(contraction))
-        }
     }
 }

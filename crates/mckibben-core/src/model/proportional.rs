@@ -9,7 +9,7 @@ pub struct PerPressure {
     /// ∂(F/P)/∂λ
     pub f_l: f64,
     /// Volume of the cavity, at any pressure
-    pub volume_mm3: Option<f64>,
+    pub volume_mm3: f64,
     /// Outer diameter, at any pressure
     pub diameter_mm: f64,
     /// Sum of strand tensions over P
@@ -42,7 +42,7 @@ impl<F: Fn(f64) -> Result<PerPressure> + Send + Sync> ForceModel for Proportiona
             pressure_mpa,
             contraction,
             force_n: pressure_mpa * at.f,
-            volume_mm3: at.volume_mm3,
+            volume_mm3: Some(at.volume_mm3),
             stiffness_n_per_mm: Some(pressure_mpa * at.f_l / muscle.length_mm()),
             force_per_pressure_mm2: Some(at.f),
             bulged_diameter_mm: Some(at.diameter_mm),

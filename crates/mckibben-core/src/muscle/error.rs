@@ -9,11 +9,7 @@ pub type MuscleError = Refused;
 /// "terminals.end_factor at 0 MPa (a + b)".
 pub fn must(key: &'static str, value: f64, unit: &str, must: &str) -> MuscleError {
     let field = key.split(' ').next().unwrap_or(key);
-    let of_model = match field {
-        "terminals.end_factor" => Some("model.tondu-lopez.end_factor"),
-        "terminals.cone_factor" => Some("model.conical-ends.cone_factor"),
-        _ => None,
-    };
+    let of_model = (field == "terminals.end_factor").then_some("model.tondu-lopez.end_factor");
     let given = format!("{value}\u{a0}{unit}");
     let message = format!("{key} is {}; it must {must}", given.trim_end());
     MuscleError::new([field].into_iter().chain(of_model), message)

@@ -100,24 +100,12 @@ impl Muscle {
             .tube
             .temperature_degc
             .map(|_| Arc::new(parts.tube.rubber_at_temperature().into_owned()));
-        let muscle = Self {
+        Ok(Self {
             parts,
             bench: None,
             job: None,
             warm,
-        };
-        if let Some(value) = muscle.parts.terminals.cone_factor {
-            let end = muscle.max_ideal_contraction();
-            let largest = (1.0 - end) / (2.0 * end);
-            if value > largest && end > 0.0 {
-                let must = format!(
-                    "lie between 0 and {largest:.4}, or the two tips touch before the largest \
-                     contraction"
-                );
-                return Err(error::must("terminals.cone_factor", value, "", &must));
-            }
-        }
-        Ok(muscle)
+        })
     }
 
     /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.

@@ -129,8 +129,6 @@ pub struct Terminals {
     pub rated_pressure_mpa: Option<f64>,
     /// Empirical end factor, where one was measured or fitted.
     pub end_factor: Option<EndFactor>,
-    /// kc of the conical-ends model (Tondu 2012 \[tondu2012\] eq. 25): tips of length kc·L0·ε.
-    pub cone_factor: Option<f64>,
 }
 
 impl Terminals {

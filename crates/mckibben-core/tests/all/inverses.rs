@@ -98,7 +98,6 @@ fn any_muscle(r: &mut Random) -> Muscle {
     };
     let terminals = Terminals {
         end_factor: Some(EndFactor::Constant(r.between(1.0, 1.3))),
-        cone_factor: Some(r.between(0.1, 0.5)),
         seating_mm: (r.unit() < 0.2).then_some(0.01 * length_mm),
         ..Terminals::default()
     };

@@ -26,7 +26,6 @@ pub fn complete(end_factor: EndFactor) -> Muscle {
     });
     let terminals = Terminals {
         end_factor: Some(end_factor),
-        cone_factor: Some(0.3),
         ..Terminals::default()
     };
     m.with_braid(Braid {
@@ -292,7 +291,6 @@ fn maxwell_holds_where_the_force_is_the_slope_of_an_energy() {
         ModelKind::ThickWall,
         ModelKind::ChouHannaford,
         ModelKind::Belforte,
-        ModelKind::KluteHannaford,
     ] {
         let model = kind.build(&m).unwrap();
         let (p, h) = (0.3, 1e-5);
@@ -316,12 +314,10 @@ fn maxwell_holds_where_the_force_is_the_slope_of_an_energy() {
 }
 
 #[test]
-fn presets_say_what_they_ignore() {
+fn models_say_what_they_ignore() {
     for model in every_model() {
-        // The muscle has an end factor, which the universal formulas replace by their ends.
-        let ignores = ["festo", "universal"]
-            .iter()
-            .any(|word| model.info().name.starts_with(word));
+        // The muscle has an end factor, which the universal formula replaces by its ends.
+        let ignores = model.info().name == "universal";
         assert_eq!(
             model.info().notes.is_empty(),
             !ignores,
@@ -331,14 +327,10 @@ fn presets_say_what_they_ignore() {
     }
 }
 
-/// Without end factor, cone factor or measured strand the models that need them say so.
+/// Without end factor or measured strand the models that need them say so.
 #[test]
 fn what_is_missing_is_named() {
-    for kind in [
-        ModelKind::TonduLopez,
-        ModelKind::Belforte,
-        ModelKind::ConicalEnds,
-    ] {
+    for kind in [ModelKind::TonduLopez, ModelKind::Belforte] {
         let missing = kind.build(&Muscle::prototype()).err();
         assert!(
             matches!(missing, Some(ModelError::Missing { model, .. }) if model == kind.name()),
@@ -475,40 +467,6 @@ fn measured(text: &'static str) -> Vec<csv::StringRecord> {
         .collect()
 }
 
-/// Validation: the Festo presets against other specimens of the same sizes (Martens & Boblan 2017
-/// \[martens2017\]), points that pull.
-#[test]
-fn festo_presets_against_measured_maps() {
-    let ten = include_str!("../../../../data/martens_boblan_2017/DMSP-10-250_force_map.csv");
-    let twenty = include_str!("../../../../data/martens_boblan_2017/DMSP-20-300_force_map.csv");
-    for (kind, text, length_mm, expected) in [
-        (ModelKind::FestoDmsp10, ten, 250.0, 73.4),
-        (ModelKind::FestoDmsp20, twenty, 300.0, 98.4),
-    ] {
-        let m = Muscle::prototype()
-            .with_tube(Tube {
-                length_mm,
-                ..Tube::prototype()
-            })
-            .unwrap();
-        let model = kind.build(&m).unwrap();
-        let (mut sum, mut n) = (0.0, 0);
-        for row in measured(text) {
-            let number = |i: usize| row[i].parse::<f64>().unwrap();
-            let (p, e) = (1e-6 * number(0), number(2));
-            if &row[5] == "0" && model.info().range.violations(p, e).is_empty() {
-                sum += (model.force_n(&mut Workspace::new(), p, e).unwrap() - number(4)).powi(2);
-                n += 1;
-            }
-        }
-        let rms = (sum / f64::from(n)).sqrt();
-        assert!(
-            (rms - expected).abs() < 0.1,
-            "{kind}: rms {rms} N over {n} points"
-        );
-    }
-}
-
 /// Value at `x` on straight lines between points sorted by their first number.
 fn between(points: &[(f64, f64)], x: f64) -> f64 {
     let pair = points
@@ -616,15 +574,12 @@ proptest! {
         (d0, wall) in (2.0..80.0f64, 0.01..0.99f64),
         (angle, length) in (5.0..54.0f64, 5.0..600.0f64),
         (p, e) in (-0.1..2.0f64, -0.5..1.2f64),
-        kc in 0.0..1.0f64,
     ) {
         let m = rigid(d0, angle, length, 0.5 * d0 * wall, soft());
         let measured = Some(MeasuredStrand { strand_length_mm: m.strand_length_mm(), turns: m.turns() });
         let braid = Braid { measured, ..m.braid().clone() };
         let end_factor = Some(EndFactor::Constant(1.2));
-        let end = m.max_ideal_contraction();
-        let cone_factor = Some(kc * (1.0 - end) / (2.0 * end));
-        let terminals = Terminals { cone_factor, end_factor, ..Terminals::default() };
+        let terminals = Terminals { end_factor, ..Terminals::default() };
         let m = m.with_braid(braid).and_then(|m| m.with_terminals(terminals)).unwrap();
         for kind in ModelKind::ALL {
             let Ok(model) = kind.build(&m) else { continue };

@@ -14,7 +14,6 @@ mod neighbour;
 mod results;
 mod section;
 mod sensitivity;
-pub mod sweep;
 
 pub use body::Body;
 pub use contact::Contact;

@@ -19,6 +19,5 @@ mod solver;
 mod sweep;
 mod temperature;
 mod three_dimensional;
-mod universal_small;
 mod verification;
 mod vtu;

@@ -1,6 +1,6 @@
 //! Tubes that are drawn on plugs of another diameter than their bore.
 
-use super::{prestretch::slopes_are_those_of_differences, universal_small::random};
+use super::prestretch::slopes_are_those_of_differences;
 use mckibben_core::{
     model::{ForceModel, ModelKind, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube, measures::PLUG_DIAMETER},
@@ -22,6 +22,28 @@ fn muscle(stiffness: BraidStiffness) -> Muscle {
         Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 })),
     );
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
+}
+
+/// D0 10–60 mm, L0/D0 5–20, s/D0 .02–.17, θ0 18–37°, P/μ .05–5, strand strain up to 6 %.
+fn random(r: &mut Random) -> Option<(Muscle, f64, f64)> {
+    let d0 = r.log(10.0, 60.0);
+    let (length_mm, wall_mm) = (d0 * r.log(5.0, 20.0), d0 * r.between(0.02, 0.17));
+    let angle_deg = r.between(18.0, 37.0);
+    let mu_mpa = r.log(0.05, 1.0);
+    let p = mu_mpa * r.log(0.05, 5.0);
+    let k = p * d0 / (4.0 * angle_deg.to_radians().sin().powi(2) * r.log(0.001, 0.06));
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let tube = Tube::new(d0, wall_mm, length_mm, rubber);
+    let braid = Braid {
+        angle_deg,
+        stiffness: BraidStiffness::NewtonPerMm(k),
+        ..Braid::paper()
+    };
+    Some((
+        Muscle::new(tube, braid, Terminals::default(), None).ok()?,
+        p,
+        p / mu_mpa,
+    ))
 }
 
 fn force_n(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> f64 {

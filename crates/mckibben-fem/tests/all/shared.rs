@@ -25,7 +25,6 @@ fn muscle() -> Muscle {
     let end_factor = Some(EndFactor::Constant(1.1));
     let terminals = Terminals {
         end_factor,
-        cone_factor: Some(0.3),
         ..Terminals::default()
     };
     m.with_braid(braid)

@@ -3,8 +3,8 @@
 use mckibben_core::{
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
     random::Random,
+    rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh},
 };
-use mckibben_fem::axisymmetric::sweep::law;
 
 /// A muscle, a pressure in MPa and a contraction, number `index` of a seed: log-uniform D0 5–80 mm,
 /// s/D0 0.02–0.20, L0/D0 3–25, θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness
@@ -34,4 +34,40 @@ pub fn case(seed: u64, index: usize) -> Option<(Muscle, f64, f64)> {
     let pressure_mpa = r.between(0.0, 0.8);
     let contraction = r.between(0.0, 0.95) * muscle.max_ideal_contraction();
     Some((muscle, pressure_mpa, contraction))
+}
+
+/// The law number `kind` with a shear modulus at rest: Mooney–Rivlin with a share of C01 up to 0.3,
+/// neo-Hookean, Yeoh, Gent with a jm from `least_jm` to 80, Ogden. `unit` gives a number below one
+/// where the law has one more constant.
+fn law(kind: usize, mu: f64, least_jm: f64, unit: impl FnOnce() -> f64) -> Law {
+    match kind {
+        0 => {
+            let share = 0.3 * unit();
+            Law::MooneyRivlin(MooneyRivlin {
+                c10_mpa: 0.5 * mu * (1.0 - share),
+                c01_mpa: 0.5 * mu * share,
+            })
+        }
+        1 => Law::NeoHookean(NeoHookean { mu_mpa: mu }),
+        2 => {
+            let c10 = 0.5 * mu;
+            Law::Yeoh(Yeoh {
+                c10_mpa: c10,
+                c20_mpa: -0.007 * c10,
+                c30_mpa: 2e-4 * c10,
+            })
+        }
+        3 => Law::Gent(Gent {
+            mu_mpa: mu,
+            jm: least_jm + (80.0 - least_jm) * unit(),
+        }),
+        _ => {
+            // Ogden 1972 [ogden1972], Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
+            let scale = mu / 0.414_319;
+            let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
+            Law::Ogden(Ogden {
+                terms: terms.iter().map(|&(m, a)| (m * scale, a)).collect(),
+            })
+        }
+    }
 }

@@ -2,10 +2,10 @@
 //! muscles of every make.
 //!
 //! Each point where the finite elements pull gives the δ of their pull: F∞(λ) = F_FE gives λ, then
-//! δ = ½L0 (1 − λ − ε). The form without its terms has a δ (that of the membrane, or none); the
-//! terms are linear in their coefficients, so that
+//! δ = ½L0 (1 − λ − ε). The formula without its terms has the δ of the membrane; the terms are
+//! linear in their coefficients, so that
 //!
-//!   Σ w² (dF/dδ · (δ − δ_form − Σ c · column)/F_blocked)² → min
+//!   Σ w² (dF/dδ · (δ − δ_membrane − Σ c · column)/F_blocked)² → min
 //!
 //! is one linear problem in the stated errors. dF/dδ is that of the model, at fixed ε. w = 1, and
 //! 0.3 below P = 0.1 μ where muscles hardly pull. Errors are those of the finished model, which
@@ -19,12 +19,12 @@ use super::{
     least_squares::Triangle,
 };
 use crate::hash;
-pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
+pub use held_out::{HeldOutRow, drawn, held_out, held_out_samples};
 use mckibben_core::{
     extremes::ends,
     formula::{
-        Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange,
-        UniversalSummary, UniversalTerm,
+        Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
+        UniversalTerm,
     },
     model::{ForceModel, Universal},
     muscle::Muscle,
@@ -62,7 +62,6 @@ fn fold_of(muscle: u64) -> usize {
 #[derive(Debug, Clone)]
 pub struct UniversalRequest<'a> {
     pub samples: &'a [Sample],
-    pub form: Form,
     /// Name of the formula.
     pub name: String,
     /// Name of the table, hash of the campaign's plan and its seed.
@@ -84,17 +83,10 @@ pub fn universal(
         progress.report(done, steps);
         progress.check()
     };
-    let products = products(request.form);
-    let method = match request.form {
-        Form::Membrane => "membrane ends with a fitted correction for the wall",
-        Form::Bulge => "a fitted polynomial for the ends",
-    };
+    let products = products();
     let empty = UniversalFormula {
         name: request.name.clone(),
-        deficit: Deficit {
-            form: request.form,
-            terms: vec![],
-        },
+        terms: vec![],
         range: range(samples),
         errors: UniversalErrors {
             against: "forces of axisymmetric finite elements where they pull, P/mu from 0.02, as \
@@ -104,7 +96,10 @@ pub fn universal(
             left_out: UniversalSummary::default(),
         },
         provenance: Provenance {
-            method: format!("universal ({method}; {} terms)", products.len()),
+            method: format!(
+                "universal (membrane ends with a fitted correction for the wall; {} terms)",
+                products.len()
+            ),
             data_hash: hash::numbers(numbers(samples)),
             ..request.from.clone()
         },
@@ -114,12 +109,8 @@ pub fn universal(
     step(1)?;
     let all = Triangle::without(&folds, None);
     let formula_of = |terms: Vec<UniversalTerm>| {
-        let deficit = Deficit {
-            form: request.form,
-            terms,
-        };
         Arc::new(UniversalFormula {
-            deficit,
+            terms,
             ..empty.clone()
         })
     };
@@ -249,41 +240,14 @@ fn numbers(samples: &[Sample]) -> impl Iterator<Item = f64> {
     })
 }
 
-/// S, A, B, M, L: chosen one by one on a campaign with muscles left out (forward selection among
-/// the products up to the third degree), then kept.
-const BULGE: [[u8; 5]; 16] = [
-    [0, 0, 0, 0, 0],
-    [0, 0, 0, 1, 0],
-    [0, 0, 0, 0, 3],
-    [0, 1, 0, 2, 0],
-    [0, 1, 0, 0, 0],
-    [0, 1, 0, 1, 0],
-    [0, 0, 0, 3, 0],
-    [0, 0, 0, 2, 0],
-    [0, 0, 1, 0, 2],
-    [0, 0, 0, 0, 1],
-    [0, 1, 1, 0, 1],
-    [0, 0, 0, 2, 1],
-    [0, 0, 1, 0, 1],
-    [0, 0, 2, 0, 1],
-    [0, 0, 1, 2, 0],
-    [0, 0, 3, 0, 0],
-];
-
-/// All products of a form: for `membrane` the 21 of degree two and less.
-pub fn products(form: Form) -> Vec<[u8; 5]> {
-    match form {
-        Form::Bulge => BULGE.to_vec(),
-        Form::Membrane => {
-            let unit = |i: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i));
-            let pair =
-                |i: usize, j: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i) + u8::from(k == j));
-            let pairs = (0..5).flat_map(|i| (i..5).map(move |j| pair(i, j)));
-            [[0; 5]]
-                .into_iter()
-                .chain((0..5).map(unit))
-                .chain(pairs)
-                .collect()
-        }
-    }
+/// All products of S, A, N, M and E: the 21 of degree two and less.
+pub fn products() -> Vec<[u8; 5]> {
+    let unit = |i: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i));
+    let pair = |i: usize, j: usize| [0, 1, 2, 3, 4].map(|k| u8::from(k == i) + u8::from(k == j));
+    let pairs = (0..5).flat_map(|i| (i..5).map(move |j| pair(i, j)));
+    [[0; 5]]
+        .into_iter()
+        .chain((0..5).map(unit))
+        .chain(pairs)
+        .collect()
 }

@@ -1,14 +1,12 @@
 //! A universal formula as a file: the terms of the end deficit, the dimensionless range, the
 //! errors, the origin.
 
-mod form;
 mod range;
 
-pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
 use super::{
-    Provenance,
+    Provenance, Term,
     file::{File, check::share},
     show::display,
     terms::name,
@@ -58,14 +56,23 @@ impl UniversalErrors {
     }
 }
 
+/// One term, in the variables S, A, N, M and E.
+pub type UniversalTerm = Term<5>;
+
+impl UniversalTerm {
+    /// Highest power of a variable.
+    pub const HIGHEST: u8 = 6;
+}
+
 /// A universal formula with all that is known of it; it is written as its file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(into = "File")]
 pub struct UniversalFormula {
     /// Its name, which answers carry.
     pub name: String,
-    /// What it says of the ends.
-    pub deficit: Deficit,
+    /// What it says of the ends: the correction of a membrane for the wall; none, the membrane
+    /// alone.
+    pub terms: Vec<UniversalTerm>,
     /// Where it was fitted.
     pub range: UniversalRange,
     /// How wrong it is.
@@ -74,14 +81,10 @@ pub struct UniversalFormula {
     pub provenance: Provenance,
 }
 
-static LARGE: LazyLock<Option<Arc<UniversalFormula>>> =
-    LazyLock::new(|| parsed(include_str!("../../../data/universal.json")));
-static SMALL: LazyLock<Option<Arc<UniversalFormula>>> =
-    LazyLock::new(|| parsed(include_str!("../../../data/universal-small.json")));
-
-fn parsed(text: &str) -> Option<Arc<UniversalFormula>> {
+static LARGE: LazyLock<Option<Arc<UniversalFormula>>> = LazyLock::new(|| {
+    let text = include_str!("../../../data/universal.json");
     UniversalFormula::built_in(text).ok().map(Arc::new)
-}
+});
 
 impl UniversalFormula {
     /// The built-in formula; `None` only if its file were damaged, which a test excludes.
@@ -89,43 +92,25 @@ impl UniversalFormula {
         LARGE.clone()
     }
 
-    /// The built-in short formula.
-    pub fn small() -> Option<Arc<Self>> {
-        SMALL.clone()
-    }
-
     /// A term in letters: `S N^2`.
     pub fn term_name(&self, term: &UniversalTerm) -> String {
-        name(term.powers, &self.deficit.form.letters(), |n| {
-            format!("^{n}")
-        })
+        name(term.powers, &["S", "A", "N", "M", "E"], |n| format!("^{n}"))
     }
 
     /// The equation in one line.
     pub fn equation(&self) -> String {
-        let deficit = match self.deficit.form {
-            Form::Membrane => {
-                "delta = delta_membrane + Ro (l_s0 - l) S/sqrt(t) sum(value S^a A^b N^c M^d E^e); \
-                 S = s/Ro, A = 4 sin^2(theta0), \
-                 N = sin(phi0), t = T0/(2 pi Ro s mu), M = 1/(1 + t), E = x/sqrt(1 + x^2), x = 10 \
-                 (strand stretch - 1)"
-            }
-            Form::Bulge => {
-                "delta = Ro (1 - Ro/r) sum(value A^b B^c M^d L^e); A = 4 sin^2(theta0), B = 1 - \
-                 Ro/r, \
-                 M = mu s/(P Ro + mu s), L = 1 - l"
-            }
-        };
+        let deficit = "delta_membrane + Ro (l_s0 - l) S/sqrt(t) sum(value S^a A^b N^c M^d E^e); \
+            S = s/Ro, A = 4 sin^2(theta0), N = sin(phi0), t = T0/(2 pi Ro s mu), M = 1/(1 + t), \
+            E = x/sqrt(1 + x^2), x = 10 (strand stretch - 1)";
         format!(
-            "F = F_endless(l, P), contraction = 1 - l - 2 delta/L0; {deficit} (l, r: stretch and \
-             outer radius of the middle)"
+            "F = F_endless(l, P), contraction = 1 - l - 2 delta/L0; delta = {deficit} (l, r: \
+             stretch and outer radius of the middle)"
         )
     }
 
     /// The equation with its numbers as LaTeX: a display of its own, with amsmath.
     pub fn to_latex(&self) -> String {
         let sum: Vec<String> = self
-            .deficit
             .terms
             .iter()
             .map(|t| {
@@ -138,20 +123,11 @@ impl UniversalFormula {
             .collect();
         let sum: Vec<String> = sum.chunks(4).map(|terms| terms.join(" ")).collect();
         let sum = sum.join("\\\\\n&\\quad ");
-        let (first, rest) = match self.deficit.form {
-            Form::Membrane => (
-                "\\delta &= \\int_{R_o}^{r} \\frac{\\lambda_s\\cos\\varphi \
-                 - \\lambda}{\\lambda_s\\sin\\varphi}\\,\\mathrm{d}r + R_o(\\lambda_{s0} \
-                 - \\lambda)\\frac{S}{\\sqrt{t}}",
-                "S &= s/R_o,\\quad A = 4\\sin^2\\theta_0,\\quad N = \\sin\\varphi_0,\\quad M = \
-                 1/(1+t)",
-            ),
-            Form::Bulge => (
-                "\\delta &= R_o(1 - R_o/r)",
-                "A &= 4\\sin^2\\theta_0,\\quad B = 1 - R_o/r,\\quad M = \\frac{\\mu s}{P R_o \
-                 + \\mu s},\\quad L = 1 - \\lambda",
-            ),
-        };
+        let first = "\\delta &= \\int_{R_o}^{r} \\frac{\\lambda_s\\cos\\varphi \
+             - \\lambda}{\\lambda_s\\sin\\varphi}\\,\\mathrm{d}r + R_o(\\lambda_{s0} \
+             - \\lambda)\\frac{S}{\\sqrt{t}}";
+        let rest = "S &= s/R_o,\\quad A = 4\\sin^2\\theta_0,\\quad N = \\sin\\varphi_0,\\quad M = \
+             1/(1+t)";
         let start = "F &= F_\\infty(\\lambda, P),\\quad \\varepsilon = 1 - \\lambda - 2\\delta/L_0";
         display(vec![
             start.into(),
@@ -166,24 +142,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_built_in_formulas_are_read_and_written_to_the_same_text() {
-        for (formula, text) in [
-            (
-                UniversalFormula::large(),
-                include_str!("../../../data/universal.json"),
-            ),
-            (
-                UniversalFormula::small(),
-                include_str!("../../../data/universal-small.json"),
-            ),
-        ] {
-            assert_eq!(formula.unwrap().to_json(), text);
-        }
-    }
-
-    #[test]
-    fn the_short_formula_is_short() {
-        assert!(UniversalFormula::small().unwrap().deficit.terms.len() <= 16);
+    fn the_built_in_formula_is_read_and_written_to_the_same_text() {
+        let text = include_str!("../../../data/universal.json");
+        assert_eq!(UniversalFormula::large().unwrap().to_json(), text);
     }
 
     #[test]

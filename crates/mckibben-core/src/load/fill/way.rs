@@ -57,11 +57,10 @@ impl Way<'_> {
         let mut walked = vec![];
         let mut next = Some((Leg::At(0.0), 0.0, lifted_mpa.unwrap_or(highest_mpa)));
         while let Some((leg, from, to)) = next {
-            let sought = self.seek(leg, (from, to))?;
-            let (Ok(at) | Err(at)) = sought;
+            let (at, is_in) = self.seek(leg, (from, to))?;
             walked.push((leg, from, at));
             next = match leg {
-                _ if sought.is_ok() => return Ok((walked, true)),
+                _ if is_in => return Ok((walked, true)),
                 Leg::At(_) if walked.len() == 1 => {
                     lifted_mpa.map(|_| (Leg::Load, 0.0, stop.unwrap_or(furthest)))
                 }
@@ -94,10 +93,11 @@ impl Way<'_> {
         ))
     }
 
-    /// The place of a leg at which the volume is in; else the last one with an answer.
-    pub fn seek(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<Result<f64, f64>> {
+    /// The place of a leg at which the volume is in; else the last one with an answer. And whether
+    /// the volume is in.
+    fn seek(&mut self, leg: Leg, (from, to): (f64, f64)) -> Result<(f64, bool)> {
         if from == to {
-            return Ok(Err(to));
+            return Ok((to, false));
         }
         let wanted_mm3 = self.filling.volume_mm3;
         let place = |share: f64| from + (to - from) * share;
@@ -106,7 +106,7 @@ impl Way<'_> {
         let mut sweep = Sweep::new(true, 0.0, excess);
         // More than the volume may be in from the start of the leg on.
         if sweep.sample(0.0)?.is_some_and(|excess| excess >= 0.0) {
-            return Ok(Ok(from));
+            return Ok((from, true));
         }
         let shares = (0..=STEPS).map(|i| (i as f64 / STEPS as f64).powi(2));
         let share = match sweep.first(shares, false, f64::NEG_INFINITY)? {
@@ -114,7 +114,7 @@ impl Way<'_> {
             share => share,
         };
         let largest = sweep.least(f64::abs).map_or(0.0, |(share, _)| share);
-        Ok(share.map(place).ok_or_else(|| place(largest)))
+        Ok((place(share.unwrap_or(largest)), share.is_some()))
     }
 
     /// (∫ P dV, what friction took) in J along a part of a leg.

@@ -17,7 +17,6 @@ use super::{
     dual::Dual,
     end::{Section, Uniform},
 };
-use crate::formula::Form;
 use std::f64::consts::PI;
 
 /// Largest step of λ with which it ends.
@@ -77,11 +76,9 @@ impl Universal {
         (l, q, stretches)
     }
 
-    /// Whether there is something to couple: ends that are membranes, strands that stretch.
+    /// Whether there is something to couple: strands that stretch.
     pub(super) fn is_coupled(&self) -> bool {
-        self.deficit.form() == Form::Membrane
-            && self.zone.wall.stiffness().is_some()
-            && self.zone.wall.is_plain()
+        self.zone.wall.stiffness().is_some() && self.zone.wall.is_plain()
     }
 
     /// The root at a pressure and contraction.

@@ -1,37 +1,29 @@
-//! The deficit δ of an end: the membrane's with a fitted correction, or a short polynomial alone.
+//! The deficit δ of an end: the membrane's with a fitted correction.
 //!
-//!   membrane   δ = δ_membrane + Ro (λs0 − λ) S/√t · Σ c · Sᵃ Aᵇ Nᶜ Mᵈ Eᵉ
-//!   bulge      δ = Ro (1 − Ro/b) Σ c · Sᵃ Aᵇ Bᶜ Mᵈ Lᵉ
+//!   δ = δ_membrane + Ro (λs0 − λ) S/√t · Σ c · Sᵃ Aᵇ Nᶜ Mᵈ Eᵉ
 //!
 //! S = s/Ro, A = 4 sin²θ0. At the terminal the membrane has the stretch λs0, the slope N = sinφ0
 //! and the tension T0; t = T0/(2π Ro s μ), M = 1/(1 + t), E = x/√(1 + x²) with x = 10 (λf − 1) of
 //! the middle's strands. Ro S/√t = √(s² · μ s · 2π Ro/T0) is the length over which a wall that
 //! resists bending turns into the slope of a membrane under tension; over that length the muscle
-//! has the stretch λs0 of the terminal in place of λ. Of the bulge: B = 1 − Ro/b, M = μS/(P + μS),
-//! L = 1 − λ. μ is the shear modulus of the rubber at rest.
+//! has the stretch λs0 of the terminal in place of λ. μ is the shear modulus of the rubber at rest.
 
 use super::{
     dual::Dual,
     end::{End, EndZone},
 };
-use crate::{
-    formula::{Deficit, Form},
-    model::thick_wall::State,
-};
+use crate::{formula::UniversalTerm, model::thick_wall::State};
 use std::array::from_fn;
 
 /// A deficit with a muscle's S and A put in: a polynomial in the other three variables.
 #[derive(Debug, Clone)]
 pub struct Bound {
-    form: Form,
     terms: Vec<([usize; 3], f64)>,
     /// 1, x, y, z, x², xy, xz, y², yz, z² where there are no other terms.
     second: Option<[f64; 10]>,
     /// S
     wall: f64,
     ro: f64,
-    /// μ S in MPa
-    stiffness_mpa: f64,
 }
 
 /// The products of [`Bound`]'s second degree, in its order.
@@ -55,10 +47,10 @@ struct Inner<const N: usize> {
 }
 
 impl Bound {
-    pub fn new(deficit: &Deficit, ro: f64, wall: f64, angle: f64, modulus_mpa: f64) -> Self {
+    pub fn new(formula: &[UniversalTerm], ro: f64, wall: f64, angle: f64) -> Self {
         let mut terms: Vec<([usize; 3], f64)> = vec![];
-        for t in &deficit.terms {
-            let [a, b, rest @ ..] = t.powers.map(|n| n.min(Form::HIGHEST));
+        for t in formula {
+            let [a, b, rest @ ..] = t.powers.map(|n| n.min(UniversalTerm::HIGHEST));
             let value = t.value * wall.powi(i32::from(a)) * angle.powi(i32::from(b));
             let powers = rest.map(usize::from);
             match terms.iter_mut().find(|q| q.0 == powers) {
@@ -71,21 +63,14 @@ impl Bound {
         let low = terms.iter().all(|t| t.0.iter().sum::<usize>() <= 2);
         let second = low.then(|| SECOND.map(|powers| coefficient(&powers)));
         Self {
-            form: deficit.form,
             terms,
             second,
             wall,
             ro,
-            stiffness_mpa: modulus_mpa * wall,
         }
     }
 
-    pub fn form(&self) -> Form {
-        self.form
-    }
-
-    /// δ in mm, and the end where the form is that of a membrane, from guesses of λs at its
-    /// sections.
+    /// δ in mm, and the end, from guesses of λs at its sections.
     pub fn deficit_at(
         &self,
         p: f64,
@@ -93,20 +78,9 @@ impl Bound {
         state: &State,
         zone: &EndZone,
         near: Option<[f64; 2]>,
-    ) -> Option<(Dual, Option<End>)> {
-        let (delta, end) = match self.form {
-            Form::Membrane => {
-                let end = zone.end_at(p, l, state, near)?;
-                (
-                    self.with_wall(&end, Dual::new(state.strain, state.strain_by)),
-                    Some(end),
-                )
-            }
-            Form::Bulge => {
-                let inner = self.of_bulge(p, l, state);
-                (inner.factor * self.sum(inner.x), None)
-            }
-        };
+    ) -> Option<(Dual, End)> {
+        let end = zone.end_at(p, l, state, near)?;
+        let delta = self.with_wall(&end, Dual::new(state.strain, state.strain_by));
         delta.is_finite().then_some((delta, end))
     }
 
@@ -126,16 +100,8 @@ impl Bound {
         angle: f64,
         products: &[[u8; 5]],
     ) -> Option<(f64, Vec<f64>)> {
-        let (start, inner) = match self.form {
-            Form::Membrane => {
-                let end = zone.end_at(p, l, state, None)?;
-                (
-                    end.deficit.v,
-                    self.of_membrane(&end, Dual::new(state.strain, state.strain_by)),
-                )
-            }
-            Form::Bulge => (0.0, self.of_bulge(p, l, state)),
-        };
+        let end = zone.end_at(p, l, state, None)?;
+        let inner = self.of_membrane(&end, Dual::new(state.strain, state.strain_by));
         let x = [self.wall, angle, inner.x[0].v, inner.x[1].v, inner.x[2].v];
         let one = |n: &[u8; 5]| {
             let product: f64 = n
@@ -145,7 +111,7 @@ impl Bound {
                 .product();
             inner.factor.v * product
         };
-        Some((start, products.iter().map(one).collect()))
+        Some((end.deficit.v, products.iter().map(one).collect()))
     }
 
     #[inline(always)]
@@ -158,17 +124,6 @@ impl Bound {
         Inner {
             factor,
             x: [end.slope, m, e],
-        }
-    }
-
-    fn of_bulge(&self, p: f64, l: f64, state: &State) -> Inner<2> {
-        let one = Dual::constant(1.0);
-        let b = one - Dual::constant(self.ro) / Dual::new(state.r, state.r_by);
-        let p = Dual::new(p.abs(), [0.0, p.signum()]);
-        let m = Dual::constant(self.stiffness_mpa) / (p + Dual::constant(self.stiffness_mpa));
-        Inner {
-            factor: b * self.ro,
-            x: [b, m, Dual::new(1.0 - l, [-1.0, 0.0])],
         }
     }
 
@@ -187,7 +142,7 @@ impl Bound {
 
     /// The sum and its slopes.
     fn any(&self, x: [f64; 3]) -> (f64, [f64; 3]) {
-        const N: usize = Form::HIGHEST as usize + 1;
+        const N: usize = UniversalTerm::HIGHEST as usize + 1;
         let powers = x.map(|x| {
             let mut list = [1.0; N];
             for i in 1..N {

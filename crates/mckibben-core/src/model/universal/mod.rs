@@ -7,7 +7,7 @@
 //!
 //!   ε = (1 − λ) − 2δ(λ, P)/L0
 //!
-//! δ is what one end adds to the length of a uniform muscle ([`Deficit`]). Both equations are
+//! δ is what one end adds to the length of a uniform muscle. Both equations are
 //! solved together; derivatives follow by implicit differentiation. Everything but the coefficients
 //! of δ's small correction is exact mechanics: for L0 → ∞ the answer is that of the thick-wall
 //! model, and with soft rubber and strands that do not stretch the ideal formula.
@@ -28,14 +28,10 @@ mod volume;
 pub use end_point::EndPoint;
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ModelEntry, ModelId, ModelInfo, Reference, Response, Result,
-    ThickWall, Workspace, notes,
+    Accuracy, ForceModel, ModelEntry, ModelId, ModelInfo, Reference, Response, Result, ThickWall,
+    Workspace, notes,
 };
-use crate::{
-    formula::{Form, UniversalFormula},
-    muscle::Muscle,
-    rubber::RubberLaw,
-};
+use crate::{formula::UniversalFormula, muscle::Muscle, rubber::RubberLaw};
 use end::EndZone;
 use form::Bound;
 use std::{f64::consts::PI, sync::Arc};
@@ -47,18 +43,6 @@ pub const ENTRY: ModelEntry = ModelEntry {
     description: "long muscle with computed ends: any size, rubber, wall, braid and length",
     source: SOURCE,
 };
-
-pub const SMALL: ModelEntry = ModelEntry {
-    name: "universal-small",
-    description: "the same with ends of 16 terms, for hand calculation",
-    source: SOURCE,
-};
-
-/// cot²θ0 D0/L0 of a muscle whose error is as often below what 95 % of the fit's points stay
-/// within. Of `universal-small` these are 0.61 % of the blocked force, and 95 % of 5119 errors on
-/// 3000 random muscles of its box are below 1.25 % cot²θ0 D0/L0; below 1.53 % it is 95 % in every
-/// range of L0/D0, θ0 and s/D0 as well.
-const ENDS: f64 = 0.4;
 
 /// What a plug as wide as the bore in place of the stated one changes, as a share of the blocked
 /// force over |Rc/Ro − 1| cot²θ0 D0/L0, Rc the tube's outer radius on its plug: so much covers 95 %
@@ -96,7 +80,7 @@ impl Universal {
             half: 0.5 * tube.length_mm,
         };
         let angle = 4.0 * muscle.braid().angle_rad().sin().powi(2);
-        let deficit = Bound::new(&formula.deficit, ro, wall, angle, mu);
+        let deficit = Bound::new(&formula.terms, ro, wall, angle);
         let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
         let length = muscle.length_mm();
         let id = ModelId::new();
@@ -118,19 +102,6 @@ fn wall_modulus(ro: f64, section: f64, mu: f64) -> f64 {
     0.5 * PI * mu * section / (ro * ro - 0.5 * section)
 }
 
-/// How far a muscle's error is above what 95 % of the fit's points stay within. What is wrong with
-/// a polynomial for the ends is a length of the order of D0: in the pull it is a share of D0/L0,
-/// and of the slope of the pull over the contraction, which goes with cot²θ0. `angle`: 4 sin²θ0.
-fn ends_share(form: Form, muscle: &Muscle, angle: f64) -> f64 {
-    match form {
-        Form::Membrane => 1.0,
-        Form::Bulge => {
-            let cot2 = (4.0 - angle) / angle;
-            cot2 * muscle.outer_diameter_mm() / muscle.length_mm() / ENDS
-        }
-    }
-}
-
 /// What the plug left out adds to a muscle's error. `angle`: 4 sin²θ0.
 fn plug_share(muscle: &Muscle, angle: f64) -> f64 {
     let wider = (muscle.parts().clamped_radius_mm() / muscle.tube().outer_radius_mm() - 1.0).abs();
@@ -139,15 +110,13 @@ fn plug_share(muscle: &Muscle, angle: f64) -> f64 {
 
 fn info(formula: &UniversalFormula, muscle: &Arc<Muscle>, angle: f64) -> ModelInfo {
     let name = &formula.name;
-    let fitted = formula.errors.half_width() * ends_share(formula.deficit.form, muscle, angle);
-    let accuracy = Accuracy {
-        share_of_blocked: Some(fitted + plug_share(muscle, angle)),
-        blocked_at: BlockedAt::SamePressure,
-        reference: Reference::Elements(
+    let accuracy = Accuracy::share(
+        formula.errors.half_width() + plug_share(muscle, angle),
+        Reference::Elements(
             "covers 95 % of the points of its campaign on muscles left out of the fit, against \
              axisymmetric finite elements, as stated in the formula's file",
         ),
-    };
+    );
     let end_factor = muscle.terminals().end_factor.is_some();
     let left_out = [
         notes::incompressible(name, muscle),
@@ -180,7 +149,7 @@ impl ForceModel for Universal {
         let p = pressure_mpa;
         let place = self.middle_at(workspace, p, contraction)?;
         let s = &place.state;
-        let volume = self.volume(p, &place);
+        let volume = self.volume(&place);
         let response = Response {
             pressure_mpa,
             contraction,

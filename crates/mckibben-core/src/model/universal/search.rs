@@ -19,8 +19,16 @@ pub struct Middle {
     pub l: f64,
     pub state: State,
     pub deficit: Dual,
-    /// What an end takes from the volume of a uniform tube, where δ is a membrane's.
-    pub volume_mm3: Option<Dual>,
+    /// What an end takes from the volume of a uniform tube.
+    pub volume_mm3: Dual,
+}
+
+/// What a muscle does at a contraction.
+enum Does {
+    /// It pulls: its middle, and the last small step in λ that is still to be taken.
+    Pull(Middle, f64),
+    /// It pushes or is slack, at λ.
+    Push(f64),
 }
 
 /// The middle that answers a question.
@@ -65,7 +73,7 @@ impl Universal {
             l,
             state,
             deficit,
-            volume_mm3: end.map(|e| e.volume_mm3),
+            volume_mm3: end.volume_mm3,
         })
     }
 
@@ -143,32 +151,26 @@ impl Universal {
         Err(ModelError::not_converged(p, contraction))
     }
 
-    /// Where the muscle pulls: the middle and the last step; `Err`: where it pushes or is slack, λ.
-    fn pulling(
-        &self,
-        workspace: &mut Workspace,
-        p: f64,
-        contraction: f64,
-    ) -> Result<Result<(Middle, f64), f64>> {
+    fn pulling(&self, workspace: &mut Workspace, p: f64, contraction: f64) -> Result<Does> {
         if !(p.is_finite() && contraction.is_finite()) {
             return Err(ModelError::not_finite(&self.info.name, p, contraction));
         }
-        // Strands that do not stretch, and the short form: mostly a pull, which the search finds at
-        // once.
+        // Strands that do not stretch: mostly a pull, which the search finds at once.
         let search = || self.nested(p, contraction, self.guess(contraction), 0.0);
         let free = (!self.is_coupled()).then(search);
         if let Some(Ok((m, step))) = &free
             && m.state.force + m.state.force_l * step >= 0.0
         {
-            return Ok(Ok((*m, *step)));
+            return Ok(Does::Pull(*m, *step));
         }
-        match self.zero(workspace, p) {
-            Some(zero) if contraction >= zero.contraction => Ok(Err(zero.stretch(contraction))),
-            Some(zero) => self
-                .nested(p, contraction, zero.stretch(contraction), zero.middle.l)
-                .map(Ok),
-            None => free.unwrap_or_else(search).map(Ok),
-        }
+        let (m, step) = match self.zero(workspace, p) {
+            Some(zero) if contraction >= zero.contraction => {
+                return Ok(Does::Push(zero.stretch(contraction)));
+            }
+            Some(zero) => self.nested(p, contraction, zero.stretch(contraction), zero.middle.l)?,
+            None => free.unwrap_or_else(search)?,
+        };
+        Ok(Does::Pull(m, step))
     }
 
     /// F by this search.
@@ -179,8 +181,8 @@ impl Universal {
         contraction: f64,
     ) -> Result<f64> {
         let force_n = match self.pulling(workspace, p, contraction)? {
-            Ok((m, step)) => m.state.force + m.state.force_l * step,
-            Err(l) => self.zone.wall.state_near(p, l, None)?.force,
+            Does::Pull(m, step) => m.state.force + m.state.force_l * step,
+            Does::Push(l) => self.zone.wall.state_near(p, l, None)?.force,
         };
         ModelError::finite(force_n, &self.info.name, p, contraction)
     }
@@ -195,8 +197,8 @@ impl Universal {
         let (l, near, sections) = match self.coupled(p, contraction) {
             Some(root) => (root.l, Some(root.r), Some(root.stretches)),
             None => match self.pulling(workspace, p, contraction)? {
-                Ok((m, step)) => (m.l + step, Some(m.state.r + m.state.r_by[0] * step), None),
-                Err(l) => return self.pushed(workspace, p, contraction, l),
+                Does::Pull(m, step) => (m.l + step, Some(m.state.r + m.state.r_by[0] * step), None),
+                Does::Push(l) => return self.pushed(workspace, p, contraction, l),
             },
         };
         let m = self.tried(p, l, near, sections)?;

@@ -7,7 +7,7 @@ use crate::{
     rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden},
 };
 
-const KINDS: [ModelKind; 2] = [ModelKind::Universal, ModelKind::UniversalSmall];
+const KINDS: [ModelKind; 1] = [ModelKind::Universal];
 
 fn muscle(wall: f64, length: f64, angle_deg: f64, law: Law, stiffness: BraidStiffness) -> Muscle {
     let tube = Tube::new(20.0, wall, length, Rubber::new(law));

@@ -6,14 +6,10 @@ use std::f64::consts::PI;
 impl Universal {
     /// Volume of the cavity in mm³ with its derivatives in (ε, P): that of a uniform tube, and what
     /// the ends of a middle, as membranes, take from it.
-    pub(super) fn volume(&self, p: f64, place: &SearchPoint) -> Option<Dual> {
+    pub(super) fn volume(&self, place: &SearchPoint) -> Option<Dual> {
         let tube = self.info.muscle.tube();
         let section = tube.outer_radius_mm().powi(2) - tube.inner_radius_mm().powi(2);
-        let ends = &place.ends;
-        let ends = match ends.volume_mm3 {
-            Some(volume) => volume,
-            None => self.zone.end_at(p, ends.l, &ends.state, None)?.volume_mm3,
-        };
+        let ends = place.ends.volume_mm3;
         let l = Dual::new(place.l, [1.0, 0.0]);
         let r = Dual::new(place.state.r, place.state.r_by);
         // The ends of a muscle that pushes are those of the contraction at which it ceases to pull.

@@ -10,7 +10,7 @@ use super::{
 use crate::{
     muscle::{
         Bench, BraidStiffness, EndFactor, EndsMade, Job, Muscle, MuscleError, Stated,
-        measures::{CONE_FACTOR, MeasureValues, OUTER_DIAMETER, WALL},
+        measures::{MeasureValues, OUTER_DIAMETER, WALL},
     },
     sleeve::{Sleeve, library},
     units::{Positive, typed::Length},
@@ -100,8 +100,6 @@ pub struct OfFriction {}
 pub struct OfModels {
     /// The model tondu-lopez
     tondu_lopez: OfTonduLopez,
-    /// The model conical-ends
-    conical_ends: OfConicalEnds,
 }
 
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -109,13 +107,6 @@ pub struct OfModels {
 struct OfTonduLopez {
     /// End factor k of Tondu & Lopez: a number, or { a, b } for a·e^(−P) + b with P in bar
     end_factor: Option<EndFactor>,
-}
-
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct OfConicalEnds {
-    /// Cone factor kc
-    cone_factor: Option<f64>,
 }
 
 impl Beside for OfTube {
@@ -193,19 +184,13 @@ impl MuscleFile {
         let mut parts = stated.over(&Muscle::prototype()).map_err(located)?;
         // What models of their own say of the ends; in the table of the terminals are their keys
         // of before.
-        for (new, old) in [
-            ("model.tondu-lopez.end_factor", "terminals.end_factor"),
-            ("model.conical-ends.cone_factor", "terminals.cone_factor"),
-        ] {
-            if source.has(new) && source.has(old) {
-                let said = format!("is also given at {new}: leave one of them out");
-                return Err(source.error(old, said));
-            }
+        let (new, old) = ("model.tondu-lopez.end_factor", "terminals.end_factor");
+        if source.has(new) && source.has(old) {
+            let said = format!("is also given at {new}: leave one of them out");
+            return Err(source.error(old, said));
         }
         let of_model = model.tondu_lopez.end_factor;
         parts.terminals.end_factor = of_model.or(terminals.other.end_factor);
-        let of_model = model.conical_ends.cone_factor;
-        parts.terminals.cone_factor = of_model.or(stated.measures.get(&CONE_FACTOR));
         parts.terminals.made = terminals.other.made;
         if let Some(compression) = braid.other.compression {
             parts.braid.compression = compression;

@@ -180,7 +180,6 @@ prop_compose! {
             number(0.5, 2.0).prop_map(EndFactor::Constant),
             (-0.4..2.0, 0.5..2.0).prop_map(|(a, b)| EndFactor::OfPressure { a, b }),
         ]),
-        cone_factor in prop::option::of(0.0..0.3),
         friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0), prop_oneof![Just(0.0), number(0.01, 5.0)], prop::option::of(number(0.01, 5.0)))),
     ) -> Muscle {
         // A strand is no thicker than the tube.
@@ -201,7 +200,6 @@ prop_compose! {
             pull_off_n,
             rated_pressure_mpa,
             end_factor,
-            cone_factor,
         };
         let friction = friction.map(|(coefficient, exponent, lever_mm, length_mm)| {
             Friction { coefficient, exponent, lever_mm, presliding_mm: length_mm.filter(|_| coefficient > 0.0 || lever_mm > 0.0) }
@@ -291,7 +289,6 @@ fn every_key_is_understood() {
         slip = "3 mm/kN"
         grip = "4 mm"
         end_factor = { a = 0.2, b = 1 }
-        cone_factor = 0
         [friction]
         coefficient = 61
         exponent = 0.57
@@ -331,7 +328,6 @@ fn every_key_is_understood() {
         pull_off_n: None,
         rated_pressure_mpa: None,
         end_factor: Some(EndFactor::OfPressure { a: 0.2, b: 1.0 }),
-        cone_factor: Some(0.0),
     };
     assert_eq!(muscle.terminals(), &terminals);
     assert_eq!(muscle.friction(), Some(&Friction::power_law(61.0, 0.57)));
@@ -500,12 +496,12 @@ fn named_rubbers_are_written_by_name() {
     );
 }
 
-/// The factors of single models are in tables of these models; files from before, that have them
+/// The factor of a single model is in the table of this model; files from before, that have it
 /// under the terminals, say the same.
 #[test]
 fn constants_of_models_are_read_from_both_places_and_written_to_theirs() {
-    let new = "[model.tondu-lopez]\nend_factor = 1.2\n[model.conical-ends]\ncone_factor = 0.3\n";
-    let old = "[terminals]\nend_factor = 1.2\ncone_factor = 0.3\n";
+    let new = "[model.tondu-lopez]\nend_factor = 1.2\n";
+    let old = "[terminals]\nend_factor = 1.2\n";
     let muscle = parse_muscle(new).unwrap();
     assert_eq!(muscle, parse_muscle(old).unwrap());
     assert_eq!(
@@ -515,10 +511,6 @@ fn constants_of_models_are_read_from_both_places_and_written_to_theirs() {
     let text = to_toml(&muscle);
     assert!(
         text.contains("[model.tondu-lopez]\nend_factor = 1.2"),
-        "{text}"
-    );
-    assert!(
-        text.contains("[model.conical-ends]\ncone_factor = 0.3"),
         "{text}"
     );
     let twice = parse_muscle(&format!("{new}{old}"))

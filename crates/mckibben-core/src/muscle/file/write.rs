@@ -57,16 +57,9 @@ pub fn to_toml(muscle: &Muscle) -> String {
         ),
         None => (None, ""),
     };
-    let cones = muscle.terminals().cone_factor.map(number);
-    let tips = "conical tips of length kc·L0·ε (Tondu 2012)";
-    for (model, key, value, comment) in [
-        ("tondu-lopez", "end_factor", factor, comment),
-        ("conical-ends", "cone_factor", cones, tips),
-    ] {
-        if value.is_some() {
-            out.table(&format!("model.{model}"));
-            out.stated(key, value, comment);
-        }
+    if factor.is_some() {
+        out.table("model.tondu-lopez");
+        out.stated("end_factor", factor, comment);
     }
     if let Some(job) = muscle.job() {
         out.job(job);

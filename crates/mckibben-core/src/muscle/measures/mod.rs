@@ -181,10 +181,7 @@ pub struct Measure {
     pub about: &'static str,
     /// Comment in muscle files.
     pub comment: &'static str,
-    /// Whether the command line has a flag for it; those that few muscles state have none, and help
-    /// texts stay short.
-    pub has_flag: bool,
-    /// Letter of its flag.
+    /// Letter of its flag, where the command line has one for it.
     pub short: Option<char>,
     /// What it measures.
     pub dimension: Dimension,
@@ -241,7 +238,6 @@ impl Measure {
         label: "",
         about: "",
         comment: "",
-        has_flag: false,
         short: None,
         dimension: Dimension::Ratio,
         is_share: false,
@@ -291,7 +287,7 @@ impl Measure {
 
     /// The long flag of the command line, without hyphens before it: its field without the unit.
     pub fn flag(&self) -> Option<String> {
-        let field = self.field.filter(|_| self.has_flag)?;
+        let field = self.field?;
         let unit = self.dimension.end_of_name().filter(|_| !self.is_plain());
         Some(
             unit.and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_'))

@@ -24,7 +24,6 @@ pub static MEASURES: &[&Measure] = &[
     &PULL_OFF,
     &RATED_PRESSURE,
     &END_FACTOR,
-    &CONE_FACTOR,
     &STIFFNESS,
     &STIFFNESS_FACTOR,
     &STRANDS,
@@ -76,7 +75,6 @@ pub static OUTER_DIAMETER: Measure = Measure {
     symbol: "D0",
     label: "outer diameter",
     about: "Outer diameter D0 of the tube at rest",
-    has_flag: true,
     short: Some('D'),
     dimension: Length,
     identify: Some(Identify {
@@ -94,7 +92,6 @@ pub static WALL: Measure = Measure {
     symbol: "s",
     label: "wall",
     about: "Wall thickness s of the tube at rest",
-    has_flag: true,
     short: Some('s'),
     dimension: Length,
     identify: Some(Identify {
@@ -114,7 +111,6 @@ pub static LENGTH: Measure = Measure {
     label: "length",
     about: "Length L0 between the terminals at rest",
     comment: "between the terminals",
-    has_flag: true,
     short: Some('L'),
     dimension: Length,
     identify: Some(Identify {
@@ -132,7 +128,6 @@ pub static DENSITY: Measure = Measure {
     label: "density of the rubber",
     about: "Density ρ of the rubber",
     comment: "of the rubber; only its mass follows from it",
-    has_flag: true,
     dimension: Density,
     is_shown: true,
     ..optional!(tube.density_kg_per_m3)
@@ -147,7 +142,6 @@ pub static PRESTRETCH: Measure = Measure {
     about: "Axial stretch of the mounted tube: L0 over its free length; all dimensions are those \
         of the mounted muscle",
     comment: "mounted length over free length; D0, wall and length are the mounted ones",
-    has_flag: true,
     bounds: Between(0.5, 2.0),
     default: Some(1.0),
     is_shown: true,
@@ -188,7 +182,6 @@ pub static ANGLE: Measure = Measure {
     label: "braid angle",
     about: "Angle θ0 of the strands to the axis at rest",
     comment: "strands to the muscle's axis, at rest",
-    has_flag: true,
     dimension: Angle,
     has_rules: true,
     bounds: OfPart,
@@ -220,7 +213,6 @@ pub static SEATING: Measure = Measure {
     label: "seating of both ends",
     about: "Seating: total displacement of both ends under load",
     comment: "total displacement of both ends under load",
-    has_flag: true,
     dimension: Length,
     bounds: NotNegative,
     default: Some(0.0),
@@ -243,7 +235,6 @@ pub static SLIP: Measure = Measure {
     label: "slip of both ends",
     about: "Slip of both ends together per newton of clamp load",
     comment: "slip of both ends together per newton of clamp load",
-    has_flag: true,
     dimension: Compliance,
     bounds: NotNegative,
     default: Some(0.0),
@@ -266,7 +257,6 @@ pub static GRIP: Measure = Measure {
     label: "clamped length",
     about: "Length at each end, within L0, in which tube and braid are clamped",
     comment: "clamped at each end, within the length",
-    has_flag: true,
     dimension: Length,
     bounds: NotNegative,
     default: Some(0.0),
@@ -313,7 +303,6 @@ pub static PULL_OFF: Measure = Measure {
     label: "pull-off force of a clamp",
     about: "Axial load at which a clamp lets go of tube and braid",
     comment: "axial load at which a clamp lets go; the burst pressure follows from it",
-    has_flag: true,
     dimension: Force,
     is_shown: true,
     ..optional!(terminals.pull_off_n)
@@ -326,7 +315,6 @@ pub static RATED_PRESSURE: Measure = Measure {
     label: "rated pressure of the fittings",
     about: "Pressure for which plugs and fittings are rated",
     comment: "of plugs and fittings; the allowed pressure is at most this",
-    has_flag: true,
     dimension: Pressure,
     is_shown: true,
     ..optional!(terminals.rated_pressure_mpa)
@@ -339,7 +327,6 @@ pub static END_FACTOR: Measure = Measure {
     symbol: "k",
     label: "end factor",
     about: "Empirical end factor k of Tondu & Lopez",
-    has_flag: true,
     has_rules: true,
     bounds: OfPart,
     models: &["tondu-lopez", "thick-wall"],
@@ -354,21 +341,6 @@ pub static END_FACTOR: Measure = Measure {
     ..Measure::NONE
 };
 
-/// kc of Tondu 2012
-pub static CONE_FACTOR: Measure = Measure {
-    key: "terminals.cone_factor",
-    field: Some("cone_factor"),
-    symbol: "kc",
-    label: "cone factor",
-    about: "Cone factor kc",
-    has_flag: true,
-    has_rules: true,
-    bounds: NotNegative,
-    models: &["conical-ends"],
-    digested: true,
-    ..optional!(terminals.cone_factor)
-};
-
 /// k of one strand family. No field: in requests `stiffness` is a number or a name, which no
 /// measure is
 pub static STIFFNESS: Measure = Measure {
@@ -376,7 +348,6 @@ pub static STIFFNESS: Measure = Measure {
     symbol: "k",
     label: "stiffness of a strand family",
     about: "Stiffness k of one strand family",
-    has_flag: true,
     dimension: Stiffness,
     has_rules: true,
     bounds: OfPart,
@@ -451,7 +422,6 @@ pub static STRAND_MODULUS: Measure = Measure {
     symbol: "E",
     label: "Young's modulus of a strand",
     about: "Young's modulus E of the strands",
-    has_flag: true,
     dimension: Pressure,
     has_rules: true,
     get: |p| p.braid.strands?.modulus_mpa,
@@ -508,7 +478,6 @@ pub static STRAND_LENGTH: Measure = Measure {
     label: "measured length of a strand",
     about: "Length of one strand measured on the muscle",
     comment: "measured on the muscle, rounded ends included",
-    has_flag: true,
     dimension: Length,
     models: &["belforte"],
     beside: Some((
@@ -528,7 +497,6 @@ pub static TURNS: Measure = Measure {
     symbol: "n",
     label: "measured turns of a strand",
     about: "Turns of that strand",
-    has_flag: true,
     models: &["belforte"],
     beside: Some((
         &STRAND_LENGTH,
