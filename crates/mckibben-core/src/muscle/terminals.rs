@@ -12,8 +12,8 @@ use std::fmt;
 /// multiplied to account for the ends.
 ///
 /// As data (serde): a number, or `{"a": 0.2, "b": 1.0}`.
-#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
-#[schemars(untagged)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
 pub enum EndFactor {
     /// k, constant; 1 means no end effect.
     Constant(f64),
@@ -49,6 +49,10 @@ impl<'de> Deserialize<'de> for EndFactor {
             }
 
             fn visit_i64<E>(self, k: i64) -> Result<EndFactor, E> {
+                Ok(EndFactor::Constant(k as f64))
+            }
+
+            fn visit_u64<E>(self, k: u64) -> Result<EndFactor, E> {
                 Ok(EndFactor::Constant(k as f64))
             }
 

@@ -7,7 +7,7 @@ use super::{
 use mckibben_core::{
     muscle::{
         Bench, Job,
-        file::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, Table},
+        file::{Measured, MuscleFile, OfBraid, OfModels, OfTerminals, OfTube},
     },
     units::{
         Dimension, Values, parse_values,
@@ -29,16 +29,16 @@ use std::{borrow::Cow, fmt};
 pub struct PlanKeys {
     /// The rubber tube
     #[serde(default)]
-    tube: Table<OfTube>,
+    tube: OfTube,
     /// The braided sleeve
     #[serde(default)]
-    braid: Table<OfBraid>,
+    braid: OfBraid,
     /// The ends
     #[serde(default)]
-    terminals: Table<OfTerminals>,
+    terminals: OfTerminals,
     /// Friction of the braid: half of the width of the hysteresis loop
     #[serde(default)]
-    friction: Table<OfFriction>,
+    friction: Measured<3>,
     /// What belongs to one model
     #[serde(default)]
     model: OfModels,
@@ -209,6 +209,10 @@ impl<'de> Visitor<'de> for Levels {
     }
 
     fn visit_i64<E: Error>(self, value: i64) -> Result<(Values, bool), E> {
+        self.visit_f64(value as f64)
+    }
+
+    fn visit_u64<E: Error>(self, value: u64) -> Result<(Values, bool), E> {
         self.visit_f64(value as f64)
     }
 
