@@ -41,9 +41,8 @@ pub use {
     error::TextPosition,
     keys::{Keys, schema_of},
     material::named,
-    read::{MuscleFile, OfBraid, OfModels, OfTerminals, OfTube},
+    read::MuscleFile,
     source::{MAX_BYTES, Source},
-    table::Measured,
     with::with_keys,
 };
 

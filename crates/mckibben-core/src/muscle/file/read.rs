@@ -208,20 +208,26 @@ impl OfBraid {
         &self,
         source: &Source<'_>,
     ) -> Result<Option<Result<Sleeve, MuscleError>>, FileError> {
-        const LEAST: &str = "braid.least_diameter";
-        const LARGEST: &str = "braid.largest_diameter";
-        match (self.least_diameter, self.largest_diameter, &self.name) {
-            (None, None, name) => Ok(name.as_deref().map(library::find)),
-            (Some(_), None, _) => {
-                Err(source.missing(LARGEST, LEAST, "the diameter to which the sleeve opens"))
-            }
-            (None, Some(_), _) => {
-                Err(source.missing(LEAST, LARGEST, "the diameter to which it closes"))
-            }
-            (Some(_), Some(_), Some(name)) if library::find(name).is_ok() => {
-                Err(source.error(LEAST, "is that of the named sleeve: leave `name` out"))
-            }
-            (Some(least), Some(largest), name) => {
+        let diameters = source.both(
+            "braid",
+            (
+                "least_diameter",
+                self.least_diameter,
+                "the diameter to which it closes",
+            ),
+            (
+                "largest_diameter",
+                self.largest_diameter,
+                "the diameter to which the sleeve opens",
+            ),
+        )?;
+        match (diameters, &self.name) {
+            (None, name) => Ok(name.as_deref().map(library::find)),
+            (Some(_), Some(name)) if library::find(name).is_ok() => Err(source.error(
+                "braid.least_diameter",
+                "is that of the named sleeve: leave `name` out",
+            )),
+            (Some((least, largest)), name) => {
                 let sleeve = library::between("pet", least.into(), largest.into());
                 Ok(Some(sleeve.map(|sleeve| sleeve.named(name.as_deref()))))
             }

@@ -73,11 +73,19 @@ impl<'t> Source<'t> {
         let value = Value::deserialize(Deserializer::from(self.document.clone()))
             .map_err(|error| FileError::new(error.message()))?;
         if let Some((path, is)) = no_number("", &value) {
-            return Err(Keys::of::<T>().no_number(self, &path, is));
+            return Err(self.keys.get()().no_number(self, &path, is));
         }
-        serde_path_to_error::deserialize(value).map_err(|error| {
+        self.part(value)
+    }
+
+    /// The same of some of what is written.
+    ///
+    /// # Errors
+    /// As [`Source::read`].
+    pub fn part<T: DeserializeOwned>(&self, value: impl Into<Value>) -> Result<T, FileError> {
+        serde_path_to_error::deserialize(value.into()).map_err(|error| {
             let path = self.dotted(error.path());
-            Keys::of::<T>().error(self, &path, &error.inner().to_string())
+            self.keys.get()().error(self, &path, &error.inner().to_string())
         })
     }
 
@@ -100,7 +108,7 @@ impl<'t> Source<'t> {
     }
 
     /// A key that its table has not.
-    pub(super) fn unknown(&self, table: &str, key: &str) -> FileError {
+    pub fn unknown(&self, table: &str, key: &str) -> FileError {
         self.keys.get()().unknown(self, table, key)
     }
 
@@ -181,6 +189,24 @@ impl<'t> Source<'t> {
     /// The problem that a key is missing; it is at `at`, which needs it, or is its table.
     pub fn missing(&self, dotted: &str, at: &str, needs: impl fmt::Display) -> FileError {
         self.error(at, format!("{dotted} is missing; {needs}"))
+    }
+
+    /// The values of two keys of a table, or neither; each key has with it what is needed of it.
+    ///
+    /// # Errors
+    /// [`FileError`] where only one is written.
+    pub fn both<A, B>(
+        &self,
+        table: &str,
+        first: (&str, Option<A>, &str),
+        second: (&str, Option<B>, &str),
+    ) -> Result<Option<(A, B)>, FileError> {
+        let [one, other] = [first.0, second.0].map(|key| join(table, key));
+        match (first.1, second.1) {
+            (Some(_), None) => Err(self.missing(&other, &one, second.2)),
+            (None, Some(_)) => Err(self.missing(&one, &other, first.2)),
+            (first, second) => Ok(first.zip(second)),
+        }
     }
 
     /// The error of the muscle, at the line of the key that caused it.
