@@ -2,18 +2,15 @@
 
 use super::error::{MuscleError, positive};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, de::Error};
+use serde_json::Value;
 
 /// The empirical factor of Tondu & Lopez (2000) \[tondu2000\] by which the contraction is
 /// multiplied to account for the ends.
 ///
 /// As data (serde): a number, or `{"a": 0.2, "b": 1.0}`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(
-    untagged,
-    deny_unknown_fields,
-    expecting = "must be a number without unit, such as 0.8, or a table of a and b"
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
 pub enum EndFactor {
     /// k, constant; 1 means no end effect.
     Constant(f64),
@@ -24,6 +21,25 @@ pub enum EndFactor {
         /// b
         b: f64,
     },
+}
+
+impl<'de> Deserialize<'de> for EndFactor {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct OfPressure {
+            a: f64,
+            b: f64,
+        }
+
+        let value = Value::deserialize(from)?;
+        if value.is_object() {
+            let OfPressure { a, b } = OfPressure::deserialize(value).map_err(D::Error::custom)?;
+            return Ok(Self::OfPressure { a, b });
+        }
+        let k = f64::deserialize(value).map_err(D::Error::custom)?;
+        Ok(Self::Constant(k))
+    }
 }
 
 impl EndFactor {

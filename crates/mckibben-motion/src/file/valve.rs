@@ -84,13 +84,10 @@ fn read_valve(
             valve, source, kind, hose,
         )?));
     }
-    let of_liquid = [
-        ("flow_coefficient", valve.flow_coefficient),
-        ("return_coefficient", valve.return_coefficient),
-    ];
-    if let Some((key, _)) = of_liquid.iter().find(|(_, value)| value.is_some()) {
+    let of_liquid = ["valve.flow_coefficient", "valve.return_coefficient"];
+    if let Some(key) = of_liquid.into_iter().find(|key| source.has(key)) {
         let said = "is of a liquid, and the file has no [liquid]; air needs sonic_conductance";
-        return Err(source.error(&format!("valve.{key}"), said));
+        return Err(source.error(key, said));
     }
     Ok(Actuator::Valve(Valve {
         kind,

@@ -112,8 +112,8 @@ impl Keys {
         match (said.split(" `").next(), quoted.next()) {
             (Some("unknown field"), Some(key)) => {
                 // It is the last of the path, or its table is.
-                let table = path.strip_suffix(key).unwrap_or(path);
-                self.unknown(source, table.trim_end_matches('.'), key)
+                let (table, last) = path.rsplit_once('.').unwrap_or(("", path));
+                self.unknown(source, if last == key { table } else { path }, key)
             }
             (Some("missing field"), Some(key)) => self.missing(source, path, key),
             (Some("unknown variant"), Some(word)) => {
