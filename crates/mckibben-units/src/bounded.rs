@@ -5,7 +5,7 @@ use super::{
     typed::Quantity,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Deserializer, de::Error};
+use serde::{Deserialize, Deserializer, Serialize, de::Error};
 use std::borrow::Cow;
 
 /// A quantity above zero.
@@ -14,7 +14,8 @@ pub type Positive<Q> = Bounded<Q, false>;
 pub type NotNegative<Q> = Bounded<Q, true>;
 
 /// A quantity above zero, or of zero or above.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(transparent)]
 pub struct Bounded<Q, const MAY_BE_ZERO: bool>(Q);
 
 impl<Q: Quantity, const MAY_BE_ZERO: bool> Bounded<Q, MAY_BE_ZERO> {

@@ -206,17 +206,12 @@ pub fn parse_joint(text: &str) -> Result<JointFile, FileError> {
     })
 }
 
-/// A table of the file, for messages.
+/// A table of the file.
 struct Table<'s>(&'s Source<'s>, &'static str);
 
 impl Table<'_> {
     fn error(&self, key: &str, problem: &str) -> FileError {
         self.0.error(&format!("{}.{key}", self.1), problem)
-    }
-
-    fn missing(&self, key: &str, beside: &str, needs: &str) -> FileError {
-        let dotted = |key: &str| format!("{}.{key}", self.1);
-        self.0.missing(&dotted(key), &dotted(beside), needs)
     }
 
     /// A pulley, of the table or of the joint, or two points.
@@ -228,21 +223,17 @@ impl Table<'_> {
         sign: f64,
     ) -> Result<Path, FileError> {
         let inside = |(x, y): (Length, Length)| [x.0, y.0];
-        match (origin, insertion, radius) {
-            (Some(origin), Some(insertion), _) => Ok(Path::Points {
+        let origin = ("origin", origin, "the point on the fixed link");
+        let insertion = ("insertion", insertion, "the point on the moving link");
+        match (self.0.both(self.1, origin, insertion)?, radius) {
+            (Some((origin, insertion)), _) => Ok(Path::Points {
                 origin_mm: inside(origin),
                 insertion_mm: inside(insertion),
             }),
-            (Some(_), None, _) => {
-                Err(self.missing("insertion", "origin", "the point on the moving link"))
-            }
-            (None, Some(_), _) => {
-                Err(self.missing("origin", "insertion", "the point on the fixed link"))
-            }
-            (None, None, Some(radius)) => Ok(Path::Pulley {
+            (None, Some(radius)) => Ok(Path::Pulley {
                 radius_mm: sign * f64::from(radius),
             }),
-            (None, None, None) => {
+            (None, None) => {
                 let needs = "the pulley's radius, here or in [joint], or origin and insertion";
                 let missing = format!("{}.radius", self.1);
                 Err(self.0.missing(&missing, self.1, needs))
@@ -257,19 +248,15 @@ impl Table<'_> {
         coefficient: Option<NotNegative<f64>>,
         path: &Path,
     ) -> Result<PulleyFriction, FileError> {
-        const ANGLE: &str = "wrap_angle";
-        const FRICTION: &str = "wrap_friction";
-        match (angle, coefficient) {
-            (None, None) => Ok(PulleyFriction::default()),
-            (Some(_), None) => Err(self.missing(FRICTION, ANGLE, "the coefficient of friction")),
-            (None, Some(_)) => {
-                Err(self.missing(ANGLE, FRICTION, "the angle of the rope on its pulley"))
-            }
-            (Some(_), Some(_)) if matches!(path, Path::Points { .. }) => {
+        let angle = ("wrap_angle", angle, "the angle of the rope on its pulley");
+        let friction = ("wrap_friction", coefficient, "the coefficient of friction");
+        match self.0.both(self.1, angle, friction)? {
+            None => Ok(PulleyFriction::default()),
+            Some(_) if matches!(path, Path::Points { .. }) => {
                 let said = "needs a pulley: give radius, not origin and insertion";
-                Err(self.error(FRICTION, said))
+                Err(self.error("wrap_friction", said))
             }
-            (Some(angle), Some(coefficient)) => Ok(PulleyFriction {
+            Some((angle, coefficient)) => Ok(PulleyFriction {
                 coefficient: coefficient.into(),
                 wrap_rad: f64::from(angle).to_radians(),
             }),

@@ -6,12 +6,12 @@ use crate::units::{
     typed::{Force, Pressure, Ratio},
 };
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// What a muscle was designed for: `force`, `check`, `build` and `export` ask for its pressure and
 /// its branch where nothing else is asked.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Job {
     /// Pressure to set
@@ -28,7 +28,7 @@ pub struct Job {
 }
 
 /// A pull at a contraction.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobPoint {
     /// Pull

@@ -2,18 +2,15 @@
 
 use super::error::{MuscleError, positive};
 use schemars::JsonSchema;
-use serde::{
-    Deserialize, Deserializer, Serialize,
-    de::{MapAccess, Visitor, value::MapAccessDeserializer},
-};
-use std::fmt;
+use serde::{Deserialize, Deserializer, Serialize, de::Error};
+use serde_json::Value;
 
 /// The empirical factor of Tondu & Lopez (2000) \[tondu2000\] by which the contraction is
 /// multiplied to account for the ends.
 ///
 /// As data (serde): a number, or `{"a": 0.2, "b": 1.0}`.
-#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
-#[schemars(untagged)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
 pub enum EndFactor {
     /// k, constant; 1 means no end effect.
     Constant(f64),
@@ -35,31 +32,13 @@ impl<'de> Deserialize<'de> for EndFactor {
             b: f64,
         }
 
-        struct Reader;
-
-        impl<'de> Visitor<'de> for Reader {
-            type Value = EndFactor;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a number without unit, such as 0.8, or a table of a and b")
-            }
-
-            fn visit_f64<E>(self, k: f64) -> Result<EndFactor, E> {
-                Ok(EndFactor::Constant(k))
-            }
-
-            fn visit_i64<E>(self, k: i64) -> Result<EndFactor, E> {
-                Ok(EndFactor::Constant(k as f64))
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<EndFactor, A::Error> {
-                let table = MapAccessDeserializer::new(map);
-                let OfPressure { a, b } = OfPressure::deserialize(table)?;
-                Ok(EndFactor::OfPressure { a, b })
-            }
+        let value = Value::deserialize(from)?;
+        if value.is_object() {
+            let OfPressure { a, b } = OfPressure::deserialize(value).map_err(D::Error::custom)?;
+            return Ok(Self::OfPressure { a, b });
         }
-
-        from.deserialize_any(Reader)
+        let k = f64::deserialize(value).map_err(D::Error::custom)?;
+        Ok(Self::Constant(k))
     }
 }
 

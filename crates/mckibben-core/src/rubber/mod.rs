@@ -32,10 +32,11 @@ pub use stability::{
 };
 #[doc(hidden)]
 pub use {
-    constant::{HyperelasticCard, NEEDS_ALL, foreign, one_of_all},
+    constant::HyperelasticCard,
     form::Form,
     law::LawVisitor,
     stability::{log_hessian, muscle_states},
+    written::law_of,
 };
 
 /// Energy and derivatives in the three principal stretches taken as independent variables.

@@ -4,13 +4,21 @@
 //! Moduli are in MPa. A law that is a sum of terms has a list for each constant:
 //! `{"law": "ogden", "mu": [0.6, 0.001], "alpha": [1.3, 5.0]}`.
 
-use super::{Law, LawKind, NEEDS_ALL, foreign, one_of_all};
-use crate::nearest::{meant, nearest};
+use super::{
+    Constant, Law, LawKind,
+    constant::{NEEDS_ALL, foreign, one_of_all},
+};
+use crate::{
+    nearest::{meant, nearest},
+    refused::Refused,
+    units::{Dimension, typed::read_number},
+};
 use serde::{
     Deserialize, Deserializer, Serialize, Serializer,
     de::{Error, MapAccess, Visitor},
     ser::SerializeMap,
 };
+use serde_json::{Map, Value, map::Entry};
 use std::fmt;
 
 impl Serialize for Law {
@@ -31,14 +39,6 @@ impl Serialize for Law {
     }
 }
 
-/// The value of a constant, or one a term.
-#[derive(Deserialize)]
-#[serde(untagged, expecting = "a number, or a list of numbers")]
-enum Numbers {
-    One(f64),
-    Terms(Vec<f64>),
-}
-
 struct Reader;
 
 impl<'de> Visitor<'de> for Reader {
@@ -52,56 +52,66 @@ impl<'de> Visitor<'de> for Reader {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Law, A::Error> {
-        let mut name: Option<String> = None;
-        let mut written: Vec<(String, Numbers)> = vec![];
-        while let Some(key) = map.next_key::<String>()? {
-            if key == "law" {
-                name = Some(map.next_value()?);
-            } else if written.iter().any(|w| w.0 == key) {
-                return Err(A::Error::custom(format!("{key} is given twice")));
-            } else {
-                written.push((key, map.next_value()?));
+        let mut written = Map::new();
+        while let Some((key, value)) = map.next_entry::<String, Value>()? {
+            if let Entry::Occupied(twice) = written.entry(&key) {
+                return Err(A::Error::custom(format!("{} is given twice", twice.key())));
             }
+            written.insert(key, value);
         }
-        let name = name
-            .ok_or_else(|| A::Error::custom(format!("law is missing; it is {}", one_of_all())))?;
-        let kind = Law::kind_named(&name).ok_or_else(|| {
-            let meant = meant(nearest(&name, Law::names()));
-            A::Error::custom(format!(
-                "law \"{name}\" is not known{meant}; expected {}",
-                one_of_all()
-            ))
-        })?;
-        law(kind, written).map_err(A::Error::custom)
+        law_of(&written).map_err(A::Error::custom)
     }
 }
 
-fn law(kind: &LawKind, mut written: Vec<(String, Numbers)>) -> Result<Law, String> {
-    if let Some((name, _)) = written
-        .iter()
-        .find(|w| !kind.names().contains(&w.0.as_str()))
-    {
-        return Err(format!("{name} {}", foreign(kind)));
+/// The law of what is written: its name and its constants.
+///
+/// # Errors
+/// [`Refused`] with the keys to blame; the first of them is before its sentence.
+pub fn law_of(written: &Map<String, Value>) -> Result<Law, Refused> {
+    let wrong = |key: &'static str, said: &str| Refused::new([key, "law"], format!("{key} {said}"));
+    let missing = || wrong("law", &format!("is missing; it is {}", one_of_all()));
+    let name = written.get("law").ok_or_else(missing)?;
+    let word = name.as_str().unwrap_or_default().trim();
+    let kind = Law::kind_named(word).ok_or_else(|| {
+        let meant = meant(nearest(word, Law::names()));
+        wrong(
+            "law",
+            &format!("{name} is not known{meant}; expected {}", one_of_all()),
+        )
+    })?;
+    let names = kind.names();
+    let is_foreign = |key: &&String| *key != "law" && !names.contains(&key.as_str());
+    if let Some(key) = written.keys().find(is_foreign) {
+        let all = Law::KINDS.iter().flat_map(LawKind::names);
+        let fields = all.filter(|name| name == key).chain(["law"]);
+        return Err(Refused::new(fields, format!("{key} {}", foreign(kind))));
     }
-    let mut list = |name: &str| {
-        let at = written.iter().position(|w| w.0 == name);
-        match at.map(|at| written.swap_remove(at).1) {
-            Some(Numbers::One(value)) if !kind.is_sum => Ok(vec![value]),
-            Some(Numbers::Terms(list)) if kind.is_sum => Ok(list),
-            Some(Numbers::One(_)) => Err(format!(
-                "{name} is a number; expected a list such as [1.3, 5.0]"
-            )),
-            Some(Numbers::Terms(_)) => Err(format!("{name} is a list; expected a number")),
-            None => Err(format!("{name} is missing; {NEEDS_ALL}")),
-        }
+    let one = |constant: &Constant, value: &Value| match constant.dimension {
+        Dimension::Ratio => f64::deserialize(value),
+        dimension => read_number(dimension, value),
+    };
+    let list = |constant: &Constant| {
+        let wrong = |said: &str| wrong(constant.name, said);
+        let numbers = match written.get(constant.name) {
+            Some(Value::Array(terms)) if kind.is_sum => {
+                terms.iter().map(|value| one(constant, value)).collect()
+            }
+            Some(Value::Array(_)) => return Err(wrong("is a list; expected a number")),
+            Some(Value::Number(_)) if kind.is_sum => {
+                return Err(wrong("is a number; expected a list such as [1.3, 5.0]"));
+            }
+            Some(value) => one(constant, value).map(|number| vec![number]),
+            None => return Err(wrong(&format!("is missing; {NEEDS_ALL}"))),
+        };
+        numbers.map_err(|error| wrong(&error.to_string()))
     };
     let lists = kind
-        .names()
-        .into_iter()
-        .map(&mut list)
+        .constants
+        .iter()
+        .map(list)
         .collect::<Result<Vec<_>, _>>()?;
     kind.law_of_terms(&lists)
-        .map_err(|e| format!("{} {e}", e.fields[0]))
+        .map_err(|e| wrong(e.fields[0], &e.message))
 }
 
 impl<'de> Deserialize<'de> for Law {
@@ -168,8 +178,8 @@ mod tests {
                 "alpha has 1 numbers, but mu has 2; an ogden law needs one alpha for each mu",
             ),
             (
-                r#"{"law": "neo-hookean", "mu": "1"}"#,
-                "a number, or a list of numbers",
+                r#"{"law": "neo-hookean", "mu": "one"}"#,
+                "mu \"one\" does not start with a number; expected a pressure",
             ),
         ] {
             let error = serde_json::from_str::<Law>(text).unwrap_err().to_string();

@@ -65,6 +65,10 @@ impl<'de, Q: Deserialize<'de>> Deserialize<'de> for Course<Q> {
                 Ok(Course::Number(number as f64))
             }
 
+            fn visit_u64<E>(self, number: u64) -> Result<Course<Q>, E> {
+                Ok(Course::Number(number as f64))
+            }
+
             fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Course<Q>, A::Error> {
                 Vec::deserialize(SeqAccessDeserializer::new(seq)).map(Course::Pairs)
             }

@@ -42,20 +42,15 @@ pub fn valve(
     line: Option<Hose>,
 ) -> Result<LiquidValve, FileError> {
     let of_air = [
-        ("name", keys.name.is_some()),
-        ("sonic_conductance", keys.sonic_conductance.is_some()),
-        ("critical_ratio", keys.critical_ratio.is_some()),
-        ("exhaust_conductance", keys.exhaust_conductance.is_some()),
-        (
-            "exhaust_critical_ratio",
-            keys.exhaust_critical_ratio.is_some(),
-        ),
+        "valve.name",
+        "valve.sonic_conductance",
+        "valve.critical_ratio",
+        "valve.exhaust_conductance",
+        "valve.exhaust_critical_ratio",
     ];
-    if let Some((key, _)) = of_air.iter().find(|(_, given)| *given) {
-        return Err(source.error(
-            &format!("valve.{key}"),
-            "is of a valve of air; a liquid needs flow_coefficient alone",
-        ));
+    if let Some(key) = of_air.into_iter().find(|key| source.has(key)) {
+        let said = "is of a valve of air; a liquid needs flow_coefficient alone";
+        return Err(source.error(key, said));
     }
     let path = |key: &str, kv: Option<Positive<Flow>>| {
         kv.map(|kv| source.valid(key, Restriction::new(kv.into())))

@@ -16,7 +16,7 @@ pub use keys::DriveKeys;
 use keys::{OfLoad, OfSupply};
 use mckibben_core::{
     load::{Load, LoadTable},
-    muscle::file::{FileError, Keys, Source},
+    muscle::file::{FileError, Keys, Source, with_keys},
     units::{
         Dimension,
         typed::{Angle, Quantity, Ratio},
@@ -232,27 +232,7 @@ fn subject(source: &Source<'_>) -> Result<Subject, FileError> {
 /// # Errors
 /// [`FileError`] for a text that is not valid TOML, or a key whose parents are no tables.
 pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileError> {
-    // Errors of syntax with their places.
-    let source = Source::parse(text)?;
-    let wrong = |what: &str| source.error(dotted, what);
-    let mut document: toml_edit::DocumentMut = text
-        .parse()
-        .map_err(|_| wrong("is in a text that is not valid TOML"))?;
-    let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
-    let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
-    for part in parents.split('.').filter(|p| !p.is_empty()) {
-        let item = table.entry(part).or_insert_with(toml_edit::table);
-        table = item
-            .as_table_like_mut()
-            .ok_or_else(|| wrong("is not a key of a table"))?;
-    }
-    let item = match (value.parse::<f64>(), value.parse::<bool>()) {
-        (Ok(number), _) if number.is_finite() => toml_edit::value(number),
-        (_, Ok(yes)) => toml_edit::value(yes),
-        _ => toml_edit::value(value),
-    };
-    table.insert(last, item);
-    Ok(document.to_string())
+    with_keys(text, &[format!("{dotted}={value}")])
 }
 
 /// The dimension of the number at a dotted key of a drive file, and the number in the unit used

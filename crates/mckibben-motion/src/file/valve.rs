@@ -84,13 +84,10 @@ fn read_valve(
             valve, source, kind, hose,
         )?));
     }
-    let of_liquid = [
-        ("flow_coefficient", valve.flow_coefficient),
-        ("return_coefficient", valve.return_coefficient),
-    ];
-    if let Some((key, _)) = of_liquid.iter().find(|(_, value)| value.is_some()) {
+    let of_liquid = ["valve.flow_coefficient", "valve.return_coefficient"];
+    if let Some(key) = of_liquid.into_iter().find(|key| source.has(key)) {
         let said = "is of a liquid, and the file has no [liquid]; air needs sonic_conductance";
-        return Err(source.error(&format!("valve.{key}"), said));
+        return Err(source.error(key, said));
     }
     Ok(Actuator::Valve(Valve {
         kind,
@@ -160,19 +157,12 @@ fn hose(
     source: &Source<'_>,
     table: &str,
 ) -> Result<Option<Hose>, FileError> {
-    let [of_length, of_diameter] =
-        ["hose_length", "hose_diameter"].map(|key| format!("{table}.{key}"));
-    match (diameter, length) {
-        (Some(d), Some(l)) => {
-            let hose = Hose::new(d.into(), l.into());
-            source.valid(&of_length, hose).map(Some)
-        }
-        (None, None) => Ok(None),
-        (Some(_), None) => Err(source.missing(&of_length, &of_diameter, "the hose's length")),
-        (None, Some(_)) => {
-            Err(source.missing(&of_diameter, &of_length, "the hose's inner diameter"))
-        }
-    }
+    let length = ("hose_length", length, "the hose's length");
+    let diameter = ("hose_diameter", diameter, "the hose's inner diameter");
+    let both = source.both(table, length, diameter)?;
+    let hose = both.map(|(length, diameter)| Hose::new(diameter.into(), length.into()));
+    hose.map(|hose| source.valid(&format!("{table}.hose_length"), hose))
+        .transpose()
 }
 
 pub fn air(keys: &OfAir, source: &Source<'_>, wall_temperature_k: f64) -> Result<Air, FileError> {

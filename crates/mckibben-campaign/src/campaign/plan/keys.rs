@@ -5,10 +5,7 @@ use super::{
     sampling::SamplingMethod,
 };
 use mckibben_core::{
-    muscle::{
-        Bench, Job,
-        file::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube, Table},
-    },
+    muscle::file::{FileError, MuscleFile, Source},
     units::{
         Dimension, Values, parse_values,
         typed::{Choice, Pressure, Ratio, read_number},
@@ -16,36 +13,18 @@ use mckibben_core::{
 };
 use mckibben_fem::elements::Elements;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{
-    Deserialize, Deserializer,
-    de::{DeserializeSeed, Error, MapAccess, SeqAccess, Visitor},
-};
-use serde_json::{Value, json};
-use std::{borrow::Cow, fmt};
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+use std::borrow::Cow;
 
 /// A campaign: a muscle, what varies, and the points of each.
 #[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[schemars(extend("additionalProperties" = false))]
 pub struct PlanKeys {
-    /// The rubber tube
-    #[serde(default)]
-    tube: Table<OfTube>,
-    /// The braided sleeve
-    #[serde(default)]
-    braid: Table<OfBraid>,
-    /// The ends
-    #[serde(default)]
-    terminals: Table<OfTerminals>,
-    /// Friction of the braid: half of the width of the hysteresis loop
-    #[serde(default)]
-    friction: Table<OfFriction>,
-    /// What belongs to one model
-    #[serde(default)]
-    model: OfModels,
-    /// What a bench says of this muscle; `identify` writes it
-    identified: Option<Bench>,
-    /// What it was designed for; `design` writes it
-    job: Option<Job>,
+    /// The keys of the muscle that is varied
+    #[serde(flatten)]
+    #[schemars(with = "MuscleFile")]
+    pub(super) muscle: Map<String, Value>,
     /// How the muscles are sampled
     #[serde(default)]
     pub(super) sampling: OfSampling,
@@ -54,28 +33,6 @@ pub struct PlanKeys {
     pub(super) vary: Vary,
     /// The points of each muscle
     pub(super) test: OfTest,
-    /// Name, for people
-    name: Option<String>,
-    /// Notes, for people
-    notes: Option<String>,
-}
-
-impl PlanKeys {
-    /// The muscle that is varied, and the keys of the campaign.
-    pub(super) fn parts(self) -> (MuscleFile, OfSampling, Vary, OfTest) {
-        let muscle = MuscleFile {
-            tube: self.tube,
-            braid: self.braid,
-            terminals: self.terminals,
-            friction: self.friction,
-            model: self.model,
-            identified: self.identified,
-            job: self.job,
-            name: self.name,
-            notes: self.notes,
-        };
-        (muscle, self.sampling, self.vary, self.test)
-    }
 }
 
 #[derive(Default, Deserialize, JsonSchema)]
@@ -113,131 +70,78 @@ fn elements(_: &mut SchemaGenerator) -> Schema {
     json_schema!({ "enum": Elements::ENTRIES.map(|entry| entry.name) })
 }
 
-/// `[vary]`: what varies, in the order in which a factorial plan runs through it.
-#[derive(Default)]
-pub struct Vary(pub Vec<Axis>);
+/// `[vary]`: what varies.
+#[derive(Default, Deserialize)]
+#[serde(transparent)]
+pub struct Vary(Map<String, Value>);
 
-impl<'de> Deserialize<'de> for Vary {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+impl Vary {
+    /// The axes, in the order in which a factorial plan runs through them.
+    ///
+    /// # Errors
+    /// [`FileError`] of the first key that cannot vary, or has no levels.
+    pub(super) fn axes(&self, source: &Source<'_>) -> Result<Vec<Axis>, FileError> {
         let variables = variables();
         let mut axes = vec![];
-        let table = Tables {
-            path: "",
-            variables: &variables,
-            axes: &mut axes,
-        };
-        table.deserialize(from)?;
+        in_table("", &self.0, source, &variables, &mut axes)?;
         axes.sort_by_key(|axis| variables.iter().position(|v| v.key == axis.key));
-        Ok(Self(axes))
+        Ok(axes)
     }
 }
 
-/// Reads a table of `[vary]`.
-struct Tables<'t> {
-    /// Its dotted name with a dot behind it; empty of `[vary]` itself.
-    path: &'t str,
-    variables: &'t [Variable],
-    axes: &'t mut Vec<Axis>,
-}
-
-impl<'de> DeserializeSeed<'de> for Tables<'_> {
-    type Value = ();
-
-    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<(), D::Error> {
-        from.deserialize_map(self)
-    }
-}
-
-impl<'de> Visitor<'de> for Tables<'_> {
-    type Value = ();
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a table of what varies")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
-        while let Some(name) = map.next_key::<String>()? {
-            let key = format!("{}{name}", self.path);
-            let inner = format!("{key}.");
-            if let Some(variable) = self.variables.iter().find(|v| v.key == key) {
-                let (values, log) = map.next_value_seed(Levels(variable.dimension))?;
-                let names = vec![];
-                self.axes.push(Axis {
-                    key,
-                    values,
-                    log,
-                    names,
-                });
-            } else if key == RUBBER {
-                self.axes.push(Axis::of_rubbers(map.next_value()?));
-            } else if self.variables.iter().any(|v| v.key.starts_with(&inner)) {
-                map.next_value_seed(Tables {
-                    path: &inner,
-                    variables: self.variables,
-                    axes: self.axes,
-                })?;
-            } else {
-                return Err(A::Error::unknown_field(&name, &[]));
-            }
+/// The axes of a table of `[vary]`; its dotted name has a dot behind it, that of `[vary]` is empty.
+fn in_table(
+    path: &str,
+    table: &Map<String, Value>,
+    source: &Source<'_>,
+    variables: &[Variable],
+    axes: &mut Vec<Axis>,
+) -> Result<(), FileError> {
+    for (name, value) in table {
+        let key = format!("{path}{name}");
+        let inner = format!("{key}.");
+        let wrong = |said: String| source.error(&format!("vary.{key}"), said);
+        if let Some(variable) = variables.iter().find(|v| v.key == key) {
+            let (values, log) = levels(value, variable.dimension).map_err(wrong)?;
+            let names = vec![];
+            axes.push(Axis {
+                key,
+                values,
+                log,
+                names,
+            });
+        } else if key == RUBBER {
+            let names = Vec::deserialize(value).map_err(|error| wrong(error.to_string()))?;
+            axes.push(Axis::of_rubbers(names));
+        } else if variables.iter().any(|v| v.key.starts_with(&inner)) {
+            let table = value.as_object();
+            let table = table.ok_or_else(|| wrong("must be a table of what varies".into()))?;
+            in_table(&inner, table, source, variables, axes)?;
+        } else {
+            let table = format!("vary.{path}");
+            return Err(source.unknown(table.trim_end_matches('.'), name));
         }
-        Ok(())
     }
+    Ok(())
 }
 
-/// Reads values, and whether `log` is behind them.
-struct Levels(Dimension);
-
-impl<'de> DeserializeSeed<'de> for Levels {
-    type Value = (Values, bool);
-
-    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<(Values, bool), D::Error> {
-        from.deserialize_any(self)
-    }
-}
-
-impl<'de> Visitor<'de> for Levels {
-    type Value = (Values, bool);
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "a list such as \"30,40,50\", or a range such as \"0..0.25:0.01\" or \"10..60\"",
-        )
-    }
-
-    fn visit_f64<E: Error>(self, value: f64) -> Result<(Values, bool), E> {
-        Ok((Values::List(vec![value]), false))
-    }
-
-    fn visit_i64<E: Error>(self, value: i64) -> Result<(Values, bool), E> {
-        self.visit_f64(value as f64)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<(Values, bool), E> {
-        let text = text.trim();
-        let before = text.strip_suffix("log");
-        let values = parse_values(before.unwrap_or(text), self.0);
-        values
-            .map(|values| (values, before.is_some()))
-            .map_err(E::custom)
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<(Values, bool), A::Error> {
-        let mut list = vec![];
-        while let Some(value) = seq.next_element_seed(Level(self.0))? {
-            list.push(value);
+/// Levels such as `"30,40,50"`, or a range such as `"0..0.25:0.01"` or `"10..60"`; and whether `log`
+/// is behind them.
+fn levels(value: &Value, dimension: Dimension) -> Result<(Values, bool), String> {
+    let one = |value: &Value| read_number(dimension, value).map_err(|error| error.to_string());
+    let list = match value {
+        Value::String(text) => {
+            let text = text.trim();
+            let before = text.strip_suffix("log");
+            let values = parse_values(before.unwrap_or(text), dimension);
+            return values
+                .map(|values| (values, before.is_some()))
+                .map_err(|error| error.to_string());
         }
-        Ok((Values::List(list), false))
-    }
-}
-
-struct Level(Dimension);
-
-impl<'de> DeserializeSeed<'de> for Level {
-    type Value = f64;
-
-    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<f64, D::Error> {
-        read_number(self.0, from)
-    }
+        Value::Array(list) => list.iter().map(one).collect::<Result<_, _>>()?,
+        value => vec![one(value)?],
+    };
+    Ok((Values::List(list), false))
 }
 
 impl JsonSchema for Vary {

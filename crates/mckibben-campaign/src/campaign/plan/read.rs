@@ -3,7 +3,7 @@
 use super::{
     Plan, Testing,
     axis::{Axis, PlanRubber, RUBBER},
-    keys::{OfSampling, OfTest, PlanKeys, Vary},
+    keys::{OfSampling, OfTest, PlanKeys},
     sampling::{Design, MOST_MUSCLES, MOST_STRATA, Sampling, SamplingMethod},
     table::{self, OwnSamples},
     vary,
@@ -12,7 +12,7 @@ use mckibben_core::{
     extremes::peak,
     muscle::{
         Muscle, Rubber, Tube,
-        file::{FileError, Source, read_text},
+        file::{FileError, MuscleFile, Source, read_text},
     },
     rubber::library,
     units::typed::{Choice, Quantity},
@@ -36,9 +36,10 @@ impl Plan {
     fn parse_with(text: &str, table: Option<&str>) -> Result<Self, FileError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Source::parse(text)?;
-        let (muscle, of_sampling, Vary(mut axes), test) = source.read::<PlanKeys>()?.parts();
-        let base = muscle.muscle(&source)?;
-        let mut sampling = sampling(&of_sampling, &source)?;
+        let keys: PlanKeys = source.read()?;
+        let base = source.part::<MuscleFile>(keys.muscle)?.muscle(&source)?;
+        let mut sampling = sampling(&keys.sampling, &source)?;
+        let mut axes = keys.vary.axes(&source)?;
         let mut values = vec![];
         if let Some(table) = table {
             let own = own_samples(table, &source)?;
@@ -46,7 +47,7 @@ impl Plan {
             (sampling.method, sampling.samples) = (SamplingMethod::Table, own.muscles);
         }
         vary::check_all(&axes, &source, &base, sampling.method)?;
-        let testing = testing(test, &source)?;
+        let testing = testing(keys.test, &source)?;
         if base.tube().rubber.is_conditioned() {
             let why = "is not possible in a campaign, whose muscles are on their first inflation: \
                 leave it out";

@@ -2,13 +2,11 @@
 
 use super::{
     error::FileError,
-    reader::{LIST, PAIR, PLAIN, TEXT, Wrong, Wrongness},
+    said::{LIST, ONE_OF, PAIR, PLAIN, TEXT, in_our_words},
     source::{Source, shortened},
 };
 use crate::{
-    joined,
     nearest::{meant, nearest},
-    rubber::{Law, foreign},
     units::Dimension,
 };
 use schemars::{
@@ -62,8 +60,8 @@ impl Transform for AsWritten {
             schema.remove("default");
         }
         schema.remove("format");
-        if let Some(Value::String(about)) = schema.get_mut("description") {
-            *about = about.trim_end_matches('.').replace('\n', " ");
+        if let Some(about) = description(schema.as_value()) {
+            schema.insert("description".into(), about.into());
         }
         let Some(dimension) = dimension(schema.as_value()) else {
             return;
@@ -86,7 +84,7 @@ fn dimension(schema: &Value) -> Option<Dimension> {
 
 /// The keys of a file that is read into a struct; by default of one of which nothing is known.
 #[derive(Default)]
-pub struct Keys(Value);
+pub struct Keys(pub(super) Value);
 
 impl Keys {
     /// Those of a struct.
@@ -108,44 +106,62 @@ impl Keys {
         dimension(schema).or_else(|| is_plain().then_some(Dimension::Ratio))
     }
 
-    /// The error of a file.
-    pub(super) fn error(&self, source: &Source<'_>, wrong: Wrong) -> FileError {
-        let path = wrong.path.unwrap_or_default();
-        match wrong.problem {
-            Wrongness::Said(said) => source.error(&path, said),
-            Wrongness::Expected(given, expected) => {
+    /// What serde says of the value at a dotted key.
+    pub(super) fn error(&self, source: &Source<'_>, path: &str, said: &str) -> FileError {
+        let mut quoted = said.split('`').skip(1).step_by(2);
+        match (said.split(" `").next(), quoted.next()) {
+            (Some("unknown field"), Some(key)) => {
+                // It is the last of the path, or its table is.
+                let (table, last) = path.rsplit_once('.').unwrap_or(("", path));
+                self.unknown(source, if last == key { table } else { path }, key)
+            }
+            (Some("missing field"), Some(key)) => self.missing(source, path, key),
+            (Some("unknown variant"), Some(word)) => {
+                let words: Vec<&str> = quoted.collect();
+                let near = meant(nearest(word, words.iter().copied()));
+                let expected = words.join(", ");
+                source.error(
+                    path,
+                    format!("is not known{near}; expected {ONE_OF}{expected}"),
+                )
+            }
+            _ => {
+                let schema = self.schema_of_key(path).unwrap_or(&Value::Null);
                 // Some expectations alone do not say what is in a text or a list.
-                let said = match expected.as_str() {
-                    TEXT => self.schema_of_key(&path),
-                    LIST | PAIR => self.schema_of_key(&path).map(list),
-                    _ => None,
+                let said = match in_our_words(said) {
+                    said if said.ends_with(ONE_OF) => said + &words(schema).join(", "),
+                    said if said.ends_with(TEXT) => said + &about(schema),
+                    said if [LIST, PAIR].iter().any(|end| said.ends_with(end)) => {
+                        said + &about(list(schema))
+                    }
+                    said => said,
                 };
-                let about = said.map_or(String::new(), about);
-                let given = given.unwrap_or("something else");
-                source.error(&path, format!("is {given}; expected {expected}{about}"))
+                source.error(path, said)
             }
-            Wrongness::Missing(key) => {
-                let mut key = join(&path, key);
-                while let Some(needed) = self
-                    .schema_of_key(&key)
-                    .and_then(|s| s["required"][0].as_str())
-                {
-                    key = join(&key, needed);
-                }
-                let expected = self.schema_of_key(&key).map_or(String::new(), expected);
-                source.error(&path, format!("{key} is missing; expected {expected}"))
-            }
-            Wrongness::Unknown(key) => self.unknown(source, &path, &key),
         }
     }
 
-    fn unknown(&self, source: &Source<'_>, path: &str, key: &str) -> FileError {
-        let span = source.key_span(path, key);
-        let law = source.text_at(&join(path, "law"));
-        let is_constant = Law::KINDS.iter().any(|law| law.names().contains(&key));
-        if let Some(law) = law.and_then(Law::kind_named).filter(|_| is_constant) {
-            return source.key_error(&join(path, key), span, foreign(law));
+    fn missing(&self, source: &Source<'_>, path: &str, key: &str) -> FileError {
+        let mut key = join(path, key);
+        while let Some(needed) = self
+            .schema_of_key(&key)
+            .and_then(|s| s["required"][0].as_str())
+        {
+            key = join(&key, needed);
         }
+        let expected = self.schema_of_key(&key).map_or(String::new(), expected);
+        source.error(path, format!("{key} is missing; expected {expected}"))
+    }
+
+    /// A number at a dotted key that none can be.
+    pub(super) fn no_number(&self, source: &Source<'_>, path: &str, is: &str) -> FileError {
+        let expected = self.schema_of_key(path).map_or(String::new(), expected);
+        source.error(path, format!("is {is}; expected {expected}"))
+    }
+
+    /// A key that its table has not.
+    pub(super) fn unknown(&self, source: &Source<'_>, path: &str, key: &str) -> FileError {
+        let span = source.key_span(path, key);
         let table = self.schema_of_key(path).and_then(properties);
         let known: Vec<&str> = table
             .into_iter()
@@ -174,7 +190,8 @@ impl Keys {
     }
 }
 
-fn properties(schema: &Value) -> Option<&Map<String, Value>> {
+/// The keys of a table, or of the tables in a list.
+pub(super) fn properties(schema: &Value) -> Option<&Map<String, Value>> {
     schema["properties"]
         .as_object()
         .or_else(|| properties(schema.get("items")?))
@@ -194,19 +211,24 @@ fn dotted(path: &str, table: &Value, out: &mut Vec<String>) {
     }
 }
 
-/// What a key needs, where it is missing.
+/// The words that a text may be.
+fn words(schema: &Value) -> Vec<&str> {
+    let all = schema["enum"].as_array().into_iter().flatten();
+    let each = schema["oneOf"].as_array().into_iter().flatten();
+    let each = each.map(|word| &word["const"]);
+    let inner = schema["anyOf"].as_array().into_iter().flatten();
+    let own = all.chain(each).filter_map(Value::as_str);
+    own.chain(inner.flat_map(words)).collect()
+}
+
+/// What a key needs.
 fn expected(schema: &Value) -> String {
-    let what = match (schema["enum"].as_array(), dimension(schema)) {
-        (Some(words), _) => {
-            format!(
-                "one of {}",
-                joined(words.iter().filter_map(Value::as_str), ", ")
-            )
-        }
-        (None, Some(dimension)) => dimension.expectation(),
-        (None, None) if schema["type"] == "number" => PLAIN.into(),
-        (None, None) if schema["type"] == "string" => TEXT.into(),
-        (None, None) => "a value".into(),
+    let what = match (words(schema).join(", "), dimension(schema)) {
+        (_, Some(dimension)) => dimension.expectation(),
+        (words, None) if !words.is_empty() => format!("{ONE_OF}{words}"),
+        (_, None) if schema["type"] == "number" => PLAIN.into(),
+        (_, None) if schema["type"] == "string" => TEXT.into(),
+        (_, None) => "a value".into(),
     };
     what + &about(schema)
 }
@@ -219,8 +241,14 @@ fn list(schema: &Value) -> &Value {
 }
 
 fn about(schema: &Value) -> String {
-    let about = schema["description"].as_str();
+    let about = description(schema);
     about.map_or(String::new(), |about| format!(" ({about})"))
+}
+
+/// The sentence about a key, on one line and without a full stop.
+pub(super) fn description(schema: &Value) -> Option<String> {
+    let about = schema["description"].as_str()?;
+    Some(about.trim_end_matches('.').replace('\n', " "))
 }
 
 /// The dotted name of a key in a table.

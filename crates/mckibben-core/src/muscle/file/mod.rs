@@ -21,7 +21,7 @@ mod error;
 mod keys;
 mod material;
 mod read;
-mod reader;
+mod said;
 mod source;
 mod table;
 mod text;
@@ -41,9 +41,8 @@ pub use {
     error::TextPosition,
     keys::{Keys, schema_of},
     material::named,
-    read::{MuscleFile, OfBraid, OfFriction, OfModels, OfTerminals, OfTube},
+    read::MuscleFile,
     source::{MAX_BYTES, Source},
-    table::Table,
     with::with_keys,
 };
 

@@ -2,10 +2,10 @@
 
 use super::{
     bench,
-    error::{FileError, without_key},
+    error::FileError,
     material::{self, Material},
     source::Source,
-    table::{Beside, Table},
+    table::Measured,
 };
 use crate::{
     muscle::{
@@ -17,20 +17,19 @@ use crate::{
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
-use std::borrow::Cow;
 
 /// A muscle: tube, braid, terminals, friction.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct MuscleFile {
     /// The rubber tube
-    pub tube: Table<OfTube>,
+    pub tube: OfTube,
     /// The braided sleeve
-    pub braid: Table<OfBraid>,
+    pub braid: OfBraid,
     /// The ends
-    pub terminals: Table<OfTerminals>,
+    pub terminals: OfTerminals,
     /// Friction of the braid: half of the width of the hysteresis loop
-    pub friction: Table<OfFriction>,
+    pub friction: Measured<3>,
     /// What belongs to one model
     pub model: OfModels,
     /// What a bench says of this muscle; `identify` writes it
@@ -43,10 +42,13 @@ pub struct MuscleFile {
     pub notes: Option<String>,
 }
 
-/// The keys of `[tube]` beside its measures.
+/// The keys of `[tube]`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
+#[schemars(extend("additionalProperties" = false))]
 pub struct OfTube {
+    #[serde(flatten)]
+    measures: Measured<0>,
     /// The bore, in place of the wall or of the outer diameter
     inner_diameter: Option<Positive<Length>>,
     /// Name of a rubber (`mckibben parts list rubbers`), a hardness such as "shore:30A", or a
@@ -57,14 +59,16 @@ pub struct OfTube {
     material: Option<Material>,
 }
 
-/// The keys of `[braid]` beside its measures.
+/// The keys of `[braid]`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
+#[schemars(extend("additionalProperties" = false))]
 pub struct OfBraid {
+    #[serde(flatten)]
+    measures: Measured<1>,
     /// Stiffness k of one strand family
     stiffness: Option<BraidStiffness>,
-    /// Name of a sleeve (`mckibben parts list sleeves`); it gives angle and strands. Of one of
-    /// your own, beside its two diameters
+    /// Name of a sleeve (`mckibben parts list sleeves`), or of your own beside its two diameters
     #[schemars(schema_with = "sleeves")]
     name: Option<String>,
     /// Diameter to which a sleeve of polyester closes, in place of its name
@@ -79,20 +83,18 @@ pub struct OfBraid {
     in_rubber: Option<bool>,
 }
 
-/// The keys of `[terminals]` beside its measures.
+/// The keys of `[terminals]`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
+#[schemars(extend("additionalProperties" = false))]
 pub struct OfTerminals {
+    #[serde(flatten)]
+    measures: Measured<2>,
     /// How the ends hold the braid: the ± of the pull follows from it
     made: Option<EndsMade>,
     /// Empirical end factor k of Tondu & Lopez
     end_factor: Option<EndFactor>,
 }
-
-/// The keys of `[friction]` beside its measures: none.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct OfFriction {}
 
 /// The tables of models, `[model]`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -105,24 +107,8 @@ pub struct OfModels {
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 struct OfTonduLopez {
-    /// End factor k of Tondu & Lopez: a number, or { a, b } for a·e^(−P) + b with P in bar
+    /// Multiplies the contraction: k, or { a, b } of a·e^(−P) + b, P in bar (Tondu & Lopez 2000)
     end_factor: Option<EndFactor>,
-}
-
-impl Beside for OfTube {
-    const TABLE: &'static str = "tube";
-}
-
-impl Beside for OfBraid {
-    const TABLE: &'static str = "braid";
-}
-
-impl Beside for OfTerminals {
-    const TABLE: &'static str = "terminals";
-}
-
-impl Beside for OfFriction {
-    const TABLE: &'static str = "friction";
 }
 
 fn sleeves(_: &mut SchemaGenerator) -> Schema {
@@ -145,7 +131,7 @@ impl MuscleFile {
     /// # Errors
     /// [`FileError`], as [`parse_muscle`].
     pub fn muscle(self, source: &Source<'_>) -> Result<Muscle, FileError> {
-        let located = |error: MuscleError| located(source, &error);
+        let located = |error: MuscleError| source.refused(&error);
         let Self {
             tube,
             braid,
@@ -156,28 +142,19 @@ impl MuscleFile {
             job,
             ..
         } = self;
-        let sleeve = braid.other.sleeve(source)?;
+        let sleeve = braid.sleeve(source)?;
         let mut stated = Stated {
-            rubber: Some(material::rubber(
-                source,
-                tube.other.rubber,
-                tube.other.material,
-            )?),
+            rubber: Some(material::rubber(source, tube.rubber, tube.material)?),
             sleeve: sleeve.transpose().map_err(located)?,
-            stiffness: braid.other.stiffness,
-            strand_diameter_mm: braid.other.strand_diameter.map(f64::from),
+            stiffness: braid.stiffness,
+            strand_diameter_mm: braid.strand_diameter.map(f64::from),
             ..Stated::default()
         };
-        let all = [
-            tube.measures,
-            braid.measures,
-            terminals.measures,
-            friction.measures,
-        ];
-        for (measure, value) in all.iter().flat_map(MeasureValues::iter) {
-            stated.measures.set(measure, value);
-        }
-        if let Some(inner) = tube.other.inner_diameter {
+        tube.measures.read(source, &mut stated.measures)?;
+        braid.measures.read(source, &mut stated.measures)?;
+        terminals.measures.read(source, &mut stated.measures)?;
+        friction.read(source, &mut stated.measures)?;
+        if let Some(inner) = tube.inner_diameter {
             inner_diameter(inner.into(), &mut stated.measures)
                 .map_err(|problem| source.error("tube.inner_diameter", problem))?;
         }
@@ -190,12 +167,12 @@ impl MuscleFile {
             return Err(source.error(old, said));
         }
         let of_model = model.tondu_lopez.end_factor;
-        parts.terminals.end_factor = of_model.or(terminals.other.end_factor);
-        parts.terminals.made = terminals.other.made;
-        if let Some(compression) = braid.other.compression {
+        parts.terminals.end_factor = of_model.or(terminals.end_factor);
+        parts.terminals.made = terminals.made;
+        if let Some(compression) = braid.compression {
             parts.braid.compression = compression;
         }
-        parts.braid.in_rubber = braid.other.in_rubber.unwrap_or(false);
+        parts.braid.in_rubber = braid.in_rubber.unwrap_or(false);
         if let Some(bench) = &identified {
             bench::check(bench, source)?;
         }
@@ -216,47 +193,31 @@ impl OfBraid {
         &self,
         source: &Source<'_>,
     ) -> Result<Option<Result<Sleeve, MuscleError>>, FileError> {
-        const LEAST: &str = "braid.least_diameter";
-        const LARGEST: &str = "braid.largest_diameter";
-        match (self.least_diameter, self.largest_diameter, &self.name) {
-            (None, None, name) => Ok(name.as_deref().map(library::find)),
-            (Some(_), None, _) => {
-                Err(source.missing(LARGEST, LEAST, "the diameter to which the sleeve opens"))
-            }
-            (None, Some(_), _) => {
-                Err(source.missing(LEAST, LARGEST, "the diameter to which it closes"))
-            }
-            (Some(_), Some(_), Some(name)) if library::find(name).is_ok() => {
-                Err(source.error(LEAST, "is that of the named sleeve: leave `name` out"))
-            }
-            (Some(least), Some(largest), name) => {
+        let diameters = source.both(
+            "braid",
+            (
+                "least_diameter",
+                self.least_diameter,
+                "the diameter to which it closes",
+            ),
+            (
+                "largest_diameter",
+                self.largest_diameter,
+                "the diameter to which the sleeve opens",
+            ),
+        )?;
+        match (diameters, &self.name) {
+            (None, name) => Ok(name.as_deref().map(library::find)),
+            (Some(_), Some(name)) if library::find(name).is_ok() => Err(source.error(
+                "braid.least_diameter",
+                "is that of the named sleeve: leave `name` out",
+            )),
+            (Some((least, largest)), name) => {
                 let sleeve = library::between("pet", least.into(), largest.into());
                 Ok(Some(sleeve.map(|sleeve| sleeve.named(name.as_deref()))))
             }
         }
     }
-}
-
-/// The error of the muscle, at the line of the key that caused it.
-fn located(source: &Source<'_>, error: &MuscleError) -> FileError {
-    // A constant of a law is a key of the rubber's table.
-    let full = |key: &&'static str| {
-        if key.contains('.') {
-            Cow::Borrowed(*key)
-        } else {
-            Cow::from(format!("tube.material.{key}"))
-        }
-    };
-    let keys: Vec<Cow<'_, str>> = error.fields.iter().map(full).collect();
-    let written = keys.iter().find(|k| source.has(k)).or(keys.first());
-    let key = written.map_or("muscle", |key| key.as_ref());
-    // What does not suit the other measures may be a default.
-    let sizes = [OUTER_DIAMETER.key, WALL.key, "tube.length"];
-    let default = keys
-        .iter()
-        .find(|k| sizes.contains(&k.as_ref()) && !source.has(k));
-    let default = default.map(|key| format!("; {key} is not written, so this is its default"));
-    source.error(key, without_key(error, key) + &default.unwrap_or_default())
 }
 
 /// The bore, by which tubes are sold: with the outer diameter it gives the wall, with the wall the

@@ -1,18 +1,24 @@
 //! A parsed file with the position of each key, and its values in the units used inside.
 
 use super::{
-    error::{FileError, TextPosition},
-    keys::Keys,
-    reader::At,
+    error::{FileError, TextPosition, without_key},
+    keys::{Keys, join},
+    said::in_our_words,
 };
 use crate::{
     joined,
-    units::{Dimension, typed::read_number},
+    muscle::MuscleError,
+    units::{Dimension, plausible, typed::read_number},
 };
 use schemars::JsonSchema;
-use serde::Deserialize;
-use std::{fmt, ops::Range};
-use toml_edit::{Document, Item, Key, Table, TableLike, TomlError};
+use serde::{
+    Deserialize,
+    de::{DeserializeOwned, IntoDeserializer},
+};
+use serde_json::Value;
+use serde_path_to_error::Segment;
+use std::{borrow::Cow, cell::Cell, fmt, ops::Range};
+use toml_edit::{Document, Item, Key, Table, TableLike, TomlError, de::Deserializer};
 
 /// The longest file in bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -32,6 +38,8 @@ pub fn position_at(text: &str, offset: usize) -> TextPosition {
 pub struct Source<'t> {
     text: &'t str,
     document: Document<&'t str>,
+    /// Those of what it was read into.
+    keys: Cell<fn() -> Keys>,
 }
 
 impl<'t> Source<'t> {
@@ -47,7 +55,11 @@ impl<'t> Source<'t> {
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         match Document::parse(text) {
-            Ok(document) => Ok(Self { text, document }),
+            Ok(document) => Ok(Self {
+                text,
+                document,
+                keys: Cell::new(Keys::default),
+            }),
             Err(error) => Err(syntax(text, &error)),
         }
     }
@@ -56,16 +68,48 @@ impl<'t> Source<'t> {
     ///
     /// # Errors
     /// [`FileError`] with line, column, key, what stood there and what is expected.
-    pub fn read<'s, T: Deserialize<'s> + JsonSchema>(&'s self) -> Result<T, FileError> {
-        let root = At::root(self.document.as_item());
-        T::deserialize(root).map_err(|wrong| {
-            let keys = if cfg!(feature = "keys") {
-                Keys::of::<T>()
-            } else {
-                Keys::default()
-            };
-            keys.error(self, wrong)
+    pub fn read<T: DeserializeOwned + JsonSchema>(&self) -> Result<T, FileError> {
+        self.keys.set(Keys::of::<T>);
+        let value = Value::deserialize(Deserializer::from(self.document.clone()))
+            .map_err(|error| FileError::new(error.message()))?;
+        if let Some((path, is)) = no_number("", &value) {
+            return Err(self.keys.get()().no_number(self, &path, is));
+        }
+        self.part(value)
+    }
+
+    /// The same of some of what is written.
+    ///
+    /// # Errors
+    /// As [`Source::read`].
+    pub fn part<T: DeserializeOwned>(&self, value: impl Into<Value>) -> Result<T, FileError> {
+        serde_path_to_error::deserialize(value.into()).map_err(|error| {
+            let path = self.dotted(error.path());
+            self.keys.get()().error(self, &path, &error.inner().to_string())
         })
+    }
+
+    /// The dotted key of a path: of an element of a list that of the list; of a table in a list,
+    /// with its number behind it.
+    fn dotted(&self, path: &serde_path_to_error::Path) -> String {
+        let mut out = String::new();
+        for segment in path {
+            let inner = match segment {
+                Segment::Map { key } => join(&out, key),
+                Segment::Seq { index } => join(&out, &(index + 1).to_string()),
+                _ => break,
+            };
+            if matches!(segment, Segment::Seq { .. }) && self.row(&inner).is_none() {
+                break;
+            }
+            out = inner;
+        }
+        out
+    }
+
+    /// A key that its table has not.
+    pub fn unknown(&self, table: &str, key: &str) -> FileError {
+        self.keys.get()().unknown(self, table, key)
     }
 
     fn table(&self, dotted: &str) -> Option<&dyn TableLike> {
@@ -126,8 +170,8 @@ impl<'t> Source<'t> {
 
     /// The number at a dotted key, in the unit inside.
     pub fn number(&self, dotted: &str, dimension: Dimension) -> Option<f64> {
-        let (_, item) = self.find(dotted)?;
-        read_number(dimension, At::root(item)).ok()
+        let value = self.find(dotted)?.1.as_value()?.clone();
+        read_number(dimension, value.into_deserializer()).ok()
     }
 
     /// The value of a key that another part of the program judges.
@@ -147,21 +191,64 @@ impl<'t> Source<'t> {
         self.error(at, format!("{dotted} is missing; {needs}"))
     }
 
-    /// The problem with the value of a key that is written.
+    /// The values of two keys of a table, or neither; each key has with it what is needed of it.
+    ///
+    /// # Errors
+    /// [`FileError`] where only one is written.
+    pub fn both<A, B>(
+        &self,
+        table: &str,
+        first: (&str, Option<A>, &str),
+        second: (&str, Option<B>, &str),
+    ) -> Result<Option<(A, B)>, FileError> {
+        let [one, other] = [first.0, second.0].map(|key| join(table, key));
+        match (first.1, second.1) {
+            (Some(_), None) => Err(self.missing(&other, &one, second.2)),
+            (None, Some(_)) => Err(self.missing(&one, &other, first.2)),
+            (first, second) => Ok(first.zip(second)),
+        }
+    }
+
+    /// The error of the muscle, at the line of the key that caused it.
+    pub(super) fn refused(&self, error: &MuscleError) -> FileError {
+        // A constant of a law is a key of the rubber's table.
+        let full = |key: &&'static str| {
+            if key.contains('.') {
+                Cow::Borrowed(*key)
+            } else {
+                Cow::from(format!("tube.material.{key}"))
+            }
+        };
+        let keys: Vec<Cow<'_, str>> = error.fields.iter().map(full).collect();
+        let written = keys.iter().find(|k| self.has(k)).or(keys.first());
+        let key = written.map_or("muscle", |key| key.as_ref());
+        // What does not suit the other measures may be a default.
+        let sizes = ["tube.outer_diameter", "tube.wall_thickness", "tube.length"];
+        let default = keys
+            .iter()
+            .find(|k| sizes.contains(&k.as_ref()) && !self.has(k));
+        let default = default.map(|key| format!("; {key} is not written, so this is its default"));
+        self.error(key, without_key(error, key) + &default.unwrap_or_default())
+    }
+
+    /// The problem with the value of a key that is written, or else with its table.
     pub fn error(&self, dotted: &str, problem: impl Into<String>) -> FileError {
         let entry = self.find(dotted);
         // The text is before the problem already.
         let text = entry.as_ref().and_then(|(_, item)| item.as_str());
         let quoted = text.map_or(String::new(), |text| format!("\"{}\" ", text.trim()));
-        let problem = problem.into();
+        let problem = in_our_words(&problem.into());
         let problem = problem.strip_prefix(&quoted).unwrap_or(&problem);
         let value = entry.as_ref().and_then(|(_, item)| item.as_value()?.span());
         let written = value
             .clone()
             .and_then(|span| self.text.get(span))
             .map(shortened);
-        let span = entry.and_then(|(key, item)| value.or(key.span()).or_else(|| item.span()));
-        let span = span.or_else(|| self.row(dotted)?.span());
+        let table = || self.find(dotted.rsplit_once('.')?.0);
+        let span = entry
+            .or_else(table)
+            .and_then(|(key, item)| value.or(key.span()).or_else(|| item.span()));
+        let span = self.row(dotted).and_then(Table::span).or(span);
         FileError {
             written,
             ..self.key_error(dotted, span, problem)
@@ -181,6 +268,23 @@ impl<'t> Source<'t> {
             ..FileError::new(problem)
         }
     }
+}
+
+/// What no number of a file is: where it stands, and what it is.
+fn no_number(path: &str, value: &Value) -> Option<(String, &'static str)> {
+    let is = match value {
+        Value::Object(table) if table.contains_key("$__toml_private_datetime") => "a date or time",
+        Value::Object(table) => {
+            return table
+                .iter()
+                .find_map(|(key, value)| no_number(&join(path, key), value));
+        }
+        Value::Array(list) => return list.iter().find_map(|value| no_number(path, value)),
+        Value::Null => "not a finite number",
+        Value::Number(x) if !x.as_f64().is_some_and(plausible) => "a number beyond 1e-30 to 1e30",
+        _ => return None,
+    };
+    Some((path.to_owned(), is))
 }
 
 /// A text on one line, and not longer than a message can bear.

@@ -1,127 +1,55 @@
-//! Tables of a muscle file that hold measures, and other keys beside them.
+//! The measures in a table of a muscle file, beside the keys of its struct.
 
-use super::error::without_key;
+use super::{error::FileError, source::Source};
 use crate::muscle::{
     Measure,
-    measures::{END_FACTOR, MeasureValues, STIFFNESS, of_section},
+    measures::{END_FACTOR, MeasureValues, SECTIONS, STIFFNESS, of_section},
 };
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{
-    Deserialize,
-    de::{
-        DeserializeOwned, DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess,
-        Visitor, value::MapAccessDeserializer,
-    },
-};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
 use serde_json::{Map, Value};
-use std::{borrow::Cow, fmt, marker::PhantomData};
+use std::borrow::Cow;
 
-/// The keys of a table beside its measures.
-pub trait Beside: DeserializeOwned + JsonSchema + Default {
-    const TABLE: &'static str;
-}
+/// What is written in a table, by its number in [`SECTIONS`], beside the keys of its struct.
+#[derive(Debug, Default, Deserialize)]
+#[serde(transparent)]
+pub struct Measured<const TABLE: usize>(Map<String, Value>);
 
-/// A table: its measures and its other keys.
-#[derive(Debug, Default)]
-pub struct Table<T> {
-    /// The measures.
-    pub measures: MeasureValues,
-    /// The other keys.
-    pub other: T,
-}
-
-/// The measures of a table; what is more than a number there has its field in the struct of the
-/// table.
-fn plain(table: &str) -> impl Iterator<Item = &'static Measure> {
-    of_section(table).filter(|m| ![&END_FACTOR, &STIFFNESS].contains(m))
-}
-
-impl<'de, T: Beside> Deserialize<'de> for Table<T> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_map(Reader(PhantomData))
-    }
-}
-
-struct Reader<T>(PhantomData<T>);
-
-impl<'de, T: Beside> Visitor<'de> for Reader<T> {
-    type Value = Table<T>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(super::reader::TABLE)
+impl<const TABLE: usize> Measured<TABLE> {
+    /// Its measures; what is more than a number there has its field in the struct of the table.
+    fn all() -> impl Iterator<Item = &'static Measure> {
+        of_section(SECTIONS[TABLE]).filter(|m| ![&END_FACTOR, &STIFFNESS].contains(m))
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Table<T>, A::Error> {
-        let mut measures = MeasureValues::default();
-        let take = |key: &str, map: &mut A| {
-            let Some(measure) = plain(T::TABLE).find(|m| m.name() == key) else {
-                return Ok(false);
-            };
-            measures.set(measure, map.next_value_seed(Number(measure))?);
-            Ok(true)
-        };
-        let other = T::deserialize(MapAccessDeserializer::new(Rest { map, take }))?;
-        Ok(Table { measures, other })
-    }
-}
-
-/// Reads a value that its measure may have.
-struct Number(&'static Measure);
-
-impl<'de> DeserializeSeed<'de> for Number {
-    type Value = f64;
-
-    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<f64, D::Error> {
-        let value = self.0.read(from)?;
-        let checked = self.0.check(value);
-        let wrong = |error| D::Error::custom(without_key(&error, self.0.key));
-        checked.map(|()| value).map_err(wrong)
-    }
-}
-
-/// The keys of a table that `take` does not take.
-pub struct Rest<A, F> {
-    pub map: A,
-    pub take: F,
-}
-
-impl<'de, A, F> MapAccess<'de> for Rest<A, F>
-where
-    A: MapAccess<'de>,
-    F: FnMut(&str, &mut A) -> Result<bool, A::Error>,
-{
-    type Error = A::Error;
-
-    fn next_key_seed<K: DeserializeSeed<'de>>(
-        &mut self,
-        seed: K,
-    ) -> Result<Option<K::Value>, A::Error> {
-        while let Some(key) = self.map.next_key::<String>()? {
-            if !(self.take)(&key, &mut self.map)? {
-                return seed.deserialize(key.into_deserializer()).map(Some);
-            }
+    /// Puts the values in.
+    ///
+    /// # Errors
+    /// [`FileError`] of the first key that is no measure, or has no value of one.
+    pub fn read(&self, source: &Source<'_>, values: &mut MeasureValues) -> Result<(), FileError> {
+        for (name, value) in &self.0 {
+            let measure = Self::all()
+                .find(|m| m.name() == name)
+                .ok_or_else(|| source.unknown(SECTIONS[TABLE], name))?;
+            let read = measure.read(value);
+            let value = read.map_err(|e| source.error(measure.key, e.to_string()))?;
+            measure.check(value).map_err(|e| source.refused(&e))?;
+            values.set(measure, value);
         }
-        Ok(None)
-    }
-
-    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, A::Error> {
-        self.map.next_value_seed(seed)
+        Ok(())
     }
 }
 
-impl<T: Beside> JsonSchema for Table<T> {
+impl<const TABLE: usize> JsonSchema for Measured<TABLE> {
     fn schema_name() -> Cow<'static, str> {
-        T::schema_name()
+        SECTIONS[TABLE].into()
     }
 
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let mut schema = T::json_schema(generator);
-        let measures = plain(T::TABLE).map(|m| (m.name().to_owned(), m.file_schema()));
-        let mut properties: Map<String, Value> = measures.collect();
-        if let Some(Value::Object(other)) = schema.remove("properties") {
-            properties.extend(other);
-        }
-        schema.insert("properties".into(), properties.into());
-        schema
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let measures = Self::all().map(|m| (m.name().to_owned(), m.file_schema()));
+        json_schema!({
+            "type": "object",
+            "additionalProperties": false,
+            "properties": measures.collect::<Map<_, _>>(),
+        })
     }
 }

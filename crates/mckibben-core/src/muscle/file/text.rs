@@ -1,6 +1,5 @@
 //! The lines of a muscle file, and values as it has them.
 
-use crate::joined;
 use mckibben_units::clean::is_unseen;
 use std::fmt::Write;
 
@@ -9,16 +8,12 @@ const COMMENT: usize = 33;
 
 /// A muscle file in the making.
 #[derive(Default)]
-pub struct Text(String);
+pub struct Text(pub String);
 
 impl Text {
     pub fn line(&mut self, line: &str) {
         self.0.push_str(line);
         self.0.push('\n');
-    }
-
-    pub fn table(&mut self, name: &str) {
-        self.line(&format!("\n[{name}]"));
     }
 
     pub fn key(&mut self, key: &str, value: &str, comment: &str) {
@@ -30,22 +25,6 @@ impl Text {
         }
         self.line(&line);
     }
-
-    /// A key, where it is stated.
-    pub fn stated(&mut self, key: &str, value: Option<String>, comment: &str) {
-        if let Some(value) = value {
-            self.key(key, &value, comment);
-        }
-    }
-
-    pub fn into_string(self) -> String {
-        self.0
-    }
-}
-
-/// A list of values.
-pub fn list<T>(values: &[T], one: impl Fn(&T) -> String) -> String {
-    format!("[{}]", joined(values.iter().map(one), ", "))
 }
 
 /// A ratio in percent that reads back as the same number, where there is one.
@@ -77,15 +56,10 @@ pub fn text(text: &str) -> String {
 pub fn quantity(value: f64, unit: &str) -> String {
     let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
     if plain {
-        format!("\"{value} {unit}\"")
+        format!("{value} {unit}")
     } else {
-        format!("\"{value:e} {unit}\"")
+        format!("{value:e} {unit}")
     }
-}
-
-/// The shortest digits that read back as the same number.
-pub fn number(value: f64) -> String {
-    format!("{value:?}")
 }
 
 #[cfg(test)]

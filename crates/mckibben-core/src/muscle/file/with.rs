@@ -1,14 +1,16 @@
-//! Single keys of a muscle file, in place of what the file says.
+//! Single keys of a file, in place of what the file says.
 
-use super::FileError;
+use super::{FileError, Source};
 use toml_edit::{DocumentMut, Item, Table, Value};
 
-/// The text of a muscle file with keys set, each as `KEY=VALUE` with a dotted key:
+/// The text of a file with keys set, each as `KEY=VALUE` with a dotted key:
 /// `terminals.seating=1.6mm`.
 ///
 /// # Errors
 /// [`FileError`] where the text is no TOML, or a key has no value.
 pub fn with_keys(text: &str, keys: &[String]) -> Result<String, FileError> {
+    // Errors of syntax with their places.
+    Source::parse(text)?;
     let mut document: DocumentMut = text
         .parse()
         .map_err(|error: toml_edit::TomlError| FileError::new(error.message()))?;
@@ -24,9 +26,9 @@ pub fn with_keys(text: &str, keys: &[String]) -> Result<String, FileError> {
         let mut table = document.as_table_mut() as &mut dyn toml_edit::TableLike;
         for name in path {
             let item = table.entry(name).or_insert(Item::Table(Table::new()));
-            table = item.as_table_like_mut().ok_or_else(|| {
-                FileError::new(format!("{key}: {name} is not a table of a muscle file"))
-            })?;
+            table = item
+                .as_table_like_mut()
+                .ok_or_else(|| FileError::new(format!("{key}: {name} is not a table")))?;
         }
         table.insert(last, read.into());
     }

@@ -1,33 +1,32 @@
 //! Values of measures as fields of requests.
 
-use super::{Measure, fields};
+use super::{MEASURES, Measure, fields};
 use crate::units::parse_quantity;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value, json};
-use std::borrow::Cow;
+use std::{borrow::Cow, collections::BTreeMap};
 
 /// Values of measures, in the order of their table.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(try_from = "Map<String, Value>")]
-pub struct MeasureValues(Vec<(&'static Measure, f64)>);
+pub struct MeasureValues(BTreeMap<usize, f64>);
 
 impl MeasureValues {
     /// The value of a measure.
     pub fn get(&self, measure: &Measure) -> Option<f64> {
-        self.0.iter().find(|v| v.0 == measure).map(|v| v.1)
+        self.0.get(&measure.place()).copied()
     }
 
     /// Puts a value in.
-    pub fn set(&mut self, measure: &'static Measure, value: f64) {
-        self.0.retain(|v| v.0 != measure);
-        self.0.push((measure, value));
-        let place = |m: &Measure| fields().position(|(_, other)| other == m);
-        self.0.sort_by_cached_key(|v| place(v.0));
+    pub fn set(&mut self, measure: &Measure, value: f64) {
+        self.0.insert(measure.place(), value);
     }
 
     /// All of them.
     pub fn iter(&self) -> impl Iterator<Item = (&'static Measure, f64)> {
-        self.0.iter().copied()
+        self.0
+            .iter()
+            .map(|(place, value)| (MEASURES[*place], *value))
     }
 }
 
@@ -64,13 +63,18 @@ impl TryFrom<Map<String, Value>> for MeasureValues {
                 Some(value) => Option::<f64>::deserialize(value)?,
                 None => None,
             };
-            out.0.extend(value.map(|value| (measure, value)));
+            out.0.extend(value.map(|value| (measure.place(), value)));
         }
         Ok(out)
     }
 }
 
 impl Measure {
+    /// Its place in the table.
+    fn place(&self) -> usize {
+        MEASURES.iter().take_while(|m| **m != self).count()
+    }
+
     /// The schema of its field; `more` is added to the sentence about it.
     pub fn schema(&self, more: &str) -> Value {
         let mut field = json!({
