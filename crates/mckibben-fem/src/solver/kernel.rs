@@ -29,6 +29,7 @@ pub struct Matrix<'a> {
 
 impl Matrix<'_> {
     /// The same from a row and a column on.
+    #[must_use]
     pub fn from(self, row: usize, column: usize) -> Self {
         Self {
             values: &self.values[column * self.stride + row..],

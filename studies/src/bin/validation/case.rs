@@ -165,7 +165,7 @@ pub struct RubberCase {
 #[derive(Debug)]
 pub enum Case {
     Muscle(Box<MuscleCase>),
-    Rubber(RubberCase),
+    Rubber(Box<RubberCase>),
 }
 
 impl Case {
@@ -173,6 +173,13 @@ impl Case {
         match self {
             Self::Muscle(case) => &case.name,
             Self::Rubber(case) => &case.name,
+        }
+    }
+
+    pub fn muscle(&self) -> Option<&MuscleCase> {
+        match self {
+            Self::Muscle(case) => Some(case),
+            Self::Rubber(_) => None,
         }
     }
 }
@@ -221,7 +228,7 @@ impl Files {
 
     pub fn read(&self) -> Result<Case> {
         if self.muscle.is_empty() {
-            Ok(Case::Rubber(self.rubber()?))
+            Ok(Case::Rubber(Box::new(self.rubber()?)))
         } else {
             Ok(Case::Muscle(Box::new(self.muscle()?)))
         }

@@ -141,17 +141,13 @@ fn run(asked: &Asked) -> Result<bool> {
 }
 
 fn muscles(cases: &[Case]) -> Vec<&MuscleCase> {
-    let muscle = |case| match case {
-        &Case::Muscle(ref case) => Some(&**case),
-        Case::Rubber(_) => None,
-    };
-    cases.iter().filter_map(muscle).collect()
+    cases.iter().filter_map(Case::muscle).collect()
 }
 
 /// The tables of each case.
 fn printed(cases: &[Case], build: &Build<'_>) -> Result<Vec<String>> {
-    let one = |case| match case {
-        &Case::Muscle(ref case) => Ok(of_muscle(case, &report(&[case], build)?)),
+    let one = |case: &Case| match case {
+        Case::Muscle(case) => Ok(of_muscle(case, &report(&[case], build)?)),
         Case::Rubber(of) => Ok(tables::rubber(case, &of.facts, rubber::report(of)?)),
     };
     cases.iter().map(one).collect()

@@ -105,12 +105,12 @@ pub fn blind(all: &[&Fitted<'_>]) -> String {
             continue;
         };
         let rms = number(fitted.means.rms_n, 1);
-        let names = [&of.case.name, &of.fit.name, &of.to, &rms].map(String::clone);
         // In the first row of each fit.
         let mut found = joined(of.constants.iter().map(constant), ", ");
         rows.extend(groups.iter().map(|g| {
+            let names = [&of.case.name, &of.fit.name, &of.to, &rms, &g.of].map(String::clone);
             let found = [std::mem::take(&mut found)];
-            [&names[..], &[g.of.clone()], &errors(&g.means), &found].concat()
+            [&names[..], &errors(&g.means), &found].concat()
         }));
     }
     let head = ["muscle", "fit", "fitted to", "rms there [N]", "predicted"];

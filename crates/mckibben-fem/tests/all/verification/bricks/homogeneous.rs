@@ -20,8 +20,8 @@ fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, 
     let places = block.places();
     let far: Vec<[bool; 3]> = places.iter().map(|p| p.map(|i| i == last)).collect();
     for (node, place) in places.iter().enumerate() {
-        for i in 0..3 {
-            if place[i] == 0 || held(far[node], i) {
+        for (i, &at) in place.iter().enumerate() {
+            if at == 0 || held(far[node], i) {
                 problem.freedom[node][i] = Freedom::Held;
             }
         }
