@@ -32,7 +32,7 @@ fn muscle(name: &str) -> &'static MuscleCase {
 
 fn rubbers() -> impl Iterator<Item = &'static RubberCase> {
     ALL.iter().filter_map(|case| match case {
-        Case::Rubber(case) => Some(case),
+        Case::Rubber(case) => Some(&**case),
         Case::Muscle(_) => None,
     })
 }
