@@ -480,8 +480,7 @@ class Identified(Record):
         for p in self.parameters:
             half = "" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}"
             words.append(f"  {p.name} {p.value:.5g}{half} {p.unit}".rstrip())
-        by = "stated errors" if self.errors_stated else "residuals"
-        words.append(f"± half width of 95 %, by the {by}")
+        words.append("± half width of 95 %")
         return "\n".join([*words, *(f"note: {text}" for text in self.warnings)])
 
 

@@ -418,7 +418,11 @@ fn every_bench_gives_the_modulus_that_made_its_points() {
         );
         let identified = json_in(dir.path(), &line);
         let of_point = |p: &Value| number(p, "force_n");
-        let pulls = identified["points"].as_array().unwrap().iter().map(of_point);
+        let pulls = identified["points"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(of_point);
         let rounding = 0.006 * 12_f64.sqrt() / (0.02 * pulls.fold(0.0, f64::max));
         let found = &identified["parameters"][0];
         let tolerance = number(found, "standard_error") * rounding;

@@ -2,7 +2,8 @@
 //! model does not follow.
 
 use super::{
-    Identification, IdentificationRequest, IdentifyError, PointFit, PosteriorRequest, Result, Target,
+    Identification, IdentificationRequest, IdentifyError, PointFit, PosteriorRequest, Result,
+    Target,
 };
 use crate::{
     least_squares::{Loss, Unknown, estimate, robust_deviation},
@@ -284,7 +285,11 @@ pub fn after(result: &Identification, request: &IdentificationRequest<'_>) -> Ve
 }
 
 fn outlying(points: &[PointFit]) -> Option<String> {
-    let far: Vec<u64> = points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
+    let far: Vec<u64> = points
+        .iter()
+        .filter(|p| p.outlier)
+        .map(|p| p.point.line)
+        .collect();
     let s = if far.len() == 1 { "s" } else { "" };
     let which = lines(&far);
     (!far.is_empty()).then(|| {

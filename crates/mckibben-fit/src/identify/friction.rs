@@ -99,10 +99,7 @@ fn local(model: &mut Evaluation<'_>, p: f64, e: f64) -> Result<Local, ModelError
 
 /// The contraction or pressure at which the model has the measured pull, by Newton's method from
 /// the measured one.
-fn at_measured_pull(
-    model: &mut Evaluation<'_>,
-    point: &DataPoint,
-) -> Result<Local, ModelError> {
+fn at_measured_pull(model: &mut Evaluation<'_>, point: &DataPoint) -> Result<Local, ModelError> {
     let at = &point.at;
     let mut p = at.pressure_mpa;
     let mut e = at.contraction;
@@ -185,7 +182,9 @@ impl Problem<'_> {
                     let (mean_n, pivoting) = self.means[i];
                     let law = model.model.muscle().friction().filter(|_| p > 0.0);
                     let half = law.map_or(0.0, |law| law.half_width_n(p, pivoting));
-                    let share = shares.as_ref().map_or(-point.at.direction().sign(), |z| z[i]);
+                    let share = shares
+                        .as_ref()
+                        .map_or(-point.at.direction().sign(), |z| z[i]);
                     mean_n - share * half - point.at.force_n
                 }
             };
@@ -215,7 +214,11 @@ impl Problem<'_> {
             Ok((mean_n, pivoting))
         })?;
         let answered = self.points.iter().zip(rows);
-        Some(answered.filter_map(|(p, row)| Some((*p, row.ok()?))).unzip())
+        Some(
+            answered
+                .filter_map(|(p, row)| Some((*p, row.ok()?)))
+                .unzip(),
+        )
     }
 
     fn mean_slopes(&self, start: &[f64]) -> Option<[f64; 4]> {
@@ -279,7 +282,9 @@ fn parameters(problem: &Problem<'_>, unknowns: &[Unknown], found: &Estimate) -> 
         let value = unknowns[i].at_its_bound(found.x[i]);
         let at_bound = found.at_bound[i];
         let half_width = found.half_widths[i];
-        let limit = target.identify().map_or(0.0, |identify| identify.limit(value));
+        let limit = target
+            .identify()
+            .map_or(0.0, |identify| identify.limit(value));
         Identified {
             target: Some(*target),
             name: target.name(problem.muscle),

@@ -153,10 +153,7 @@ impl Target {
     ///
     /// # Errors
     /// What is no name, or no bounds of it.
-    pub fn parse_bounds(
-        text: &str,
-        muscle: &Muscle,
-    ) -> Result<(Self, (f64, f64)), ParameterError> {
+    pub fn parse_bounds(text: &str, muscle: &Muscle) -> Result<(Self, (f64, f64)), ParameterError> {
         let (target, numbers) = target_and_numbers(text, muscle)?;
         match *numbers.as_slice() {
             [low, high] if low < high => Ok((target, (low, high))),
@@ -176,7 +173,10 @@ fn form(given: &str, form: &str) -> ParameterError {
 
 /// The target of a word, and the numbers behind it.
 #[doc(hidden)]
-pub fn target_and_numbers(text: &str, muscle: &Muscle) -> Result<(Target, Vec<f64>), ParameterError> {
+pub fn target_and_numbers(
+    text: &str,
+    muscle: &Muscle,
+) -> Result<(Target, Vec<f64>), ParameterError> {
     let (name, values) = text
         .split_once('=')
         .map_or((text, None), |(name, values)| (name, Some(values)));

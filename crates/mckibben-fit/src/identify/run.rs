@@ -141,7 +141,8 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
     let points = if request.history && !law.left.is_empty() {
         fits(law.left)
     } else {
-        let off = |(point, predicted_n): &(DataPoint, f64)| (*point, predicted_n - point.at.force_n);
+        let off =
+            |(point, predicted_n): &(DataPoint, f64)| (*point, predicted_n - point.at.force_n);
         fits(left.points.iter().map(off).collect())
     };
     // Constants that are held are not known better for it.
@@ -281,7 +282,11 @@ impl Shown {
     /// Whether a name means it: a factor on all moduli, or the one modulus of the law.
     fn is(&self, target: Target, base: &Muscle) -> bool {
         let law = &base.tube().rubber.law;
-        let moduli = || law.constants().into_iter().filter(|c| c.constant.is_modulus());
+        let moduli = || {
+            law.constants()
+                .into_iter()
+                .filter(|c| c.constant.is_modulus())
+        };
         let is_modulus = match target {
             Target::Modulus => true,
             Target::Law(i) => {
@@ -350,7 +355,12 @@ fn check_names(request: &IdentificationRequest<'_>, base: &Muscle) -> Result<()>
     };
     for (i, &target) in request.free.iter().enumerate() {
         let fixed = request.fixed.iter().map(|f| f.0);
-        if request.free[..i].iter().copied().chain(fixed).any(|other| other == target) {
+        if request.free[..i]
+            .iter()
+            .copied()
+            .chain(fixed)
+            .any(|other| other == target)
+        {
             return refuse(target, "is named twice, free or fixed: name it once");
         }
         if !target.is_of_friction() && !Shown::all(base).any(|shown| shown.is(target, base)) {
@@ -396,8 +406,7 @@ fn prior(request: &IdentificationRequest<'_>, base: &Muscle, experience: &Experi
             Some(*target) == shown.target
                 || target.is_of_law() && shown.constant == Constant::Modulus
         };
-        let is_free =
-            request.free.is_empty() || request.free.iter().any(|t| shown.is(*t, base));
+        let is_free = request.free.is_empty() || request.free.iter().any(|t| shown.is(*t, base));
         if !is_free || request.fixed.iter().any(is_fixed) {
             let i = shown.constant as usize;
             prior.deviation[i] = 0.0;
@@ -425,4 +434,3 @@ fn correlation(parameters: &[Identified], found: &Posterior) -> Vec<Vec<f64>> {
     let n = parameters.len();
     (0..n).map(|i| (0..n).map(|k| of(i, k)).collect()).collect()
 }
-

@@ -2,7 +2,7 @@
 
 use mckibben_core::{
     model::{ForceModel, ModelKind, ThickWall, Workspace},
-    muscle::{Braid, BraidStiffness, Crimp, Direction, Muscle, Rubber, Terminals, Tube},
+    muscle::{Braid, BraidStiffness, Crimp, Muscle, Rubber, Terminals, Tube},
     rubber::{Law, NeoHookean},
 };
 use mckibben_fem::{FemError, axisymmetric::Axisymmetric};

@@ -94,7 +94,11 @@ fn outliers_are_named() {
     points[4].at.force_n += 120.0;
     let fit = identified(&m, &["mu"], &points).unwrap();
     assert!(fit.points[4].outlier && fit.points.iter().filter(|p| p.outlier).count() == 1);
-    assert!(says(&fit, "line 6 lies more than 5 robust deviations"), "{:?}", fit.notes);
+    assert!(
+        says(&fit, "line 6 lies more than 5 robust deviations"),
+        "{:?}",
+        fit.notes
+    );
 }
 
 #[test]
@@ -142,7 +146,11 @@ fn too_few_slack_and_contradicting_points_get_a_sentence() {
     let mut slack = points.clone();
     slack[2].at.force_n = 0.0;
     let fit = identified(&m, &["mu"], &slack).unwrap();
-    assert!(says(&fit, "1 points without a pull were left out"), "{:?}", fit.notes);
+    assert!(
+        says(&fit, "1 points without a pull were left out"),
+        "{:?}",
+        fit.notes
+    );
     let mut twice = points.clone();
     twice.push(DataPoint {
         line: 17,
@@ -201,18 +209,31 @@ fn names_bounds_and_doubles_are_checked() {
     assert!(refused(of(&twice)).contains("tube.material.mu is named twice"));
     let mu = free(&m, &["mu"]);
     let fixed = [(mu[0], 0.4)];
-    let both = IdentificationRequest { fixed: &fixed, ..of(&mu) };
+    let both = IdentificationRequest {
+        fixed: &fixed,
+        ..of(&mu)
+    };
     assert!(refused(both).contains("named twice"));
     let wall = free(&m, &["tube.wall_thickness"]);
     let message = refused(of(&wall));
     let known = "tube.material.mu, braid.angle, braid.stiffness";
-    assert!(message.contains("measure it and state it") && message.contains(known), "{message}");
+    assert!(
+        message.contains("measure it and state it") && message.contains(known),
+        "{message}"
+    );
     let angle = [(Target::Measure(&ANGLE), (20.0, 30.0))];
-    let not_free = IdentificationRequest { bounds: &angle, ..of(&mu) };
+    let not_free = IdentificationRequest {
+        bounds: &angle,
+        ..of(&mu)
+    };
     assert!(refused(not_free).contains("braid.angle has bounds and is not free"));
     // A bound that holds the truth away: the constant is the bound.
     let bounds = [(mu[0], (0.35, 1.0))];
-    let fit = identify(&IdentificationRequest { bounds: &bounds, ..of(&mu) }).unwrap();
+    let fit = identify(&IdentificationRequest {
+        bounds: &bounds,
+        ..of(&mu)
+    })
+    .unwrap();
     let [p] = &fit.parameters[..] else { panic!() };
     assert!(p.at_bound && (p.value - 0.35).abs() < 1e-12, "{p:#?}");
 }

@@ -72,7 +72,12 @@ fn closed_form_loops_give_the_lever_and_the_presliding_back() {
     let truth = [LEVER_MM, PRESLIDING_MM];
     let exact = identified(&FRICTION, &loops(0.0, 1), true).unwrap();
     for (p, truth) in exact.parameters.iter().zip(truth) {
-        assert!((p.value / truth - 1.0).abs() < 1e-6, "{} {}", p.name, p.value);
+        assert!(
+            (p.value / truth - 1.0).abs() < 1e-6,
+            "{} {}",
+            p.name,
+            p.value
+        );
     }
     // 95 % intervals: of 20 at most 3 miss in 98 of 100 such tests.
     let mut missed = 0;
@@ -97,13 +102,20 @@ fn closed_form_loops_give_the_lever_and_the_presliding_back() {
 #[test]
 fn all_constants_are_told_beside_the_friction() {
     let fit = identified(&[], &loops(0.5, 1), true).unwrap();
-    for (name, truth) in [("tube.material.mu", 0.3), ("braid.angle", 25.0), ("braid.stiffness", 400.0)] {
+    for (name, truth) in [
+        ("tube.material.mu", 0.3),
+        ("braid.angle", 25.0),
+        ("braid.stiffness", 400.0),
+    ] {
         let p = fit.parameters.iter().find(|p| p.name == name).unwrap();
         assert!((p.value - truth).abs() < p.half_width, "{p:#?}");
     }
     for (name, truth) in FRICTION.into_iter().zip([LEVER_MM, PRESLIDING_MM]) {
         let p = fit.parameters.iter().find(|p| p.name == name).unwrap();
-        assert!(p.identifiable && (p.value / truth - 1.0).abs() < 0.1, "{p:#?}");
+        assert!(
+            p.identifiable && (p.value / truth - 1.0).abs() < 0.1,
+            "{p:#?}"
+        );
     }
 }
 
@@ -117,6 +129,8 @@ fn without_the_order_in_time_no_row_has_a_presliding() {
 fn rows_in_time_order_state_pulls() {
     let mut points = loops(0.0, 1);
     points[7].measured = Quantity::Pressure;
-    let said = identified(&FRICTION, &points, true).unwrap_err().to_string();
+    let said = identified(&FRICTION, &points, true)
+        .unwrap_err()
+        .to_string();
     assert!(said.starts_with("line 9: rows in time order"), "{said}");
 }

@@ -188,22 +188,27 @@ fn weighed(base: &Muscle, points: &[DataPoint], kappa: f64) -> [DMatrix<f64>; 3]
     let mut pull_n = |kappa: f64, p: &DataPoint| {
         let changed = with_values(base, &[(Target::Modulus, kappa.exp())]).unwrap();
         let model = ThickWall::between_ends(&changed);
-        model.force_n(w, p.at.pressure_mpa, p.at.contraction).unwrap()
+        model
+            .force_n(w, p.at.pressure_mpa, p.at.contraction)
+            .unwrap()
     };
     let n = points.len();
     let off = points.iter().map(|p| p.at.force_n - pull_n(kappa, p));
     let off = DMatrix::from_iterator(n, 1, off.collect::<Vec<_>>());
     const STEP: f64 = 1e-4;
-    let slopes = points.iter().map(|p| {
-        (pull_n(kappa + STEP, p) - pull_n(kappa - STEP, p)) / (2.0 * STEP)
-    });
+    let slopes = points
+        .iter()
+        .map(|p| (pull_n(kappa + STEP, p) - pull_n(kappa - STEP, p)) / (2.0 * STEP));
     let slopes = DMatrix::from_iterator(n, 1, slopes.collect::<Vec<_>>());
     let mut x = [0.0; Constant::ALL.len()];
     x[Constant::Modulus as usize] = kappa;
     let prior = Prior::of(base, Experience::built_in());
     let predictor = Predictor::about(base, x, prior.covariance()).unwrap();
     let place = |p: &DataPoint| -> Place {
-        predictor.at(p.at.pressure_mpa, p.at.contraction, 0.0).unwrap().place
+        predictor
+            .at(p.at.pressure_mpa, p.at.contraction, 0.0)
+            .unwrap()
+            .place
     };
     let places: Vec<Place> = points.iter().map(place).collect();
     let highest = |of: fn(&Place) -> f64| places.iter().map(of).fold(0.0, f64::max);
@@ -228,7 +233,10 @@ fn one_constant_that_is_named_is_that_of_its_normal_equation() {
         let weighted = covariance.lu().solve(&slopes).unwrap();
         let told = (weighted.transpose() * off)[(0, 0)];
         let known = (weighted.transpose() * slopes)[(0, 0)];
-        (told - kappa / (sigma * sigma), known + 1.0 / (sigma * sigma))
+        (
+            told - kappa / (sigma * sigma),
+            known + 1.0 / (sigma * sigma),
+        )
     };
     let (mut low, mut high) = (-1.0, 1.0);
     for _ in 0..40 {
@@ -247,8 +255,14 @@ fn one_constant_that_is_named_is_that_of_its_normal_equation() {
     let kappa = (mu.value / 0.25).ln();
     assert!((kappa - low).abs() < 1e-5 * sigma, "{kappa} {low}");
     let expected = HALF_95 * mu.value * deviation;
-    assert!((mu.half_width / expected - 1.0).abs() < 1e-4, "{mu:#?} {expected}");
-    assert!(mu.identifiable && (mu.value - 0.3).abs() < mu.half_width, "{mu:#?}");
+    assert!(
+        (mu.half_width / expected - 1.0).abs() < 1e-4,
+        "{mu:#?} {expected}"
+    );
+    assert!(
+        mu.identifiable && (mu.value - 0.3).abs() < mu.half_width,
+        "{mu:#?}"
+    );
     let stated = with_values(&base, &[(Target::Law(0), mu.value)]).unwrap();
     assert_eq!(fit.muscle, stated);
 }
@@ -258,11 +272,19 @@ fn one_constant_that_is_named_is_that_of_its_normal_equation() {
 #[test]
 fn constants_that_are_right_stay_where_they_are() {
     let m = soft();
-    for names in [&["mu"][..], &["modulus"], &["mu", "braid.stiffness", "braid.angle"]] {
+    for names in [
+        &["mu"][..],
+        &["modulus"],
+        &["mu", "braid.stiffness", "braid.angle"],
+    ] {
         let fit = identified(&m, names, &bench(&m, 0.0)).unwrap();
         assert_eq!(fit.parameters.len(), names.len());
         for (p, truth) in fit.parameters.iter().zip([0.3, 25.0, 400.0]) {
-            let truth = if p.name == "braid.stiffness" { 400.0 } else { truth };
+            let truth = if p.name == "braid.stiffness" {
+                400.0
+            } else {
+                truth
+            };
             assert!((p.value / truth - 1.0).abs() < 1e-6, "{p:#?}");
         }
         assert!(fit.rms_n < 1e-3, "{}", fit.rms_n);
@@ -272,12 +294,17 @@ fn constants_that_are_right_stay_where_they_are() {
 /// With the other constants as they are, exact loops give the law of the friction back.
 #[test]
 fn the_law_of_the_friction_comes_back_from_exact_points() {
-    let rubbing = soft().with_friction(Some(Friction::power_law(25.0, 0.7))).unwrap();
+    let rubbing = soft()
+        .with_friction(Some(Friction::power_law(25.0, 0.7)))
+        .unwrap();
     let names = ["friction.c", "friction.beta"];
     let fit = identified(&soft(), &names, &bench(&rubbing, 0.0)).unwrap();
     for (measure, truth) in [(&FRICTION_COEFFICIENT, 25.0), (&FRICTION_EXPONENT, 0.7)] {
         let p = fit.parameter(Target::Measure(measure)).unwrap();
-        assert!(p.identifiable && (p.value - truth).abs() < 1e-6 * (1.0 + truth), "{p:#?}");
+        assert!(
+            p.identifiable && (p.value - truth).abs() < 1e-6 * (1.0 + truth),
+            "{p:#?}"
+        );
     }
     // Both that were fixed stay.
     let fixed = [(Target::Measure(&FRICTION_COEFFICIENT), 20.0)];
@@ -314,14 +341,19 @@ fn isotonic_and_pressure_readings_tell_the_same() {
 /// Exact loops of which half was read as contractions: the law of the friction comes back.
 #[test]
 fn contractions_under_a_load_tell_the_friction() {
-    let rubbing = soft().with_friction(Some(Friction::power_law(25.0, 0.7))).unwrap();
+    let rubbing = soft()
+        .with_friction(Some(Friction::power_law(25.0, 0.7)))
+        .unwrap();
     let mut points = bench(&rubbing, 0.0);
     for (i, p) in points.iter_mut().enumerate() {
         p.measured = [Quantity::Force, Quantity::Contraction, Quantity::Pressure][i % 3];
     }
     let fit = identified(&soft(), &["friction.c", "friction.beta"], &points).unwrap();
     for (p, truth) in fit.parameters.iter().zip([25.0, 0.7]) {
-        assert!(p.identifiable && (p.value - truth).abs() < 1e-5 * (1.0 + truth), "{p:#?}");
+        assert!(
+            p.identifiable && (p.value - truth).abs() < 1e-5 * (1.0 + truth),
+            "{p:#?}"
+        );
     }
 }
 
