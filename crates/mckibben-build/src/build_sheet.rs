@@ -10,7 +10,7 @@ use crate::{
     text::{mm, percent, significant},
 };
 use mckibben_core::muscle::EndsMade;
-use mckibben_report::{Document, FigureError, Part};
+use mckibben_report::{Document, Part};
 
 /// How exact the distance of the heads is, in mm: what a ruler reads.
 pub const FACES_MM: f64 = 0.5;
@@ -39,7 +39,7 @@ pub fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
 }
 
 /// The sheet.
-pub fn document(plan: &Plan) -> Result<Document, FigureError> {
+pub fn document(plan: &Plan) -> Document {
     let mut parts = vec![Part::Stop(plan.stops()), heading("Tools and consumables")];
     parts.push(Part::List(tools(plan)));
     parts.push(heading("Cut list"));
@@ -48,23 +48,23 @@ pub fn document(plan: &Plan) -> Result<Document, FigureError> {
     if plan.is_cast() {
         parts.extend([
             heading("Casting the tube"),
-            Part::Drawing(sketch::casting(plan)?),
+            Part::Drawing(sketch::casting(plan)),
             Part::Steps(casting(plan)),
         ]);
     }
     parts.extend([
         heading("Assembly"),
-        Part::Drawing(sketch::assembly(plan)?),
-        Part::Drawing(sketch::end(plan)?),
+        Part::Drawing(sketch::assembly(plan)),
+        Part::Drawing(sketch::end(plan)),
         Part::Steps(assembly(plan)),
         heading("Proof and leak test"),
-        Part::Drawing(sketch::tests(plan)?),
-        Part::Drawing(sketch::frame(plan)?),
+        Part::Drawing(sketch::tests(plan)),
+        Part::Drawing(sketch::frame(plan)),
         Part::Steps(tests(plan)),
         heading("As built"),
         as_built(plan),
     ]);
-    Ok(Document {
+    Document {
         title: format!("Build sheet: {}", plan.title()),
         title_block: plan.title_block.clone(),
         lead: plan.verdict().join(" "),
@@ -72,7 +72,7 @@ pub fn document(plan: &Plan) -> Result<Document, FigureError> {
         footer: "A choice or an estimate is marked where it is not measured; sources are in \
                  bom.csv and in the documentation."
             .into(),
-    })
+    }
 }
 
 fn tools(plan: &Plan) -> Vec<String> {

@@ -53,11 +53,6 @@ use mckibben_report::{Document, Sheet};
 /// The program, in the first line of a file.
 const MARK: &str = "mckibben build";
 
-/// The drawing of the muscle as SVG.
-pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
-    drawing::on_paper(plan).to_svg()
-}
-
 /// The drawings: the muscle, and a sheet for each plug.
 pub fn drawings(plan: &Plan) -> [Sheet; 3] {
     [
@@ -68,14 +63,14 @@ pub fn drawings(plan: &Plan) -> [Sheet; 3] {
 }
 
 /// The build sheet and the test record.
-pub fn papers(plan: &Plan) -> Result<[Document; 2], FigureError> {
-    Ok([build_sheet::document(plan)?, record::document(plan)])
+pub fn papers(plan: &Plan) -> [Document; 2] {
+    [build_sheet::document(plan), record::document(plan)]
 }
 
 /// All files, the first page first, which links to the others.
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let sheets = drawings(plan);
-    let [build_sheet, record] = papers(plan)?;
+    let [build_sheet, record] = papers(plan);
     let bill = material::csv(plan).map_err(|e| FigureError::Drawing(e.to_string()))?;
     let mut out = vec![
         document(

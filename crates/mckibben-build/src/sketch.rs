@@ -8,7 +8,7 @@ use crate::{
     mould::{self, Mould},
     view::View,
 };
-use mckibben_report::{Anchor, FigureError, Pen, Sheet};
+use mckibben_report::{Anchor, Pen, Sheet};
 
 const PAPER_MM: (f64, f64) = (170.0, 62.0);
 const NOTE_MM: f64 = 2.3;
@@ -102,7 +102,7 @@ impl Panel<'_> {
 type Draw<'a> = &'a dyn Fn(&mut Panel<'_>);
 
 /// Panels side by side, each with the number of its step.
-fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> Result<String, FigureError> {
+fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> Sheet {
     let rows = all.len().div_ceil(COLUMNS);
     let wide = PAPER_MM.0 / COLUMNS as f64;
     let mut sheet = Sheet::new(what.into(), PAPER_MM.0, PANEL_MM * rows as f64);
@@ -116,11 +116,11 @@ fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> Result<String, FigureError> 
             at,
         });
     }
-    sheet.to_svg()
+    sheet
 }
 
 /// The steps of the assembly but for the end that is closed.
-pub fn assembly(plan: &Plan) -> Result<String, FigureError> {
+pub fn assembly(plan: &Plan) -> Sheet {
     let [left, right] = HEADS_MM;
     let length = |mm: f64| plan.shown.length(mm);
     let cut = &plan.cut;
@@ -195,7 +195,7 @@ pub fn assembly(plan: &Plan) -> Result<String, FigureError> {
 }
 
 /// The mould, with the steps at it; diameters are not to scale.
-pub fn casting(plan: &Plan) -> Result<String, FigureError> {
+pub fn casting(plan: &Plan) -> Sheet {
     let mould = Mould::new(&plan.cut);
     let mut sheet = sheet("Mould, lying");
     let origin = [28.0, 29.0];
@@ -239,11 +239,11 @@ pub fn casting(plan: &Plan) -> Result<String, FigureError> {
     let [rod, bore] = [mould.rod_mm, mould.bore_mm].map(|mm| plan.shown.bare(mm));
     let note = format!("rod ⌀{rod}, pipe ⌀{bore} inside; rubber from the lower cap to the vents");
     sheet.text([4.0, 2.0], NOTE_MM, Anchor::Start, note);
-    sheet.to_svg()
+    sheet
 }
 
 /// The muscle as it is filled, and its leak test.
-pub fn tests(plan: &Plan) -> Result<String, FigureError> {
+pub fn tests(plan: &Plan) -> Sheet {
     let muscle = |p: &mut Panel<'_>, y: [f64; 2]| {
         p.rectangle([22.0, 28.0], y);
         for [from, to] in [[y[0] - 4.0, y[0]], [y[1], y[1] + 4.0]] {
@@ -281,7 +281,7 @@ pub fn tests(plan: &Plan) -> Result<String, FigureError> {
 }
 
 /// An end: plug, tube, sleeve and clamps, and where the free length begins.
-pub fn end(plan: &Plan) -> Result<String, FigureError> {
+pub fn end(plan: &Plan) -> Sheet {
     let body = Body::new(plan);
     let plug = &plan.eye_plug;
     let length_mm = plug.length_mm - plug.stem.datum_mm;
@@ -320,11 +320,11 @@ pub fn end(plan: &Plan) -> Result<String, FigureError> {
     v.across((x.0, body.end), (clamped, clamped), row + 7.0, &faces);
     let note = "L₀ ends at the barb or the first groove, within 1 mm of the first tie or clamp";
     sheet.text([4.0, 3.0], NOTE_MM, Anchor::Start, note);
-    sheet.to_svg()
+    sheet
 }
 
 /// The muscle in the frame that holds its length, with the air plug above.
-pub fn frame(plan: &Plan) -> Result<String, FigureError> {
+pub fn frame(plan: &Plan) -> Sheet {
     let mut sheet = sheet("Proof test with the length held");
     let (left, right, y) = (40.0, 130.0, 32.0);
     for rod in [14.0, 50.0] {
@@ -358,5 +358,5 @@ pub fn frame(plan: &Plan) -> Result<String, FigureError> {
         plan.shown.force(plan.proof_load_n)
     );
     sheet.text([4.0, 4.0], NOTE_MM, Anchor::Start, note);
-    sheet.to_svg()
+    sheet
 }

@@ -15,6 +15,8 @@ mod axes;
 mod curve;
 mod data;
 mod document;
+mod draw;
+mod drawing;
 mod figure;
 mod font;
 mod labels;
@@ -22,7 +24,6 @@ mod layout;
 mod legend;
 mod line_labels;
 #[cfg(feature = "png")]
-mod outlines;
 mod pages;
 mod palette;
 #[cfg(feature = "png")]
@@ -34,15 +35,12 @@ mod room;
 mod save;
 mod sheet;
 mod smooth;
-mod strokes;
 mod svg;
 mod ticks;
-mod xml;
 
 pub use document::{Document, Part};
+pub use drawing::Anchor;
 pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
-pub use outlines::texts_as_outlines;
-#[cfg(feature = "png")]
 pub use sheet::to_pdf;
-pub use sheet::{Anchor, Pen, Sheet};
+pub use sheet::{Pen, Sheet};

@@ -2,10 +2,11 @@
 
 use crate::{
     document::{Document, Part},
+    drawing::{Anchor, Drawing},
     figure::Result,
     font::Metrics,
     rect::PER_MM,
-    sheet::{Anchor, CAPITALS, Pen, Sheet},
+    sheet::{self, CAPITALS, Pen, Sheet},
 };
 
 /// A4 upright and its margins (left with room for binding), in mm.
@@ -40,8 +41,8 @@ struct Pages<'a> {
 }
 
 impl Document {
-    /// The report on sheets of paper, without bodies and texts of files.
-    pub fn sheets(&self) -> Result<Vec<Sheet>> {
+    /// The report as a PDF of A4 pages, without bodies and texts of files.
+    pub fn to_pdf(&self) -> Result<Vec<u8>> {
         let mut pages = Pages {
             title: &self.title,
             metrics: Metrics::new()?,
@@ -64,13 +65,7 @@ impl Document {
         }
         pages.y -= 3.0;
         pages.text(&self.footer, LEFT_MM, 1.8);
-        Ok(pages.numbered())
-    }
-
-    /// The report as a PDF of A4 pages.
-    #[cfg(feature = "png")]
-    pub fn to_pdf(&self) -> Result<Vec<u8>> {
-        crate::sheet::to_pdf(&self.sheets()?, &self.title)
+        sheet::to_pdf(&pages.numbered(), &self.title)
     }
 }
 
@@ -136,8 +131,8 @@ impl Pages<'_> {
                 }
             }
             Part::Table { head, rows } => self.table(head, rows),
-            Part::Figure(figure) => self.picture(&figure.to_svg()?),
-            Part::Drawing(svg) => self.picture(svg),
+            Part::Figure(figure) => self.picture(&figure.drawing()?),
+            Part::Drawing(sheet) => self.picture(sheet.drawing()?),
             // What is read on a screen.
             Part::Code(_) | Part::Body(_) => {}
         }
@@ -244,13 +239,13 @@ impl Pages<'_> {
     }
 
     /// A picture as wide as the text, or as high as a figure may be.
-    fn picture(&mut self, svg: &str) {
-        let [width, height] = crate::sheet::size_mm(svg);
+    fn picture(&mut self, drawing: &Drawing) {
+        let [width, height] = [drawing.width, drawing.height].map(|side| side / PER_MM);
         let scale = ((RIGHT_MM - LEFT_MM) / width).min(FIGURE_MM / height);
         self.room(scale * height + 3.0);
         self.y -= 3.0 + scale * height;
         let at = [LEFT_MM, self.y + scale * height];
-        self.sheet.embed(svg, at, [scale * width, scale * height]);
+        self.sheet.embed(drawing, at, scale);
     }
 
     /// All pages with their numbers.
