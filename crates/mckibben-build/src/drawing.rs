@@ -7,7 +7,11 @@ use crate::{
     text::{percent, trimmed},
     view::View,
 };
-use mckibben_report::{Anchor, Pen, Sheet};
+use mckibben_report::{
+    Anchor::{End, Middle, Start},
+    Pen::{Axis, Outline, Thin},
+    Sheet,
+};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Upper end of the lower part, in mm.
@@ -135,10 +139,10 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     v.plug(&plan.eye_plug, half, 1.0, false);
     clamps(body, v, true);
     // From outside.
-    v.line(Pen::Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
+    v.line(Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
     for side in [-1.0, 1.0] {
         v.line(
-            Pen::Outline,
+            Outline,
             &[
                 [side * half, -body.sleeve],
                 [side * half, -outer],
@@ -185,9 +189,9 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
         let edge = sign * body.sleeve;
         let [x, y] = v.on_sheet(plane, edge);
         v.sheet
-            .line(Pen::Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
+            .line(Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
         v.sheet
-            .text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Anchor::Middle, "A");
+            .text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Middle, "A");
     }
     balloons(body, v, 0.5 * (ri + ro));
 }
@@ -267,7 +271,7 @@ pub fn on_plug(body: &Body<'_>, v: &mut View<'_>, side: f64) {
 
 fn axis(v: &mut View<'_>, left: f64, right: f64) {
     let beyond = 4.0 / v.scale;
-    v.line(Pen::Axis, &[[-left - beyond, 0.0], [right + beyond, 0.0]]);
+    v.line(Axis, &[[-left - beyond, 0.0], [right + beyond, 0.0]]);
 }
 
 /// Ties, clamps and ferrules on one side of the axis.
@@ -285,7 +289,7 @@ pub fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
                 v.cut(x, (outer, outer + 1.2), true)
             } else {
                 v.outline(
-                    Pen::Outline,
+                    Outline,
                     &[
                         [x.0, 0.0],
                         [x.0, -outer - 1.2],
@@ -328,7 +332,7 @@ fn strands(body: &Body<'_>, v: &mut View<'_>) {
                 .filter(|p| p[0].abs() <= body.half)
                 .collect();
             if points.len() > 1 {
-                v.line(Pen::Thin, &points);
+                v.line(Thin, &points);
             }
         }
     }
@@ -361,7 +365,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
             .chain(right)
             .chain([[half - stroke, outer], [end - stroke, outer]])
             .collect();
-        v.line(Pen::Outline, &all);
+        v.line(Outline, &all);
     }
     v.head(&plan.air_plug, -half, -1.0, &[-1.0, 1.0]);
     v.head(&plan.eye_plug, half - stroke, 1.0, &[-1.0, 1.0]);
@@ -396,7 +400,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
 fn label(v: &mut View<'_>, radius: f64, above: f64, text: &str) {
     let x = FRAME_MM[0] + 6.0;
     let y = v.origin[1] + v.scale * radius + above;
-    v.sheet.text([x, y], 3.0, Anchor::Start, text);
+    v.sheet.text([x, y], 3.0, Start, text);
 }
 
 /// The section A–A.
@@ -405,7 +409,7 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
     let bore = plan.muscle.inner_diameter_mm();
     let over = plan.over_sleeve_mm;
     for diameter in [bore, d0, over] {
-        v.circle(Pen::Outline, diameter);
+        v.circle(Outline, diameter);
     }
     let ring = |d: f64| -> Vec<[f64; 2]> {
         (0..72)
@@ -414,10 +418,10 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
             .collect()
     };
     v.hatch(&[ring(d0), ring(bore)], true);
-    v.circle(Pen::Thin, 0.5 * (d0 + over));
+    v.circle(Thin, 0.5 * (d0 + over));
     let reach = 0.5 * over + 2.5 / v.scale;
-    v.line(Pen::Axis, &[[-reach, 0.0], [reach, 0.0]]);
-    v.line(Pen::Axis, &[[0.0, -reach], [0.0, reach]]);
+    v.line(Axis, &[[-reach, 0.0], [reach, 0.0]]);
+    v.line(Axis, &[[0.0, -reach], [0.0, reach]]);
     let column = v.scale * 0.5 * over;
     for (i, d) in [bore, d0, over].into_iter().enumerate() {
         v.beside(
@@ -429,7 +433,7 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
     }
     let [x, y] = v.on_sheet(0.0, 0.5 * over);
     let text = format!("A–A  ({})", ratio(v.scale));
-    v.sheet.text([x, y + 4.5], 3.0, Anchor::Middle, text);
+    v.sheet.text([x, y + 4.5], 3.0, Middle, text);
 }
 
 /// The data of the muscle, in words.
@@ -468,7 +472,7 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
         format!("Numbers by model {}", operating.model),
     ];
     for row in rows {
-        sheet.text([x, y], 2.3, Anchor::Start, row);
+        sheet.text([x, y], 2.3, Start, row);
         y -= 4.8;
     }
 }
@@ -484,7 +488,7 @@ fn parts(plan: &Plan, sheet: &mut Sheet) {
         sheet.text(
             [left + 4.0, y + 1.3],
             height,
-            Anchor::Middle,
+            Middle,
             part.number.to_string(),
         );
         let amount = shortened(&part.amount, 36);
@@ -492,15 +496,15 @@ fn parts(plan: &Plan, sheet: &mut Sheet) {
         sheet.text(
             [left + 9.5, y + 1.3],
             height,
-            Anchor::Start,
+            Start,
             shortened(&format!("{}, {}", part.part, part.size), room),
         );
-        sheet.text([right - 1.5, y + 1.3], height, Anchor::End, amount);
+        sheet.text([right - 1.5, y + 1.3], height, End, amount);
         y += row;
-        sheet.line(Pen::Thin, [[left, y], [right, y]]);
+        sheet.line(Thin, [[left, y], [right, y]]);
     }
     for x in [left, left + 8.0] {
-        sheet.line(Pen::Thin, [[x, TITLE_MM.1], [x, y]]);
+        sheet.line(Thin, [[x, TITLE_MM.1], [x, y]]);
     }
 }
 

@@ -13,12 +13,14 @@
 mod build_sheet;
 mod cut;
 mod drawing;
-mod ends;
+#[doc(hidden)]
+pub mod ends;
 mod fitting;
 mod frame;
 mod material;
 mod mesh;
-mod mould;
+#[doc(hidden)]
+pub mod mould;
 mod plan;
 mod plug;
 mod plug_drawing;
@@ -40,6 +42,8 @@ pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{EndParts, Plan, Wishes};
 pub use plug::{Material, Plug, Port};
+#[doc(hidden)]
+pub use safety::energy_j;
 pub use safety::{Operating, Proof, PullAt, Safety, ToMeasure, highest_mpa, proof_mpa, relief_mpa};
 pub use shown::Shown;
 pub use stem::Stem;

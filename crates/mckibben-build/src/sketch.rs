@@ -8,7 +8,11 @@ use crate::{
     mould::{self, Mould},
     view::View,
 };
-use mckibben_report::{Anchor, Pen, Sheet};
+use mckibben_report::{
+    Anchor::Start,
+    Pen::{Axis, Outline, Thin},
+    Sheet,
+};
 
 const PAPER_MM: (f64, f64) = (170.0, 62.0);
 const NOTE_MM: f64 = 2.3;
@@ -43,7 +47,7 @@ impl Panel<'_> {
 
     fn text(&mut self, at: [f64; 2], text: &str) {
         let at = self.place(at);
-        self.sheet.text(at, NOTE_MM, Anchor::Start, text);
+        self.sheet.text(at, NOTE_MM, Start, text);
     }
 
     /// A rectangle about the middle of the panel.
@@ -52,9 +56,8 @@ impl Panel<'_> {
     }
 
     fn rectangle(&mut self, x: [f64; 2], y: [f64; 2]) {
-        let corners = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
-        let corners = corners.map(|p| self.place(p));
-        self.sheet.outline(Pen::Outline, corners);
+        let [x, y] = [0, 1].map(|k| [x, y][k].map(|v| self.at[k] + v));
+        self.sheet.rectangle(Outline, x, y);
     }
 
     /// A sleeve, on the tube.
@@ -68,7 +71,7 @@ impl Panel<'_> {
             for sign in [-1.0, 1.0] {
                 let line = [[ends[0], -sign * half], [ends[1], sign * half]];
                 let line = line.map(|p| self.place(p));
-                self.sheet.line(Pen::Thin, line);
+                self.sheet.line(Thin, line);
             }
         }
     }
@@ -93,7 +96,7 @@ impl Panel<'_> {
         let [x, y] = [0, 1].map(|k| (b[k] - a[k]) / length);
         let foot = [b[0] - 2.5 * x, b[1] - 2.5 * y];
         let side = |sign: f64| [foot[0] - 0.7 * sign * y, foot[1] + 0.7 * sign * x];
-        self.sheet.line(Pen::Thin, [a, foot]);
+        self.sheet.line(Thin, [a, foot]);
         self.sheet.fill([b, side(1.0), side(-1.0)]);
     }
 }
@@ -110,7 +113,7 @@ fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> Sheet {
         let row = (rows - 1 - i / COLUMNS) as f64;
         let at = [(i % COLUMNS) as f64 * wide + 2.0, (row + 0.5) * PANEL_MM];
         let number = [at[0] + 1.0, at[1] + 8.0];
-        sheet.text(number, 3.2, Anchor::Start, step.to_string());
+        sheet.text(number, 3.2, Start, step.to_string());
         draw(&mut Panel {
             sheet: &mut sheet,
             at,
@@ -238,7 +241,7 @@ pub fn casting(plan: &Plan) -> Sheet {
     }
     let [rod, bore] = [mould.rod_mm, mould.bore_mm].map(|mm| plan.shown.bare(mm));
     let note = format!("rod ⌀{rod}, pipe ⌀{bore} inside; rubber from the lower cap to the vents");
-    sheet.text([4.0, 2.0], NOTE_MM, Anchor::Start, note);
+    sheet.text([4.0, 2.0], NOTE_MM, Start, note);
     sheet
 }
 
@@ -304,7 +307,7 @@ pub fn end(plan: &Plan) -> Sheet {
     v.plug(plug, body.half, 1.0, false);
     clamps(&body, &mut v, true);
     v.line(
-        Pen::Axis,
+        Axis,
         &[[x.0, 0.0], [body.half + length_mm + 4.0 / scale, 0.0]],
     );
     let row = scale * body.widest + 5.0;
@@ -319,7 +322,7 @@ pub fn end(plan: &Plan) -> Sheet {
     );
     v.across((x.0, body.end), (clamped, clamped), row + 7.0, &faces);
     let note = "L₀ ends at the barb or the first groove, within 1 mm of the first tie or clamp";
-    sheet.text([4.0, 3.0], NOTE_MM, Anchor::Start, note);
+    sheet.text([4.0, 3.0], NOTE_MM, Start, note);
     sheet
 }
 
@@ -328,7 +331,7 @@ pub fn frame(plan: &Plan) -> Sheet {
     let mut sheet = sheet("Proof test with the length held");
     let (left, right, y) = (40.0, 130.0, 32.0);
     for rod in [14.0, 50.0] {
-        sheet.line(Pen::Outline, [[left - 9.0, rod], [right + 9.0, rod]]);
+        sheet.line(Outline, [[left - 9.0, rod], [right + 9.0, rod]]);
     }
     let mut panel = Panel {
         sheet: &mut sheet,
@@ -343,7 +346,7 @@ pub fn frame(plan: &Plan) -> Sheet {
         }
     }
     for bolt in [left - 11.2, right + 11.2] {
-        sheet.circle(Pen::Outline, [bolt, y], 2.2);
+        sheet.circle(Outline, [bolt, y], 2.2);
     }
     let mut v = View {
         sheet: &mut sheet,
@@ -357,6 +360,6 @@ pub fn frame(plan: &Plan) -> Sheet {
         "steel frame for {bears}; the bolts bear on its outer faces; {} at the proof pressure",
         plan.shown.force(plan.proof_load_n)
     );
-    sheet.text([4.0, 4.0], NOTE_MM, Anchor::Start, note);
+    sheet.text([4.0, 4.0], NOTE_MM, Start, note);
     sheet
 }

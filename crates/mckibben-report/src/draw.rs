@@ -5,19 +5,20 @@ use crate::{
     curve::Frame,
     drawing::{
         Anchor::{self, End, Middle, Start},
-        Cap, Colour, Drawing, INK, Item, Paint, Shape, Text, WHITE,
+        Cap, Colour, Drawing, INK,
+        Item::{self, Path},
+        Paint,
+        Shape::{self, Line, Polygon},
+        Text, WHITE,
     },
     figure::{Figure, Result, Style},
     font::{CAPTION, Metrics, PANEL_TITLE, TITLE},
     labels::{self, Label},
     layout::{self, Page},
     legend::{self, Legend},
-    palette::{
-        self, Colours,
-        Marker::{self, Circle, Cross, Diamond, Square, Triangle, TriangleDown},
-    },
-    rect::Spot,
-    ticks,
+    palette::Colours,
+    rect::{Rect, Spot},
+    ticks::{self, Scale},
 };
 
 const SOFT: Colour = [0x59; 3];
@@ -26,6 +27,8 @@ const ZERO: Colour = [0x9a; 3];
 const LINE_WIDTH: f64 = 1.7;
 /// Radius of a marker.
 const MARKER: f64 = 3.1;
+/// Their shapes, of which the last is a cross.
+const MARKERS: usize = 6;
 
 impl Figure {
     /// The figure as SVG: self-contained, with real text, sized in millimetres.
@@ -99,7 +102,7 @@ fn panel(placed: &Placed<'_>, colours: &Colours) -> Item {
             ..Paint::fill(colours.of(number))
         };
         if outline.len() > 2 {
-            out.push(Item::Path(vec![Shape::Polygon(outline)], paint));
+            out.push(Path(vec![Polygon(outline)], paint));
         }
     }
     for (number, series) in others {
@@ -147,10 +150,10 @@ fn draw_series(
     let mut shapes = Vec::new();
     let mut alone = Vec::new();
     if style == Style::Points {
-        let kind = palette::marker(number);
         let spots = runs.into_iter().flatten();
-        shapes.extend(spots.flat_map(|spot| marker(kind, spot)));
-        paint.width = if kind == Cross { 1.4 } else { 1.3 };
+        shapes.extend(spots.flat_map(|spot| marker(number, spot)));
+        let is_cross = number % MARKERS == MARKERS - 1;
+        paint.width = if is_cross { 1.4 } else { 1.3 };
         paint.fill = Some(WHITE);
     } else {
         paint.dashes = colours.dashes(style, number);
@@ -160,40 +163,43 @@ fn draw_series(
         for run in runs {
             match *run {
                 [spot] => alone.push(Item::Circle(spot, 1.8, Paint::fill(colour))),
-                _ => shapes.push(Shape::Line(run)),
+                _ => shapes.push(Line(run)),
             }
         }
     }
     if !shapes.is_empty() {
-        out.push(Item::Path(shapes, paint));
+        out.push(Path(shapes, paint));
     }
     out.extend(alone);
 }
 
-fn marker(kind: Marker, (x, y): Spot) -> Vec<Shape> {
+/// The marker of a colour number.
+fn marker(number: usize, (x, y): Spot) -> Vec<Shape> {
     let r = MARKER;
     let s = 0.9 * r;
-    vec![match kind {
-        Circle => Shape::Circle((x, y), r),
-        Square => Shape::Square((x - s, y - s), 2.0 * s),
-        Triangle | TriangleDown => {
-            let up = if kind == Triangle { 1.0 } else { -1.0 };
-            let foot = y + 0.85 * r * up;
-            Shape::Polygon(vec![
-                (x, y - 1.2 * r * up),
-                (x + 1.15 * r, foot),
-                (x - 1.15 * r, foot),
-            ])
-        }
-        Diamond => {
+    let polygon = |spots: &[Spot]| vec![Polygon(spots.to_vec())];
+    let triangle = |up: f64| {
+        let foot = y + 0.85 * r * up;
+        polygon(&[
+            (x, y - 1.2 * r * up),
+            (x + 1.15 * r, foot),
+            (x - 1.15 * r, foot),
+        ])
+    };
+    match number % MARKERS {
+        0 => vec![Shape::Circle((x, y), r)],
+        1 => vec![Shape::Square((x - s, y - s), 2.0 * s)],
+        2 => triangle(1.0),
+        3 => {
             let s = 1.3 * r;
-            Shape::Polygon(vec![(x, y - s), (x + s, y), (x, y + s), (x - s, y)])
+            polygon(&[(x, y - s), (x + s, y), (x, y + s), (x - s, y)])
         }
-        Cross => {
-            let bar = |up: f64| Shape::Line(vec![(x - s, y - up), (x + s, y + up)]);
-            return vec![bar(s), bar(-s)];
+        4 => triangle(-1.0),
+        _ => {
+            let bar = |up: f64| Line(vec![(x - s, y - up), (x + s, y + up)]);
+            vec![bar(s), bar(-s)]
         }
-    }]
+    }
 }
 
 /// An operating point.
@@ -244,40 +250,41 @@ fn draw_axes(out: &mut Vec<Item>, axes: &Axes) {
 
 /// Lines at the ticks, through zero, and the axes themselves.
 fn draw_grid(out: &mut Vec<Item>, frame: &Frame) {
-    let (plot, bottom) = (frame.plot, frame.plot.bottom());
-    let line = |from, to| Shape::Line(vec![from, to]);
-    let upright = |v: f64| line((frame.at_x(v), plot.y), (frame.at_x(v), bottom));
-    let level = |v: f64| line((plot.x, frame.at_y(v)), (plot.right(), frame.at_y(v)));
-    let [across, up] = [&frame.x.ticks, &frame.y.ticks].map(|ticks| ticks.iter().copied());
-    let grid = across.clone().map(upright).chain(up.clone().map(level));
-    out.push(Item::Path(grid.collect(), Paint::stroke(GRID, 0.8)));
-    let mut zero = Vec::new();
-    if frame.y.low < 0.0 && frame.y.high > 0.0 {
-        zero.push(level(0.0));
-    }
-    if frame.x.low < 0.0 && frame.x.high > 0.0 {
-        zero.push(upright(0.0));
-    }
+    let Rect {
+        x: left, y: top, ..
+    } = frame.plot;
+    let (right, bottom) = (frame.plot.right(), frame.plot.bottom());
+    let upright = |v: f64, from, to| Line(vec![(frame.at_x(v), from), (frame.at_x(v), to)]);
+    let level = |v: f64, from, to| Line(vec![(from, frame.at_y(v)), (to, frame.at_y(v))]);
+    let at_ticks = |[a, b]: [f64; 2], [c, d]: [f64; 2]| -> Vec<Shape> {
+        let uprights = frame.x.ticks.iter().map(|v| upright(*v, a, b));
+        uprights
+            .chain(frame.y.ticks.iter().map(|v| level(*v, c, d)))
+            .collect()
+    };
+    let grid = at_ticks([top, bottom], [left, right]);
+    out.push(Path(grid, Paint::stroke(GRID, 0.8)));
+    let has_zero = |scale: &Scale| scale.low < 0.0 && scale.high > 0.0;
+    let zero = has_zero(&frame.y).then(|| level(0.0, left, right));
+    let other = has_zero(&frame.x).then(|| upright(0.0, top, bottom));
+    let zero: Vec<Shape> = zero.into_iter().chain(other).collect();
     if !zero.is_empty() {
-        out.push(Item::Path(zero, Paint::stroke(ZERO, 0.9)));
+        out.push(Path(zero, Paint::stroke(ZERO, 0.9)));
     }
-    let below = across.map(|v| frame.at_x(v));
-    let below = below.map(|x| line((x, bottom), (x, bottom + TICK_LENGTH)));
-    let beside = up.map(|v| frame.at_y(v));
-    let small = below.chain(beside.map(|y| line((plot.x - TICK_LENGTH, y), (plot.x, y))));
-    let axes = Shape::Axes((plot.x, plot.y), (plot.right(), bottom));
+    let mut axes = at_ticks([bottom, bottom + TICK_LENGTH], [left - TICK_LENGTH, left]);
+    axes.push(Shape::Axes((left, top), (right, bottom)));
     let paint = Paint {
         cap: Cap::Square,
         ..Paint::stroke(INK, 1.0)
     };
-    out.push(Item::Path(small.chain([axes]).collect(), paint));
+    out.push(Path(axes, paint));
 }
 
 fn draw_label(out: &mut Vec<Item>, label: &Label, colours: &Colours) {
     let colour = label.colour.map_or(INK, |number| colours.of(number));
     if let Some((a, b)) = label.leader {
-        let line = Shape::Line(vec![a, b]);
-        out.push(Item::Path(vec![line], Paint::stroke(colour, 0.7)));
+        let line = Line(vec![a, b]);
+        out.push(Path(vec![line], Paint::stroke(colour, 0.7)));
     }
     let ground = Paint {
         has_round_joins: true,

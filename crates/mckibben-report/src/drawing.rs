@@ -4,8 +4,6 @@
 
 use crate::rect::Spot;
 use mckibben_units::clean;
-#[cfg(feature = "png")]
-use ttf_parser::OutlineBuilder;
 
 /// Red, green, blue.
 pub type Colour = [u8; 3];
@@ -142,48 +140,5 @@ impl Text {
 
     pub fn is_ground(&self) -> bool {
         self.paint.has_round_joins
-    }
-}
-
-#[cfg(feature = "png")]
-impl Shape {
-    /// Follows its outline.
-    pub fn trace(&self, pen: &mut impl OutlineBuilder) {
-        let line = |pen: &mut _, spots: &[Spot]| {
-            for (i, (x, y)) in spots.iter().enumerate() {
-                let draw = if i == 0 {
-                    OutlineBuilder::move_to
-                } else {
-                    OutlineBuilder::line_to
-                };
-                draw(pen, *x as f32, *y as f32);
-            }
-        };
-        match self {
-            Self::Line(spots) => line(pen, spots),
-            Self::Axes(top, end) => line(pen, &[*top, (top.0, end.1), *end]),
-            Self::Polygon(spots) => {
-                line(pen, spots);
-                pen.close();
-            }
-            Self::Square((x, y), side) => {
-                let [right, bottom] = [x + side, y + side];
-                line(pen, &[(*x, *y), (right, *y), (right, bottom), (*x, bottom)]);
-                pen.close();
-            }
-            Self::Circle((x, y), r) => {
-                let [x, y, r] = [x, y, r].map(|v| *v as f32);
-                pen.move_to(x + r, y);
-                let (mut a, mut b) = (r, 0.0);
-                // A quarter as a cubic curve, which is off by 0.03 % of the radius.
-                let k = 0.5523;
-                for _ in 0..4 {
-                    let [u, v] = [x - b, y + a];
-                    pen.curve_to(x + a - k * b, y + b + k * a, u + k * a, v + k * b, u, v);
-                    (a, b) = (-b, a);
-                }
-                pen.close();
-            }
-        }
     }
 }

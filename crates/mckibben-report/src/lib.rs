@@ -34,10 +34,14 @@ mod rect;
 mod room;
 mod save;
 mod sheet;
-mod smooth;
+#[doc(hidden)]
+pub mod smooth;
 mod svg;
-mod ticks;
+#[doc(hidden)]
+pub mod ticks;
 
+#[doc(hidden)]
+pub use axes::extents;
 pub use document::{Document, Part};
 pub use drawing::Anchor;
 pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};

@@ -2,11 +2,18 @@
 
 use crate::{
     document::{Document, Part},
-    drawing::{Anchor, Drawing},
+    drawing::{
+        Anchor::{End, Start},
+        Drawing,
+    },
     figure::Result,
     font::Metrics,
     rect::PER_MM,
-    sheet::{self, CAPITALS, Pen, Sheet},
+    sheet::{
+        self, CAPITALS,
+        Pen::{self, Outline, Thin},
+        Sheet,
+    },
 };
 
 /// A4 upright and its margins (left with room for binding), in mm.
@@ -99,7 +106,7 @@ impl Pages<'_> {
             self.room(LEADING * height_mm);
             self.y -= LEADING * height_mm;
             let at = [x, self.y];
-            self.sheet.text(at, height_mm, Anchor::Start, line);
+            self.sheet.text(at, height_mm, Start, line);
         }
     }
 
@@ -111,7 +118,7 @@ impl Pages<'_> {
                 self.y -= 4.0;
                 self.text(text, LEFT_MM, HEADING_MM);
                 self.y -= 1.2;
-                self.rule(Pen::Thin);
+                self.rule(Thin);
             }
             Part::Text(text) => {
                 self.y -= 1.0;
@@ -124,9 +131,8 @@ impl Pages<'_> {
                     let lines = self.lines(step, TEXT_MM, RIGHT_MM - LEFT_MM - 16.0).len();
                     self.room(LEADING * TEXT_MM * lines as f64 + 1.0);
                     let [x, y] = [LEFT_MM, self.y - 1.0 - LEADING * TEXT_MM - 0.5];
-                    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-                    let corners = corners.map(|[a, b]| [x + BOX_MM * a, y + BOX_MM * b]);
-                    self.sheet.outline(Pen::Thin, corners);
+                    let [x, y] = [x, y].map(|from| [from, from + BOX_MM]);
+                    self.sheet.rectangle(Thin, x, y);
                     self.item(&format!("      {}", i + 1), step);
                 }
             }
@@ -150,7 +156,7 @@ impl Pages<'_> {
         self.room(LEADING * TEXT_MM);
         let y = self.y - LEADING * TEXT_MM;
         let x = LEFT_MM + self.width_mm(mark) + 2.5;
-        self.sheet.text([LEFT_MM, y], TEXT_MM, Anchor::Start, mark);
+        self.sheet.text([LEFT_MM, y], TEXT_MM, Start, mark);
         self.text(text, x, TEXT_MM);
     }
 
@@ -165,28 +171,26 @@ impl Pages<'_> {
         let top = self.y;
         list.iter().for_each(|text| self.item("  !", text));
         self.y -= 2.5;
-        let [left, right] = [LEFT_MM, RIGHT_MM];
-        let corners = [[left, top], [right, top], [right, self.y], [left, self.y]];
-        self.sheet.outline(Pen::Outline, corners);
+        let sides = [LEFT_MM, RIGHT_MM];
+        self.sheet.rectangle(Outline, sides, [self.y, top]);
         self.y -= 1.0;
     }
 
     fn title_block(&mut self, fields: &[(String, String)]) {
         let width = (RIGHT_MM - LEFT_MM) / 4.0;
         for row in fields.chunks(4) {
-            self.rule(Pen::Thin);
+            self.rule(Thin);
             for (i, (name, text)) in row.iter().enumerate() {
                 let x = LEFT_MM + width * i as f64 + 1.0;
                 let at = [x, self.y - 3.0];
-                self.sheet.text(at, 1.8, Anchor::Start, name);
+                self.sheet.text(at, 1.8, Start, name);
                 let shown = self.lines(text, TEXT_MM, width - 2.0);
                 let shown = shown.into_iter().next().unwrap_or_default();
-                self.sheet
-                    .text([x, self.y - 7.5], TEXT_MM, Anchor::Start, shown);
+                self.sheet.text([x, self.y - 7.5], TEXT_MM, Start, shown);
             }
             self.y -= 9.0;
         }
-        self.rule(Pen::Thin);
+        self.rule(Thin);
         self.y -= 2.0;
     }
 
@@ -227,13 +231,13 @@ impl Pages<'_> {
             for (lines, width) in cells.iter().zip(&widths) {
                 for (k, line) in lines.iter().enumerate() {
                     let y = self.y - LEADING * TEXT_MM * (k + 1) as f64;
-                    self.sheet.text([x, y], TEXT_MM, Anchor::Start, line);
+                    self.sheet.text([x, y], TEXT_MM, Start, line);
                 }
                 x += width + GUTTER_MM;
             }
             self.y -= LEADING * TEXT_MM * tall as f64 + 1.4;
             let is_head = i == 0 && head.is_some();
-            self.rule(if is_head { Pen::Outline } else { Pen::Thin });
+            self.rule(if is_head { Outline } else { Thin });
         }
         self.y -= 1.0;
     }
@@ -255,8 +259,8 @@ impl Pages<'_> {
         for (i, sheet) in self.done.iter_mut().enumerate() {
             let number = format!("page {} of {count}", i + 1);
             let short: String = self.title.chars().take(80).collect();
-            sheet.text([LEFT_MM, 10.0], 1.8, Anchor::Start, short);
-            sheet.text([RIGHT_MM, 10.0], 1.8, Anchor::End, number);
+            sheet.text([LEFT_MM, 10.0], 1.8, Start, short);
+            sheet.text([RIGHT_MM, 10.0], 1.8, End, number);
         }
         self.done
     }

@@ -1,4 +1,4 @@
-//! Colours, dash patterns and marker shapes.
+//! Colours and dash patterns.
 
 use crate::{
     drawing::Colour,
@@ -79,21 +79,4 @@ fn ramp(part: f64) -> Colour {
     let a = RAMP[left];
     let b = RAMP[left + 1];
     std::array::from_fn(|i| (f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part).round() as u8)
-}
-
-/// The shape of markers.
-#[derive(Clone, Copy, PartialEq)]
-pub enum Marker {
-    Circle,
-    Square,
-    Triangle,
-    Diamond,
-    TriangleDown,
-    Cross,
-}
-
-/// The marker shape of a colour number.
-pub fn marker(number: usize) -> Marker {
-    use Marker::{Circle, Cross, Diamond, Square, Triangle, TriangleDown};
-    [Circle, Square, Triangle, Diamond, TriangleDown, Cross][number % 6]
 }

@@ -4,6 +4,7 @@ use crate::{
     drawing::{Cap, Drawing, Item, PALE, Paint, Shape, Text},
     figure::{Figure, FigureError, Result},
     font::Metrics,
+    png::traced,
     rect::PER_MM,
 };
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -17,7 +18,7 @@ use pdf_writer::{
 };
 use std::collections::BTreeMap;
 use subsetter::GlyphRemapper;
-use ttf_parser::OutlineBuilder;
+use tiny_skia::PathSegment::{Close, CubicTo, LineTo, MoveTo, QuadTo};
 
 /// Points (1/72 in) for each unit of a drawing.
 const POINTS: f64 = 72.0 / 25.4 / PER_MM;
@@ -214,7 +215,19 @@ impl Page<'_> {
 
     fn path(&mut self, shapes: &[Shape], paint: &Paint) {
         self.paint(paint);
-        shapes.iter().for_each(|shape| shape.trace(self));
+        let segments = traced(shapes).finish();
+        for segment in segments.iter().flat_map(|path| path.segments()) {
+            match segment {
+                MoveTo(to) => self.content.move_to(place(to.x), place(to.y)),
+                LineTo(to) => self.content.line_to(place(to.x), place(to.y)),
+                CubicTo(a, b, to) => {
+                    let [a, b, to] = [a, b, to].map(|p| [p.x, p.y].map(place));
+                    self.content.cubic_to(a[0], a[1], b[0], b[1], to[0], to[1])
+                }
+                // No shape has a quadratic curve.
+                QuadTo(..) | Close => self.content.close_path(),
+            };
+        }
         match (paint.fill, paint.stroke) {
             (Some(_), Some(_)) => self.content.fill_nonzero_and_stroke(),
             (Some(_), None) => self.content.fill_nonzero(),
@@ -249,28 +262,6 @@ impl Page<'_> {
         if text.is_ground() {
             self.content.end_marked_content();
         }
-    }
-}
-
-impl OutlineBuilder for Page<'_> {
-    fn move_to(&mut self, x: f32, y: f32) {
-        self.content.move_to(place(x), place(y));
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        self.content.line_to(place(x), place(y));
-    }
-
-    /// No shape has one.
-    fn quad_to(&mut self, _: f32, _: f32, _: f32, _: f32) {}
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let [x1, y1, x2, y2, x, y] = [x1, y1, x2, y2, x, y].map(place);
-        self.content.cubic_to(x1, y1, x2, y2, x, y);
-    }
-
-    fn close(&mut self) {
-        self.content.close_path();
     }
 }
 

@@ -4,6 +4,7 @@ use crate::{
     drawing::{Cap, Drawing, Item, PALE, Paint, Shape, Text},
     figure::{Figure, FigureError, Result},
     font::Metrics,
+    rect::Spot,
 };
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
@@ -53,9 +54,9 @@ impl Canvas {
     fn items(&mut self, items: &[Item], to: Transform) {
         for item in items {
             match item {
-                Item::Path(shapes, paint) => self.path(shapes, paint, to),
+                Item::Path(shapes, paint) => self.paint(traced(shapes), paint, to),
                 Item::Circle(middle, radius, paint) => {
-                    self.path(&[Shape::Circle(*middle, *radius)], paint, to);
+                    self.paint(traced(&[Shape::Circle(*middle, *radius)]), paint, to);
                 }
                 Item::Text(text) => self.text(text, to),
                 Item::Group(at, scale, items) => {
@@ -65,18 +66,12 @@ impl Canvas {
         }
     }
 
-    fn path(&mut self, shapes: &[Shape], paint: &Paint, to: Transform) {
-        let mut path = Outline::default();
-        shapes.iter().for_each(|shape| shape.trace(&mut path));
-        self.paint(path, paint, to);
-    }
-
     fn text(&mut self, text: &Text, to: Transform) {
         let Text { words, size, .. } = text;
         let (mut x, y) = self.metrics.start(text);
         // Outlines have their y upwards.
         let scale = self.metrics.scale(*size) as f32;
-        let mut path = Outline::default();
+        let mut path = PathBuilder::new();
         for c in words.chars() {
             let mut glyph = Outline::default();
             self.metrics
@@ -84,7 +79,7 @@ impl Canvas {
                 .outline_glyph(self.metrics.glyph(c), &mut glyph);
             let place = Transform::from_row(scale, 0.0, 0.0, -scale, x as f32, y as f32);
             if let Some(glyph) = glyph.0.finish().and_then(|glyph| glyph.transform(place)) {
-                path.0.push_path(&glyph);
+                path.push_path(&glyph);
             }
             x += self.metrics.advance(c, *size);
         }
@@ -94,8 +89,8 @@ impl Canvas {
         self.paint(path, &text.paint, turned);
     }
 
-    fn paint(&mut self, path: Outline, paint: &Paint, to: Transform) {
-        let Some(path) = path.0.finish() else {
+    fn paint(&mut self, path: PathBuilder, paint: &Paint, to: Transform) {
+        let Some(path) = path.finish() else {
             return;
         };
         let mut ink = tiny_skia::Paint::default();
@@ -131,7 +126,54 @@ impl Canvas {
     }
 }
 
-/// Outlines that are collected.
+/// The outlines of shapes.
+pub fn traced(shapes: &[Shape]) -> PathBuilder {
+    let mut path = PathBuilder::new();
+    for shape in shapes {
+        match shape {
+            Shape::Line(spots) => line(&mut path, spots),
+            Shape::Axes(top, end) => line(&mut path, &[*top, (top.0, end.1), *end]),
+            Shape::Polygon(spots) => {
+                line(&mut path, spots);
+                path.close();
+            }
+            Shape::Square((x, y), side) => {
+                let [right, bottom] = [x + side, y + side];
+                line(
+                    &mut path,
+                    &[(*x, *y), (right, *y), (right, bottom), (*x, bottom)],
+                );
+                path.close();
+            }
+            Shape::Circle((x, y), r) => {
+                let [x, y, r] = [x, y, r].map(|v| *v as f32);
+                path.move_to(x + r, y);
+                let (mut a, mut b) = (r, 0.0);
+                // A quarter as a cubic curve, which is off by 0.03 % of the radius.
+                let k = 0.5523;
+                for _ in 0..4 {
+                    let [u, v] = [x - b, y + a];
+                    path.cubic_to(x + a - k * b, y + b + k * a, u + k * a, v + k * b, u, v);
+                    (a, b) = (-b, a);
+                }
+                path.close();
+            }
+        }
+    }
+    path
+}
+
+fn line(path: &mut PathBuilder, spots: &[Spot]) {
+    for (i, (x, y)) in spots.iter().enumerate() {
+        if i == 0 {
+            path.move_to(*x as f32, *y as f32);
+        } else {
+            path.line_to(*x as f32, *y as f32);
+        }
+    }
+}
+
+/// Outlines of glyphs that are collected.
 #[derive(Default)]
 struct Outline(PathBuilder);
 

@@ -72,11 +72,14 @@ impl Sheet {
         points.into_iter().map(|point| self.place(point)).collect()
     }
 
+    fn push(&mut self, item: Item) {
+        self.drawing.items.push(item);
+    }
+
     /// A line through points.
     pub fn line(&mut self, pen: Pen, points: impl Into<Vec<[f64; 2]>>) {
         let line = Shape::Line(self.places(points.into()));
-        let item = Item::Path(vec![line], pen.paint());
-        self.drawing.items.push(item);
+        self.push(Item::Path(vec![line], pen.paint()));
     }
 
     /// A closed line through corners.
@@ -86,24 +89,29 @@ impl Sheet {
         self.line(pen, points);
     }
 
+    pub fn rectangle(&mut self, pen: Pen, [left, right]: [f64; 2], [low, high]: [f64; 2]) {
+        self.outline(
+            pen,
+            [[left, low], [right, low], [right, high], [left, high]],
+        );
+    }
+
     /// A filled polygon: an arrow, a thin section.
     pub fn fill(&mut self, points: impl Into<Vec<[f64; 2]>>) {
         let polygon = Shape::Polygon(self.places(points.into()));
-        let item = Item::Path(vec![polygon], Paint::fill(INK));
-        self.drawing.items.push(item);
+        self.push(Item::Path(vec![polygon], Paint::fill(INK)));
     }
 
     pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
         let centre = self.place(centre);
-        let item = Item::Circle(centre, radius_mm * PER_MM, pen.paint());
-        self.drawing.items.push(item);
+        self.push(Item::Circle(centre, radius_mm * PER_MM, pen.paint()));
     }
 
     /// A text that reads to the right: the place of its base line, and the height of its capitals.
     pub fn text(&mut self, at: [f64; 2], height_mm: f64, anchor: Anchor, text: impl AsRef<str>) {
         let size = height_mm * PER_MM / CAPITALS;
         let text = Text::new(self.place(at), size, anchor, text.as_ref());
-        self.drawing.items.push(Item::Text(text));
+        self.push(Item::Text(text));
     }
 
     /// A text that reads upwards.
@@ -146,7 +154,7 @@ impl Sheet {
     /// Another drawing with its upper left corner at a place, so many times as large.
     pub(crate) fn embed(&mut self, drawing: &Drawing, at: [f64; 2], scale: f64) {
         let item = Item::Group(self.place(at), scale, drawing.items.clone());
-        self.drawing.items.push(item);
+        self.push(item);
     }
 }
 
