@@ -13,7 +13,7 @@ use mckibben_core::{
     progress::Progress,
     warning::is_of_burst,
 };
-use mckibben_report::{Document, Figure, Part, Sheet};
+use mckibben_report::{Document, DrawingSheet, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -62,7 +62,7 @@ impl TitleBlock {
 /// A report of a muscle whose plan is made, by `fe`.
 pub fn report(
     request: &BuildRequest,
-    (plan, burst, drawing): (&Plan, &Burst, &Sheet),
+    (plan, burst, drawing): (&Plan, &Burst, &DrawingSheet),
     progress: &dyn Progress,
 ) -> Result<Document> {
     let step = |done| {

@@ -9,8 +9,8 @@ use crate::{
 };
 use mckibben_report::{
     Anchor::{End, Middle, Start},
+    DrawingSheet,
     Pen::{Axis, Outline, Thin},
-    Sheet,
 };
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -25,7 +25,7 @@ const SECTION_MM: f64 = 38.0;
 const MADE_OF: u32 = 10;
 
 /// Measures that both views need, in mm.
-pub struct Body<'a> {
+pub struct MuscleBody<'a> {
     pub plan: &'a Plan,
     /// Half of the free length.
     pub half: f64,
@@ -40,7 +40,7 @@ pub struct Body<'a> {
     right: f64,
 }
 
-impl<'a> Body<'a> {
+impl<'a> MuscleBody<'a> {
     pub fn new(plan: &'a Plan) -> Self {
         let half = 0.5 * plan.muscle.length_mm();
         let clamped = 0.5 * plan.clamped_diameter_mm;
@@ -69,8 +69,8 @@ impl<'a> Body<'a> {
 }
 
 /// The drawing on paper; the cross-section is enlarged as far as there is room.
-pub fn on_paper(plan: &Plan) -> Sheet {
-    let body = Body::new(plan);
+pub fn on_paper(plan: &Plan) -> DrawingSheet {
+    let body = MuscleBody::new(plan);
     let scale = body.scale();
     let section_scale = largest(|s| s * plan.over_sleeve_mm <= SECTION_MM);
     let title = Title {
@@ -122,8 +122,8 @@ pub fn on_paper(plan: &Plan) -> Sheet {
 }
 
 /// The muscle at rest: above the axis in section, below it from outside.
-fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
-    let Body {
+fn at_rest(body: &MuscleBody<'_>, v: &mut View<'_>) {
+    let MuscleBody {
         plan, half, end, ..
     } = *body;
     let outer = body.clamped;
@@ -157,8 +157,8 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
 }
 
 /// Dimensions, the plane of the section, and the numbers of the parts.
-fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
-    let Body {
+fn measures_at_rest(body: &MuscleBody<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
+    let MuscleBody {
         plan,
         half,
         end,
@@ -198,8 +198,8 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
 
 /// The numbers of the parts, each at its part: below the muscle, beside its ends in the order of
 /// their places.
-fn balloons(body: &Body<'_>, v: &mut View<'_>, wall: f64) {
-    let Body { plan, half, .. } = *body;
+fn balloons(body: &MuscleBody<'_>, v: &mut View<'_>, wall: f64) {
+    let MuscleBody { plan, half, .. } = *body;
     let (plug, stem) = (&plan.air_plug, &plan.air_plug.stem);
     let middle = |band: &[f64; 2]| half + 0.5 * (band[0] + band[1]) - stem.datum_mm;
     let over = -body.clamped - 0.5;
@@ -253,7 +253,7 @@ fn balloons(body: &Body<'_>, v: &mut View<'_>, wall: f64) {
 }
 
 /// Tube and sleeve on a plug, in section.
-pub fn on_plug(body: &Body<'_>, v: &mut View<'_>, side: f64) {
+pub fn on_plug(body: &MuscleBody<'_>, v: &mut View<'_>, side: f64) {
     let (plan, stem) = (body.plan, &body.plan.air_plug.stem);
     let inner = 0.5 * stem.diameter_mm;
     let wall = plan.cut.tube_wall_mm;
@@ -275,7 +275,7 @@ fn axis(v: &mut View<'_>, left: f64, right: f64) {
 }
 
 /// Ties, clamps and ferrules on one side of the axis.
-pub fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
+pub fn clamps(body: &MuscleBody<'_>, v: &mut View<'_>, above: bool) {
     let stem = &body.plan.air_plug.stem;
     let outer = body.clamped;
     let bands = stem.bands_mm.iter().chain(&stem.pressed_mm).copied();
@@ -303,7 +303,7 @@ pub fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
 }
 
 /// Strands of both families below the axis, not all of them.
-fn strands(body: &Body<'_>, v: &mut View<'_>) {
+fn strands(body: &MuscleBody<'_>, v: &mut View<'_>) {
     let tan = body.plan.muscle.braid().angle_rad().tan();
     let radius = body.sleeve;
     let along = TAU * radius / tan;
@@ -339,7 +339,7 @@ fn strands(body: &Body<'_>, v: &mut View<'_>) {
 }
 
 /// The muscle at the working pressure, free to contract.
-fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
+fn under_pressure(body: &MuscleBody<'_>, v: &mut View<'_>) {
     let plan = body.plan;
     let half = body.half;
     let operating = &plan.operating;
@@ -437,7 +437,7 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
 }
 
 /// The data of the muscle, in words.
-fn data(plan: &Plan, sheet: &mut Sheet) {
+fn data(plan: &Plan, sheet: &mut DrawingSheet) {
     let muscle = &plan.muscle;
     let operating = &plan.operating;
     let safety = &plan.safety;
@@ -478,7 +478,7 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
 }
 
 /// The list of parts above the title block.
-fn parts(plan: &Plan, sheet: &mut Sheet) {
+fn parts(plan: &Plan, sheet: &mut DrawingSheet) {
     let left = TITLE_MM.0;
     let right = FRAME_MM[2];
     let mut y = TITLE_MM.1;

@@ -6,8 +6,8 @@ use crate::{
 };
 use mckibben_report::{
     Anchor::Start,
+    DrawingSheet,
     Pen::{Axis, Outline, Thin},
-    Sheet,
 };
 
 /// A4 across, and the frame on it (ISO 5457): left, bottom, right, top.
@@ -48,14 +48,14 @@ pub struct Title<'a> {
 }
 
 /// An empty sheet with frame and title block.
-pub fn sheet(plan: &Plan, title: &Title<'_>) -> Sheet {
+pub fn sheet(plan: &Plan, title: &Title<'_>) -> DrawingSheet {
     let size = format!(
         "⌀{} × {} {}",
         plan.shown.bare(plan.muscle.outer_diameter_mm()),
         plan.shown.bare(plan.muscle.length_mm()),
         plan.shown.length.name
     );
-    let mut sheet = Sheet::new(format!("{} {size}", title.what), PAPER_MM.0, PAPER_MM.1);
+    let mut sheet = DrawingSheet::new(format!("{} {size}", title.what), PAPER_MM.0, PAPER_MM.1);
     let [left, bottom, right, top] = FRAME_MM;
     sheet.rectangle(Outline, [left, right], [bottom, top]);
     let (left, top) = TITLE_MM;
@@ -110,7 +110,7 @@ pub fn sheet(plan: &Plan, title: &Title<'_>) -> Sheet {
 }
 
 /// The symbol of the first-angle projection (ISO 5456-2).
-fn projection(sheet: &mut Sheet, [x, y]: [f64; 2]) {
+fn projection(sheet: &mut DrawingSheet, [x, y]: [f64; 2]) {
     let cone = [[0.0, -1.25], [6.0, -2.5], [6.0, 2.5], [0.0, 1.25]];
     sheet.outline(Thin, cone.map(|[a, b]| [x + a, y + b]));
     for radius in [1.25, 2.5] {

@@ -52,13 +52,13 @@ pub use test_points::TestPoint;
 pub use mckibben_io::files::{Content, File};
 pub use mckibben_report::FigureError;
 
-use mckibben_report::{Document, Sheet};
+use mckibben_report::{Document, DrawingSheet};
 
 /// The program, in the first line of a file.
 const MARK: &str = "mckibben build";
 
 /// The drawings: the muscle, and a sheet for each plug.
-pub fn drawings(plan: &Plan) -> [Sheet; 3] {
+pub fn drawings(plan: &Plan) -> [DrawingSheet; 3] {
     [
         drawing::on_paper(plan),
         plug_drawing::on_paper(plan, "Air plug", &plan.air_plug, 2),
@@ -142,7 +142,7 @@ fn document(name: &str, about: &'static str, document: &Document) -> Result<File
 }
 
 /// The drawings: one PDF, or each as SVG where there is no PDF.
-fn drawn(sheets: &[Sheet]) -> Result<Vec<File>, FigureError> {
+fn drawn(sheets: &[DrawingSheet]) -> Result<Vec<File>, FigureError> {
     #[cfg(feature = "pdf")]
     {
         let about = "the muscle, and a sheet for each plug";
@@ -152,7 +152,8 @@ fn drawn(sheets: &[Sheet]) -> Result<Vec<File>, FigureError> {
     #[cfg(not(feature = "pdf"))]
     {
         let names = ["drawing.svg", "air-plug.svg", "eye-plug.svg"];
-        let file = |(name, sheet): (&str, &Sheet)| Ok(File::text(name, "drawing", sheet.to_svg()?));
+        let file =
+            |(name, sheet): (&str, &DrawingSheet)| Ok(File::text(name, "drawing", sheet.to_svg()?));
         names.into_iter().zip(sheets).map(file).collect()
     }
 }

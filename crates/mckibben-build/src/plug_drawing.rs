@@ -8,9 +8,8 @@ use crate::{
     view::View,
 };
 use mckibben_report::{
-    Anchor,
+    Anchor, DrawingSheet,
     Pen::{Axis, Outline},
-    Sheet,
 };
 
 /// Room for section and end beside each other, and for their height, in mm.
@@ -18,7 +17,7 @@ const ROOM_MM: (f64, f64) = (185.0, 80.0);
 const NOTES_MM: f64 = 2.3;
 
 /// The sheet of a plug.
-pub fn on_paper(plan: &Plan, what: &str, plug: &Plug, number: usize) -> Sheet {
+pub fn on_paper(plan: &Plan, what: &str, plug: &Plug, number: usize) -> DrawingSheet {
     let wide = plug.widest_mm();
     let scale = largest(|s| s * (plug.length_mm + wide) <= ROOM_MM.0 && s * wide <= ROOM_MM.1);
     let title = Title {

@@ -4,14 +4,14 @@
 use crate::{
     Plan,
     build_sheet::FACES_MM,
-    drawing::{Body, clamps, on_plug},
+    drawing::{MuscleBody, clamps, on_plug},
     mould::{self, Mould},
     view::View,
 };
 use mckibben_report::{
     Anchor::Start,
+    DrawingSheet,
     Pen::{Axis, Outline, Thin},
-    Sheet,
 };
 
 const PAPER_MM: (f64, f64) = (170.0, 62.0);
@@ -29,18 +29,18 @@ const STEM_MM: f64 = 3.6;
 /// Inner end of the left head and of the right one in a panel, in mm.
 const HEADS_MM: [f64; 2] = [9.0, 38.0];
 
-fn sheet(what: &str) -> Sheet {
-    Sheet::new(what.into(), PAPER_MM.0, PAPER_MM.1)
+fn sheet(what: &str) -> DrawingSheet {
+    DrawingSheet::new(what.into(), PAPER_MM.0, PAPER_MM.1)
 }
 
 /// A sketch that is not to scale, of one step.
-struct Panel<'a> {
-    sheet: &'a mut Sheet,
+struct StepPanel<'a> {
+    sheet: &'a mut DrawingSheet,
     /// Its left end and its middle in mm.
     at: [f64; 2],
 }
 
-impl Panel<'_> {
+impl StepPanel<'_> {
     fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.at[0] + x, self.at[1] + y]
     }
@@ -102,19 +102,19 @@ impl Panel<'_> {
 }
 
 /// What draws a panel.
-type Draw<'a> = &'a dyn Fn(&mut Panel<'_>);
+type Draw<'a> = &'a dyn Fn(&mut StepPanel<'_>);
 
 /// Panels side by side, each with the number of its step.
-fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> Sheet {
+fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> DrawingSheet {
     let rows = all.len().div_ceil(COLUMNS);
     let wide = PAPER_MM.0 / COLUMNS as f64;
-    let mut sheet = Sheet::new(what.into(), PAPER_MM.0, PANEL_MM * rows as f64);
+    let mut sheet = DrawingSheet::new(what.into(), PAPER_MM.0, PANEL_MM * rows as f64);
     for (i, (step, draw)) in all.iter().enumerate() {
         let row = (rows - 1 - i / COLUMNS) as f64;
         let at = [(i % COLUMNS) as f64 * wide + 2.0, (row + 0.5) * PANEL_MM];
         let number = [at[0] + 1.0, at[1] + 8.0];
         sheet.text(number, 3.2, Start, step.to_string());
-        draw(&mut Panel {
+        draw(&mut StepPanel {
             sheet: &mut sheet,
             at,
         });
@@ -123,7 +123,7 @@ fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> Sheet {
 }
 
 /// The steps of the assembly but for the end that is closed.
-pub fn assembly(plan: &Plan) -> Sheet {
+pub fn assembly(plan: &Plan) -> DrawingSheet {
     let [left, right] = HEADS_MM;
     let length = |mm: f64| plan.shown.length(mm);
     let cut = &plan.cut;
@@ -198,7 +198,7 @@ pub fn assembly(plan: &Plan) -> Sheet {
 }
 
 /// The mould, with the steps at it; diameters are not to scale.
-pub fn casting(plan: &Plan) -> Sheet {
+pub fn casting(plan: &Plan) -> DrawingSheet {
     let mould = Mould::new(&plan.cut);
     let mut sheet = sheet("Mould, lying");
     let origin = [28.0, 29.0];
@@ -211,7 +211,7 @@ pub fn casting(plan: &Plan) -> Sheet {
     ]
     .map(|mm| scale * mm);
     let (rod, bore, outer) = (7.0, 11.0, 13.0);
-    let mut panel = Panel {
+    let mut panel = StepPanel {
         sheet: &mut sheet,
         at: origin,
     };
@@ -246,8 +246,8 @@ pub fn casting(plan: &Plan) -> Sheet {
 }
 
 /// The muscle as it is filled, and its leak test.
-pub fn tests(plan: &Plan) -> Sheet {
-    let muscle = |p: &mut Panel<'_>, y: [f64; 2]| {
+pub fn tests(plan: &Plan) -> DrawingSheet {
+    let muscle = |p: &mut StepPanel<'_>, y: [f64; 2]| {
         p.rectangle([22.0, 28.0], y);
         for [from, to] in [[y[0] - 4.0, y[0]], [y[1], y[1] + 4.0]] {
             p.rectangle([20.5, 29.5], [from, to]);
@@ -284,8 +284,8 @@ pub fn tests(plan: &Plan) -> Sheet {
 }
 
 /// An end: plug, tube, sleeve and clamps, and where the free length begins.
-pub fn end(plan: &Plan) -> Sheet {
-    let body = Body::new(plan);
+pub fn end(plan: &Plan) -> DrawingSheet {
+    let body = MuscleBody::new(plan);
     let plug = &plan.eye_plug;
     let length_mm = plug.length_mm - plug.stem.datum_mm;
     let scale = (110.0 / length_mm).min(18.0 / body.widest);
@@ -327,13 +327,13 @@ pub fn end(plan: &Plan) -> Sheet {
 }
 
 /// The muscle in the frame that holds its length, with the air plug above.
-pub fn frame(plan: &Plan) -> Sheet {
+pub fn frame(plan: &Plan) -> DrawingSheet {
     let mut sheet = sheet("Proof test with the length held");
     let (left, right, y) = (40.0, 130.0, 32.0);
     for rod in [14.0, 50.0] {
         sheet.line(Outline, [[left - 9.0, rod], [right + 9.0, rod]]);
     }
-    let mut panel = Panel {
+    let mut panel = StepPanel {
         sheet: &mut sheet,
         at: [0.0, y],
     };

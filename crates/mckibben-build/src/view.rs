@@ -3,9 +3,8 @@
 use crate::plug::Plug;
 use mckibben_core::{by_number::SortByNumber, extremes::ends};
 use mckibben_report::{
-    Anchor,
+    Anchor, DrawingSheet,
     Pen::{self, Axis, Outline, Thin},
-    Sheet,
 };
 
 /// Height of dimensions and notes in mm.
@@ -22,7 +21,7 @@ const THIN_MM: f64 = 1.0;
 
 /// A body drawn at a scale: `origin` is where its point (0, 0) lies on the sheet.
 pub struct View<'a> {
-    pub sheet: &'a mut Sheet,
+    pub sheet: &'a mut DrawingSheet,
     pub origin: [f64; 2],
     /// mm on paper for each mm of the body.
     pub scale: f64,
@@ -223,7 +222,7 @@ fn above(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 /// A dimension line with arrows and its text: above a horizontal one, to the left of an upright
 /// one. Where arrows have no room inside they point from outside.
-fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
+fn dimension(sheet: &mut DrawingSheet, a: [f64; 2], b: [f64; 2], text: &str) {
     let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
     let along = [0, 1].map(|k| (b[k] - a[k]) / length);
     let upright = along[1].abs() > 0.5;

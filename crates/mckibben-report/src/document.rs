@@ -2,7 +2,7 @@
 
 use crate::{
     figure::{Figure, Result},
-    sheet::Sheet,
+    sheet::DrawingSheet,
 };
 use mckibben_units::{
     clean::{self, markup},
@@ -42,7 +42,7 @@ pub enum Part {
         rows: Vec<Vec<String>>,
     },
     Figure(Box<Figure>),
-    Drawing(Sheet),
+    Drawing(DrawingSheet),
     /// A text whose lines and blanks matter, such as a file.
     Code(String),
     /// A body in space: the data of the script that shows it, as JSON.

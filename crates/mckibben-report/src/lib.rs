@@ -32,7 +32,6 @@ mod pdf;
 mod png;
 mod rect;
 mod room;
-mod save;
 mod sheet;
 #[doc(hidden)]
 pub mod smooth;
@@ -47,4 +46,4 @@ pub use drawing::Anchor;
 pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
 pub use sheet::to_pdf;
-pub use sheet::{Pen, Sheet};
+pub use sheet::{DrawingSheet, Pen};

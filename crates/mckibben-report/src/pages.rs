@@ -10,9 +10,8 @@ use crate::{
     font::Metrics,
     rect::PER_MM,
     sheet::{
-        self, CAPITALS,
+        self, CAPITALS, DrawingSheet,
         Pen::{self, Outline, Thin},
-        Sheet,
     },
 };
 
@@ -20,6 +19,7 @@ use crate::{
 const PAPER_MM: [f64; 2] = [210.0, 297.0];
 const LEFT_MM: f64 = 20.0;
 const RIGHT_MM: f64 = 195.0;
+const WIDTH_MM: f64 = RIGHT_MM - LEFT_MM;
 const TOP_MM: f64 = 277.0;
 const BOTTOM_MM: f64 = 18.0;
 /// Heights of capitals in mm (ISO 3098: at least 1.8).
@@ -28,6 +28,7 @@ const HEADING_MM: f64 = 2.9;
 const TITLE_MM: f64 = 4.0;
 /// From one line of a text to the next, over the height of its capitals.
 const LEADING: f64 = 2.0;
+const ROW_MM: f64 = LEADING * TEXT_MM;
 /// Between columns of a table.
 const GUTTER_MM: f64 = 4.0;
 /// Largest height of a figure.
@@ -41,8 +42,8 @@ const BOX_MM: f64 = 3.2;
 struct Pages<'a> {
     title: &'a str,
     metrics: Metrics,
-    done: Vec<Sheet>,
-    sheet: Sheet,
+    done: Vec<DrawingSheet>,
+    sheet: DrawingSheet,
     /// Where the next line begins.
     y: f64,
 }
@@ -76,8 +77,8 @@ impl Document {
     }
 }
 
-fn empty(title: &str) -> Sheet {
-    Sheet::new(title.into(), PAPER_MM[0], PAPER_MM[1])
+fn empty(title: &str) -> DrawingSheet {
+    DrawingSheet::new(title.into(), PAPER_MM[0], PAPER_MM[1])
 }
 
 impl Pages<'_> {
@@ -128,9 +129,9 @@ impl Pages<'_> {
             Part::Stop(list) => self.stop(list),
             Part::Steps(steps) => {
                 for (i, step) in steps.iter().enumerate() {
-                    let lines = self.lines(step, TEXT_MM, RIGHT_MM - LEFT_MM - 16.0).len();
-                    self.room(LEADING * TEXT_MM * lines as f64 + 1.0);
-                    let [x, y] = [LEFT_MM, self.y - 1.0 - LEADING * TEXT_MM - 0.5];
+                    let lines = self.lines(step, TEXT_MM, WIDTH_MM - 16.0).len();
+                    self.room(ROW_MM * lines as f64 + 1.0);
+                    let [x, y] = [LEFT_MM, self.y - 1.0 - ROW_MM - 0.5];
                     let [x, y] = [x, y].map(|from| [from, from + BOX_MM]);
                     self.sheet.rectangle(Thin, x, y);
                     self.item(&format!("      {}", i + 1), step);
@@ -153,8 +154,8 @@ impl Pages<'_> {
     /// A text behind a mark.
     fn item(&mut self, mark: &str, text: &str) {
         self.y -= 1.0;
-        self.room(LEADING * TEXT_MM);
-        let y = self.y - LEADING * TEXT_MM;
+        self.room(ROW_MM);
+        let y = self.y - ROW_MM;
         let x = LEFT_MM + self.width_mm(mark) + 2.5;
         self.sheet.text([LEFT_MM, y], TEXT_MM, Start, mark);
         self.text(text, x, TEXT_MM);
@@ -164,9 +165,9 @@ impl Pages<'_> {
     fn stop(&mut self, list: &[String]) {
         let count: usize = list
             .iter()
-            .map(|text| self.lines(text, TEXT_MM, RIGHT_MM - LEFT_MM - 12.0).len())
+            .map(|text| self.lines(text, TEXT_MM, WIDTH_MM - 12.0).len())
             .sum();
-        self.room(LEADING * TEXT_MM * count as f64 + list.len() as f64 + 6.0);
+        self.room(ROW_MM * count as f64 + list.len() as f64 + 6.0);
         self.y -= 2.0;
         let top = self.y;
         list.iter().for_each(|text| self.item("  !", text));
@@ -177,7 +178,7 @@ impl Pages<'_> {
     }
 
     fn title_block(&mut self, fields: &[(String, String)]) {
-        let width = (RIGHT_MM - LEFT_MM) / 4.0;
+        let width = WIDTH_MM / 4.0;
         for row in fields.chunks(4) {
             self.rule(Thin);
             for (i, (name, text)) in row.iter().enumerate() {
@@ -205,7 +206,7 @@ impl Pages<'_> {
                 .fold(GUTTER_MM, f64::max)
         };
         let mut widths: Vec<f64> = (0..count).map(widest).collect();
-        let room = RIGHT_MM - LEFT_MM - GUTTER_MM * count.saturating_sub(1) as f64;
+        let room = WIDTH_MM - GUTTER_MM * count.saturating_sub(1) as f64;
         let total = |widths: &[f64]| widths.iter().sum::<f64>();
         let mut most = room;
         while total(&widths) > room && most > 5.0 {
@@ -226,16 +227,16 @@ impl Pages<'_> {
                 .map(|(text, width)| self.lines(text, TEXT_MM, *width))
                 .collect();
             let tall = cells.iter().map(Vec::len).max().unwrap_or(1).max(1);
-            self.room(LEADING * TEXT_MM * tall as f64 + 1.4);
+            self.room(ROW_MM * tall as f64 + 1.4);
             let mut x = LEFT_MM;
             for (lines, width) in cells.iter().zip(&widths) {
                 for (k, line) in lines.iter().enumerate() {
-                    let y = self.y - LEADING * TEXT_MM * (k + 1) as f64;
+                    let y = self.y - ROW_MM * (k + 1) as f64;
                     self.sheet.text([x, y], TEXT_MM, Start, line);
                 }
                 x += width + GUTTER_MM;
             }
-            self.y -= LEADING * TEXT_MM * tall as f64 + 1.4;
+            self.y -= ROW_MM * tall as f64 + 1.4;
             let is_head = i == 0 && head.is_some();
             self.rule(if is_head { Outline } else { Thin });
         }
@@ -245,7 +246,7 @@ impl Pages<'_> {
     /// A picture as wide as the text, or as high as a figure may be.
     fn picture(&mut self, drawing: &Drawing) {
         let [width, height] = [drawing.width, drawing.height].map(|side| side / PER_MM);
-        let scale = ((RIGHT_MM - LEFT_MM) / width).min(FIGURE_MM / height);
+        let scale = (WIDTH_MM / width).min(FIGURE_MM / height);
         self.room(scale * height + 3.0);
         self.y -= 3.0 + scale * height;
         let at = [LEFT_MM, self.y + scale * height];
@@ -253,7 +254,7 @@ impl Pages<'_> {
     }
 
     /// All pages with their numbers.
-    fn numbered(mut self) -> Vec<Sheet> {
+    fn numbered(mut self) -> Vec<DrawingSheet> {
         self.done.push(self.sheet);
         let count = self.done.len();
         for (i, sheet) in self.done.iter_mut().enumerate() {

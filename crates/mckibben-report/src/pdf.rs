@@ -61,26 +61,25 @@ pub fn render(drawings: &[&Drawing], title: &str) -> Result<Vec<u8>> {
         .non_stroking_alpha(PALE as f32);
     drop(resources);
     drop(all);
-    let mut used = Font {
+    let mut writer = Writer {
+        content: Content::new(),
         metrics: Metrics::new()?,
         glyphs: GlyphRemapper::new(),
         chars: BTreeMap::new(),
     };
     for (drawing, sheet) in drawings.iter().zip(sheets) {
         let [width, height] = [drawing.width, drawing.height].map(|side| fine(side * POINTS));
-        let mut page = Page {
-            content: Content::new(),
-            font: &mut used,
-        };
         // From units below the upper edge to points above the lower one.
         let points = POINTS as f32;
-        page.content
+        writer
+            .content
             .transform([points, 0.0, 0.0, -points, 0.0, height])
             .set_fill_gray(1.0)
             .rect(0.0, 0.0, fine(drawing.width), fine(drawing.height))
             .fill_nonzero();
-        page.items(&drawing.items);
-        let content = deflated(&page.content.finish());
+        writer.items(&drawing.items);
+        let content = std::mem::replace(&mut writer.content, Content::new());
+        let content = deflated(&content.finish());
         let body = Ref::new(sheet.get() + 1);
         pdf.page(sheet)
             .parent(pages)
@@ -88,7 +87,7 @@ pub fn render(drawings: &[&Drawing], title: &str) -> Result<Vec<u8>> {
             .contents(body);
         pdf.stream(body, &content).filter(Filter::FlateDecode);
     }
-    used.write(&mut pdf, font)?;
+    writer.font(&mut pdf, font)?;
     Ok(pdf.finish())
 }
 
@@ -96,15 +95,16 @@ fn deflated(data: &[u8]) -> Vec<u8> {
     compress_to_vec_zlib(data, 6)
 }
 
-/// The embedded font, and what is used of it.
-struct Font {
+/// The content of a page, and what is used of the embedded font.
+struct Writer {
+    content: Content,
     metrics: Metrics,
     glyphs: GlyphRemapper,
     /// A character of each glyph.
     chars: BTreeMap<u16, char>,
 }
 
-impl Font {
+impl Writer {
     /// The numbers of the glyphs of a text.
     fn encoded(&mut self, words: &str) -> Vec<u8> {
         let mut number = |c: char| {
@@ -117,7 +117,7 @@ impl Font {
 
     /// Writes the five objects of the font: with the outlines of its used glyphs, and with the
     /// characters that they stand for, so that a reader can search and copy.
-    fn write(&self, pdf: &mut Pdf, font: Ref) -> Result<()> {
+    fn font(&self, pdf: &mut Pdf, font: Ref) -> Result<()> {
         let [cid, descriptor, file, characters] = [1, 2, 3, 4].map(|i| Ref::new(font.get() + i));
         pdf.type0_font(font)
             .base_font(FONT_NAME)
@@ -156,15 +156,7 @@ impl Font {
         pdf.cmap(characters, &cmap).filter(Filter::FlateDecode);
         Ok(())
     }
-}
 
-/// The content of a page.
-struct Page<'a> {
-    content: Content,
-    font: &'a mut Font,
-}
-
-impl Page<'_> {
     fn items(&mut self, items: &[Item]) {
         for item in items {
             self.content.save_state();
@@ -244,12 +236,12 @@ impl Page<'_> {
                 .properties()
                 .actual_text(TextStr(""));
         }
-        let (x, y) = self.font.metrics.start(text);
+        let (x, y) = self.metrics.start(text);
         let matrix = match text.turned_about {
             None => [1.0, 0.0, 0.0, -1.0, x, y],
             Some((u, v)) => [0.0, -1.0, -1.0, 0.0, u + y - v, v - x + u],
         };
-        let words = self.font.encoded(&text.words);
+        let words = self.encoded(&text.words);
         self.content
             .begin_text()
             .set_font(FONT, fine(text.size))

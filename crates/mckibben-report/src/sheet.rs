@@ -15,7 +15,7 @@ pub const CAPITALS: f64 = 0.729;
 
 /// A sheet with a drawing on it.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Sheet {
+pub struct DrawingSheet {
     drawing: Drawing,
     /// A place that is not a number.
     is_lost: bool,
@@ -48,7 +48,7 @@ impl Pen {
     }
 }
 
-impl Sheet {
+impl DrawingSheet {
     /// An empty sheet of a size in mm; the title says what the drawing shows.
     pub fn new(title: String, width_mm: f64, height_mm: f64) -> Self {
         Self {
@@ -150,7 +150,7 @@ impl Sheet {
 }
 
 #[cfg(feature = "png")]
-impl Sheet {
+impl DrawingSheet {
     /// Another drawing with its upper left corner at a place, so many times as large.
     pub(crate) fn embed(&mut self, drawing: &Drawing, at: [f64; 2], scale: f64) {
         let item = Item::Group(self.place(at), scale, drawing.items.clone());
@@ -160,7 +160,10 @@ impl Sheet {
 
 /// Sheets as the pages of a PDF.
 #[cfg(feature = "png")]
-pub fn to_pdf(sheets: &[Sheet], title: &str) -> Result<Vec<u8>> {
-    let pages: Vec<&Drawing> = sheets.iter().map(Sheet::drawing).collect::<Result<_>>()?;
+pub fn to_pdf(sheets: &[DrawingSheet], title: &str) -> Result<Vec<u8>> {
+    let pages: Vec<&Drawing> = sheets
+        .iter()
+        .map(DrawingSheet::drawing)
+        .collect::<Result<_>>()?;
     crate::pdf::render(&pages, title)
 }

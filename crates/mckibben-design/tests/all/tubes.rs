@@ -52,7 +52,8 @@ fn a_table_of_ones_own_is_read_and_slips_are_named() {
     let message = |text: &str| read(text).unwrap_err().to_string();
     assert!(message("tube = ").contains("the table of tubes"));
     assert!(message("").contains("[[tube]] or [[cast]]"));
-    assert!(message(&text.replace("[[tube]]", "[[tubes]]")).contains("did you mean tube"));
+    let misspelt = message(&text.replace("[[tube]]", "[[tubes]]"));
+    assert!(misspelt.contains("did you mean tube"), "{misspelt}");
     assert!(
         message(&text.replace("inner", "iner"))
             .contains("line 3, column 1: tube.1.iner: unknown key (did you mean inner?)")
