@@ -263,7 +263,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         .map(|file| named(file, request.muscle.file()))
         .map(BuiltFile::from)
         .collect();
-    let drawing = mckibben_build::drawing_svg(&plan).map_err(wrong)?;
+    let [drawing, ..] = mckibben_build::drawings(&plan);
     let document = request
         .report
         .then(|| report(request, (&plan, &burst, &drawing), progress))
@@ -300,7 +300,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
             .collect(),
         files,
         document,
-        drawing,
+        drawing: drawing.to_svg().map_err(wrong)?,
         cut: plan.cut,
         parts: plan.parts,
         test: plan.test,

@@ -13,7 +13,7 @@ use mckibben_core::{
     progress::Progress,
     warning::is_of_burst,
 };
-use mckibben_report::{Document, Figure, Part};
+use mckibben_report::{Document, DrawingSheet, Figure, Part};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -62,7 +62,7 @@ impl TitleBlock {
 /// A report of a muscle whose plan is made, by `fe`.
 pub fn report(
     request: &BuildRequest,
-    (plan, burst, drawing): (&Plan, &Burst, &str),
+    (plan, burst, drawing): (&Plan, &Burst, &DrawingSheet),
     progress: &dyn Progress,
 ) -> Result<Document> {
     let step = |done| {
@@ -113,7 +113,7 @@ pub fn report(
     parts.push(body_part(&deformed)?);
     step(3)?;
     parts.extend(margins(plan, burst, units));
-    parts.push(Part::Drawing(drawing.into()));
+    parts.push(Part::Drawing(drawing.clone()));
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
         parts.extend(

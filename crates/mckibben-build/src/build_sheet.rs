@@ -9,8 +9,11 @@ use crate::{
     sketch,
     text::{mm, percent, significant},
 };
-use mckibben_core::muscle::EndsMade;
-use mckibben_report::{Document, FigureError, Part};
+use mckibben_core::muscle::EndsMade::{Clamped, Crimped, Tied};
+use mckibben_report::{
+    Document,
+    Part::{self, Drawing, Heading, List, Steps, Stop, Table, Text},
+};
 
 /// How exact the distance of the heads is, in mm: what a ruler reads.
 pub const FACES_MM: f64 = 0.5;
@@ -27,44 +30,44 @@ impl Plan {
 }
 
 fn heading(text: &str) -> Part {
-    Part::Heading(text.into())
+    Heading(text.into())
 }
 
 /// A table with a head.
 pub fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
-    Part::Table {
+    Table {
         head: head.iter().map(|&name| name.to_owned()).collect(),
         rows,
     }
 }
 
 /// The sheet.
-pub fn document(plan: &Plan) -> Result<Document, FigureError> {
-    let mut parts = vec![Part::Stop(plan.stops()), heading("Tools and consumables")];
-    parts.push(Part::List(tools(plan)));
+pub fn document(plan: &Plan) -> Document {
+    let mut parts = vec![Stop(plan.stops()), heading("Tools and consumables")];
+    parts.push(List(tools(plan)));
     parts.push(heading("Cut list"));
     parts.extend(cut_list(plan));
-    parts.extend([heading("Plugs"), Part::Steps(plugs(plan))]);
+    parts.extend([heading("Plugs"), Steps(plugs(plan))]);
     if plan.is_cast() {
         parts.extend([
             heading("Casting the tube"),
-            Part::Drawing(sketch::casting(plan)?),
-            Part::Steps(casting(plan)),
+            Drawing(sketch::casting(plan)),
+            Steps(casting(plan)),
         ]);
     }
     parts.extend([
         heading("Assembly"),
-        Part::Drawing(sketch::assembly(plan)?),
-        Part::Drawing(sketch::end(plan)?),
-        Part::Steps(assembly(plan)),
+        Drawing(sketch::assembly(plan)),
+        Drawing(sketch::end(plan)),
+        Steps(assembly(plan)),
         heading("Proof and leak test"),
-        Part::Drawing(sketch::tests(plan)?),
-        Part::Drawing(sketch::frame(plan)?),
-        Part::Steps(tests(plan)),
+        Drawing(sketch::tests(plan)),
+        Drawing(sketch::frame(plan)),
+        Steps(tests(plan)),
         heading("As built"),
         as_built(plan),
     ]);
-    Ok(Document {
+    Document {
         title: format!("Build sheet: {}", plan.title()),
         title_block: plan.title_block.clone(),
         lead: plan.verdict().join(" "),
@@ -72,14 +75,14 @@ pub fn document(plan: &Plan) -> Result<Document, FigureError> {
         footer: "A choice or an estimate is marked where it is not measured; sources are in \
                  bom.csv and in the documentation."
             .into(),
-    })
+    }
 }
 
 fn tools(plan: &Plan) -> Vec<String> {
     let clamp = match plan.ends.made {
-        EndsMade::Tied => "pliers for cable ties".to_owned(),
-        EndsMade::Clamped => "screwdriver for hose clamps".into(),
-        EndsMade::Crimped => format!(
+        Tied => "pliers for cable ties".to_owned(),
+        Clamped => "screwdriver for hose clamps".into(),
+        Crimped => format!(
             "tool for {}s; {}",
             plan.ends.band(),
             match plan.ends.press {
@@ -147,12 +150,12 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
     });
     [
         grid(&["part", "length", "", "cut"], rows),
-        Part::Text(format!(
+        Text(format!(
             "The strands of the sleeve keep their length, {strand} each, so that a wide sleeve is \
              short and a narrow one is long.{strands} Measure its diameter where you cut it, and \
              take the length from this table ({unit}):"
         )),
-        Part::Table {
+        Table {
             head: vec![],
             rows: vec![wide, long],
         },
@@ -296,18 +299,18 @@ fn closing(plan: &Plan) -> String {
     let squeezed = shown.length(plan.squeezed_mm());
     let holds = plan.ends_hold();
     match ends.made {
-        EndsMade::Tied => format!(
+        Tied => format!(
             "Tighten a cable tie of {} mm over each of the {} grooves, on the sleeve ({around} wide \
              there). Each end: {holds}.",
             mm(ends.band_mm),
             ends.at_each_end
         ),
-        EndsMade::Clamped => format!(
+        Clamped => format!(
             "Tighten each hose clamp behind its barb, on the sleeve ({around} wide there), to about \
              {squeezed}: the wall of the tube is then squeezed by a quarter (a choice). Each end: \
              {holds}."
         ),
-        EndsMade::Crimped => {
+        Crimped => {
             let press = match ends.press {
                 Some(Press::BoltClamps(_)) => format!(
                     "Tighten the clamps with a bolt (M{}) to {} N·m, twice, an hour apart: they carry",
@@ -356,9 +359,9 @@ fn assembly(plan: &Plan) -> Vec<String> {
              wide; work it along the tube like an inchworm, until {} of it lie beyond the inner face \
              of the head.",
             match ends.made {
-                EndsMade::Tied => "ties",
-                EndsMade::Clamped => "clamps",
-                EndsMade::Crimped => pressed,
+                Tied => "ties",
+                Clamped => "clamps",
+                Crimped => pressed,
             },
             shown.length(TRIM_MM)
         ),

@@ -7,7 +7,11 @@ use crate::{
     text::{percent, trimmed},
     view::View,
 };
-use mckibben_report::{Anchor, Pen, Sheet};
+use mckibben_report::{
+    Anchor::{End, Middle, Start},
+    DrawingSheet,
+    Pen::{Axis, Outline, Thin},
+};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Upper end of the lower part, in mm.
@@ -21,7 +25,7 @@ const SECTION_MM: f64 = 38.0;
 const MADE_OF: u32 = 10;
 
 /// Measures that both views need, in mm.
-pub struct Body<'a> {
+pub struct MuscleBody<'a> {
     pub plan: &'a Plan,
     /// Half of the free length.
     pub half: f64,
@@ -36,7 +40,7 @@ pub struct Body<'a> {
     right: f64,
 }
 
-impl<'a> Body<'a> {
+impl<'a> MuscleBody<'a> {
     pub fn new(plan: &'a Plan) -> Self {
         let half = 0.5 * plan.muscle.length_mm();
         let clamped = 0.5 * plan.clamped_diameter_mm;
@@ -65,8 +69,8 @@ impl<'a> Body<'a> {
 }
 
 /// The drawing on paper; the cross-section is enlarged as far as there is room.
-pub fn on_paper(plan: &Plan) -> Sheet {
-    let body = Body::new(plan);
+pub fn on_paper(plan: &Plan) -> DrawingSheet {
+    let body = MuscleBody::new(plan);
     let scale = body.scale();
     let section_scale = largest(|s| s * plan.over_sleeve_mm <= SECTION_MM);
     let title = Title {
@@ -118,8 +122,8 @@ pub fn on_paper(plan: &Plan) -> Sheet {
 }
 
 /// The muscle at rest: above the axis in section, below it from outside.
-fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
-    let Body {
+fn at_rest(body: &MuscleBody<'_>, v: &mut View<'_>) {
+    let MuscleBody {
         plan, half, end, ..
     } = *body;
     let outer = body.clamped;
@@ -135,10 +139,10 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
     v.plug(&plan.eye_plug, half, 1.0, false);
     clamps(body, v, true);
     // From outside.
-    v.line(Pen::Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
+    v.line(Outline, &[[-half, -body.sleeve], [half, -body.sleeve]]);
     for side in [-1.0, 1.0] {
         v.line(
-            Pen::Outline,
+            Outline,
             &[
                 [side * half, -body.sleeve],
                 [side * half, -outer],
@@ -153,8 +157,8 @@ fn at_rest(body: &Body<'_>, v: &mut View<'_>) {
 }
 
 /// Dimensions, the plane of the section, and the numbers of the parts.
-fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
-    let Body {
+fn measures_at_rest(body: &MuscleBody<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
+    let MuscleBody {
         plan,
         half,
         end,
@@ -185,17 +189,17 @@ fn measures_at_rest(body: &Body<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
         let edge = sign * body.sleeve;
         let [x, y] = v.on_sheet(plane, edge);
         v.sheet
-            .line(Pen::Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
+            .line(Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
         v.sheet
-            .text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Anchor::Middle, "A");
+            .text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Middle, "A");
     }
     balloons(body, v, 0.5 * (ri + ro));
 }
 
 /// The numbers of the parts, each at its part: below the muscle, beside its ends in the order of
 /// their places.
-fn balloons(body: &Body<'_>, v: &mut View<'_>, wall: f64) {
-    let Body { plan, half, .. } = *body;
+fn balloons(body: &MuscleBody<'_>, v: &mut View<'_>, wall: f64) {
+    let MuscleBody { plan, half, .. } = *body;
     let (plug, stem) = (&plan.air_plug, &plan.air_plug.stem);
     let middle = |band: &[f64; 2]| half + 0.5 * (band[0] + band[1]) - stem.datum_mm;
     let over = -body.clamped - 0.5;
@@ -249,7 +253,7 @@ fn balloons(body: &Body<'_>, v: &mut View<'_>, wall: f64) {
 }
 
 /// Tube and sleeve on a plug, in section.
-pub fn on_plug(body: &Body<'_>, v: &mut View<'_>, side: f64) {
+pub fn on_plug(body: &MuscleBody<'_>, v: &mut View<'_>, side: f64) {
     let (plan, stem) = (body.plan, &body.plan.air_plug.stem);
     let inner = 0.5 * stem.diameter_mm;
     let wall = plan.cut.tube_wall_mm;
@@ -267,11 +271,11 @@ pub fn on_plug(body: &Body<'_>, v: &mut View<'_>, side: f64) {
 
 fn axis(v: &mut View<'_>, left: f64, right: f64) {
     let beyond = 4.0 / v.scale;
-    v.line(Pen::Axis, &[[-left - beyond, 0.0], [right + beyond, 0.0]]);
+    v.line(Axis, &[[-left - beyond, 0.0], [right + beyond, 0.0]]);
 }
 
 /// Ties, clamps and ferrules on one side of the axis.
-pub fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
+pub fn clamps(body: &MuscleBody<'_>, v: &mut View<'_>, above: bool) {
     let stem = &body.plan.air_plug.stem;
     let outer = body.clamped;
     let bands = stem.bands_mm.iter().chain(&stem.pressed_mm).copied();
@@ -285,7 +289,7 @@ pub fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
                 v.cut(x, (outer, outer + 1.2), true)
             } else {
                 v.outline(
-                    Pen::Outline,
+                    Outline,
                     &[
                         [x.0, 0.0],
                         [x.0, -outer - 1.2],
@@ -299,7 +303,7 @@ pub fn clamps(body: &Body<'_>, v: &mut View<'_>, above: bool) {
 }
 
 /// Strands of both families below the axis, not all of them.
-fn strands(body: &Body<'_>, v: &mut View<'_>) {
+fn strands(body: &MuscleBody<'_>, v: &mut View<'_>) {
     let tan = body.plan.muscle.braid().angle_rad().tan();
     let radius = body.sleeve;
     let along = TAU * radius / tan;
@@ -328,14 +332,14 @@ fn strands(body: &Body<'_>, v: &mut View<'_>) {
                 .filter(|p| p[0].abs() <= body.half)
                 .collect();
             if points.len() > 1 {
-                v.line(Pen::Thin, &points);
+                v.line(Thin, &points);
             }
         }
     }
 }
 
 /// The muscle at the working pressure, free to contract.
-fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
+fn under_pressure(body: &MuscleBody<'_>, v: &mut View<'_>) {
     let plan = body.plan;
     let half = body.half;
     let operating = &plan.operating;
@@ -361,7 +365,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
             .chain(right)
             .chain([[half - stroke, outer], [end - stroke, outer]])
             .collect();
-        v.line(Pen::Outline, &all);
+        v.line(Outline, &all);
     }
     v.head(&plan.air_plug, -half, -1.0, &[-1.0, 1.0]);
     v.head(&plan.eye_plug, half - stroke, 1.0, &[-1.0, 1.0]);
@@ -396,7 +400,7 @@ fn under_pressure(body: &Body<'_>, v: &mut View<'_>) {
 fn label(v: &mut View<'_>, radius: f64, above: f64, text: &str) {
     let x = FRAME_MM[0] + 6.0;
     let y = v.origin[1] + v.scale * radius + above;
-    v.sheet.text([x, y], 3.0, Anchor::Start, text);
+    v.sheet.text([x, y], 3.0, Start, text);
 }
 
 /// The section A–A.
@@ -405,7 +409,7 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
     let bore = plan.muscle.inner_diameter_mm();
     let over = plan.over_sleeve_mm;
     for diameter in [bore, d0, over] {
-        v.circle(Pen::Outline, diameter);
+        v.circle(Outline, diameter);
     }
     let ring = |d: f64| -> Vec<[f64; 2]> {
         (0..72)
@@ -414,10 +418,10 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
             .collect()
     };
     v.hatch(&[ring(d0), ring(bore)], true);
-    v.circle(Pen::Thin, 0.5 * (d0 + over));
+    v.circle(Thin, 0.5 * (d0 + over));
     let reach = 0.5 * over + 2.5 / v.scale;
-    v.line(Pen::Axis, &[[-reach, 0.0], [reach, 0.0]]);
-    v.line(Pen::Axis, &[[0.0, -reach], [0.0, reach]]);
+    v.line(Axis, &[[-reach, 0.0], [reach, 0.0]]);
+    v.line(Axis, &[[0.0, -reach], [0.0, reach]]);
     let column = v.scale * 0.5 * over;
     for (i, d) in [bore, d0, over].into_iter().enumerate() {
         v.beside(
@@ -429,11 +433,11 @@ fn cross_section(plan: &Plan, v: &mut View<'_>) {
     }
     let [x, y] = v.on_sheet(0.0, 0.5 * over);
     let text = format!("A–A  ({})", ratio(v.scale));
-    v.sheet.text([x, y + 4.5], 3.0, Anchor::Middle, text);
+    v.sheet.text([x, y + 4.5], 3.0, Middle, text);
 }
 
 /// The data of the muscle, in words.
-fn data(plan: &Plan, sheet: &mut Sheet) {
+fn data(plan: &Plan, sheet: &mut DrawingSheet) {
     let muscle = &plan.muscle;
     let operating = &plan.operating;
     let safety = &plan.safety;
@@ -468,13 +472,13 @@ fn data(plan: &Plan, sheet: &mut Sheet) {
         format!("Numbers by model {}", operating.model),
     ];
     for row in rows {
-        sheet.text([x, y], 2.3, Anchor::Start, row);
+        sheet.text([x, y], 2.3, Start, row);
         y -= 4.8;
     }
 }
 
 /// The list of parts above the title block.
-fn parts(plan: &Plan, sheet: &mut Sheet) {
+fn parts(plan: &Plan, sheet: &mut DrawingSheet) {
     let left = TITLE_MM.0;
     let right = FRAME_MM[2];
     let mut y = TITLE_MM.1;
@@ -484,7 +488,7 @@ fn parts(plan: &Plan, sheet: &mut Sheet) {
         sheet.text(
             [left + 4.0, y + 1.3],
             height,
-            Anchor::Middle,
+            Middle,
             part.number.to_string(),
         );
         let amount = shortened(&part.amount, 36);
@@ -492,15 +496,15 @@ fn parts(plan: &Plan, sheet: &mut Sheet) {
         sheet.text(
             [left + 9.5, y + 1.3],
             height,
-            Anchor::Start,
+            Start,
             shortened(&format!("{}, {}", part.part, part.size), room),
         );
-        sheet.text([right - 1.5, y + 1.3], height, Anchor::End, amount);
+        sheet.text([right - 1.5, y + 1.3], height, End, amount);
         y += row;
-        sheet.line(Pen::Thin, [[left, y], [right, y]]);
+        sheet.line(Thin, [[left, y], [right, y]]);
     }
     for x in [left, left + 8.0] {
-        sheet.line(Pen::Thin, [[x, TITLE_MM.1], [x, y]]);
+        sheet.line(Thin, [[x, TITLE_MM.1], [x, y]]);
     }
 }
 

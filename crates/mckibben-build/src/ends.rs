@@ -10,7 +10,10 @@
 //! every end is proved under the load of the proof pressure.
 
 use crate::safety::PROOF_TO_WORKING;
-use mckibben_core::{analysis::SAFETY, muscle::EndsMade};
+use mckibben_core::{
+    analysis::SAFETY,
+    muscle::EndsMade::{self, Crimped, Tied},
+};
 use std::f64::consts::PI;
 
 /// Ties with their least loop strength (QB/T 4494-2013). The stems are a choice: a narrow tie bends
@@ -125,7 +128,7 @@ impl Ends {
     pub const CLAMP_MM: f64 = 1.5;
 
     /// The ends for a load in N; `made` is how they are held, where that is stated.
-    pub(crate) fn new(load_n: f64, tube: Clamped, made: Option<EndsMade>) -> Self {
+    pub fn new(load_n: f64, tube: Clamped, made: Option<EndsMade>) -> Self {
         let tie = Tie::around(tube.bore_mm);
         let ties = (SAFETY * load_n / tie.holds_n()).ceil().max(2.0);
         let is_narrow = tube.diameter_mm < CLAMPS_FROM_MM;
@@ -136,20 +139,20 @@ impl Ends {
         let proved = |[_, best_n]: [f64; 2]| (PROOF_TO_WORKING * load_n / best_n).ceil().max(1.0);
         let clamps = proved(squeezed);
         let usual = match load_n {
-            _ if ties <= MOST_TIES as f64 => EndsMade::Tied,
-            _ if is_narrow => EndsMade::Crimped,
+            _ if ties <= MOST_TIES as f64 => Tied,
+            _ if is_narrow => Crimped,
             load_n if load_n <= CLAMPED_TO_N && clamps <= MOST_CLAMPS => EndsMade::Clamped,
-            _ => EndsMade::Crimped,
+            _ => Crimped,
         };
         let made = made.unwrap_or(usual);
-        let has_ties = made == EndsMade::Tied || (made == EndsMade::Crimped && is_narrow);
+        let has_ties = made == Tied || (made == Crimped && is_narrow);
         let (band_mm, at_each_end) = match made {
-            EndsMade::Tied => (tie.width_mm, ties.min(MOST_TIES as f64) as usize),
+            Tied => (tie.width_mm, ties.min(MOST_TIES as f64) as usize),
             EndsMade::Clamped => (clamp_mm, clamps.min(MOST_CLAMPS) as usize),
-            EndsMade::Crimped if is_narrow => (tie.width_mm, 1),
-            EndsMade::Crimped => (clamp_mm, 1),
+            Crimped if is_narrow => (tie.width_mm, 1),
+            Crimped => (clamp_mm, 1),
         };
-        let press = (made == EndsMade::Crimped).then(|| match is_wide {
+        let press = (made == Crimped).then(|| match is_wide {
             true => Press::BoltClamps(proved(bolted_n()) as usize),
             false => Press::Ferrule,
         });
@@ -157,7 +160,7 @@ impl Ends {
         let holds_n = match (made, press) {
             (_, Some(Press::BoltClamps(count))) => so_many(count, bolted_n()),
             (_, Some(Press::Ferrule)) => None,
-            (EndsMade::Tied, _) => so_many(at_each_end, [tie.holds_n(); 2]),
+            (Tied, _) => so_many(at_each_end, [tie.holds_n(); 2]),
             _ => so_many(at_each_end, squeezed),
         };
         Self {
@@ -171,7 +174,7 @@ impl Ends {
     }
 
     /// What closes on the tube.
-    pub(crate) fn band(&self) -> &'static str {
+    pub fn band(&self) -> &'static str {
         if self.has_ties {
             "cable tie"
         } else {
@@ -180,7 +183,7 @@ impl Ends {
     }
 
     /// What presses the sleeve on a shoulder.
-    pub(crate) fn pressed_by(&self) -> &'static str {
+    pub fn pressed_by(&self) -> &'static str {
         match self.press {
             Some(Press::BoltClamps(2..)) => "two clamps with a bolt",
             Some(Press::BoltClamps(_)) => "clamp with a bolt",
@@ -189,11 +192,11 @@ impl Ends {
     }
 
     /// Least length in mm of tube and sleeve on the plug.
-    pub(crate) fn least_mm(&self) -> f64 {
+    pub fn least_mm(&self) -> f64 {
         match self.made {
-            EndsMade::Tied => self.at_each_end as f64 * (self.band_mm + 2.0),
+            Tied => self.at_each_end as f64 * (self.band_mm + 2.0),
             EndsMade::Clamped => self.at_each_end as f64 * (self.band_mm + 3.0),
-            EndsMade::Crimped => self.band_mm + 3.0 + self.pressed_mm(),
+            Crimped => self.band_mm + 3.0 + self.pressed_mm(),
         }
     }
 
@@ -207,10 +210,10 @@ impl Ends {
 
     /// Whether a load is within their estimate: of ties with the factor of safety, of others at
     /// best in the proof test. None where there is no estimate.
-    pub(crate) fn bear(&self, load_n: f64) -> Option<bool> {
+    pub fn bear(&self, load_n: f64) -> Option<bool> {
         let [low, high] = self.holds_n?;
         Some(match self.made {
-            EndsMade::Tied => low >= SAFETY * load_n,
+            Tied => low >= SAFETY * load_n,
             _ => high >= PROOF_TO_WORKING * load_n,
         })
     }
@@ -227,74 +230,7 @@ fn squeezed_n(tube: Clamped, band_mm: f64) -> [f64; 2] {
 }
 
 /// What a clamp with a bolt holds in N: 2π μ T, T = M/(K d), with little and with much friction.
-fn bolted_n() -> [f64; 2] {
+pub fn bolted_n() -> [f64; 2] {
     let tension_n = 1e3 * BOLT_NM / (NUT_FACTOR * BOLT_MM);
     [LEAST_FRICTION, FRICTION].map(|friction| 2.0 * PI * friction * tension_n)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// By hand: two ties of 4.8 mm hold 2 · 2π · 0.3 · 180/3 = 226 N, a quarter of it is 56.5 N. A
-    /// clamp of 9 mm on 26 mm over 3 mm of μ 0.4 MPa: 0.3 π 26 · 9 · 4 · 0.4 · 0.25 = 88.2 N, bonded
-    /// (S = 1.5) 3.25 times as much.
-    #[test]
-    fn by_hand_ends_hold_four_times_their_load_or_are_of_another_kind() {
-        let tube = Clamped {
-            bore_mm: 20.0,
-            wall_mm: 3.0,
-            mu_mpa: 0.4,
-            diameter_mm: 26.0,
-        };
-        let ends = |load_n: f64| Ends::new(load_n, tube, None);
-        let tied = ends(56.0);
-        assert_eq!((tied.made, tied.at_each_end), (EndsMade::Tied, 2));
-        assert!((tied.holds_n.unwrap_or_default()[0] - 226.2).abs() < 0.05);
-        assert_eq!(
-            (ends(57.0).made, ends(57.0).at_each_end),
-            (EndsMade::Tied, 3)
-        );
-        let clamped = ends(96.0);
-        assert_eq!(clamped.made, EndsMade::Clamped);
-        let [low, high] = clamped.holds_n.unwrap_or_default();
-        assert!((low - 88.22).abs() < 0.01 && (high / low - 3.25).abs() < 1e-9);
-        assert_eq!(ends(501.0).made, EndsMade::Crimped);
-        // Twice 144 N is above what one clamp holds at best, 287 N; twice 287 N above that of two.
-        assert_eq!([143.0, 144.0].map(|n| ends(n).at_each_end), [1, 2]);
-        assert_eq!(ends(286.0).made, EndsMade::Clamped);
-        assert_eq!(ends(287.0).press, Some(Press::Ferrule));
-        let stated = Ends::new(96.0, tube, Some(EndsMade::Tied));
-        assert_eq!(stated.bear(96.0), Some(false));
-        let narrow = Clamped {
-            bore_mm: 4.0,
-            wall_mm: 1.0,
-            diameter_mm: 6.8,
-            ..tube
-        };
-        let narrow = Ends::new(60.0, narrow, None);
-        assert_eq!(
-            (narrow.press, narrow.band()),
-            (Some(Press::Ferrule), "cable tie")
-        );
-        let stated = Ends::new(450.0, tube, Some(EndsMade::Clamped));
-        assert_eq!(stated.bear(450.0), Some(false));
-    }
-
-    /// By hand: 15 N m on M8 are 15/(0.2 · 0.008) = 9375 N, and 2π · 0.15 · 9375 = 8836 N; twice
-    /// 9000 N is above the 17 671 N at best.
-    #[test]
-    fn by_hand_a_wide_shoulder_has_clamps_with_a_bolt_for_the_proof_test() {
-        let tube = Clamped {
-            bore_mm: 80.0,
-            wall_mm: 4.0,
-            mu_mpa: 0.2,
-            diameter_mm: 90.0,
-        };
-        let press = |load_n: f64| Ends::new(load_n, tube, None).press;
-        assert_eq!(press(8800.0), Some(Press::BoltClamps(1)));
-        assert_eq!(press(9000.0), Some(Press::BoltClamps(2)));
-        let [low, high] = bolted_n();
-        assert!((low - 8835.7).abs() < 0.1 && (high - 2.0 * low).abs() < 1e-9);
-    }
 }

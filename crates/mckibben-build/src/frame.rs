@@ -4,7 +4,11 @@ use crate::{
     Plan,
     text::{significant, trimmed},
 };
-use mckibben_report::{Anchor, Pen, Sheet};
+use mckibben_report::{
+    Anchor::Start,
+    DrawingSheet,
+    Pen::{Axis, Outline, Thin},
+};
 
 /// A4 across, and the frame on it (ISO 5457): left, bottom, right, top.
 const PAPER_MM: (f64, f64) = (297.0, 210.0);
@@ -44,31 +48,25 @@ pub struct Title<'a> {
 }
 
 /// An empty sheet with frame and title block.
-pub fn sheet(plan: &Plan, title: &Title<'_>) -> Sheet {
+pub fn sheet(plan: &Plan, title: &Title<'_>) -> DrawingSheet {
     let size = format!(
         "⌀{} × {} {}",
         plan.shown.bare(plan.muscle.outer_diameter_mm()),
         plan.shown.bare(plan.muscle.length_mm()),
         plan.shown.length.name
     );
-    let mut sheet = Sheet::new(format!("{} {size}", title.what), PAPER_MM.0, PAPER_MM.1);
+    let mut sheet = DrawingSheet::new(format!("{} {size}", title.what), PAPER_MM.0, PAPER_MM.1);
     let [left, bottom, right, top] = FRAME_MM;
-    sheet.outline(
-        Pen::Outline,
-        [[left, bottom], [right, bottom], [right, top], [left, top]],
-    );
+    sheet.rectangle(Outline, [left, right], [bottom, top]);
     let (left, top) = TITLE_MM;
-    sheet.outline(
-        Pen::Outline,
-        [[left, bottom], [right, bottom], [right, top], [left, top]],
-    );
+    sheet.rectangle(Outline, [left, right], [bottom, top]);
     let rows = [bottom, bottom + 8.0, bottom + 16.0];
     let columns = [left, left + 30.0, left + 76.0, left + 104.0];
     for y in &rows[1..] {
-        sheet.line(Pen::Thin, [[left, *y], [right, *y]]);
+        sheet.line(Thin, [[left, *y], [right, *y]]);
     }
     for x in &columns[1..] {
-        sheet.line(Pen::Thin, [[*x, bottom], [*x, rows[2]]]);
+        sheet.line(Thin, [[*x, bottom], [*x, rows[2]]]);
     }
     let given = |name: &str| {
         let field = plan.title_block.iter().find(|(field, _)| field == name);
@@ -81,10 +79,10 @@ pub fn sheet(plan: &Plan, title: &Title<'_>) -> Sheet {
     sheet.text(
         [left + 3.0, top - 6.0],
         3.5,
-        Anchor::Start,
+        Start,
         format!("{}{name}", title.what),
     );
-    sheet.text([left + 3.0, top - 12.0], 2.5, Anchor::Start, size);
+    sheet.text([left + 3.0, top - 12.0], 2.5, Start, size);
     projection(&mut sheet, [right - 18.0, top - 7.0]);
     let unit = plan.shown.length.name;
     let cells = [
@@ -105,18 +103,18 @@ pub fn sheet(plan: &Plan, title: &Title<'_>) -> Sheet {
     ];
     for (i, (head, text)) in cells.into_iter().enumerate() {
         let (x, y) = (columns[i % 4], rows[1 - i / 4]);
-        sheet.text([x + 1.0, y + 5.4], 1.8, Anchor::Start, head);
-        sheet.text([x + 1.5, y + 1.5], 2.2, Anchor::Start, text);
+        sheet.text([x + 1.0, y + 5.4], 1.8, Start, head);
+        sheet.text([x + 1.5, y + 1.5], 2.2, Start, text);
     }
     sheet
 }
 
 /// The symbol of the first-angle projection (ISO 5456-2).
-fn projection(sheet: &mut Sheet, [x, y]: [f64; 2]) {
+fn projection(sheet: &mut DrawingSheet, [x, y]: [f64; 2]) {
     let cone = [[0.0, -1.25], [6.0, -2.5], [6.0, 2.5], [0.0, 1.25]];
-    sheet.outline(Pen::Thin, cone.map(|[a, b]| [x + a, y + b]));
+    sheet.outline(Thin, cone.map(|[a, b]| [x + a, y + b]));
     for radius in [1.25, 2.5] {
-        sheet.circle(Pen::Thin, [x + 12.0, y], radius);
+        sheet.circle(Thin, [x + 12.0, y], radius);
     }
-    sheet.line(Pen::Axis, [[x - 1.5, y], [x + 15.5, y]]);
+    sheet.line(Axis, [[x - 1.5, y], [x + 15.5, y]]);
 }

@@ -13,12 +13,14 @@
 mod build_sheet;
 mod cut;
 mod drawing;
-mod ends;
+#[doc(hidden)]
+pub mod ends;
 mod fitting;
 mod frame;
 mod material;
 mod mesh;
-mod mould;
+#[doc(hidden)]
+pub mod mould;
 mod plan;
 mod plug;
 mod plug_drawing;
@@ -40,6 +42,8 @@ pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{EndParts, Plan, Wishes};
 pub use plug::{Material, Plug, Port};
+#[doc(hidden)]
+pub use safety::energy_j;
 pub use safety::{Operating, Proof, PullAt, Safety, ToMeasure, highest_mpa, proof_mpa, relief_mpa};
 pub use shown::Shown;
 pub use stem::Stem;
@@ -48,18 +52,13 @@ pub use test_points::TestPoint;
 pub use mckibben_io::files::{Content, File};
 pub use mckibben_report::FigureError;
 
-use mckibben_report::{Document, Sheet};
+use mckibben_report::{Document, DrawingSheet};
 
 /// The program, in the first line of a file.
 const MARK: &str = "mckibben build";
 
-/// The drawing of the muscle as SVG.
-pub fn drawing_svg(plan: &Plan) -> Result<String, FigureError> {
-    drawing::on_paper(plan).to_svg()
-}
-
 /// The drawings: the muscle, and a sheet for each plug.
-pub fn drawings(plan: &Plan) -> [Sheet; 3] {
+pub fn drawings(plan: &Plan) -> [DrawingSheet; 3] {
     [
         drawing::on_paper(plan),
         plug_drawing::on_paper(plan, "Air plug", &plan.air_plug, 2),
@@ -68,14 +67,14 @@ pub fn drawings(plan: &Plan) -> [Sheet; 3] {
 }
 
 /// The build sheet and the test record.
-pub fn papers(plan: &Plan) -> Result<[Document; 2], FigureError> {
-    Ok([build_sheet::document(plan)?, record::document(plan)])
+pub fn papers(plan: &Plan) -> [Document; 2] {
+    [build_sheet::document(plan), record::document(plan)]
 }
 
 /// All files, the first page first, which links to the others.
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let sheets = drawings(plan);
-    let [build_sheet, record] = papers(plan)?;
+    let [build_sheet, record] = papers(plan);
     let bill = material::csv(plan).map_err(|e| FigureError::Drawing(e.to_string()))?;
     let mut out = vec![
         document(
@@ -143,7 +142,7 @@ fn document(name: &str, about: &'static str, document: &Document) -> Result<File
 }
 
 /// The drawings: one PDF, or each as SVG where there is no PDF.
-fn drawn(sheets: &[Sheet]) -> Result<Vec<File>, FigureError> {
+fn drawn(sheets: &[DrawingSheet]) -> Result<Vec<File>, FigureError> {
     #[cfg(feature = "pdf")]
     {
         let about = "the muscle, and a sheet for each plug";
@@ -153,7 +152,8 @@ fn drawn(sheets: &[Sheet]) -> Result<Vec<File>, FigureError> {
     #[cfg(not(feature = "pdf"))]
     {
         let names = ["drawing.svg", "air-plug.svg", "eye-plug.svg"];
-        let file = |(name, sheet): (&str, &Sheet)| Ok(File::text(name, "drawing", sheet.to_svg()?));
+        let file =
+            |(name, sheet): (&str, &DrawingSheet)| Ok(File::text(name, "drawing", sheet.to_svg()?));
         names.into_iter().zip(sheets).map(file).collect()
     }
 }

@@ -7,14 +7,17 @@ use crate::{
     text::{mm, trimmed},
     view::View,
 };
-use mckibben_report::{Anchor, Pen, Sheet};
+use mckibben_report::{
+    Anchor, DrawingSheet,
+    Pen::{Axis, Outline},
+};
 
 /// Room for section and end beside each other, and for their height, in mm.
 const ROOM_MM: (f64, f64) = (185.0, 80.0);
 const NOTES_MM: f64 = 2.3;
 
 /// The sheet of a plug.
-pub fn on_paper(plan: &Plan, what: &str, plug: &Plug, number: usize) -> Sheet {
+pub fn on_paper(plan: &Plan, what: &str, plug: &Plug, number: usize) -> DrawingSheet {
     let wide = plug.widest_mm();
     let scale = largest(|s| s * (plug.length_mm + wide) <= ROOM_MM.0 && s * wide <= ROOM_MM.1);
     let title = Title {
@@ -51,7 +54,7 @@ fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     let bare = |mm: f64| plan.shown.bare(mm);
     v.plug(plug, stem.datum_mm, 1.0, true);
     let beyond = 4.0 / v.scale;
-    v.line(Pen::Axis, &[[-beyond, 0.0], [plug.length_mm + beyond, 0.0]]);
+    v.line(Axis, &[[-beyond, 0.0], [plug.length_mm + beyond, 0.0]]);
     let (half, radius) = (0.5 * plug.widest_mm(), 0.5 * stem.diameter_mm);
     let above = v.scale * half + 6.0;
     v.across(
@@ -102,21 +105,21 @@ fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
 fn from_the_stem(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     let half = 0.5 * plug.side_mm;
     v.outline(
-        Pen::Outline,
+        Outline,
         &[[-half, -half], [half, -half], [half, half], [-half, half]],
     );
-    v.circle(Pen::Outline, plug.stem.widest_mm());
+    v.circle(Outline, plug.stem.widest_mm());
     if let Some(port) = plug.port {
-        v.circle(Pen::Outline, port.passage_mm);
+        v.circle(Outline, port.passage_mm);
     }
     let reach = half + 2.5 / v.scale;
-    v.line(Pen::Axis, &[[-reach, 0.0], [reach, 0.0]]);
-    v.line(Pen::Axis, &[[0.0, -reach], [0.0, reach]]);
+    v.line(Axis, &[[-reach, 0.0], [reach, 0.0]]);
+    v.line(Axis, &[[0.0, -reach], [0.0, reach]]);
     let text = format!("□{}", plan.shown.bare(plug.side_mm));
     let row = 0.5 * v.scale * plug.widest_mm() + 6.0;
     v.across((-half, half), (half, half), row, &text);
     if let Some(collar) = plug.collar_mm {
-        v.circle(Pen::Outline, collar);
+        v.circle(Outline, collar);
         let text = format!("⌀{}", plan.shown.bare(collar));
         v.across((-0.5 * collar, 0.5 * collar), (0.0, 0.0), row + 7.0, &text);
     }

@@ -141,28 +141,3 @@ pub fn energy_j(gauge_mpa: f64, volume_mm3: f64) -> f64 {
     let absolute = gauge_mpa.max(0.0) + ATMOSPHERE_MPA;
     1e-3 * absolute * volume_mm3 * (absolute / ATMOSPHERE_MPA).ln()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use mckibben_core::analysis::SAFETY;
-
-    /// By hand: 0.5 L at 6 bar gauge, 0.701325 MPa · 500 000 mm³ = 350.66 J, ln(6.92154) =
-    /// 1.934638, together 678.4 J.
-    #[test]
-    fn the_energy_of_air_is_that_of_an_isothermal_expansion() {
-        assert!(
-            (energy_j(0.6, 5e5) - 678.4).abs() < 0.05,
-            "{}",
-            energy_j(0.6, 5e5)
-        );
-        assert_eq!(energy_j(0.0, 5e5), 0.0);
-    }
-
-    #[test]
-    fn a_proof_is_half_of_the_burst_where_the_working_pressure_is_a_quarter_of_it() {
-        assert_eq!(proof_mpa(1.0 / SAFETY, Some(1.0)), 0.5);
-        // A tube may work at half of its burst pressure, and is not proved at all of it.
-        assert_eq!(proof_mpa(0.5, Some(1.0)), 0.75);
-    }
-}

@@ -4,11 +4,15 @@
 use crate::{
     Plan,
     build_sheet::FACES_MM,
-    drawing::{Body, clamps, on_plug},
+    drawing::{MuscleBody, clamps, on_plug},
     mould::{self, Mould},
     view::View,
 };
-use mckibben_report::{Anchor, FigureError, Pen, Sheet};
+use mckibben_report::{
+    Anchor::Start,
+    DrawingSheet,
+    Pen::{Axis, Outline, Thin},
+};
 
 const PAPER_MM: (f64, f64) = (170.0, 62.0);
 const NOTE_MM: f64 = 2.3;
@@ -25,25 +29,25 @@ const STEM_MM: f64 = 3.6;
 /// Inner end of the left head and of the right one in a panel, in mm.
 const HEADS_MM: [f64; 2] = [9.0, 38.0];
 
-fn sheet(what: &str) -> Sheet {
-    Sheet::new(what.into(), PAPER_MM.0, PAPER_MM.1)
+fn sheet(what: &str) -> DrawingSheet {
+    DrawingSheet::new(what.into(), PAPER_MM.0, PAPER_MM.1)
 }
 
 /// A sketch that is not to scale, of one step.
-struct Panel<'a> {
-    sheet: &'a mut Sheet,
+struct StepPanel<'a> {
+    sheet: &'a mut DrawingSheet,
     /// Its left end and its middle in mm.
     at: [f64; 2],
 }
 
-impl Panel<'_> {
+impl StepPanel<'_> {
     fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.at[0] + x, self.at[1] + y]
     }
 
     fn text(&mut self, at: [f64; 2], text: &str) {
         let at = self.place(at);
-        self.sheet.text(at, NOTE_MM, Anchor::Start, text);
+        self.sheet.text(at, NOTE_MM, Start, text);
     }
 
     /// A rectangle about the middle of the panel.
@@ -52,9 +56,8 @@ impl Panel<'_> {
     }
 
     fn rectangle(&mut self, x: [f64; 2], y: [f64; 2]) {
-        let corners = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]];
-        let corners = corners.map(|p| self.place(p));
-        self.sheet.outline(Pen::Outline, corners);
+        let [x, y] = [0, 1].map(|k| [x, y][k].map(|v| self.at[k] + v));
+        self.sheet.rectangle(Outline, x, y);
     }
 
     /// A sleeve, on the tube.
@@ -68,7 +71,7 @@ impl Panel<'_> {
             for sign in [-1.0, 1.0] {
                 let line = [[ends[0], -sign * half], [ends[1], sign * half]];
                 let line = line.map(|p| self.place(p));
-                self.sheet.line(Pen::Thin, line);
+                self.sheet.line(Thin, line);
             }
         }
     }
@@ -93,34 +96,34 @@ impl Panel<'_> {
         let [x, y] = [0, 1].map(|k| (b[k] - a[k]) / length);
         let foot = [b[0] - 2.5 * x, b[1] - 2.5 * y];
         let side = |sign: f64| [foot[0] - 0.7 * sign * y, foot[1] + 0.7 * sign * x];
-        self.sheet.line(Pen::Thin, [a, foot]);
+        self.sheet.line(Thin, [a, foot]);
         self.sheet.fill([b, side(1.0), side(-1.0)]);
     }
 }
 
 /// What draws a panel.
-type Draw<'a> = &'a dyn Fn(&mut Panel<'_>);
+type Draw<'a> = &'a dyn Fn(&mut StepPanel<'_>);
 
 /// Panels side by side, each with the number of its step.
-fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> Result<String, FigureError> {
+fn panels(what: &str, all: &[(usize, Draw<'_>)]) -> DrawingSheet {
     let rows = all.len().div_ceil(COLUMNS);
     let wide = PAPER_MM.0 / COLUMNS as f64;
-    let mut sheet = Sheet::new(what.into(), PAPER_MM.0, PANEL_MM * rows as f64);
+    let mut sheet = DrawingSheet::new(what.into(), PAPER_MM.0, PANEL_MM * rows as f64);
     for (i, (step, draw)) in all.iter().enumerate() {
         let row = (rows - 1 - i / COLUMNS) as f64;
         let at = [(i % COLUMNS) as f64 * wide + 2.0, (row + 0.5) * PANEL_MM];
         let number = [at[0] + 1.0, at[1] + 8.0];
-        sheet.text(number, 3.2, Anchor::Start, step.to_string());
-        draw(&mut Panel {
+        sheet.text(number, 3.2, Start, step.to_string());
+        draw(&mut StepPanel {
             sheet: &mut sheet,
             at,
         });
     }
-    sheet.to_svg()
+    sheet
 }
 
 /// The steps of the assembly but for the end that is closed.
-pub fn assembly(plan: &Plan) -> Result<String, FigureError> {
+pub fn assembly(plan: &Plan) -> DrawingSheet {
     let [left, right] = HEADS_MM;
     let length = |mm: f64| plan.shown.length(mm);
     let cut = &plan.cut;
@@ -195,7 +198,7 @@ pub fn assembly(plan: &Plan) -> Result<String, FigureError> {
 }
 
 /// The mould, with the steps at it; diameters are not to scale.
-pub fn casting(plan: &Plan) -> Result<String, FigureError> {
+pub fn casting(plan: &Plan) -> DrawingSheet {
     let mould = Mould::new(&plan.cut);
     let mut sheet = sheet("Mould, lying");
     let origin = [28.0, 29.0];
@@ -208,7 +211,7 @@ pub fn casting(plan: &Plan) -> Result<String, FigureError> {
     ]
     .map(|mm| scale * mm);
     let (rod, bore, outer) = (7.0, 11.0, 13.0);
-    let mut panel = Panel {
+    let mut panel = StepPanel {
         sheet: &mut sheet,
         at: origin,
     };
@@ -238,13 +241,13 @@ pub fn casting(plan: &Plan) -> Result<String, FigureError> {
     }
     let [rod, bore] = [mould.rod_mm, mould.bore_mm].map(|mm| plan.shown.bare(mm));
     let note = format!("rod ⌀{rod}, pipe ⌀{bore} inside; rubber from the lower cap to the vents");
-    sheet.text([4.0, 2.0], NOTE_MM, Anchor::Start, note);
-    sheet.to_svg()
+    sheet.text([4.0, 2.0], NOTE_MM, Start, note);
+    sheet
 }
 
 /// The muscle as it is filled, and its leak test.
-pub fn tests(plan: &Plan) -> Result<String, FigureError> {
-    let muscle = |p: &mut Panel<'_>, y: [f64; 2]| {
+pub fn tests(plan: &Plan) -> DrawingSheet {
+    let muscle = |p: &mut StepPanel<'_>, y: [f64; 2]| {
         p.rectangle([22.0, 28.0], y);
         for [from, to] in [[y[0] - 4.0, y[0]], [y[1], y[1] + 4.0]] {
             p.rectangle([20.5, 29.5], [from, to]);
@@ -281,8 +284,8 @@ pub fn tests(plan: &Plan) -> Result<String, FigureError> {
 }
 
 /// An end: plug, tube, sleeve and clamps, and where the free length begins.
-pub fn end(plan: &Plan) -> Result<String, FigureError> {
-    let body = Body::new(plan);
+pub fn end(plan: &Plan) -> DrawingSheet {
+    let body = MuscleBody::new(plan);
     let plug = &plan.eye_plug;
     let length_mm = plug.length_mm - plug.stem.datum_mm;
     let scale = (110.0 / length_mm).min(18.0 / body.widest);
@@ -304,7 +307,7 @@ pub fn end(plan: &Plan) -> Result<String, FigureError> {
     v.plug(plug, body.half, 1.0, false);
     clamps(&body, &mut v, true);
     v.line(
-        Pen::Axis,
+        Axis,
         &[[x.0, 0.0], [body.half + length_mm + 4.0 / scale, 0.0]],
     );
     let row = scale * body.widest + 5.0;
@@ -319,18 +322,18 @@ pub fn end(plan: &Plan) -> Result<String, FigureError> {
     );
     v.across((x.0, body.end), (clamped, clamped), row + 7.0, &faces);
     let note = "L₀ ends at the barb or the first groove, within 1 mm of the first tie or clamp";
-    sheet.text([4.0, 3.0], NOTE_MM, Anchor::Start, note);
-    sheet.to_svg()
+    sheet.text([4.0, 3.0], NOTE_MM, Start, note);
+    sheet
 }
 
 /// The muscle in the frame that holds its length, with the air plug above.
-pub fn frame(plan: &Plan) -> Result<String, FigureError> {
+pub fn frame(plan: &Plan) -> DrawingSheet {
     let mut sheet = sheet("Proof test with the length held");
     let (left, right, y) = (40.0, 130.0, 32.0);
     for rod in [14.0, 50.0] {
-        sheet.line(Pen::Outline, [[left - 9.0, rod], [right + 9.0, rod]]);
+        sheet.line(Outline, [[left - 9.0, rod], [right + 9.0, rod]]);
     }
-    let mut panel = Panel {
+    let mut panel = StepPanel {
         sheet: &mut sheet,
         at: [0.0, y],
     };
@@ -343,7 +346,7 @@ pub fn frame(plan: &Plan) -> Result<String, FigureError> {
         }
     }
     for bolt in [left - 11.2, right + 11.2] {
-        sheet.circle(Pen::Outline, [bolt, y], 2.2);
+        sheet.circle(Outline, [bolt, y], 2.2);
     }
     let mut v = View {
         sheet: &mut sheet,
@@ -357,6 +360,6 @@ pub fn frame(plan: &Plan) -> Result<String, FigureError> {
         "steel frame for {bears}; the bolts bear on its outer faces; {} at the proof pressure",
         plan.shown.force(plan.proof_load_n)
     );
-    sheet.text([4.0, 4.0], NOTE_MM, Anchor::Start, note);
-    sheet.to_svg()
+    sheet.text([4.0, 4.0], NOTE_MM, Start, note);
+    sheet
 }

@@ -2,7 +2,10 @@
 
 use crate::plug::Plug;
 use mckibben_core::{by_number::SortByNumber, extremes::ends};
-use mckibben_report::{Anchor, Pen, Sheet};
+use mckibben_report::{
+    Anchor, DrawingSheet,
+    Pen::{self, Axis, Outline, Thin},
+};
 
 /// Height of dimensions and notes in mm.
 pub const SMALL_MM: f64 = 2.5;
@@ -18,7 +21,7 @@ const THIN_MM: f64 = 1.0;
 
 /// A body drawn at a scale: `origin` is where its point (0, 0) lies on the sheet.
 pub struct View<'a> {
-    pub sheet: &'a mut Sheet,
+    pub sheet: &'a mut DrawingSheet,
     pub origin: [f64; 2],
     /// mm on paper for each mm of the body.
     pub scale: f64,
@@ -61,7 +64,7 @@ impl View<'_> {
         let (outline, hollows) = plug.section();
         let loops: Vec<Vec<[f64; 2]>> = [outline].into_iter().chain(hollows).map(place).collect();
         for edge in &loops {
-            self.outline(Pen::Outline, edge);
+            self.outline(Outline, edge);
         }
         self.hatch(&loops, false);
         if !below_too {
@@ -84,16 +87,13 @@ impl View<'_> {
                 [end, head],
                 [end, 0.0],
             ];
-            self.line(Pen::Outline, &edge);
+            self.line(Outline, &edge);
         }
         let eye = self.on_sheet(at(plug.eye_mm), 0.0);
         let radius = 0.5 * plug.hole_mm * self.scale;
-        self.sheet.circle(Pen::Outline, eye, radius);
+        self.sheet.circle(Outline, eye, radius);
         let x = at(plug.eye_mm);
-        self.line(
-            Pen::Axis,
-            &[[x, -0.8 * plug.hole_mm], [x, 0.8 * plug.hole_mm]],
-        );
+        self.line(Axis, &[[x, -0.8 * plug.hole_mm], [x, 0.8 * plug.hole_mm]]);
     }
 
     /// A cut rectangle: its edge, and a hatch; filled where it is thin.
@@ -102,7 +102,7 @@ impl View<'_> {
         if (x.1 - x.0).min(y.1 - y.0) * self.scale < THIN_MM {
             return self.sheet.fill(self.all_on_sheet(&corners));
         }
-        self.outline(Pen::Outline, &corners);
+        self.outline(Outline, &corners);
         self.hatch(&[corners.to_vec()], rising);
     }
 
@@ -133,7 +133,7 @@ impl View<'_> {
             }
             cuts.sort_by_number(|a| a[0]);
             cuts.chunks_exact(2)
-                .for_each(|pair| self.sheet.line(Pen::Thin, [pair[0], pair[1]]));
+                .for_each(|pair| self.sheet.line(Thin, [pair[0], pair[1]]));
         }
     }
 
@@ -180,8 +180,7 @@ impl View<'_> {
         for end in ends {
             let gap = GAP_MM * (place - end[along]).signum();
             let last = moved(end, place + BEYOND_MM * offset.signum());
-            self.sheet
-                .line(Pen::Thin, [moved(end, end[along] + gap), last]);
+            self.sheet.line(Thin, [moved(end, end[along] + gap), last]);
         }
         let [a, b] = ends.map(|end| moved(end, place));
         dimension(self.sheet, a, b, text);
@@ -193,9 +192,9 @@ impl View<'_> {
         let radius = 3.0;
         let length = (to[0] - at[0]).hypot(to[1] - at[1]).max(1e-9);
         let edge = [0, 1].map(|k| at[k] + radius * (to[k] - at[k]) / length);
-        self.sheet.circle(Pen::Thin, at, radius);
-        self.sheet.line(Pen::Thin, [edge, to]);
-        self.sheet.circle(Pen::Outline, to, 0.3);
+        self.sheet.circle(Thin, at, radius);
+        self.sheet.line(Thin, [edge, to]);
+        self.sheet.circle(Outline, to, 0.3);
         self.sheet.text(
             [at[0], at[1] - 0.5 * SMALL_MM],
             SMALL_MM,
@@ -223,7 +222,7 @@ fn above(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 /// A dimension line with arrows and its text: above a horizontal one, to the left of an upright
 /// one. Where arrows have no room inside they point from outside.
-fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
+fn dimension(sheet: &mut DrawingSheet, a: [f64; 2], b: [f64; 2], text: &str) {
     let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
     let along = [0, 1].map(|k| (b[k] - a[k]) / length);
     let upright = along[1].abs() > 0.5;
@@ -243,7 +242,7 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
     let room = fits && width + 2.0 < length;
     let out = if fits { 0.0 } else { 2.0 * ARROW_MM.0 };
     if room {
-        sheet.line(Pen::Thin, [a, b]);
+        sheet.line(Thin, [a, b]);
         let middle = move_by(a, 0.5 * length);
         if upright {
             sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text)
@@ -259,7 +258,7 @@ fn dimension(sheet: &mut Sheet, a: [f64; 2], b: [f64; 2], text: &str) {
         move_by(b, out)
     };
     let shelf = [end[0] + width + 1.5, end[1]];
-    sheet.line(Pen::Thin, [move_by(a, -out), end, shelf]);
+    sheet.line(Thin, [move_by(a, -out), end, shelf]);
     sheet.text([end[0] + 1.0, end[1] + 1.0], SMALL_MM, Anchor::Start, text);
 }
 

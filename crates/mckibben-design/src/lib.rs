@@ -28,7 +28,8 @@ mod choice;
 mod demand;
 mod joint;
 mod limits;
-mod line;
+#[doc(hidden)]
+pub mod line;
 mod misses;
 mod models;
 mod other_parts;
@@ -62,6 +63,7 @@ pub use {
         pressure::Below,
     },
     models::{Build, Models, SearchedMuscles, near_the_box},
+    search::nice_steps,
     task::{Open, Task},
     tubes::{TubeError, TubePart},
 };

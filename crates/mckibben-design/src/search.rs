@@ -646,21 +646,3 @@ pub fn nice_steps(low: f64, high: f64, most: usize) -> Vec<f64> {
     }
     list
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn samples_come_at_round_steps_with_both_ends() {
-        assert_eq!(
-            nice_steps(1.0, 3.0, 12),
-            [1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0]
-        );
-        assert_eq!(
-            nice_steps(0.7, 5.0, 12),
-            [0.7, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0]
-        );
-        assert_eq!(nice_steps(2.0, 2.0, 12), [2.0]);
-    }
-}

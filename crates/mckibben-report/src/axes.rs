@@ -321,23 +321,3 @@ impl<'a> Grid<'a, '_> {
         })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The frame cuts a band that is wider than its line: half of the line's height lies above and
-    /// below.
-    #[test]
-    fn a_band_wider_than_its_line_does_not_fill_the_axis() {
-        let line = Series::line("pull", vec![(0.0, 10.0), (1.0, 0.0)]);
-        let panel = |half: f64| {
-            let band = Series::band(&[(0.0, 10.0 - half, 10.0 + half), (1.0, -half, half)]);
-            Panel::new(Axis::new("x"), Axis::new("y"))
-                .series(line.clone())
-                .series(band)
-        };
-        assert_eq!(extents(&panel(1.0)).1, Some((-1.0, 11.0)));
-        assert_eq!(extents(&panel(1000.0)).1, Some((-5.0, 15.0)));
-    }
-}

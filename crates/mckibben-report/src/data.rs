@@ -4,8 +4,8 @@ use crate::{
     document::head,
     figure::{Figure, Panel, Result},
     ticks::number,
-    xml::escape,
 };
+use mckibben_units::clean::markup;
 use std::fmt::Write as _;
 
 const STYLE: &str = "body{margin:1rem auto;max-width:75rem;font-family:DejaVu \
@@ -32,12 +32,12 @@ impl Figure {
 
 fn table(out: &mut String, panel: &Panel) {
     let head = ["Data", panel.title.trim()].join(" ");
-    let x = escape(&panel.x.label);
-    let y = escape(&panel.y.label);
+    let x = markup(&panel.x.label);
+    let y = markup(&panel.y.label);
     let _ = writeln!(
         out,
         "<details><summary>{}</summary><table>\n<tr><th></th><th>{x}</th><th>{y}</th></tr>",
-        escape(head.trim())
+        markup(head.trim())
     );
     for series in &panel.series {
         let name = [series.label.trim(), series.end_label.trim()].join(" ");
@@ -58,7 +58,7 @@ fn row(out: &mut String, name: &str, (x, y): (f64, f64)) {
         let _ = writeln!(
             out,
             "<tr><th>{}</th><td>{}</td><td>{}</td></tr>",
-            escape(name),
+            markup(name),
             number(x),
             number(y)
         );

@@ -2,6 +2,11 @@
 
 use crate::figure::{FigureError, Result};
 use ttf_parser::Face;
+#[cfg(feature = "png")]
+use {
+    crate::{drawing::Text, rect::Spot},
+    ttf_parser::GlyphId,
+};
 
 /// Families named in the drawing: the embedded one first, then what readers have at hand
 /// (all of them narrower, so nothing overlaps when one of them is taken).
@@ -46,6 +51,20 @@ impl Metrics {
             .glyph_index(c)
             .and_then(|glyph| self.font.glyph_hor_advance(glyph))
             .map_or(0.7 * size, |units| f64::from(units) * self.scale(size))
+    }
+
+    /// Where a text begins.
+    #[cfg(feature = "png")]
+    pub fn start(&self, text: &Text) -> Spot {
+        let before = f64::from(text.anchor as u8) / 2.0;
+        let (x, y) = text.at;
+        (x - before * self.width(&text.words, text.size), y)
+    }
+
+    /// The glyph of a character; of one that the font lacks it is an empty box.
+    #[cfg(feature = "png")]
+    pub fn glyph(&self, c: char) -> GlyphId {
+        self.font.glyph_index(c).unwrap_or(GlyphId(0))
     }
 
     pub fn scale(&self, size: f64) -> f64 {

@@ -15,6 +15,8 @@ mod axes;
 mod curve;
 mod data;
 mod document;
+mod draw;
+mod drawing;
 mod figure;
 mod font;
 mod labels;
@@ -22,7 +24,6 @@ mod layout;
 mod legend;
 mod line_labels;
 #[cfg(feature = "png")]
-mod outlines;
 mod pages;
 mod palette;
 #[cfg(feature = "png")]
@@ -31,18 +32,18 @@ mod pdf;
 mod png;
 mod rect;
 mod room;
-mod save;
 mod sheet;
-mod smooth;
-mod strokes;
+#[doc(hidden)]
+pub mod smooth;
 mod svg;
-mod ticks;
-mod xml;
+#[doc(hidden)]
+pub mod ticks;
 
+#[doc(hidden)]
+pub use axes::extents;
 pub use document::{Document, Part};
+pub use drawing::Anchor;
 pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
 #[cfg(feature = "png")]
-pub use outlines::texts_as_outlines;
-#[cfg(feature = "png")]
 pub use sheet::to_pdf;
-pub use sheet::{Anchor, Pen, Sheet};
+pub use sheet::{DrawingSheet, Pen};

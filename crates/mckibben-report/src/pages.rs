@@ -2,16 +2,24 @@
 
 use crate::{
     document::{Document, Part},
+    drawing::{
+        Anchor::{End, Start},
+        Drawing,
+    },
     figure::Result,
     font::Metrics,
     rect::PER_MM,
-    sheet::{Anchor, CAPITALS, Pen, Sheet},
+    sheet::{
+        self, CAPITALS, DrawingSheet,
+        Pen::{self, Outline, Thin},
+    },
 };
 
 /// A4 upright and its margins (left with room for binding), in mm.
 const PAPER_MM: [f64; 2] = [210.0, 297.0];
 const LEFT_MM: f64 = 20.0;
 const RIGHT_MM: f64 = 195.0;
+const WIDTH_MM: f64 = RIGHT_MM - LEFT_MM;
 const TOP_MM: f64 = 277.0;
 const BOTTOM_MM: f64 = 18.0;
 /// Heights of capitals in mm (ISO 3098: at least 1.8).
@@ -20,6 +28,7 @@ const HEADING_MM: f64 = 2.9;
 const TITLE_MM: f64 = 4.0;
 /// From one line of a text to the next, over the height of its capitals.
 const LEADING: f64 = 2.0;
+const ROW_MM: f64 = LEADING * TEXT_MM;
 /// Between columns of a table.
 const GUTTER_MM: f64 = 4.0;
 /// Largest height of a figure.
@@ -33,15 +42,15 @@ const BOX_MM: f64 = 3.2;
 struct Pages<'a> {
     title: &'a str,
     metrics: Metrics,
-    done: Vec<Sheet>,
-    sheet: Sheet,
+    done: Vec<DrawingSheet>,
+    sheet: DrawingSheet,
     /// Where the next line begins.
     y: f64,
 }
 
 impl Document {
-    /// The report on sheets of paper, without bodies and texts of files.
-    pub fn sheets(&self) -> Result<Vec<Sheet>> {
+    /// The report as a PDF of A4 pages, without bodies and texts of files.
+    pub fn to_pdf(&self) -> Result<Vec<u8>> {
         let mut pages = Pages {
             title: &self.title,
             metrics: Metrics::new()?,
@@ -64,18 +73,12 @@ impl Document {
         }
         pages.y -= 3.0;
         pages.text(&self.footer, LEFT_MM, 1.8);
-        Ok(pages.numbered())
-    }
-
-    /// The report as a PDF of A4 pages.
-    #[cfg(feature = "png")]
-    pub fn to_pdf(&self) -> Result<Vec<u8>> {
-        crate::sheet::to_pdf(&self.sheets()?, &self.title)
+        sheet::to_pdf(&pages.numbered(), &self.title)
     }
 }
 
-fn empty(title: &str) -> Sheet {
-    Sheet::new(title.into(), PAPER_MM[0], PAPER_MM[1])
+fn empty(title: &str) -> DrawingSheet {
+    DrawingSheet::new(title.into(), PAPER_MM[0], PAPER_MM[1])
 }
 
 impl Pages<'_> {
@@ -104,7 +107,7 @@ impl Pages<'_> {
             self.room(LEADING * height_mm);
             self.y -= LEADING * height_mm;
             let at = [x, self.y];
-            self.sheet.text(at, height_mm, Anchor::Start, line);
+            self.sheet.text(at, height_mm, Start, line);
         }
     }
 
@@ -116,7 +119,7 @@ impl Pages<'_> {
                 self.y -= 4.0;
                 self.text(text, LEFT_MM, HEADING_MM);
                 self.y -= 1.2;
-                self.rule(Pen::Thin);
+                self.rule(Thin);
             }
             Part::Text(text) => {
                 self.y -= 1.0;
@@ -126,18 +129,17 @@ impl Pages<'_> {
             Part::Stop(list) => self.stop(list),
             Part::Steps(steps) => {
                 for (i, step) in steps.iter().enumerate() {
-                    let lines = self.lines(step, TEXT_MM, RIGHT_MM - LEFT_MM - 16.0).len();
-                    self.room(LEADING * TEXT_MM * lines as f64 + 1.0);
-                    let [x, y] = [LEFT_MM, self.y - 1.0 - LEADING * TEXT_MM - 0.5];
-                    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-                    let corners = corners.map(|[a, b]| [x + BOX_MM * a, y + BOX_MM * b]);
-                    self.sheet.outline(Pen::Thin, corners);
+                    let lines = self.lines(step, TEXT_MM, WIDTH_MM - 16.0).len();
+                    self.room(ROW_MM * lines as f64 + 1.0);
+                    let [x, y] = [LEFT_MM, self.y - 1.0 - ROW_MM - 0.5];
+                    let [x, y] = [x, y].map(|from| [from, from + BOX_MM]);
+                    self.sheet.rectangle(Thin, x, y);
                     self.item(&format!("      {}", i + 1), step);
                 }
             }
             Part::Table { head, rows } => self.table(head, rows),
-            Part::Figure(figure) => self.picture(&figure.to_svg()?),
-            Part::Drawing(svg) => self.picture(svg),
+            Part::Figure(figure) => self.picture(&figure.drawing()?),
+            Part::Drawing(sheet) => self.picture(sheet.drawing()?),
             // What is read on a screen.
             Part::Code(_) | Part::Body(_) => {}
         }
@@ -152,10 +154,10 @@ impl Pages<'_> {
     /// A text behind a mark.
     fn item(&mut self, mark: &str, text: &str) {
         self.y -= 1.0;
-        self.room(LEADING * TEXT_MM);
-        let y = self.y - LEADING * TEXT_MM;
+        self.room(ROW_MM);
+        let y = self.y - ROW_MM;
         let x = LEFT_MM + self.width_mm(mark) + 2.5;
-        self.sheet.text([LEFT_MM, y], TEXT_MM, Anchor::Start, mark);
+        self.sheet.text([LEFT_MM, y], TEXT_MM, Start, mark);
         self.text(text, x, TEXT_MM);
     }
 
@@ -163,35 +165,33 @@ impl Pages<'_> {
     fn stop(&mut self, list: &[String]) {
         let count: usize = list
             .iter()
-            .map(|text| self.lines(text, TEXT_MM, RIGHT_MM - LEFT_MM - 12.0).len())
+            .map(|text| self.lines(text, TEXT_MM, WIDTH_MM - 12.0).len())
             .sum();
-        self.room(LEADING * TEXT_MM * count as f64 + list.len() as f64 + 6.0);
+        self.room(ROW_MM * count as f64 + list.len() as f64 + 6.0);
         self.y -= 2.0;
         let top = self.y;
         list.iter().for_each(|text| self.item("  !", text));
         self.y -= 2.5;
-        let [left, right] = [LEFT_MM, RIGHT_MM];
-        let corners = [[left, top], [right, top], [right, self.y], [left, self.y]];
-        self.sheet.outline(Pen::Outline, corners);
+        let sides = [LEFT_MM, RIGHT_MM];
+        self.sheet.rectangle(Outline, sides, [self.y, top]);
         self.y -= 1.0;
     }
 
     fn title_block(&mut self, fields: &[(String, String)]) {
-        let width = (RIGHT_MM - LEFT_MM) / 4.0;
+        let width = WIDTH_MM / 4.0;
         for row in fields.chunks(4) {
-            self.rule(Pen::Thin);
+            self.rule(Thin);
             for (i, (name, text)) in row.iter().enumerate() {
                 let x = LEFT_MM + width * i as f64 + 1.0;
                 let at = [x, self.y - 3.0];
-                self.sheet.text(at, 1.8, Anchor::Start, name);
+                self.sheet.text(at, 1.8, Start, name);
                 let shown = self.lines(text, TEXT_MM, width - 2.0);
                 let shown = shown.into_iter().next().unwrap_or_default();
-                self.sheet
-                    .text([x, self.y - 7.5], TEXT_MM, Anchor::Start, shown);
+                self.sheet.text([x, self.y - 7.5], TEXT_MM, Start, shown);
             }
             self.y -= 9.0;
         }
-        self.rule(Pen::Thin);
+        self.rule(Thin);
         self.y -= 2.0;
     }
 
@@ -206,7 +206,7 @@ impl Pages<'_> {
                 .fold(GUTTER_MM, f64::max)
         };
         let mut widths: Vec<f64> = (0..count).map(widest).collect();
-        let room = RIGHT_MM - LEFT_MM - GUTTER_MM * count.saturating_sub(1) as f64;
+        let room = WIDTH_MM - GUTTER_MM * count.saturating_sub(1) as f64;
         let total = |widths: &[f64]| widths.iter().sum::<f64>();
         let mut most = room;
         while total(&widths) > room && most > 5.0 {
@@ -227,41 +227,41 @@ impl Pages<'_> {
                 .map(|(text, width)| self.lines(text, TEXT_MM, *width))
                 .collect();
             let tall = cells.iter().map(Vec::len).max().unwrap_or(1).max(1);
-            self.room(LEADING * TEXT_MM * tall as f64 + 1.4);
+            self.room(ROW_MM * tall as f64 + 1.4);
             let mut x = LEFT_MM;
             for (lines, width) in cells.iter().zip(&widths) {
                 for (k, line) in lines.iter().enumerate() {
-                    let y = self.y - LEADING * TEXT_MM * (k + 1) as f64;
-                    self.sheet.text([x, y], TEXT_MM, Anchor::Start, line);
+                    let y = self.y - ROW_MM * (k + 1) as f64;
+                    self.sheet.text([x, y], TEXT_MM, Start, line);
                 }
                 x += width + GUTTER_MM;
             }
-            self.y -= LEADING * TEXT_MM * tall as f64 + 1.4;
+            self.y -= ROW_MM * tall as f64 + 1.4;
             let is_head = i == 0 && head.is_some();
-            self.rule(if is_head { Pen::Outline } else { Pen::Thin });
+            self.rule(if is_head { Outline } else { Thin });
         }
         self.y -= 1.0;
     }
 
     /// A picture as wide as the text, or as high as a figure may be.
-    fn picture(&mut self, svg: &str) {
-        let [width, height] = crate::sheet::size_mm(svg);
-        let scale = ((RIGHT_MM - LEFT_MM) / width).min(FIGURE_MM / height);
+    fn picture(&mut self, drawing: &Drawing) {
+        let [width, height] = [drawing.width, drawing.height].map(|side| side / PER_MM);
+        let scale = (WIDTH_MM / width).min(FIGURE_MM / height);
         self.room(scale * height + 3.0);
         self.y -= 3.0 + scale * height;
         let at = [LEFT_MM, self.y + scale * height];
-        self.sheet.embed(svg, at, [scale * width, scale * height]);
+        self.sheet.embed(drawing, at, scale);
     }
 
     /// All pages with their numbers.
-    fn numbered(mut self) -> Vec<Sheet> {
+    fn numbered(mut self) -> Vec<DrawingSheet> {
         self.done.push(self.sheet);
         let count = self.done.len();
         for (i, sheet) in self.done.iter_mut().enumerate() {
             let number = format!("page {} of {count}", i + 1);
             let short: String = self.title.chars().take(80).collect();
-            sheet.text([LEFT_MM, 10.0], 1.8, Anchor::Start, short);
-            sheet.text([RIGHT_MM, 10.0], 1.8, Anchor::End, number);
+            sheet.text([LEFT_MM, 10.0], 1.8, Start, short);
+            sheet.text([RIGHT_MM, 10.0], 1.8, End, number);
         }
         self.done
     }

@@ -1,241 +1,273 @@
-//! The figure as PDF: the same SVG as one page of vectors of the figure's size, its texts as
-//! outlines.
+//! Drawings as the pages of a PDF: vectors, and real text in the embedded font.
 
 use crate::{
+    drawing::{Cap, Drawing, Item, PALE, Paint, Shape, Text},
     figure::{Figure, FigureError, Result},
-    outlines::tree,
+    font::Metrics,
+    png::traced,
+    rect::PER_MM,
 };
-use flate2::{Compression, write::ZlibEncoder};
+use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::{
-    Content, Filter, Name, Pdf, Rect, Ref, TextStr,
-    types::{LineCapStyle, LineJoinStyle},
+    Content, Filter, Name, Pdf, Rect, Ref, Str, TextStr,
+    types::{
+        CidFontType, FontFlags, LineCapStyle, LineJoinStyle, SystemInfo, TextRenderingMode,
+        UnicodeCmap,
+    },
     writers::ExtGraphicsState,
 };
-use resvg::{
-    tiny_skia::{PathSegment, Point},
-    usvg::{self, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Stroke, Transform},
-};
-use std::io::Write as _;
+use std::collections::BTreeMap;
+use subsetter::GlyphRemapper;
+use tiny_skia::PathSegment::{Close, CubicTo, LineTo, MoveTo, QuadTo};
 
-/// Points (1/72 in) for each pixel of CSS (1/96 in).
-const POINTS: f32 = 0.75;
+/// Points (1/72 in) for each unit of a drawing.
+const POINTS: f64 = 72.0 / 25.4 / PER_MM;
+
+const FONT: Name<'_> = Name(b"F");
+const FONT_NAME: Name<'_> = Name(b"MCKIBB+DejaVuSans");
+/// State of pale areas.
+const PALE_AREA: Name<'_> = Name(b"P");
+const SYSTEM: SystemInfo<'_> = SystemInfo {
+    registry: Str(b"Adobe"),
+    ordering: Str(b"Identity"),
+    supplement: 0,
+};
 
 impl Figure {
     /// The figure as a PDF page of its size.
     pub fn to_pdf(&self) -> Result<Vec<u8>> {
-        render(&[self.to_svg()?], &self.title)
+        render(&[&self.drawing()?], &self.title)
     }
 }
 
 /// Drawings as the pages of a PDF, each of its size.
-pub fn render(svgs: &[String], title: &str) -> Result<Vec<u8>> {
-    let [info, catalog, pages] = [1, 2, 3].map(Ref::new);
-    let sheets = (0..svgs.len()).map(|i| Ref::new(4 + 2 * i as i32));
+pub fn render(drawings: &[&Drawing], title: &str) -> Result<Vec<u8>> {
+    let [info, catalog, pages, font] = [1, 2, 3, 4].map(Ref::new);
+    // Behind the five objects of the font.
+    let sheets = (0..drawings.len()).map(|i| Ref::new(9 + 2 * i as i32));
     let mut pdf = Pdf::new();
     pdf.document_info(info)
         .producer(TextStr("mckibben figure"))
         .title(TextStr(title));
     pdf.catalog(catalog).pages(pages);
-    pdf.pages(pages)
-        .kids(sheets.clone())
-        .count(svgs.len() as i32);
-    for (svg, sheet) in svgs.iter().zip(sheets) {
-        page(&mut pdf, svg, (pages, sheet))?;
+    let mut all = pdf.pages(pages);
+    all.kids(sheets.clone()).count(drawings.len() as i32);
+    let mut resources = all.resources();
+    resources.fonts().pair(FONT, font);
+    resources
+        .ext_g_states()
+        .insert(PALE_AREA)
+        .start::<ExtGraphicsState<'_>>()
+        .non_stroking_alpha(PALE as f32);
+    drop(resources);
+    drop(all);
+    let mut writer = Writer {
+        content: Content::new(),
+        metrics: Metrics::new()?,
+        glyphs: GlyphRemapper::new(),
+        chars: BTreeMap::new(),
+    };
+    for (drawing, sheet) in drawings.iter().zip(sheets) {
+        let [width, height] = [drawing.width, drawing.height].map(|side| fine(side * POINTS));
+        // From units below the upper edge to points above the lower one.
+        let points = POINTS as f32;
+        writer
+            .content
+            .transform([points, 0.0, 0.0, -points, 0.0, height])
+            .set_fill_gray(1.0)
+            .rect(0.0, 0.0, fine(drawing.width), fine(drawing.height))
+            .fill_nonzero();
+        writer.items(&drawing.items);
+        let content = std::mem::replace(&mut writer.content, Content::new());
+        let content = deflated(&content.finish());
+        let body = Ref::new(sheet.get() + 1);
+        pdf.page(sheet)
+            .parent(pages)
+            .media_box(Rect::new(0.0, 0.0, width, height))
+            .contents(body);
+        pdf.stream(body, &content).filter(Filter::FlateDecode);
     }
+    writer.font(&mut pdf, font)?;
     Ok(pdf.finish())
 }
 
-/// A drawing as one page of many; its content is the object behind it.
-fn page(pdf: &mut Pdf, svg: &str, (pages, sheet): (Ref, Ref)) -> Result<()> {
-    let tree = tree(svg)?;
-    let width = tree.size().width() * POINTS;
-    let height = tree.size().height() * POINTS;
-    let mut drawn = Drawn {
-        content: Content::new(),
-        opacities: vec![],
-    };
-    // From pixels below the upper edge to points above the lower one.
-    drawn
-        .content
-        .transform([POINTS, 0.0, 0.0, -POINTS, 0.0, rounded(height)]);
-    drawn.group(tree.root())?;
-    let mut stream = ZlibEncoder::new(vec![], Compression::default());
-    let content = stream
-        .write_all(&drawn.content.finish())
-        .and_then(|()| stream.finish())
-        .map_err(FigureError::image)?;
-    let body = Ref::new(sheet.get() + 1);
-    let mut page = pdf.page(sheet);
-    page.parent(pages)
-        .media_box(Rect::new(0.0, 0.0, rounded(width), rounded(height)))
-        .contents(body);
-    let mut resources = page.resources();
-    let mut states = resources.ext_g_states();
-    for (i, (fill, stroke)) in drawn.opacities.iter().enumerate() {
-        let mut state = states
-            .insert(Name(state_name(i).as_bytes()))
-            .start::<ExtGraphicsState<'_>>();
-        state.non_stroking_alpha(*fill).stroking_alpha(*stroke);
-    }
-    drop(states);
-    drop(resources);
-    drop(page);
-    pdf.stream(body, &content).filter(Filter::FlateDecode);
-    Ok(())
+fn deflated(data: &[u8]) -> Vec<u8> {
+    compress_to_vec_zlib(data, 6)
 }
 
-/// The content of a page, and the pairs of opacities (fill, stroke) in it.
-struct Drawn {
+/// The content of a page, and what is used of the embedded font.
+struct Writer {
     content: Content,
-    opacities: Vec<(f32, f32)>,
+    metrics: Metrics,
+    glyphs: GlyphRemapper,
+    /// A character of each glyph.
+    chars: BTreeMap<u16, char>,
 }
 
-fn state_name(i: usize) -> String {
-    format!("G{i}")
-}
+impl Writer {
+    /// The numbers of the glyphs of a text.
+    fn encoded(&mut self, words: &str) -> Vec<u8> {
+        let mut number = |c: char| {
+            let glyph = self.glyphs.remap(self.metrics.glyph(c).0);
+            self.chars.insert(glyph, c);
+            glyph.to_be_bytes()
+        };
+        words.chars().flat_map(&mut number).collect()
+    }
 
-impl Drawn {
-    fn group(&mut self, group: &Group) -> Result<()> {
-        for node in group.children() {
-            match node {
-                Node::Group(inner) if !inner.should_isolate() => self.group(inner)?,
-                Node::Path(path) if path.is_visible() => self.path(path)?,
-                Node::Path(_) => {}
-                Node::Group(_) | Node::Image(_) | Node::Text(_) => {
-                    return Err(FigureError::image(
-                        "it has pictures, texts or layers inside",
-                    ));
-                }
-            }
+    /// Writes the five objects of the font: with the outlines of its used glyphs, and with the
+    /// characters that they stand for, so that a reader can search and copy.
+    fn font(&self, pdf: &mut Pdf, font: Ref) -> Result<()> {
+        let [cid, descriptor, file, characters] = [1, 2, 3, 4].map(|i| Ref::new(font.get() + i));
+        pdf.type0_font(font)
+            .base_font(FONT_NAME)
+            .encoding_predefined(Name(b"Identity-H"))
+            .descendant_font(cid)
+            .to_unicode(characters);
+        let mut numbered = pdf.cid_font(cid);
+        numbered
+            .subtype(CidFontType::Type2)
+            .base_font(FONT_NAME)
+            .system_info(SYSTEM)
+            .font_descriptor(descriptor)
+            .cid_to_gid_map_predefined(Name(b"Identity"));
+        let mut widths = numbered.widths();
+        let mut cmap = UnicodeCmap::new(Name(b"Unicode"), SYSTEM);
+        for (glyph, c) in &self.chars {
+            widths.consecutive(*glyph, [fine(self.metrics.advance(*c, 1000.0))]);
+            cmap.pair(*glyph, *c);
         }
+        drop(widths);
+        drop(numbered);
+        pdf.font_descriptor(descriptor)
+            .name(FONT_NAME)
+            .flags(FontFlags::SYMBOLIC)
+            .bbox(Rect::new(-1021.0, -463.0, 1793.0, 1232.0))
+            .italic_angle(0.0)
+            .ascent(928.0)
+            .descent(-236.0)
+            .cap_height(729.0)
+            .stem_v(80.0)
+            .font_file2(file);
+        let outlines = subsetter::subset(self.metrics.font.raw_face().data, 0, &self.glyphs);
+        let outlines = deflated(&outlines.map_err(FigureError::image)?);
+        pdf.stream(file, &outlines).filter(Filter::FlateDecode);
+        let cmap = deflated(&cmap.finish());
+        pdf.cmap(characters, &cmap).filter(Filter::FlateDecode);
         Ok(())
     }
 
-    fn path(&mut self, path: &usvg::Path) -> Result<()> {
-        self.content.save_state();
-        let Transform {
-            sx,
-            ky,
-            kx,
-            sy,
-            tx,
-            ty,
-        } = path.abs_transform();
-        if !path.abs_transform().is_identity() {
-            self.content
-                .transform([sx, ky, kx, sy, tx, ty].map(rounded));
+    fn items(&mut self, items: &[Item]) {
+        for item in items {
+            self.content.save_state();
+            match item {
+                Item::Path(shapes, paint) => self.path(shapes, paint),
+                Item::Circle(middle, radius, paint) => {
+                    self.path(&[Shape::Circle(*middle, *radius)], paint);
+                }
+                Item::Text(text) => self.text(text),
+                Item::Group((x, y), scale, items) => {
+                    let [x, y, scale] = [*x, *y, *scale].map(fine);
+                    self.content.transform([scale, 0.0, 0.0, scale, x, y]);
+                    self.items(items);
+                }
+            }
+            self.content.restore_state();
         }
-        let opacity = (
-            path.fill().map_or(1.0, |fill| fill.opacity().get()),
-            path.stroke().map_or(1.0, |stroke| stroke.opacity().get()),
-        );
-        if opacity != (1.0, 1.0) {
-            let known = self.opacities.iter().position(|o| *o == opacity);
-            let i = known.unwrap_or(self.opacities.len());
-            self.opacities.extend(known.is_none().then_some(opacity));
-            self.content.set_parameters(Name(state_name(i).as_bytes()));
+    }
+
+    fn paint(&mut self, paint: &Paint) {
+        if paint.is_pale {
+            self.content.set_parameters(PALE_AREA);
         }
-        if let Some(fill) = path.fill() {
-            let [r, g, b] = colour(fill.paint())?;
+        if let Some(colour) = paint.fill {
+            let [r, g, b] = colour.map(share);
             self.content.set_fill_rgb(r, g, b);
         }
-        if let Some(stroke) = path.stroke() {
-            self.pen(stroke)?;
-        }
-        self.outline(path.data().segments());
-        match (path.fill().map(Fill::rule), path.stroke()) {
-            (Some(FillRule::NonZero), None) => self.content.fill_nonzero(),
-            (Some(FillRule::EvenOdd), None) => self.content.fill_even_odd(),
-            (Some(FillRule::NonZero), Some(_)) => self.content.fill_nonzero_and_stroke(),
-            (Some(FillRule::EvenOdd), Some(_)) => self.content.fill_even_odd_and_stroke(),
-            (None, Some(_)) => self.content.stroke(),
-            (None, None) => self.content.end_path(),
+        let Some(colour) = paint.stroke else {
+            return;
         };
-        self.content.restore_state();
-        Ok(())
-    }
-
-    fn pen(&mut self, stroke: &Stroke) -> Result<()> {
-        let [r, g, b] = colour(stroke.paint())?;
-        let cap = match stroke.linecap() {
-            LineCap::Butt => LineCapStyle::ButtCap,
-            LineCap::Round => LineCapStyle::RoundCap,
-            LineCap::Square => LineCapStyle::ProjectingSquareCap,
-        };
-        let join = match stroke.linejoin() {
-            LineJoin::Miter | LineJoin::MiterClip => LineJoinStyle::MiterJoin,
-            LineJoin::Round => LineJoinStyle::RoundJoin,
-            LineJoin::Bevel => LineJoinStyle::BevelJoin,
-        };
-        let dashes = stroke
-            .dasharray()
-            .unwrap_or_default()
-            .iter()
-            .copied()
-            .map(rounded);
+        let [r, g, b] = colour.map(share);
         self.content
             .set_stroke_rgb(r, g, b)
-            .set_line_width(rounded(stroke.width().get()))
-            .set_line_cap(cap)
-            .set_line_join(join)
-            .set_miter_limit(rounded(stroke.miterlimit().get()))
-            .set_dash_pattern(dashes, rounded(stroke.dashoffset()));
-        Ok(())
-    }
-
-    fn outline(&mut self, segments: impl Iterator<Item = PathSegment>) {
-        let mut from = Point::zero();
-        let mut start = Point::zero();
-        for segment in segments {
-            match segment {
-                PathSegment::MoveTo(to) => {
-                    self.content.move_to(place(to.x), place(to.y));
-                    (from, start) = (to, to);
-                }
-                PathSegment::LineTo(to) => {
-                    self.content.line_to(place(to.x), place(to.y));
-                    from = to;
-                }
-                // PDF has cubic curves alone.
-                PathSegment::QuadTo(by, to) => {
-                    let part = |end: f32, by: f32| end + 2.0 / 3.0 * (by - end);
-                    let towards = |end: Point| Point::from_xy(part(end.x, by.x), part(end.y, by.y));
-                    self.curve(towards(from), towards(to), to);
-                    from = to;
-                }
-                PathSegment::CubicTo(a, b, to) => {
-                    self.curve(a, b, to);
-                    from = to;
-                }
-                PathSegment::Close => {
-                    self.content.close_path();
-                    from = start;
-                }
-            }
+            .set_line_width(fine(paint.width));
+        match paint.cap {
+            Cap::Butt => &mut self.content,
+            Cap::Round => self.content.set_line_cap(LineCapStyle::RoundCap),
+            Cap::Square => self.content.set_line_cap(LineCapStyle::ProjectingSquareCap),
+        };
+        if paint.has_round_joins {
+            self.content.set_line_join(LineJoinStyle::RoundJoin);
+        }
+        if !paint.dashes.is_empty() {
+            let dashes = paint.dashes.iter().map(|length| *length as f32);
+            self.content.set_dash_pattern(dashes, 0.0);
         }
     }
 
-    fn curve(&mut self, a: Point, b: Point, to: Point) {
-        let [x1, y1, x2, y2, x3, y3] = [a.x, a.y, b.x, b.y, to.x, to.y].map(place);
-        self.content.cubic_to(x1, y1, x2, y2, x3, y3);
+    fn path(&mut self, shapes: &[Shape], paint: &Paint) {
+        self.paint(paint);
+        let segments = traced(shapes).finish();
+        for segment in segments.iter().flat_map(|path| path.segments()) {
+            match segment {
+                MoveTo(to) => self.content.move_to(place(to.x), place(to.y)),
+                LineTo(to) => self.content.line_to(place(to.x), place(to.y)),
+                CubicTo(a, b, to) => {
+                    let [a, b, to] = [a, b, to].map(|p| [p.x, p.y].map(place));
+                    self.content.cubic_to(a[0], a[1], b[0], b[1], to[0], to[1])
+                }
+                // No shape has a quadratic curve.
+                QuadTo(..) | Close => self.content.close_path(),
+            };
+        }
+        match (paint.fill, paint.stroke) {
+            (Some(_), Some(_)) => self.content.fill_nonzero_and_stroke(),
+            (Some(_), None) => self.content.fill_nonzero(),
+            (None, _) => self.content.stroke(),
+        };
+    }
+
+    fn text(&mut self, text: &Text) {
+        self.paint(&text.paint);
+        if text.is_ground() {
+            // Its words are those of the text above it.
+            self.content
+                .begin_marked_content_with_properties(Name(b"Span"))
+                .properties()
+                .actual_text(TextStr(""));
+        }
+        let (x, y) = self.metrics.start(text);
+        let matrix = match text.turned_about {
+            None => [1.0, 0.0, 0.0, -1.0, x, y],
+            Some((u, v)) => [0.0, -1.0, -1.0, 0.0, u + y - v, v - x + u],
+        };
+        let words = self.encoded(&text.words);
+        self.content
+            .begin_text()
+            .set_font(FONT, fine(text.size))
+            .set_text_matrix(matrix.map(fine));
+        if text.paint.stroke.is_some() {
+            self.content
+                .set_text_rendering_mode(TextRenderingMode::FillStroke);
+        }
+        self.content.show(Str(&words)).end_text();
+        if text.is_ground() {
+            self.content.end_marked_content();
+        }
     }
 }
 
-fn colour(paint: &Paint) -> Result<[f32; 3]> {
-    match paint {
-        Paint::Color(c) => {
-            Ok([c.red, c.green, c.blue].map(|part| rounded(f32::from(part) / 255.0)))
-        }
-        _ => Err(FigureError::image("it has gradients or patterns")),
-    }
+/// A part of a colour.
+fn share(part: u8) -> f32 {
+    fine(f64::from(part) / 255.0)
 }
 
 /// At most four decimals.
-fn rounded(v: f32) -> f32 {
-    (v * 1e4).round() / 1e4
+fn fine(v: f64) -> f32 {
+    ((v * 1e4).round() / 1e4) as f32
 }
 
-/// A coordinate to 2.6 µm: texts are outlines, and most of a file.
+/// A coordinate to 2.5 µm.
 fn place(v: f32) -> f32 {
     (v * 1e2).round() / 1e2
 }

@@ -1,30 +1,22 @@
-//! Technical drawings: lines, circles and texts on a sheet of paper, as SVG, and as PDF by way of
-//! it.
+//! Technical drawings: lines, circles and texts on a sheet of paper.
 //!
 //! Places are in mm from the lower left corner of the sheet, y upwards. Widths of lines follow ISO
 //! 128-2: outlines twice as wide as all others.
 
 use crate::{
+    drawing::{Anchor, Drawing, INK, Item, Paint, Shape, Text},
     figure::{FigureError, Result},
     layout::check_paper,
     rect::{PER_MM, Spot},
-    strokes::{self, END, MIDDLE, through, upwards},
-    svg::{INK, head},
-    xml::length as n,
 };
-use std::fmt::Write as _;
 
 /// Height of the capitals of the embedded font, as a share of its size.
 pub const CAPITALS: f64 = 0.729;
 
 /// A sheet with a drawing on it.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Sheet {
-    title: String,
-    width_mm: f64,
-    height_mm: f64,
-    /// The drawing, as SVG.
-    drawn: String,
+pub struct DrawingSheet {
+    drawing: Drawing,
     /// A place that is not a number.
     is_lost: bool,
 }
@@ -41,57 +33,53 @@ pub enum Pen {
 }
 
 impl Pen {
-    fn stroke(self) -> String {
+    fn paint(self) -> Paint {
         let width_mm = if self == Self::Outline { 0.5 } else { 0.25 };
-        let dashes = [6.0, 1.0, 0.5, 1.0].map(|mm| n(mm * PER_MM)).join(" ");
-        let dashes = if self == Self::Axis {
-            format!(" stroke-dasharray=\"{dashes}\"")
+        let dashes: &[f64] = if self == Self::Axis {
+            &[24.0, 4.0, 2.0, 4.0]
         } else {
-            String::new()
+            &[]
         };
-        let width = n(width_mm * PER_MM);
-        format!(" stroke=\"{INK}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes}")
+        Paint {
+            has_round_joins: true,
+            dashes,
+            ..Paint::stroke(INK, width_mm * PER_MM)
+        }
     }
 }
 
-/// Which part of a text lies at its place.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Anchor {
-    Start,
-    Middle,
-    End,
-}
-
-impl Sheet {
+impl DrawingSheet {
     /// An empty sheet of a size in mm; the title says what the drawing shows.
     pub fn new(title: String, width_mm: f64, height_mm: f64) -> Self {
         Self {
-            title,
-            width_mm,
-            height_mm,
-            ..Self::default()
+            drawing: Drawing {
+                title,
+                width: width_mm * PER_MM,
+                height: height_mm * PER_MM,
+                items: vec![],
+            },
+            is_lost: false,
         }
     }
 
     /// A place in units of the drawing, y downwards.
     fn place(&mut self, [x, y]: [f64; 2]) -> Spot {
         self.is_lost |= !(x.is_finite() && y.is_finite());
-        (x * PER_MM, (self.height_mm - y) * PER_MM)
+        (x * PER_MM, self.drawing.height - y * PER_MM)
     }
 
-    fn path(&mut self, points: Vec<[f64; 2]>) -> String {
-        let places: Vec<Spot> = points.into_iter().map(|point| self.place(point)).collect();
-        through(&places)
+    fn places(&mut self, points: Vec<[f64; 2]>) -> Vec<Spot> {
+        points.into_iter().map(|point| self.place(point)).collect()
+    }
+
+    fn push(&mut self, item: Item) {
+        self.drawing.items.push(item);
     }
 
     /// A line through points.
     pub fn line(&mut self, pen: Pen, points: impl Into<Vec<[f64; 2]>>) {
-        let d = self.path(points.into());
-        let _ = writeln!(
-            self.drawn,
-            "<path d=\"{d}\" fill=\"none\"{}/>",
-            pen.stroke()
-        );
+        let line = Shape::Line(self.places(points.into()));
+        self.push(Item::Path(vec![line], pen.paint()));
     }
 
     /// A closed line through corners.
@@ -101,26 +89,29 @@ impl Sheet {
         self.line(pen, points);
     }
 
-    /// A filled polygon: an arrow, a thin section.
-    pub fn fill(&mut self, points: impl Into<Vec<[f64; 2]>>) {
-        let d = self.path(points.into());
-        let _ = writeln!(self.drawn, "<path d=\"{d}Z\" fill=\"{INK}\"/>");
-    }
-
-    pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
-        let ((x, y), r) = (self.place(centre), n(radius_mm * PER_MM));
-        let x = n(x);
-        let y = n(y);
-        let stroke = pen.stroke();
-        let _ = writeln!(
-            self.drawn,
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"none\"{stroke}/>"
+    pub fn rectangle(&mut self, pen: Pen, [left, right]: [f64; 2], [low, high]: [f64; 2]) {
+        self.outline(
+            pen,
+            [[left, low], [right, low], [right, high], [left, high]],
         );
     }
 
+    /// A filled polygon: an arrow, a thin section.
+    pub fn fill(&mut self, points: impl Into<Vec<[f64; 2]>>) {
+        let polygon = Shape::Polygon(self.places(points.into()));
+        self.push(Item::Path(vec![polygon], Paint::fill(INK)));
+    }
+
+    pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
+        let centre = self.place(centre);
+        self.push(Item::Circle(centre, radius_mm * PER_MM, pen.paint()));
+    }
+
     /// A text that reads to the right: the place of its base line, and the height of its capitals.
-    pub fn text(&mut self, at: [f64; 2], height_mm: f64, anchor: Anchor, text: impl Into<String>) {
-        self.write(at, height_mm, anchor, (&text.into(), false));
+    pub fn text(&mut self, at: [f64; 2], height_mm: f64, anchor: Anchor, text: impl AsRef<str>) {
+        let size = height_mm * PER_MM / CAPITALS;
+        let text = Text::new(self.place(at), size, anchor, text.as_ref());
+        self.push(Item::Text(text));
     }
 
     /// A text that reads upwards.
@@ -129,71 +120,50 @@ impl Sheet {
         at: [f64; 2],
         height_mm: f64,
         anchor: Anchor,
-        text: impl Into<String>,
+        text: impl AsRef<str>,
     ) {
-        self.write(at, height_mm, anchor, (&text.into(), true));
+        self.text(at, height_mm, anchor, text);
+        if let Some(Item::Text(text)) = self.drawing.items.last_mut() {
+            text.turned_about = Some(text.at);
+        }
     }
 
-    fn write(
-        &mut self,
-        at: [f64; 2],
-        height_mm: f64,
-        anchor: Anchor,
-        (text, is_upwards): (&str, bool),
-    ) {
-        let at = self.place(at);
-        let mut attributes = match anchor {
-            Anchor::Start => String::new(),
-            Anchor::Middle => MIDDLE.to_owned(),
-            Anchor::End => END.to_owned(),
-        };
-        if is_upwards {
-            attributes += &upwards(at);
+    pub(crate) fn drawing(&self) -> Result<&Drawing> {
+        let Drawing {
+            title,
+            width,
+            height,
+            ..
+        } = &self.drawing;
+        check_paper(width / PER_MM, height / PER_MM)?;
+        if self.is_lost {
+            let what = format!("a place of the drawing \"{title}\" is not a finite number");
+            return Err(FigureError::Drawing(what));
         }
-        let size = height_mm * PER_MM / CAPITALS;
-        strokes::text(&mut self.drawn, at, size, INK, &attributes, text);
+        Ok(&self.drawing)
     }
 
     /// The drawing as SVG of the sheet's size.
     pub fn to_svg(&self) -> Result<String> {
-        check_paper(self.width_mm, self.height_mm)?;
-        if self.is_lost {
-            let what = format!(
-                "a place of the drawing \"{}\" is not a finite number",
-                self.title
-            );
-            return Err(FigureError::Drawing(what));
-        }
-        let head = head(&self.title, self.width_mm * PER_MM, self.height_mm * PER_MM);
-        Ok(format!("{head}{}</svg>\n", self.drawn))
-    }
-
-    /// Another drawing as SVG with its upper left corner at a place, in a width and a height.
-    pub fn embed(&mut self, svg: &str, at: [f64; 2], size_mm: [f64; 2]) {
-        let (x, y) = self.place(at);
-        let [x, y, w, h] = [x, y, size_mm[0] * PER_MM, size_mm[1] * PER_MM].map(n);
-        let rest = svg.split_once("viewBox").map_or("", |parts| parts.1);
-        let _ = write!(
-            self.drawn,
-            "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" overflow=\"visible\" \
-             viewBox{rest}"
-        );
+        Ok(self.drawing()?.to_svg())
     }
 }
 
-/// Width and height in mm of a drawing as SVG.
-pub fn size_mm(svg: &str) -> [f64; 2] {
-    ["width=\"", "height=\""].map(|name| {
-        let value = svg
-            .split_once(name)
-            .and_then(|parts| parts.1.split_once("mm"));
-        value.and_then(|v| v.0.parse().ok()).unwrap_or(100.0)
-    })
+#[cfg(feature = "png")]
+impl DrawingSheet {
+    /// Another drawing with its upper left corner at a place, so many times as large.
+    pub(crate) fn embed(&mut self, drawing: &Drawing, at: [f64; 2], scale: f64) {
+        let item = Item::Group(self.place(at), scale, drawing.items.clone());
+        self.push(item);
+    }
 }
 
 /// Sheets as the pages of a PDF.
 #[cfg(feature = "png")]
-pub fn to_pdf(sheets: &[Sheet], title: &str) -> Result<Vec<u8>> {
-    let pages: Vec<String> = sheets.iter().map(Sheet::to_svg).collect::<Result<_>>()?;
+pub fn to_pdf(sheets: &[DrawingSheet], title: &str) -> Result<Vec<u8>> {
+    let pages: Vec<&Drawing> = sheets
+        .iter()
+        .map(DrawingSheet::drawing)
+        .collect::<Result<_>>()?;
     crate::pdf::render(&pages, title)
 }

@@ -179,7 +179,8 @@ fn one_datum_that_a_ruler_reaches_is_in_every_file() {
     let again = parse_muscle(&text("muscle.toml")).unwrap();
     assert_eq!(again.insertion_mm(), 12.0);
     assert!(
-        mckibben_build::drawing_svg(&plan)
+        drawings(&plan)[0]
+            .to_svg()
             .unwrap()
             .contains("between the heads 224")
     );
@@ -383,7 +384,7 @@ fn texts(plan: &Plan) -> Vec<(String, String)> {
         })
         .collect();
     let names = ["build-sheet.html", "test-record.html"];
-    for (name, paper) in names.into_iter().zip(papers(plan).unwrap()) {
+    for (name, paper) in names.into_iter().zip(papers(plan)) {
         all.push((name.into(), paper.to_html("").unwrap()));
     }
     let names = ["drawing.svg", "air-plug.svg", "eye-plug.svg"];

@@ -2,8 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod bundle;
 mod choice;
+mod demand;
 mod design;
 mod design_grid;
 mod extensile;
 mod joint;
+mod line;
+mod tubes;

@@ -1,36 +1,98 @@
 //! The SVG and the image made of it.
 
 use crate::figures;
-use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style, texts_as_outlines};
+use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
 use proptest::prelude::*;
-use resvg::usvg::{self, roxmltree::Document};
+use roxmltree::Document;
+use ttf_parser::{Face, GlyphId};
 
-/// The tree that is rendered: texts are outlines.
-fn parse(svg: &str) -> usvg::Tree {
-    let outlined = texts_as_outlines(svg).unwrap();
-    assert!(!outlined.contains("<text"), "a text is left");
-    usvg::Tree::from_str(&outlined, &usvg::Options::default()).unwrap()
+/// A pixel of CSS in units of a drawing.
+const PIXEL: f64 = 4.0 * 25.4 / 96.0;
+
+fn parse(svg: &str) -> Document<'_> {
+    Document::parse(svg).unwrap()
 }
 
-/// Words, box of their outlines, and whether they are upright; without the white outlines below
+/// Width and height.
+fn size(svg: &str) -> [f64; 2] {
+    let sides = parse(svg)
+        .root_element()
+        .attribute("viewBox")
+        .unwrap()
+        .to_owned();
+    let sides: Vec<f64> = sides.split(' ').map(|side| side.parse().unwrap()).collect();
+    [sides[2], sides[3]]
+}
+
+/// Left, top, right and bottom end.
+#[derive(Debug)]
+struct Ends([f64; 4]);
+
+impl Ends {
+    fn meets(&self, other: &Self) -> bool {
+        let Self([left, top, right, bottom]) = self;
+        let Self([l, t, r, b]) = other;
+        left < r && l < right && top < b && t < bottom
+    }
+}
+
+/// The ends of what is seen of a text at the origin, y downwards, and the end of its line; blanks
+/// alone have none.
+fn outlines(words: &str, size: f64) -> (Option<Ends>, f64) {
+    let font = Face::parse(include_bytes!("../../data/DejaVuSans.ttf"), 0).unwrap();
+    let scale = size / f64::from(font.units_per_em());
+    let (mut all, mut x) = (None::<[f64; 4]>, 0.0);
+    for c in words.chars() {
+        let glyph = font.glyph_index(c).unwrap_or(GlyphId(0));
+        if let Some(b) = font.glyph_bounding_box(glyph) {
+            let [left, top] = [b.x_min, -b.y_max].map(|v| scale * f64::from(v));
+            let [right, bottom] = [b.x_max, -b.y_min].map(|v| scale * f64::from(v));
+            let [l, t, r, b] = all.unwrap_or([f64::MAX, f64::MAX, f64::MIN, f64::MIN]);
+            all = Some([l.min(x + left), t.min(top), r.max(x + right), b.max(bottom)]);
+        }
+        let known = font
+            .glyph_index(c)
+            .and_then(|glyph| font.glyph_hor_advance(glyph));
+        x += known.map_or(0.7 * size, |units| scale * f64::from(units));
+    }
+    (all.map(Ends), x)
+}
+
+/// Words, ends of their outlines, and whether they are upright; without the white outlines below
 /// others.
-fn texts(svg: &str) -> Vec<(String, usvg::Rect, bool)> {
-    let (tree, document) = (parse(svg), Document::parse(svg).unwrap());
+fn texts(svg: &str) -> Vec<(String, Ends, bool)> {
+    let document = parse(svg);
     let all = document
         .descendants()
         .filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")));
-    let shown = all
-        .enumerate()
-        .filter(|(_, text)| text.attribute("fill") != Some("#ffffff"));
-    let boxed = shown.filter_map(|(i, text)| {
+    let shown = all.filter(|text| text.attribute("fill") != Some("#ffffff"));
+    let boxed = shown.filter_map(|text| {
+        let number = |name: &str| text.attribute(name).unwrap().parse::<f64>().unwrap();
         let words = text.text().unwrap_or_default().to_owned();
-        let upright = text.attribute("transform").is_none();
-        // Blanks alone have no outline.
-        Some((
-            words,
-            tree.node_by_id(&format!("text-{i}"))?.abs_bounding_box(),
-            upright,
-        ))
+        let [x, y] = [number("x"), number("y")];
+        let (outlines, end) = outlines(&words, number("font-size"));
+        let Ends([left, top, right, bottom]) = outlines?;
+        let from = match text.attribute("text-anchor") {
+            None => x,
+            Some("middle") => x - 0.5 * end,
+            Some(other) => {
+                assert_eq!(other, "end");
+                x - end
+            }
+        };
+        let [left, right, top, bottom] = [from + left, from + right, y + top, y + bottom];
+        let Some(turned) = text.attribute("transform") else {
+            return Some((words, Ends([left, top, right, bottom]), true));
+        };
+        // A quarter of a turn to the left about a place.
+        let about = turned
+            .strip_prefix("rotate(-90 ")
+            .unwrap()
+            .strip_suffix(')');
+        let (u, v) = about.unwrap().split_once(' ').unwrap();
+        let [u, v] = [u, v].map(|at| at.parse::<f64>().unwrap());
+        let ends = [u + top - v, v + u - right, u + bottom - v, v + u - left];
+        Some((words, Ends(ends), false))
     });
     boxed.collect()
 }
@@ -44,21 +106,18 @@ fn one(series: Vec<Series>) -> Figure {
 /// Every text lies on the paper, and none covers another.
 fn check_texts(name: &str, figure: &Figure) {
     let svg = figure.to_svg().unwrap();
-    let (tree, labels) = (parse(&svg), texts(&svg));
-    let (w, h) = (tree.size().width(), tree.size().height());
-    for (words, b, _) in &labels {
-        let within =
-            b.left() >= 1.0 && b.top() >= 1.0 && b.right() <= w - 1.0 && b.bottom() <= h - 1.0;
-        assert!(within, "{name}: \"{words}\" leaves the paper: {b:?}");
+    let ([w, h], labels) = (size(&svg), texts(&svg));
+    for (words, ends, _) in &labels {
+        let [left, top, right, bottom] = ends.0;
+        let within = left.min(top) >= PIXEL && right <= w - PIXEL && bottom <= h - PIXEL;
+        assert!(within, "{name}: \"{words}\" leaves the paper: {ends:?}");
     }
     // boxes of turned texts are larger than the texts, so only upright ones can be told
     let upright: Vec<_> = labels.iter().filter(|t| t.2).collect();
     assert!(upright.len() > 5, "{name}");
     for (i, (a, ra, _)) in upright.iter().enumerate() {
         for (b, rb, _) in &upright[..i] {
-            let meet = ra.left() < rb.right() && rb.left() < ra.right();
-            let meet = meet && ra.top() < rb.bottom() && rb.top() < ra.bottom();
-            assert!(!meet, "{name}: \"{a}\" covers \"{b}\"");
+            assert!(!ra.meets(rb), "{name}: \"{a}\" covers \"{b}\"");
         }
     }
 }
@@ -297,9 +356,9 @@ fn many_and_long_entries_stay_on_the_paper() {
             )
         });
         let svg = one(series.collect()).to_svg().unwrap();
-        let (tree, labels) = (parse(&svg), texts(&svg));
+        let ([w, _], labels) = (size(&svg), texts(&svg));
         assert!(
-            !labels.is_empty() && labels.iter().all(|t| t.1.right() <= tree.size().width()),
+            !labels.is_empty() && labels.iter().all(|t| t.1.0[2] <= w),
             "{count}"
         );
     }
@@ -334,6 +393,7 @@ proptest! {
         figure.panels[0].marks.push(Mark::new(mark.0, mark.1, label));
         if let Ok(svg) = figure.to_svg() {
             parse(&svg);
+            figure.to_pdf().unwrap();
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::figures;
-use mckibben_report::{Axis, Figure, FigureError, Mark, Panel, Series};
+use mckibben_report::{Axis, Document, Figure, FigureError, Mark, Panel, Part, Series};
 
 #[test]
 fn the_ending_names_the_format() {
@@ -96,5 +96,36 @@ fn gaps_are_null_in_the_data_and_few_keys_make_a_figure() {
             .to_svg()
             .unwrap()
             .contains("x [mm]")
+    );
+}
+
+/// What a user typed is in the page as text, wherever it comes from.
+#[test]
+fn texts_are_no_markup() {
+    let evil = "</script><script>alert(1)</script>";
+    let one = || evil.to_owned();
+    let parts = vec![
+        Part::Heading(one()),
+        Part::Text(one()),
+        Part::List(vec![one()]),
+        Part::Table {
+            head: vec![one()],
+            rows: vec![vec![one()]],
+        },
+        Part::Code(one()),
+        Part::Body(format!("\"{evil}\"")),
+    ];
+    let html = Document {
+        title: one(),
+        title_block: vec![(one(), one())],
+        lead: one(),
+        parts,
+        footer: one(),
+    }
+    .to_html("")
+    .unwrap_or_default();
+    assert!(
+        html.len() > 1000 && !html.contains("<script>alert"),
+        "{html}"
     );
 }

@@ -6,3 +6,5 @@ mod figures;
 mod drawing;
 mod files;
 mod pdf;
+mod scales;
+mod smooth;

@@ -1,9 +1,7 @@
-//! The PDF: of the figure's size, with every path of the drawing.
+//! The PDF: of the figure's size, with every shape and text of the drawing.
 
 use crate::figures;
 use flate2::read::ZlibDecoder;
-use mckibben_report::texts_as_outlines;
-use resvg::usvg::{self, Group, Node};
 use std::io::Read as _;
 
 /// The bytes from `start` on, up to `end`.
@@ -21,24 +19,30 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).trim().to_owned()
 }
 
-fn paths(group: &Group) -> usize {
-    let count = |node: &Node| match node {
-        Node::Group(inner) => paths(inner),
-        Node::Path(_) => 1,
-        _ => 0,
-    };
-    group.children().iter().map(count).sum()
+/// The streams of a file, without their compression.
+fn streams(pdf: &[u8]) -> Vec<String> {
+    let starts = (0..pdf.len()).filter(|i| pdf[*i..].starts_with(b">>\nstream\n"));
+    let unpacked = starts.map(|start| {
+        let stream = between(&pdf[start..], ">>\nstream\n", "\nendstream\nendobj\n");
+        let before = &pdf[..start];
+        let length = before.windows(8).rposition(|w| w == b"/Length ").unwrap();
+        assert_eq!(
+            text(between(&before[length..], "/Length ", "\n")),
+            stream.len().to_string()
+        );
+        let mut content = vec![];
+        ZlibDecoder::new(stream).read_to_end(&mut content).unwrap();
+        String::from_utf8_lossy(&content).into_owned()
+    });
+    unpacked.collect()
 }
 
-/// 1 in is 25.4 mm and 72 points.
+/// 1 in is 25.4 mm and 72 points; the paper is white.
 #[test]
-fn the_page_has_the_size_of_the_figure_and_all_of_its_paths() {
+fn the_page_has_the_size_of_the_figure_and_all_of_its_shapes_and_texts() {
     for (name, figure) in figures::all() {
         let svg = figure.to_svg().unwrap();
         let pdf = figure.to_pdf().unwrap();
-        let tree =
-            usvg::Tree::from_str(&texts_as_outlines(&svg).unwrap(), &usvg::Options::default())
-                .unwrap();
         let page: Vec<f64> = text(between(&pdf, "/MediaBox [", "]"))
             .split(' ')
             .map(|v| v.parse().unwrap())
@@ -50,29 +54,35 @@ fn the_page_has_the_size_of_the_figure_and_all_of_its_paths() {
                 "{name}: {page:?} {mm}"
             );
         }
-        let length: usize = text(between(&pdf, "/Length ", "\n")).parse().unwrap();
-        let stream = between(&pdf, ">>\nstream\n", "\nendstream\nendobj\n");
-        assert_eq!(stream.len(), length, "{name}");
-        let mut content = String::new();
-        ZlibDecoder::new(stream)
-            .read_to_string(&mut content)
-            .unwrap();
-        let count = |word: &str| content.lines().filter(|line| *line == word).count();
-        assert_eq!(
-            (count("q"), count("Q")),
-            (paths(tree.root()), paths(tree.root())),
-            "{name}"
-        );
-        let painted = ["f", "f*", "B", "B*", "S"]
-            .into_iter()
-            .map(count)
-            .sum::<usize>();
-        assert_eq!(painted, paths(tree.root()), "{name}");
+        let content = &streams(&pdf)[0];
+        let ends = |word: &str| {
+            let operator = |line: &&str| line.split(' ').next_back() == Some(word);
+            content.lines().filter(operator).count()
+        };
+        let drawn = |element: &str| svg.matches(&format!("<{element} ")).count();
+        let shapes = drawn("rect") + drawn("path") + drawn("circle");
+        assert_eq!(ends("f") + ends("B") + ends("S"), shapes, "{name}");
+        assert_eq!(ends("Tj"), drawn("text"), "{name}");
+        assert!(shapes > 5 && drawn("text") > 5);
+        assert_eq!(ends("q"), ends("Q"), "{name}");
         assert!(
             !content.contains("NaN") && !content.contains("inf"),
             "{name}"
         );
     }
+}
+
+/// Texts are glyphs of the embedded font, whose characters are known: they can be searched.
+#[test]
+fn the_font_knows_its_characters() {
+    let pdf = figures::isobars(400.0).to_pdf().unwrap();
+    let all = streams(&pdf);
+    let characters = all.last().unwrap();
+    assert!(characters.contains("begincmap"));
+    for c in "contraction ε [–]".chars() {
+        assert!(characters.contains(&format!("> <{:04X}>", c as u32)), "{c}");
+    }
+    assert!(pdf.len() < 30_000, "{}", pdf.len());
 }
 
 #[test]
