@@ -1,6 +1,6 @@
 //! Curves as people read them.
 
-use super::{CurveAnswer, PointRow, StudyAnswer, study_rows};
+use super::{CurveAnswer, PointRow, StudyAnswer, StudyRow, study_rows};
 use crate::{
     Units, breakdown, percent,
     print::{Csv, Page, Show, Table, sentences},
@@ -12,7 +12,6 @@ use mckibben_core::{
     by_number::ByNumber,
     curve::{Curve, CurvePoint, Test},
     muscle::Direction,
-    study::StudyPanel,
 };
 
 impl Show for CurveAnswer {
@@ -147,51 +146,24 @@ impl Show for StudyAnswer {
     }
 
     fn page(&self, u: &Units) -> Page {
-        let mut page = Page::default();
-        let [diameter, length] = [30.0, 285.0].map(|mm| u.length.show(mm));
-        let model = &self.model;
-        page.line(format!(
-            "Thickness study, model {model}: D0 {diameter}, L0 {length}"
-        ));
-        for test in [Test::Isometric, Test::Isotonic] {
-            let panels: Vec<&StudyPanel> = self.panels.iter().filter(|q| q.test == test).collect();
-            let table = Table::of(&panels);
-            let (mut table, title) = match test {
-                Test::Isometric => (
-                    table.quantity("ΔL", &u.length.digits(4), |panel| panel.fixed),
-                    u.force.heading("Pull F"),
-                ),
-                _ => (
-                    table.quantity("F", &u.force.digits(4), |panel| panel.fixed),
-                    "Contraction ε".into(),
-                ),
-            };
-            let at = u.pressure.show(0.25);
-            page.paragraph(format!("{title} at {at}, {} tests", test.name()));
-            let curves = panels.first().map_or(&[][..], |panel| &panel.curves[..]);
-            for (i, curve) in curves.iter().enumerate() {
-                let last = |panel: &&StudyPanel| {
-                    let last = panel.curves.get(i)?.curve.points.last()?;
-                    Some(last.answer.as_ref().ok()?.response)
-                };
-                table = match test {
-                    Test::Isometric => {
-                        let pulls = panels.iter().map(|panel| Some(last(panel)?.force_n));
-                        table.column(curve.label.clone(), u.force.column(pulls, 4))
-                    }
-                    _ => table.quantity(&curve.label, &PERCENT, |panel| {
-                        last(panel).map(|r| r.contraction)
-                    }),
-                };
-            }
-            page.table(table);
-        }
-        page.paragraph("The paper's findings and the results here");
-        for f in &self.findings {
-            let verdict = if f.holds { "holds" } else { "does not hold" };
-            page.line(format!("  {verdict:<14} {}", u.sentence(f.statement)));
-            page.line(format!("{:17}{}", "", u.sentence(&f.ours)));
-        }
+        let mut page = Page::of(self, u, &["points"]);
+        let curve = self.panels.first().and_then(|panel| panel.curves.first());
+        let points = curve.map_or(1, |curve| curve.curve.points.len());
+        let ends = study_rows(&self.panels).skip(points - 1).step_by(points);
+        let ends: Vec<StudyRow> = ends.collect();
+        page.list(
+            "",
+            &ends,
+            u,
+            &[
+                "test",
+                "fixed",
+                "curve",
+                "pressure_mpa",
+                "force_n",
+                "contraction",
+            ],
+        );
         page
     }
 

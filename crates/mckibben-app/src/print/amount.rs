@@ -97,6 +97,13 @@ impl Amount {
         })
     }
 
+    pub(super) fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) | Self::Within(number, _) => Some(*number),
+            _ => None,
+        }
+    }
+
     /// Without its unit.
     pub(crate) fn bare(&self, scale: &Scale) -> Option<String> {
         Some(match self {

@@ -1,7 +1,8 @@
 //! An answer as a table for other programs: the columns are those of the rows' schema, so that they
 //! are the same whatever the values.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
+use super::schema;
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Error, Value, to_value};
 
@@ -10,7 +11,7 @@ use serde_json::{Error, Value, to_value};
 #[derive(Debug)]
 pub struct Csv {
     pub rows: Result<Vec<Value>, Error>,
-    schema: fn(SchemaGenerator) -> Schema,
+    pub schema: fn() -> Value,
     pub form: Form,
     /// Warnings that the page has among its lines.
     pub warnings: Vec<String>,
@@ -31,7 +32,7 @@ impl Csv {
     pub fn rows<T: Serialize + JsonSchema>(list: impl IntoIterator<Item = T>) -> Self {
         Self {
             rows: list.into_iter().map(to_value).collect(),
-            schema: SchemaGenerator::into_root_schema_for::<T>,
+            schema: schema::of::<T>,
             form: Form::Rows,
             warnings: vec![],
         }
@@ -62,10 +63,5 @@ impl Csv {
     pub fn with_warnings(mut self, list: &[String]) -> Self {
         self.warnings.extend_from_slice(list);
         self
-    }
-
-    pub fn schema(&self) -> Value {
-        let settings = SchemaSettings::draft2020_12().for_serialize();
-        (self.schema)(settings.into_generator()).to_value()
     }
 }

@@ -40,9 +40,12 @@
 //! says the columns.
 
 mod amount;
+mod answer;
 mod csv;
+mod field;
 mod page;
 mod rows;
+pub mod schema;
 mod table;
 
 pub use amount::Amount;
@@ -63,8 +66,10 @@ pub trait Show: Serialize + JsonSchema + Sized {
         vec![]
     }
 
-    /// The answer for people.
-    fn page(&self, u: &Units) -> Page;
+    /// The answer for people: all of it, unless it says otherwise.
+    fn page(&self, u: &Units) -> Page {
+        Page::of(self, u, &[])
+    }
 
     /// The answer as a table for other programs: one line, unless it says otherwise.
     fn csv(&self) -> Csv {

@@ -4,7 +4,10 @@
 use crate::Problem;
 use mckibben_app::{
     ProblemKind,
-    print::{Csv, Form},
+    print::{
+        Csv, Form,
+        schema::{items, properties, variants},
+    },
 };
 use mckibben_core::clean::cell;
 use serde_json::{Map, Value};
@@ -31,50 +34,14 @@ fn with_others(mut columns: Vec<String>, list: &[Value]) -> Vec<String> {
     columns
 }
 
-/// A schema without its reference.
-fn resolved<'a>(root: &'a Value, node: &'a Value) -> &'a Value {
-    let name = node
-        .get("$ref")
-        .and_then(Value::as_str)
-        .and_then(|path| path.strip_prefix("#/$defs/"));
-    name.and_then(|name| root.get("$defs")?.get(name))
-        .unwrap_or(node)
-}
-
-/// A schema and those of which it is one or all, without `null`.
-fn variants<'a>(root: &'a Value, node: &'a Value) -> Vec<&'a Value> {
-    let node = resolved(root, node);
-    let mut out = vec![node];
-    for of in ["anyOf", "oneOf", "allOf"]
-        .iter()
-        .filter_map(|key| node.get(*key)?.as_array())
-        .flatten()
-    {
-        out.extend(variants(root, of));
-    }
-    out.retain(|node| node.get("type").and_then(Value::as_str) != Some("null"));
-    out
-}
-
-fn properties<'a>(
-    root: &'a Value,
-    node: &'a Value,
-) -> impl Iterator<Item = (&'a String, &'a Value)> {
-    variants(root, node)
-        .into_iter()
-        .filter_map(|node| node.get("properties")?.as_object())
-        .flat_map(Map::iter)
-}
-
 /// The keys of an object whose values are numbers, flags or texts, or lists of such.
 fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<String>) {
     for (name, value) in properties(root, node) {
-        let items = || {
-            variants(root, value)
-                .into_iter()
-                .find_map(|node| node.get("items"))
+        let value = if are_lists {
+            items(root, value)
+        } else {
+            Some(value)
         };
-        let value = if are_lists { items() } else { Some(value) };
         if value.is_some_and(|value| is_scalar(root, value)) && !out.contains(name) {
             out.push(name.clone());
         }
@@ -115,7 +82,7 @@ pub struct Table {
 impl Table {
     /// The table of an answer.
     pub fn of(answer: Csv) -> Result<Self, Problem> {
-        let schema = answer.schema();
+        let schema = (answer.schema)();
         let rows = answer.rows.map_err(|e| broken(&e))?;
         let rows: Vec<Value> = match answer.form {
             Form::Rows => rows,

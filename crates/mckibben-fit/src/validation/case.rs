@@ -231,7 +231,7 @@ pub enum CaseError {
 #[derive(Debug, Clone, PartialEq, serde::Serialize, schemars::JsonSchema)]
 #[schemars(rename = "MeasuredFacts")]
 pub struct Facts {
-    /// Name of its folder.
+    /// Name, that of its folder.
     pub name: String,
     /// Which muscle or rubber.
     pub title: String,
