@@ -2,7 +2,6 @@
 
 use crate::{
     Scale,
-    units::NUMBER,
     words::{half_width, within},
 };
 
@@ -124,9 +123,4 @@ impl Scale {
     pub fn of(&self, amount: impl Into<Amount>) -> Option<String> {
         amount.into().text(self)
     }
-}
-
-/// What has no unit.
-pub fn plain(amount: impl Into<Amount>) -> Option<String> {
-    NUMBER.of(amount)
 }

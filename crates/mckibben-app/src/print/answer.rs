@@ -10,6 +10,7 @@ use mckibben_core::joined;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Map, Value, to_value};
+use std::iter;
 
 /// Fields that no page has: figures and files.
 const APART: [&str; 3] = ["figure", "figures", "files"];
@@ -61,9 +62,10 @@ impl Page {
         let columns = columns.filter_map(|c| Column::of(&c.label, &c.scale, &c.amounts));
         let columns: Vec<Column> = columns.collect();
         if !columns.is_empty() {
-            self.gap();
-            if !heading.is_empty() {
-                self.line(heading);
+            if heading.is_empty() {
+                self.gap();
+            } else {
+                self.paragraph(heading);
             }
             self.blocks.push(super::Block::Table(columns));
         }
@@ -78,12 +80,20 @@ struct Amounts {
     amounts: Vec<Amount>,
 }
 
-/// A field of an object.
+/// A field of an object: its value and ±, its schema, its unit, and its name in words.
 struct Field<'a> {
     name: &'a str,
     value: &'a Value,
-    node: &'a Value,
     half: Option<f64>,
+    node: &'a Value,
+    scale: Scale,
+    words: String,
+}
+
+impl Field<'_> {
+    fn label(&self, most: usize) -> String {
+        label(about(self.node), &self.words, most)
+    }
 }
 
 struct Walk<'a> {
@@ -105,12 +115,18 @@ impl Walk<'_> {
                     last.half = Some(half).filter(|half| *half > 0.0);
                 }
                 _ if self.is_apart(name, value) => {}
-                _ => out.push(Field {
-                    name,
-                    value,
-                    node: self.node_of(name, value, &known),
-                    half: None,
-                }),
+                _ => {
+                    let node = self.node_of(name, value, &known);
+                    let (scale, words) = named(name, about(node), self.u);
+                    out.push(Field {
+                        name,
+                        value,
+                        half: None,
+                        node,
+                        scale,
+                        words,
+                    });
+                }
             }
         }
         out
@@ -146,7 +162,7 @@ impl Walk<'_> {
         let mut parts = vec![];
         for field in self.fields(node, object) {
             match self.text(&field) {
-                Some(text) => rows = rows.text(&self.label(&field, ROW), text),
+                Some(text) => rows = rows.text(&field.label(ROW), text),
                 None => parts.push(field),
             }
         }
@@ -158,32 +174,28 @@ impl Walk<'_> {
 
     /// What is longer than a row.
     fn part(&self, page: &mut Page, field: &Field<'_>) {
-        let heading = &self.label(field, 2 * ROW);
+        let heading = &field.label(2 * ROW);
         match field.value {
             Value::Array(list) => {
-                let rows: Vec<Object> = list.iter().filter_map(Value::as_object).cloned().collect();
+                let rows = list.iter().filter_map(Value::as_object).cloned();
                 let node = items(self.root, field.node).unwrap_or(&Value::Null);
-                self.table(page, heading, node, &rows);
+                self.table(page, heading, node, &rows.collect::<Vec<_>>());
             }
             Value::Object(object) if is_map(self.root, field.node) => {
-                let row = |(name, value): (&String, &Value)| {
-                    let mut row =
-                        Object::from_iter([(field.name.to_owned(), name.as_str().into())]);
-                    row.extend(
-                        value
-                            .as_object()
-                            .into_iter()
-                            .flatten()
-                            .map(|(k, v)| (k.clone(), v.clone())),
-                    );
-                    row
-                };
-                let rows: Vec<Object> = object.iter().map(row).collect();
+                let rows = object.iter().filter_map(|(name, value)| {
+                    let key = (field.name.to_owned(), name.as_str().into());
+                    Some(iter::once(key).chain(value.as_object()?.clone()).collect())
+                });
                 let nodes = variants(self.root, field.node);
-                let of_values = nodes
+                let of = nodes
                     .iter()
                     .find_map(|node| node.get("additionalProperties"));
-                self.table(page, heading, of_values.unwrap_or(&Value::Null), &rows);
+                self.table(
+                    page,
+                    heading,
+                    of.unwrap_or(&Value::Null),
+                    &rows.collect::<Vec<_>>(),
+                );
             }
             Value::Object(object) => {
                 page.paragraph(heading);
@@ -196,29 +208,25 @@ impl Walk<'_> {
     /// A table of rows, and one of each list in them, with the first text of the row.
     fn table(&self, page: &mut Page, heading: &str, node: &Value, rows: &[Object]) {
         page.columns(heading, self.columns(node, rows));
-        let mut lists: Vec<(Field<'_>, Vec<Object>)> = vec![];
+        let mut lists = Object::new();
         for row in rows {
             let fields = self.fields(node, row);
             let title = fields.iter().find(|field| field.value.is_string());
             let title = title.map(|field| (field.name.to_owned(), field.value.clone()));
-            for field in fields.into_iter().filter(|f| is_table(f.value)) {
+            for field in &fields {
                 let inner = field.value.as_array().into_iter().flatten();
                 let titled = inner.filter_map(Value::as_object).map(|object| {
-                    let object = object.iter().map(|(k, v)| (k.clone(), v.clone()));
-                    title.clone().into_iter().chain(object).collect()
+                    let titled = title.clone().into_iter().chain(object.clone());
+                    Value::from_iter(titled)
                 });
-                match lists.iter_mut().find(|(known, _)| known.name == field.name) {
-                    Some((_, list)) => list.extend(titled),
-                    None => {
-                        let list = titled.collect();
-                        lists.push((field, list));
-                    }
+                let list = lists.entry(field.name);
+                if let Value::Array(list) = list.or_insert_with(|| Value::Array(vec![])) {
+                    list.extend(titled);
                 }
             }
         }
-        for (field, list) in lists {
-            let node = items(self.root, field.node).unwrap_or(&Value::Null);
-            self.table(page, &self.label(&field, 2 * ROW), node, &list);
+        for field in self.fields(node, &lists) {
+            self.part(page, &field);
         }
     }
 
@@ -236,7 +244,6 @@ impl Walk<'_> {
     /// The cells of a row; those of objects in it are beside them.
     fn cells(&self, i: usize, node: &Value, row: &Object, columns: &mut Vec<Amounts>) {
         for field in self.fields(node, row) {
-            let scale = named(field.name, about(field.node), self.u).0;
             let amount = match field.value {
                 Value::Object(inner) if !is_map(self.root, field.node) => {
                     self.cells(i, field.node, inner, columns);
@@ -246,14 +253,14 @@ impl Walk<'_> {
                     Some(text) => text.into(),
                     None => continue,
                 },
-                value => self.amount(value, field.half, &scale),
+                value => self.amount(value, field.half, &field.scale),
             };
             let known = columns.iter().position(|c| c.name == field.name);
             let at = known.unwrap_or_else(|| {
                 columns.push(Amounts {
                     name: field.name.into(),
-                    label: self.label(&field, HEADING),
-                    scale,
+                    label: field.label(HEADING),
+                    scale: field.scale,
                     amounts: vec![],
                 });
                 columns.len() - 1
@@ -263,21 +270,16 @@ impl Walk<'_> {
         }
     }
 
-    fn label(&self, field: &Field<'_>, most: usize) -> String {
-        let about = about(field.node);
-        label(about, &named(field.name, about, self.u).1, most)
-    }
-
     /// A value in a row.
     fn text(&self, field: &Field<'_>) -> Option<String> {
-        let scale = named(field.name, about(field.node), self.u).0;
+        let scale = &field.scale;
         match field.value {
             Value::Array(list) if list.len() <= IN_A_ROW => {
                 let bare = |value: &Value| match value {
                     Value::Array(_) | Value::Object(_) => None,
                     _ => Some(
-                        self.amount(value, None, &scale)
-                            .bare(&scale)
+                        self.amount(value, None, scale)
+                            .bare(scale)
                             .unwrap_or("–".into()),
                     ),
                 };
@@ -296,13 +298,13 @@ impl Walk<'_> {
                 let fields = self.fields(field.node, object);
                 let one = |field: &Field<'_>| {
                     let text = (!field.value.is_object()).then(|| self.text(field))??;
-                    Some(format!("{} {text}", self.label(field, HEADING)))
+                    Some(format!("{} {text}", field.label(HEADING)))
                 };
                 let texts: Option<Vec<String>> = fields.iter().map(one).collect();
                 texts.map(in_a_row).filter(|text| text.len() <= ON_A_LINE)
             }
             Value::Array(_) => None,
-            value => self.amount(value, field.half, &scale).text(&scale),
+            value => self.amount(value, field.half, scale).text(scale),
         }
     }
 
@@ -325,10 +327,4 @@ fn about(node: &Value) -> &str {
 /// Whether the keys of an object are values, such as names of constants.
 fn is_map(root: &Value, node: &Value) -> bool {
     properties(root, node).next().is_none()
-}
-
-fn is_table(value: &Value) -> bool {
-    value
-        .as_array()
-        .is_some_and(|list| list.first().is_some_and(Value::is_object))
 }

@@ -12,14 +12,14 @@ use serde_json::{Error, Value, to_value};
 pub struct Csv {
     pub rows: Result<Vec<Value>, Error>,
     pub schema: fn() -> Value,
-    pub form: Form,
+    pub form: CsvLayout,
     /// Warnings that the page has among its lines.
     pub warnings: Vec<String>,
 }
 
 /// How the lines follow from the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum CsvLayout {
     Rows,
     /// The values of objects in a row are columns as well.
     Flat,
@@ -33,7 +33,7 @@ impl Csv {
         Self {
             rows: list.into_iter().map(to_value).collect(),
             schema: schema::of::<T>,
-            form: Form::Rows,
+            form: CsvLayout::Rows,
             warnings: vec![],
         }
     }
@@ -46,7 +46,7 @@ impl Csv {
     /// One line, with the values of its objects beside the others.
     pub fn flat<T: Serialize + JsonSchema>(row: &T) -> Self {
         Self {
-            form: Form::Flat,
+            form: CsvLayout::Flat,
             ..Self::row(row)
         }
     }
@@ -54,7 +54,7 @@ impl Csv {
     /// A line for each place of an object of lists.
     pub fn columns<T: Serialize + JsonSchema>(lists: &T) -> Self {
         Self {
-            form: Form::Columns,
+            form: CsvLayout::Columns,
             ..Self::row(lists)
         }
     }

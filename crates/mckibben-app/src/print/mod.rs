@@ -49,7 +49,7 @@ pub mod schema;
 mod table;
 
 pub use amount::Amount;
-pub use csv::{Csv, Form};
+pub use csv::{Csv, CsvLayout};
 pub use page::{Block, Page};
 pub use rows::Rows;
 pub use table::{Column, Table};

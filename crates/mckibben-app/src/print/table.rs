@@ -24,7 +24,7 @@ impl Column {
     }
 
     /// A column of amounts of one unit, with their points aligned unless their sizes are unlike.
-    pub(super) fn of(label: &str, scale: &Scale, amounts: &[Amount]) -> Option<Self> {
+    pub(crate) fn of(label: &str, scale: &Scale, amounts: &[Amount]) -> Option<Self> {
         let sizes = || {
             amounts
                 .iter()
@@ -105,14 +105,14 @@ impl<'a, T> Table<'a, T> {
         self.quantity(heading, &NUMBER, text)
     }
 
-    fn with(mut self, column: Option<Column>) -> Self {
-        self.columns.extend(column);
-        self
+    /// A column of cells as they are.
+    pub fn column(self, heading: String, cells: Vec<String>) -> Self {
+        self.with(Some(Column { heading, cells }))
     }
 
-    /// A column of cells as they are.
-    pub fn column(mut self, heading: String, cells: Vec<String>) -> Self {
-        self.columns.push(Column { heading, cells });
+    /// With a column, where there is one.
+    pub(crate) fn with(mut self, column: Option<Column>) -> Self {
+        self.columns.extend(column);
         self
     }
 }

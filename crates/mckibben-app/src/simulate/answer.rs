@@ -169,7 +169,8 @@ impl Show for SimulateAnswer {
         let answered = |row: &SimulatedRow| matches!(row, SimulatedRow::Answered(_));
         if let Some(last) = rows.iter().rfind(|row| answered(row)) {
             page.paragraph("last point");
-            let without = [&SHOWN[2..], &["profile", "strands"]].concat();
+            let more = ["profile", "strands", "volume_per_pressure_mm3_per_mpa"];
+            let without = [&SHOWN[2..], &more].concat();
             page.and(Page::of(last, u, &without));
         }
         page
