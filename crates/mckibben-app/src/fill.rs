@@ -6,6 +6,7 @@ use crate::{
     flags::{self, Args},
     given,
     print::{Csv, Page, Rows, Show, sentences},
+    units::{JOULES, MEGAPASCALS, PERCENT},
 };
 use mckibben_core::{
     liquid::{Liquid, LiquidSupply},
@@ -54,45 +55,61 @@ pub struct FillAnswer {
     pub background: Background,
 }
 
-/// Fields that stand otherwise on the page.
-const APART: [&str; 16] = [
-    "uncertainty_words",
-    "uncertainty_parts_n",
-    "predicted_n",
-    "predicted_low_n",
-    "predicted_high_n",
-    "predicted_direction",
-    "predicted_shift_n",
-    "uncertainty_basis",
-    "burst_pressure_mpa",
-    "burst_by",
-    "least_burst_pressure_mpa",
-    "allowed_pressure_mpa",
-    "allowed_by",
-    "allowed_factor",
-    "ends_included",
-    "volume_per_pressure_mm3_per_mpa",
-];
-
 impl Show for FillAnswer {
     fn warnings(&self) -> Vec<String> {
         sentences(&self.fill.answer.warnings)
     }
 
     fn page(&self, u: &Units) -> Page {
-        let words = &self.background.uncertainty_words;
-        let uncertainty = words.text_in(u);
-        let mut page = Page::of(self, u, &APART);
-        page.rows(
-            Rows::default()
-                .text("as built", words.built_in(u))
-                .and(self.background.limit_rows(u))
-                .text(
-                    "uncertainty",
-                    uncertainty.map(|text| format!("of the pull {text}")),
-                ),
-        );
-        page
+        let (fill, liquid, a) = (&self.fill, &self.liquid, &self.fill.answer);
+        let uncertainty = self.background.uncertainty_words.text_in(u);
+        let rows = Rows::default()
+            .text("muscle", self.background.muscle.line(u))
+            .text("model", &a.model)
+            .text("by", &self.background.about.source)
+            .text("liquid", liquid.name)
+            .quantity("gas", &PERCENT, liquid.gas_share)
+            .quantity("bulk modulus", &MEGAPASCALS, liquid.bulk_modulus_mpa)
+            .quantity(
+                "with its gas at this pressure",
+                &MEGAPASCALS,
+                fill.effective_bulk_modulus_mpa,
+            )
+            .quantity("pushed in", &u.volume, fill.pushed_volume_mm3)
+            .quantity(
+                "of it by compression",
+                &u.volume,
+                fill.compressed_volume_mm3,
+            )
+            .quantity("pressure", &u.pressure, a.response.pressure_mpa)
+            .quantity("stroke", &u.length.digits(4), fill.stroke_mm)
+            .quantity("contraction", &PERCENT, a.response.contraction)
+            .text("state", fill.state.to_string())
+            .quantity("pull", &u.force.digits(4), a.response.force_n)
+            .text("as built", self.background.uncertainty_words.built_in(u))
+            .quantity(
+                "stiffness, liquid shut in",
+                &u.stiffness(),
+                fill.shut_stiffness_n_per_mm,
+            )
+            .quantity(
+                "at constant pressure",
+                &u.stiffness(),
+                a.response.stiffness_n_per_mm,
+            )
+            .quantity("work of the pump", &JOULES, fill.pump_work_j)
+            .quantity("stored in the muscle", &JOULES, fill.muscle_energy_j)
+            .quantity("stored in the liquid", &JOULES, fill.liquid_energy_j)
+            .quantity("work on the load", &JOULES, fill.load_work_j)
+            .quantity("taken by friction", &JOULES, fill.friction_work_j)
+            .quantity("cavity", &u.volume, a.response.volume_mm3)
+            .quantity("cavity at the start", &u.volume, fill.rest_volume_mm3)
+            .and(self.background.limit_rows(u))
+            .text(
+                "uncertainty",
+                uncertainty.map(|text| format!("of the pull {text}")),
+            );
+        rows.into()
     }
 
     fn csv(&self) -> Csv {

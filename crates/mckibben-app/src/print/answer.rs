@@ -134,7 +134,7 @@ impl Walk<'_> {
 
     /// The schema of a field: of several that which knows most of its value.
     fn node_of<'a>(&self, name: &str, value: &Value, known: &[(&String, &'a Value)]) -> &'a Value {
-        let nodes = known.iter().filter(|field| field.0 == name);
+        let nodes = known.iter().rev().filter(|field| field.0 == name);
         let has = |field: &&(&String, &Value)| {
             let names = properties(self.root, field.1);
             names.filter(|(name, _)| value.get(name).is_some()).count()
@@ -310,7 +310,7 @@ impl Walk<'_> {
 
     fn amount(&self, value: &Value, half: Option<f64>, scale: &Scale) -> Amount {
         match value {
-            Value::Number(count) if !count.is_f64() && scale.name.is_empty() => {
+            Value::Number(count) if !count.is_f64() && ["", "%"].contains(&&*scale.name) => {
                 count.to_string().into()
             }
             Value::Bool(is) => (*is).into(),

@@ -3,6 +3,13 @@
 //! An answer implements [`Show`] in the file of its command. Its [`Page`] is a list of lines, rows
 //! and tables; a terminal lays it out, and the report of `build` has the same rows.
 //!
+//! [`Page::of`] makes the page of any answer from its schema: a field with a value is a row, a list
+//! of objects a table. The unit follows from the end of the field's name (`_n`, `_mpa`, `_mm`); the
+//! label is the beginning of its documentation where that is short, else its name in words. A field
+//! `uncertainty_…` or `…_standard_error` is the ± of the number before it. Pages of `design`,
+//! `force`, `check`, `joint` and `motion`, and what other pages have beside their answer, are
+//! written by hand:
+//!
 //! A label with a value is a row ([`Rows`]); what is not there is left out:
 //!
 //! ```
