@@ -50,7 +50,7 @@ pub struct BraidDetails {
     pub neutral_diameter_mm: f64,
     /// Length of strand per turn, mm, which stays on any tube.
     pub strand_length_per_turn_mm: f64,
-    /// From what that was found.
+    /// Source of the helix.
     pub helix_from: String,
     /// Strands of both families; those that fit, where only range and diameter are known.
     pub strands: Option<u32>,

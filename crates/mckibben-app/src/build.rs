@@ -6,10 +6,9 @@ use crate::{
     ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
     borne, burst_of,
     flags::{self, Args},
-    not_measured, number,
-    print::{Csv, Page, Rows, Show, Table},
+    not_measured,
+    print::{Csv, Page, Show},
     report::report,
-    units::{JOULES, PERCENT},
     usual_mpa,
 };
 use base64::{Engine as _, engine::general_purpose::STANDARD};
@@ -145,56 +144,7 @@ impl Show for BuildAnswer {
     }
 
     fn page(&self, u: &Units) -> Page {
-        let length = u.length.digits(4);
-        let cut = &self.cut;
-        let safety = &self.safety;
-        let sleeve = &cut.sleeve;
-        let limits = &self.limits;
-        let mut page = Page::default();
-        page.line(self.muscle.line(u));
-        page.rows(
-            Rows::default()
-                .quantity("working pressure", &u.pressure, safety.pressure_mpa)
-                .quantity("blocked force", &u.force.digits(4), self.blocked_force_n)
-                .quantity("free contraction", &PERCENT, self.free_contraction)
-                .quantity("tube to cut", &length, cut.tube_mm)
-                .quantity("sleeve on the tube", &length, sleeve.mounted_mm)
-                .quantity("sleeve to cut", &length, sleeve.relaxed_mm)
-                .quantity("at its diameter of", &length, sleeve.relaxed_diameter_mm)
-                .quantity("between the heads", &length, self.heads_distance_mm)
-                .text("ends", self.ends.name())
-                .quantity("load of an end", &u.force.digits(3), self.end_load_n)
-                .quantity("plugs", &length, self.plug_diameter_mm)
-                .quantity("bolts", &length, self.bolt_mm)
-                .quantity("burst pressure", &u.pressure, limits.burst_pressure_mpa)
-                .quantity("allowed pressure", &u.pressure, limits.allowed_pressure_mpa)
-                .quantity(
-                    "proof test, with water",
-                    &u.pressure,
-                    safety.proof_pressure_mpa,
-                )
-                .quantity(
-                    "load of an end in it, length held",
-                    &u.force.digits(3),
-                    self.proof_end_load_n,
-                )
-                .quantity("energy of the air", &JOULES.digits(2), safety.air_energy_j)
-                .quantity(
-                    "energy of rubber and strands, at most",
-                    &JOULES.digits(2),
-                    safety.wall_energy_j,
-                ),
-        );
-        page.gap();
-        page.table(
-            Table::of(&self.parts)
-                .text("part", |part| &part.part)
-                .text("size", |part| &part.size)
-                .text("amount", |part| &part.amount)
-                .text("sold as", |part| part.sold_as.as_ref())
-                .text("mass [g]", |part| Some(number(part.mass_g?, 3))),
-        );
-        page
+        Page::of(self, u, &["test"])
     }
 
     fn csv(&self) -> Csv {

@@ -1,12 +1,11 @@
 //! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests
 //! from a plan, on disk.
 
-mod page;
-
 use crate::{
-    Count, Problem, ProblemKind, Result, TextFile,
+    Count, Problem, ProblemKind, Result, TextFile, Units,
     flags::{self, Args},
     plan::plan_of,
+    print::{Csv, Page, Show},
 };
 use mckibben_campaign::campaign::{
     self, CampaignOutcome, CampaignStatus, Forecast, Merged, RunOptions, Shard, Summary,
@@ -131,4 +130,36 @@ pub struct CampaignStatusRequest {
 /// How far a campaign is, shard by shard.
 pub fn campaign_status(request: &CampaignStatusRequest) -> Result<CampaignStatus> {
     Ok(campaign::status(&request.output)?)
+}
+
+impl Show for Forecast {}
+
+impl Show for Merged {}
+
+impl Show for Summary {
+    fn page(&self, u: &Units) -> Page {
+        let mut page = Page::of(self, u, &[]);
+        if self.missing_parts > 0 {
+            page.paragraph("Incomplete: run the campaign again to continue.");
+        }
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::rows(&self.ranges)
+    }
+}
+
+impl Show for CampaignStatus {
+    fn page(&self, u: &Units) -> Page {
+        let mut page = Page::of(self, u, &[]);
+        if self.shards_missing > 0 {
+            page.paragraph("Something is missing that nothing computes: run the shards again.");
+        }
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::rows(&self.shards)
+    }
 }

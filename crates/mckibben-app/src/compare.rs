@@ -1,12 +1,12 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
-mod page;
-
 use crate::{
     AskFields, Contractions, DataFields, Direction, MeshFields, Model, MuscleFields, MuscleSummary,
     NameOrFile, Problem, ProblemKind, Result, UnderstoodTable, Units, contractions, figure,
     flags::{self, Args},
-    list, measured_points, steps, warnings,
+    list, measured_points,
+    print::{Csv, Page, Show, sentences},
+    steps, warnings,
 };
 use mckibben_core::{
     analysis::Evaluation,
@@ -72,7 +72,7 @@ pub struct CompareRequest {
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct CompareAnswer {
-    /// `measured`, or the reference model.
+    /// What the models are compared with: `measured`, or the reference model.
     pub reference: String,
     /// How many points.
     pub points: usize,
@@ -88,9 +88,22 @@ pub struct CompareAnswer {
     pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,
-    /// Which branch of measured hysteresis was requested.
-    #[serde(skip)]
-    pub branch: Direction,
+}
+
+impl Show for CompareAnswer {
+    fn warnings(&self) -> Vec<String> {
+        sentences(&self.warnings)
+    }
+
+    fn page(&self, u: &Units) -> Page {
+        let mut page = UnderstoodTable::lines(&self.understood);
+        page.and(Page::of(self, u, &["understood"]));
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::rows(&self.models)
+    }
 }
 
 /// A model that was compared, with its row.
@@ -190,7 +203,6 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),
         warnings: Warning::gravest(&warned),
         figure,
-        branch: request.branch,
     })
 }
 

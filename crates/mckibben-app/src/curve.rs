@@ -467,9 +467,9 @@ pub struct StudyRequest {
 #[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct StudyAnswer {
-    /// The model's name.
+    /// The model.
     pub model: String,
-    /// `thickness`.
+    /// Study: `thickness`.
     pub test: String,
     /// The paper's findings.
     pub findings: Vec<Finding>,

@@ -4,8 +4,8 @@ use crate::{
     BuiltFile, Contraction, JointFields, ModelFields, MuscleFields, MuscleSummary, Problem,
     ProblemKind, QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite,
     flags::{self, Args},
-    print::{Csv, Page, Rows, Show, Table},
-    units::{NEWTON_METRES, PERCENT, Scale, Units},
+    print::{Csv, Page, Show},
+    units::Units,
     usual_mpa,
 };
 use mckibben_core::{
@@ -82,31 +82,7 @@ pub struct ExportAnswer {
 
 impl Show for ExportAnswer {
     fn page(&self, u: &Units) -> Page {
-        let (exported, errors) = (&self.exported, &self.exported.errors);
-        let share = &PERCENT;
-        let error = &PERCENT.digits(2);
-        let pull = exported.blocked_force_n;
-        let rows = Rows::default()
-            .text("model", &exported.model)
-            .quantity(
-                "supply pressure",
-                &u.pressure,
-                exported.bounds.supply_pressure_mpa,
-            )
-            .quantity("contraction from", share, exported.bounds.contraction_low)
-            .quantity("to", share, exported.bounds.contraction_high)
-            .quantity("blocked force", &u.force, pull)
-            .quantity("error of the pull, rms", error, errors.force_rms)
-            .quantity("at 95 % of points", error, errors.force_95_ratio)
-            .quantity("largest", error, errors.force_worst_ratio)
-            .quantity("error of the volume, rms", error, errors.volume_rms)
-            .quantity("largest", error, errors.volume_worst_ratio)
-            .text("needs", &self.needs)
-            .text("loses", &self.loses);
-        let mut page = Page::default();
-        page.line(self.muscle.line(u));
-        written(&mut page, rows, &self.files, &self.warnings);
-        page
+        written(Page::of(self, u, &["form"]), &self.files, &self.warnings)
     }
 
     fn csv(&self) -> Csv {
@@ -115,16 +91,11 @@ impl Show for ExportAnswer {
 }
 
 /// The files of a target, and what is said of them.
-fn written(page: &mut Page, rows: Rows, files: &[BuiltFile], warnings: &[String]) {
-    page.rows(rows);
-    page.gap();
-    page.table(
-        Table::of(files)
-            .text("file", |file| &file.name)
-            .text("what it is", |file| &file.about),
-    );
+fn written(mut page: Page, files: &[BuiltFile], warnings: &[String]) -> Page {
+    page.list("", files, &Units::default(), &["name", "about"]);
     page.gap();
     page.lines(warnings.iter().map(|warning| format!("note: {warning}")));
+    page
 }
 
 /// The targets of `export`.
@@ -140,18 +111,6 @@ pub struct ExportListAnswer {
 }
 
 impl Show for ExportListAnswer {
-    fn page(&self, _: &Units) -> Page {
-        let mut page = Page::default();
-        page.table(
-            Table::of(&self.targets)
-                .text("target", |target| target.name)
-                .text("what it is", |target| target.about)
-                .text("needs", |target| target.needs)
-                .text("loses", |target| target.loses),
-        );
-        page
-    }
-
     fn csv(&self) -> Csv {
         Csv::rows(&self.targets)
     }
@@ -280,23 +239,8 @@ pub struct ExportJointAnswer {
 
 /// A joint as files.
 impl Show for ExportJointAnswer {
-    fn page(&self, _: &Units) -> Page {
-        let exported = &self.exported;
-        let mut page = Page::default();
-        let rows = Rows::default()
-            .text("target", &self.target)
-            .quantity(
-                "error of the torque, at most",
-                &NEWTON_METRES,
-                exported.torque_error_nm,
-            )
-            .quantity(
-                "of the stiffness",
-                &Scale::fixed("N m/rad"),
-                exported.stiffness_error_nm_per_rad,
-            );
-        written(&mut page, rows, &self.files, &self.warnings);
-        page
+    fn page(&self, u: &Units) -> Page {
+        written(Page::of(self, u, &[]), &self.files, &self.warnings)
     }
 
     fn csv(&self) -> Csv {

@@ -4,6 +4,7 @@ pub use crate::muscle_fields::{Measures, MuscleFields};
 use crate::{
     Problem,
     flags::{self, Args},
+    print::Page,
 };
 pub use mckibben_core::muscle::{BraidStiffness as Stiffness, Direction, measures::MeasureValues};
 use mckibben_core::{joined, muscle::file::FileError};
@@ -156,6 +157,13 @@ impl UnderstoodTable {
     /// One line for people: `bench.csv: 45 points; P1 → pressure (kPa), …`.
     pub fn line(&self) -> String {
         format!("{}: {}", self.data, self.table.line()).replace('\n', "\\n")
+    }
+
+    /// The lines of several.
+    pub(crate) fn lines(tables: &[Self]) -> Page {
+        let mut page = Page::default();
+        page.lines(tables.iter().map(Self::line));
+        page
     }
 }
 

@@ -1,8 +1,6 @@
 //! Loads in requests, and what a muscle does with them.
 
-mod page;
-
-use crate::{ProblemKind, Result, TextFile, flags::Args};
+use crate::{ProblemKind, Result, TextFile, Units, flags::Args, print::Page};
 use mckibben_core::{
     analysis::Evaluation,
     by_number::ByNumber,
@@ -141,4 +139,32 @@ pub fn loaded(
         cycle,
         line: load,
     }))
+}
+
+/// Fields of an equilibrium that a page has.
+const SHOWN: [&str; 9] = [
+    "pressure_mpa",
+    "contraction",
+    "predicted_contraction",
+    "shortening_mm",
+    "force_n",
+    "held_stiffness_n_per_mm",
+    "stable",
+    "natural_frequency_hz",
+    "cause",
+];
+
+impl LoadAnswer {
+    /// A table of the equilibria, and the stroke between the lowest and the highest pressure.
+    pub fn onto(&self, page: &mut Page, u: &Units) {
+        page.paragraph(format!("load {}", self.load));
+        let all: Vec<&Balance> = self.at.iter().flat_map(|at| &at.equilibria).collect();
+        page.list("", &all, u, &SHOWN);
+        let none: Vec<&LoadedAt> = self.at.iter().filter(|at| at.error.is_some()).collect();
+        page.list("", &none, u, &SHOWN);
+        if let Some(cycle) = &self.cycle {
+            page.gap();
+            page.and(Page::of(cycle, u, &[]));
+        }
+    }
 }

@@ -69,7 +69,7 @@ pub struct LibraryFit {
     pub shear_modulus_mpa: f64,
     /// Engineering strain up to which data were used.
     pub up_to_strain: Option<f64>,
-    /// R² of the fit.
+    /// R²: of the fit.
     pub r_squared: Option<f64>,
     /// What is known of a law that was fitted to the curve.
     #[serde(flatten)]

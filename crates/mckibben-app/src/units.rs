@@ -37,6 +37,7 @@ pub const GRAMS: Scale = Scale::fixed("g");
 pub const JOULES: Scale = Scale::fixed("J");
 /// Moduli and stresses, which stay in MPa.
 pub const MEGAPASCALS: Scale = Scale::fixed("MPa");
+pub const MEGABYTES: Scale = Scale::constant("MB", 1e-6);
 pub const NORMAL_LITRES: Scale = Scale::fixed("normal L");
 pub const NEWTON_METRES: Scale = Scale::fixed("N m");
 

@@ -1,18 +1,15 @@
 //! Curves as people read them.
 
-use super::{CurveAnswer, PointRow, StudyAnswer, study_rows};
+use super::{CurveAnswer, PointRow, StudyAnswer, StudyRow, study_rows};
 use crate::{
     Units, breakdown, percent,
-    print::{Csv, Page, Show, Table, sentences},
+    print::{Amount, Column, Csv, Page, Show, Table, sentences},
     units::PERCENT,
-    words::{aligned, half_width, within},
 };
 use mckibben_core::{
-    answer::Answer,
     by_number::ByNumber,
-    curve::{Curve, CurvePoint, Test},
+    curve::{CurvePoint, Test},
     muscle::Direction,
-    study::StudyPanel,
 };
 
 impl Show for CurveAnswer {
@@ -50,24 +47,12 @@ impl CurveAnswer {
         self.curves.iter().flat_map(|curve| &curve.points)
     }
 
-    /// The ± of the quantity that the test computes, from the least to the largest.
+    /// What the ± are, and the parts of the largest of the pull.
     fn half_widths(&self, page: &mut Page, u: &Units) {
-        let answers = || self.points().filter_map(|q| q.answer.as_ref().ok());
-        let known = || answers().filter_map(|a| computed(self.test, a, u)?.1);
-        let Some((low, high)) = known().reduce(f64::min).zip(known().reduce(f64::max)) else {
-            return;
-        };
-        let unit = match self.test {
-            Test::Isotonic => "%",
-            _ => &u.force.name,
-        };
-        let low = half_width(low);
-        let high = half_width(high);
-        page.paragraph(format!(
-            "± {low} to {high} {unit}: 95 %, of a muscle that is built"
-        ));
-        let of_pull = answers().filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
+        let answers = self.points().filter_map(|q| q.answer.as_ref().ok());
+        let of_pull = answers.filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
         if let Some(largest) = of_pull.max_by_number(|a| a.total()) {
+            page.paragraph("±: 95 %, of a muscle that is built");
             let parts = breakdown(&largest, &u.force);
             page.line(format!("the largest of the pull: {parts}"));
         }
@@ -82,63 +67,34 @@ impl CurveAnswer {
             _ => table.quantity("P", &u.pressure, |q| q.pressure_mpa),
         };
         for (i, curve) in self.curves.iter().enumerate() {
-            let fixed = match self.test {
-                Test::Isometric => {
-                    format!("{} at ε {}", u.force.heading("F"), percent(curve.fixed))
-                }
-                Test::Isotonic => format!("ε at {}", u.force.show(curve.fixed)),
-                Test::Isobaric => {
-                    let pressure = u.pressure.show(curve.fixed);
-                    format!("{} at {pressure}", u.force.heading("F"))
-                }
+            let (scale, label) = match self.test {
+                Test::Isometric => (&u.force, format!("F at ε {}", percent(curve.fixed))),
+                Test::Isotonic => (&PERCENT, format!("ε at {}", u.force.show(curve.fixed))),
+                Test::Isobaric => (&u.force, format!("F at {}", u.pressure.show(curve.fixed))),
             };
-            let heading = if self.both {
-                format!("{fixed}, {}", Direction::BRANCHES[i % 2].motion())
+            let branch = if self.both {
+                format!(", {}", Direction::BRANCHES[i % 2].motion())
             } else {
-                fixed
+                String::new()
             };
-            table = table.column(heading, cells(self.test, curve, u));
+            let amounts = curve.points.iter().map(|q| computed(self.test, q));
+            let amounts: Vec<Amount> = amounts.collect();
+            table = table.with(Column::of(&(label + &branch), &scale.digits(4), &amounts));
         }
         table
     }
 }
 
-/// The quantity that a test computes and its ±, as they are shown: a contraction in per cent, or
-/// the pull of a muscle that is not slack.
-fn computed(test: Test, a: &Answer, u: &Units) -> Option<(f64, Option<f64>)> {
-    let (scale, value, half) = match test {
-        Test::Isotonic => (&PERCENT, a.response.contraction, a.contraction_uncertainty),
-        _ => (&u.force, a.response.force_n, a.uncertainty_n),
-    };
-    (test == Test::Isotonic || !a.slack)
-        .then(|| (scale.value(value), half.map(|half| scale.value(half))))
-}
-
-/// A curve's answers, to the digits that the least ± of them leaves.
-fn cells(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
-    let values: Vec<_> = curve
-        .points
-        .iter()
-        .map(|q| computed(test, q.answer.as_ref().ok()?, u))
-        .collect();
-    let least = values.iter().filter_map(|v| (*v)?.1).reduce(f64::min);
-    let numbers: Vec<Option<f64>> = values.iter().map(|v| v.map(|v| v.0)).collect();
-    let cells = match least {
-        Some(least) => numbers
-            .iter()
-            .map(|v| v.map_or_else(|| "–".into(), |v| within(v, least)))
-            .collect(),
-        None => aligned(&numbers, 4),
-    };
-    cells
-        .into_iter()
-        .zip(&curve.points)
-        .map(|(cell, q)| match &q.answer {
-            Ok(_) if test == Test::Isotonic => cell + " %",
-            Ok(a) if a.slack => "slack".into(),
-            _ => cell,
-        })
-        .collect()
+/// The quantity that a test computes, with its ±.
+fn computed(test: Test, q: &CurvePoint) -> Amount {
+    match &q.answer {
+        Ok(a) if test == Test::Isotonic => {
+            (a.response.contraction, a.contraction_uncertainty).into()
+        }
+        Ok(a) if a.slack => "slack".into(),
+        Ok(a) => (a.response.force_n, a.uncertainty_n).into(),
+        Err(_) => Amount::Nothing,
+    }
 }
 
 impl Show for StudyAnswer {
@@ -147,51 +103,24 @@ impl Show for StudyAnswer {
     }
 
     fn page(&self, u: &Units) -> Page {
-        let mut page = Page::default();
-        let [diameter, length] = [30.0, 285.0].map(|mm| u.length.show(mm));
-        let model = &self.model;
-        page.line(format!(
-            "Thickness study, model {model}: D0 {diameter}, L0 {length}"
-        ));
-        for test in [Test::Isometric, Test::Isotonic] {
-            let panels: Vec<&StudyPanel> = self.panels.iter().filter(|q| q.test == test).collect();
-            let table = Table::of(&panels);
-            let (mut table, title) = match test {
-                Test::Isometric => (
-                    table.quantity("ΔL", &u.length.digits(4), |panel| panel.fixed),
-                    u.force.heading("Pull F"),
-                ),
-                _ => (
-                    table.quantity("F", &u.force.digits(4), |panel| panel.fixed),
-                    "Contraction ε".into(),
-                ),
-            };
-            let at = u.pressure.show(0.25);
-            page.paragraph(format!("{title} at {at}, {} tests", test.name()));
-            let curves = panels.first().map_or(&[][..], |panel| &panel.curves[..]);
-            for (i, curve) in curves.iter().enumerate() {
-                let last = |panel: &&StudyPanel| {
-                    let last = panel.curves.get(i)?.curve.points.last()?;
-                    Some(last.answer.as_ref().ok()?.response)
-                };
-                table = match test {
-                    Test::Isometric => {
-                        let pulls = panels.iter().map(|panel| Some(last(panel)?.force_n));
-                        table.column(curve.label.clone(), u.force.column(pulls, 4))
-                    }
-                    _ => table.quantity(&curve.label, &PERCENT, |panel| {
-                        last(panel).map(|r| r.contraction)
-                    }),
-                };
-            }
-            page.table(table);
-        }
-        page.paragraph("The paper's findings and the results here");
-        for f in &self.findings {
-            let verdict = if f.holds { "holds" } else { "does not hold" };
-            page.line(format!("  {verdict:<14} {}", u.sentence(f.statement)));
-            page.line(format!("{:17}{}", "", u.sentence(&f.ours)));
-        }
+        let mut page = Page::of(self, u, &["points"]);
+        let curve = self.panels.first().and_then(|panel| panel.curves.first());
+        let points = curve.map_or(1, |curve| curve.curve.points.len());
+        let ends = study_rows(&self.panels).skip(points - 1).step_by(points);
+        let ends: Vec<StudyRow> = ends.collect();
+        page.list(
+            "",
+            &ends,
+            u,
+            &[
+                "test",
+                "fixed",
+                "curve",
+                "pressure_mpa",
+                "force_n",
+                "contraction",
+            ],
+        );
         page
     }
 

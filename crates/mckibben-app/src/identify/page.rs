@@ -2,46 +2,33 @@
 
 use super::{IdentifiedPoint, IdentifyAnswer, with_error_bar};
 use crate::{
-    UnderstoodTable, Units, percent,
-    print::{Csv, Page, Rows, Show, Table},
+    UnderstoodTable, Units,
+    print::{Csv, Page, Show, Table},
     units::NUMBER,
 };
-use mckibben_core::{
-    extremes::peak,
-    muscle::{Bench, measures::TAKE_UP},
-};
+use mckibben_core::muscle::measures::TAKE_UP;
 use mckibben_fit::identify::{Identification, Identified};
 use std::borrow::Cow;
 
+/// Fields that stand otherwise on the page, or in files.
+const APART: [&str; 5] = [
+    "understood",
+    "parameters",
+    "correlation",
+    "muscle_file",
+    "points",
+];
+
 impl Show for IdentifyAnswer {
     fn page(&self, u: &Units) -> Page {
-        let model = &self.model;
-        let data = &self.data;
-        let points = self.points.len();
-        let mut page = Page::default();
-        page.lines(self.understood.iter().map(UnderstoodTable::line));
-        page.line(format!("model {model}, {points} points of {data}"));
-        page.line(self.muscle.line(u));
+        let mut page = UnderstoodTable::lines(&self.understood);
         page.gap();
-        let parameters: Vec<Identified> = self
-            .identified
-            .parameters
-            .iter()
-            .map(|p| in_units(p, u))
-            .collect();
-        page.table(constants(&parameters));
+        let parameters = &self.identified.parameters;
+        let shown: Vec<Identified> = parameters.iter().map(|p| in_units(p, u)).collect();
+        page.table(constants(&shown));
         correlation(&self.identified, &mut page);
         page.gap();
-        page.rows(self.residuals(u));
-        let force = u.force.digits(3);
-        page.table(
-            Table::of(&self.identified.spreads)
-                .text("", |s| &s.label)
-                .text("points", |s| s.points)
-                .quantity("rms", &force, |s| s.rms_n)
-                .quantity("largest", &force, |s| s.max_n)
-                .quantity("mean", &force, |s| s.mean_n),
-        );
+        page.and(Page::of(self, u, &APART));
         if !self.warnings.is_empty() {
             page.gap();
         }
@@ -51,28 +38,6 @@ impl Show for IdentifyAnswer {
 
     fn csv(&self) -> Csv {
         Csv::rows(self.points.iter().map(IdentifiedPoint::from))
-    }
-}
-
-impl IdentifyAnswer {
-    fn residuals(&self, u: &Units) -> Rows {
-        let identified = &self.identified;
-        let force = u.force.digits(3);
-        let largest_n = peak(self.points.iter().map(|p| p.point.at.force_n));
-        let bench = identified
-            .bench
-            .as_ref()
-            .filter(|_| self.muscle_file.contains("\n[identified]"));
-        Rows::default()
-            .quantity("rms of the residuals", &force, identified.rms_n)
-            .quantity("at the start", &force, identified.rms_before_n)
-            .quantity("largest", &force, identified.max_n)
-            .quantity(
-                "largest force",
-                &u.force,
-                Some(largest_n).filter(|n| *n > 0.0),
-            )
-            .text("this bench", bench.map(|bench| bench_text(bench, u)))
     }
 }
 
@@ -130,14 +95,4 @@ fn correlation(identified: &Identification, page: &mut Page) {
     }
     page.gap();
     page.table(table);
-}
-
-/// Where a bench was.
-fn bench_text(bench: &Bench, u: &Units) -> String {
-    let [(p, q), (e, f)] = [bench.pressure_mpa, bench.contraction];
-    let [p, q] = [p, q].map(|v| u.pressure.show(v));
-    let e = percent(e);
-    let f = percent(f);
-    let points = bench.points;
-    format!("{points} points, {p} to {q}, contractions {e} to {f}")
 }

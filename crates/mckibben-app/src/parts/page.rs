@@ -1,68 +1,62 @@
 //! What has a name, as people read it.
 
-use super::{ModelDetails, PartKind, PartShowAnswer, PartsListAnswer};
+use super::{PartKind, PartShowAnswer, PartsListAnswer};
 use crate::{
-    BraidDetails, LibraryDetails, LibraryFit, RubberDetails, Units,
-    print::{Csv, Page, Rows, Show, Table},
-    units::{DEGREES, MEGAPASCALS, NUMBER, PERCENT, Scale},
+    LibraryFit, RubberDetails, Units,
+    print::{Csv, Page, Show, Table},
+    units::{MEGAPASCALS, NUMBER, PERCENT},
     words::law_text,
 };
 use mckibben_core::rubber::library::Standing;
-use mckibben_design::tubes::TubePart;
 
 impl Show for PartsListAnswer {
     fn page(&self, u: &Units) -> Page {
-        let length = u.length.digits(4);
         let mut page = Page::default();
-        let tubes = Table::of(&self.tubes)
-            .text("tube", |t| &t.name)
-            .quantity("bore", &length, |t| t.inner_diameter_mm)
-            .quantity("D0", &length, |t| t.outer_diameter_mm)
-            .quantity("wall", &length, |t| t.wall_mm)
-            .text("rubber", |t| &t.rubber.name)
-            .text("cast", |t| t.is_cast);
-        part(&mut page, tubes, &[]);
-        let sleeves = Table::of(&self.sleeves)
-            .text("sleeve", |s| &s.name)
-            .quantity("D0 from", &length, |s| s.least_diameter_mm)
-            .quantity("to", &length, |s| s.largest_diameter_mm)
-            .quantity("θ0 from", &DEGREES.digits(3), |s| s.least_angle_deg)
-            .text("strands", |s| s.strands)
-            .quantity("k within", &NUMBER, |s| s.stiffness_factor)
-            .text("title", |s| &s.title);
-        let about = "D0: tubes on which a muscle of it contracts. k within: factor within which \
-            the stiffness is known; above 1 where its seller does not state all of its strands.";
-        part(&mut page, sleeves, &[about]);
-        let rubbers = Table::of(&self.rubbers)
-            .text("rubber", |r| &r.name)
-            .unaligned("μ", &MEGAPASCALS.digits(3), |r| r.shear_modulus_mpa)
-            .text("law", |r| &r.law)
-            .text("curve", |r| r.curve)
-            .quantity("breaks at", &PERCENT.digits(3), |r| r.max_strain)
-            .text("title", |r| &r.title);
-        let about = "μ: shear modulus at rest of the law that the name means in the prototype. \
-            curve: fitted to its curve, up to the stretches in the prototype: another muscle may \
-            use another law; NAME:LAW selects one.";
-        part(&mut page, rubbers, &[about]);
-        let muscles = Table::of(&self.muscles)
-            .text("muscle", |m| &m.facts.name)
-            .quantity("D0", &length, |m| m.muscle.outer_diameter_mm)
-            .quantity("L0", &length, |m| m.muscle.length_mm)
-            .unaligned("P", &u.pressure.digits(3), |m| m.pressure_mpa)
-            .quantity("F blocked", &u.force.digits(4), |m| m.blocked_force_n)
-            .quantity("ε free", &PERCENT.digits(3), |m| m.free_contraction)
-            .text("points", |m| m.points)
-            .text("product", |m| &m.facts.product)
-            .text("source", |m| &m.facts.source);
-        let about = [
-            "P: highest pressure of the bench. F blocked, its ± (95 %) and ε free: there, by fe.",
-            "A name replaces a muscle file: mckibben force lib:dmsp-20-300 -p 5bar -e 10%",
+        let tubes = [
+            "name",
+            "inner_diameter_mm",
+            "outer_diameter_mm",
+            "wall_mm",
+            "rubber",
+            "is_cast",
         ];
-        part(&mut page, muscles, &about);
-        let models = Table::of(&self.models)
-            .text("model", |m| m.name)
-            .text("description", |m| m.description);
-        part(&mut page, models, &[]);
+        page.list("tubes", &self.tubes, u, &tubes);
+        let sleeves = [
+            "name",
+            "least_diameter_mm",
+            "largest_diameter_mm",
+            "least_angle_deg",
+            "strands",
+            "stiffness_factor",
+            "title",
+        ];
+        page.list("sleeves", &self.sleeves, u, &sleeves);
+        let rubbers = [
+            "name",
+            "shear_modulus_mpa",
+            "law",
+            "curve",
+            "max_strain",
+            "title",
+        ];
+        page.list("rubbers", &self.rubbers, u, &rubbers);
+        let muscles = [
+            "name",
+            "outer_diameter_mm",
+            "length_mm",
+            "pressure_mpa",
+            "blocked_force_n",
+            "free_contraction",
+            "points",
+            "product",
+            "source",
+        ];
+        page.list("muscles", &self.muscles, u, &muscles);
+        page.list("models", &self.models, u, &["name", "description"]);
+        page.gap();
+        if !self.muscles.is_empty() {
+            page.line("A muscle replaces a file: mckibben force lib:dmsp-20-300 -p 5bar -e 10%");
+        }
         page.line("`mckibben parts show NAME` shows source, price and use.");
         page
     }
@@ -79,15 +73,6 @@ impl Show for PartsListAnswer {
     }
 }
 
-/// The table of a kind, and what its columns are.
-fn part<T>(page: &mut Page, table: Table<'_, T>, about: &[&str]) {
-    if !table.is_empty() {
-        page.table(table);
-        page.lines(about.iter().map(ToString::to_string));
-        page.gap();
-    }
-}
-
 impl Show for PartShowAnswer {
     fn warnings(&self) -> Vec<String> {
         let rubber = self.rubber.as_ref();
@@ -95,120 +80,20 @@ impl Show for PartShowAnswer {
     }
 
     fn page(&self, u: &Units) -> Page {
-        let details = [
-            self.tube.as_ref().map(|tube| tube_rows(tube, u)),
-            self.sleeve.as_ref().map(|sleeve| sleeve.rows(u)),
-            self.rubber.as_ref().map(RubberDetails::rows),
-            self.muscle.as_ref().map(|muscle| muscle.rows(u)),
-            self.model.as_ref().map(ModelDetails::rows),
-        ];
-        let mut page = Page::default();
-        for rows in details.into_iter().flatten() {
-            page.rows(rows);
-            page.gap();
-        }
+        let mut page = Page::of(self, u, &["fits", "muscle_file"]);
         if let Some(rubber) = &self.rubber {
+            page.gap();
             rubber.fits_onto(&mut page);
         }
-        if let Some(sleeve) = &self.sleeve {
-            page.table(
-                Table::of(&sleeve.points)
-                    .quantity("D0", &u.length.digits(4), |p| p.outer_diameter_mm)
-                    .quantity("θ0", &DEGREES, |p| p.angle_deg)
-                    .quantity("k", &u.stiffness(), |p| p.stiffness_n_per_mm)
-                    .quantity("contracts by", &PERCENT, |p| p.largest_contraction),
-            );
+        if let Some(muscle) = &self.muscle {
+            page.gap();
+            page.lines(muscle.muscle_file.text.lines().map(str::to_owned));
         }
-        let file = self.muscle.iter().flat_map(|m| m.muscle_file.text.lines());
-        page.lines(file.map(str::to_owned));
         page
     }
 }
 
-fn tube_rows(tube: &TubePart, u: &Units) -> Rows {
-    let length = u.length.digits(4);
-    let density = Scale::fixed("kg/m3");
-    Rows::default()
-        .text("tube", &tube.name)
-        .quantity("bore", &length, tube.inner_diameter_mm)
-        .quantity("outer diameter", &length, tube.outer_diameter_mm)
-        .quantity("wall", &length, tube.wall_mm)
-        .text("rubber", &tube.rubber.name)
-        .quantity("density", &density, tube.density_kg_per_m3)
-        .text("cast by hand", tube.is_cast)
-        .text("price", &tube.price)
-        .quantity("largest pressure named", &u.pressure, tube.pressure_mpa)
-        .text("source", &tube.source)
-        .text("note", &tube.note)
-}
-
-impl BraidDetails {
-    fn rows(&self, u: &Units) -> Rows {
-        let (entry, sleeve) = (&self.entry, &self.entry.sleeve);
-        let (length, fine) = (u.length.digits(4), &u.length);
-        Rows::default()
-            .text("name", &self.name)
-            .text("title", &entry.title)
-            .quantity("nominal diameter", &length, entry.nominal_mm)
-            .quantity("least diameter", fine, self.least_diameter_mm)
-            .quantity("largest diameter", fine, self.largest_diameter_mm)
-            .quantity("contracts below", fine, self.neutral_diameter_mm)
-            .quantity(
-                "strand length per turn",
-                fine,
-                self.strand_length_per_turn_mm,
-            )
-            .text("found from", &self.helix_from)
-            .text("material", &entry.material)
-            .text("strands", self.strands)
-            .text("strands stated", self.strands_stated)
-            .quantity("strand diameter", &length, sleeve.strand_diameter_mm)
-            .quantity("strand modulus", &MEGAPASCALS, sleeve.strand_modulus_mpa)
-            .text("modulus from", &self.modulus_source)
-            .text("filaments", sleeve.filaments)
-            .quantity(
-                "strand strength",
-                &u.force.digits(4),
-                sleeve.strand_strength_n,
-            )
-            .text("estimated", sleeve.estimated.join(", "))
-            .quantity(
-                "stiffness known within a factor of",
-                &NUMBER,
-                self.stiffness_factor,
-            )
-            .text("estimates from", &self.estimate)
-            .text("price", &entry.price)
-            .text("for a stiffness give", self.missing.join(", "))
-            .text("source", &entry.source)
-            .text("terms", &entry.terms)
-            .text("note", &entry.note)
-    }
-}
-
 impl RubberDetails {
-    fn rows(&self) -> Rows {
-        let entry = &self.entry;
-        Rows::default()
-            .text("name", &entry.name)
-            .text("title", &entry.title)
-            .quantity(
-                "breaks at a strain of",
-                &PERCENT.digits(3),
-                entry.max_strain,
-            )
-            .quantity(
-                "at a stress of",
-                &MEGAPASCALS.digits(3),
-                entry.max_stress_mpa,
-            )
-            .text("curve in data/", &entry.data)
-            .text("laws", self.laws.join(", "))
-            .text("source", &entry.source)
-            .text("terms", &entry.terms)
-            .text("note", &entry.note)
-    }
-
     /// The laws of a rubber, without those that the data refuse.
     fn fits_onto(&self, page: &mut Page) {
         let standing = |fit: &LibraryFit| fit.fitted.as_ref().map(|f| f.standing);
@@ -247,51 +132,5 @@ impl RubberDetails {
             "standing: equal where the data do not distinguish a law from the recommended one. \
              differs: at most so much from it in planar tension. Laws that fit less well: in JSON.",
         );
-    }
-}
-
-impl LibraryDetails {
-    fn rows(&self, u: &Units) -> Rows {
-        let of = &self.muscle;
-        let facts = &self.muscle.facts;
-        let a = &self.agreement;
-        let length = u.length.digits(4);
-        let force = u.force.digits(3);
-        Rows::default()
-            .text("name", &facts.name)
-            .text("title", &facts.title)
-            .text("product", &facts.product)
-            .quantity("outer diameter", &length, of.muscle.outer_diameter_mm)
-            .quantity("wall", &length, of.muscle.wall_mm)
-            .quantity("length", &length, of.muscle.length_mm)
-            .quantity("angle", &DEGREES, of.muscle.angle_deg)
-            .text("rubber", &of.muscle.rubber)
-            .text("braid", &of.muscle.braid)
-            .quantity("highest pressure", &u.pressure, of.pressure_mpa)
-            .quantity("blocked force", &u.force.digits(4), of.blocked_force_n)
-            .quantity("free contraction", &PERCENT.digits(3), of.free_contraction)
-            .text("source", &facts.source)
-            .text("terms", &facts.terms)
-            .text("known", &facts.known)
-            .text("unknown", &facts.unknown)
-            .text("fit", &self.fit)
-            .text("identified", self.identified.join(", "))
-            .text("points", of.points)
-            .quantity("rms difference", &force, a.rms_n)
-            .quantity("of the blocked force", &PERCENT.digits(2), a.rms_of_blocked)
-            .quantity("largest difference", &force, a.largest_n)
-            .text("points of its length", a.bench_points)
-            .quantity("within the ±", &PERCENT.digits(3), a.held)
-    }
-}
-
-impl ModelDetails {
-    fn rows(&self) -> Rows {
-        Rows::default()
-            .text("name", &self.name)
-            .text("description", &self.description)
-            .text("needs", &self.needs)
-            .text("source", &self.source)
-            .text("basis of the ±", &self.uncertainty_basis)
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::{
     Scale,
-    units::NUMBER,
     words::{half_width, within},
 };
 
@@ -97,6 +96,13 @@ impl Amount {
         })
     }
 
+    pub(super) fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) | Self::Within(number, _) => Some(*number),
+            _ => None,
+        }
+    }
+
     /// Without its unit.
     pub(crate) fn bare(&self, scale: &Scale) -> Option<String> {
         Some(match self {
@@ -117,9 +123,4 @@ impl Scale {
     pub fn of(&self, amount: impl Into<Amount>) -> Option<String> {
         amount.into().text(self)
     }
-}
-
-/// What has no unit.
-pub fn plain(amount: impl Into<Amount>) -> Option<String> {
-    NUMBER.of(amount)
 }

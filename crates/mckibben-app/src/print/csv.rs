@@ -1,7 +1,8 @@
 //! An answer as a table for other programs: the columns are those of the rows' schema, so that they
 //! are the same whatever the values.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
+use super::schema;
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Error, Value, to_value};
 
@@ -10,15 +11,15 @@ use serde_json::{Error, Value, to_value};
 #[derive(Debug)]
 pub struct Csv {
     pub rows: Result<Vec<Value>, Error>,
-    schema: fn(SchemaGenerator) -> Schema,
-    pub form: Form,
+    pub schema: fn() -> Value,
+    pub form: CsvLayout,
     /// Warnings that the page has among its lines.
     pub warnings: Vec<String>,
 }
 
 /// How the lines follow from the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum CsvLayout {
     Rows,
     /// The values of objects in a row are columns as well.
     Flat,
@@ -31,8 +32,8 @@ impl Csv {
     pub fn rows<T: Serialize + JsonSchema>(list: impl IntoIterator<Item = T>) -> Self {
         Self {
             rows: list.into_iter().map(to_value).collect(),
-            schema: SchemaGenerator::into_root_schema_for::<T>,
-            form: Form::Rows,
+            schema: schema::of::<T>,
+            form: CsvLayout::Rows,
             warnings: vec![],
         }
     }
@@ -45,7 +46,7 @@ impl Csv {
     /// One line, with the values of its objects beside the others.
     pub fn flat<T: Serialize + JsonSchema>(row: &T) -> Self {
         Self {
-            form: Form::Flat,
+            form: CsvLayout::Flat,
             ..Self::row(row)
         }
     }
@@ -53,7 +54,7 @@ impl Csv {
     /// A line for each place of an object of lists.
     pub fn columns<T: Serialize + JsonSchema>(lists: &T) -> Self {
         Self {
-            form: Form::Columns,
+            form: CsvLayout::Columns,
             ..Self::row(lists)
         }
     }
@@ -62,10 +63,5 @@ impl Csv {
     pub fn with_warnings(mut self, list: &[String]) -> Self {
         self.warnings.extend_from_slice(list);
         self
-    }
-
-    pub fn schema(&self) -> Value {
-        let settings = SchemaSettings::draft2020_12().for_serialize();
-        (self.schema)(settings.into_generator()).to_value()
     }
 }

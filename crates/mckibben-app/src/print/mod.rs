@@ -3,6 +3,13 @@
 //! An answer implements [`Show`] in the file of its command. Its [`Page`] is a list of lines, rows
 //! and tables; a terminal lays it out, and the report of `build` has the same rows.
 //!
+//! [`Page::of`] makes the page of any answer from its schema: a field with a value is a row, a list
+//! of objects a table. The unit follows from the end of the field's name (`_n`, `_mpa`, `_mm`); the
+//! label is the beginning of its documentation where that is short, else its name in words. A field
+//! `uncertainty_…` or `…_standard_error` is the ± of the number before it. Pages of `design`,
+//! `force`, `check`, `joint` and `motion`, and what other pages have beside their answer, are
+//! written by hand:
+//!
 //! A label with a value is a row ([`Rows`]); what is not there is left out:
 //!
 //! ```
@@ -40,13 +47,16 @@
 //! says the columns.
 
 mod amount;
+mod answer;
 mod csv;
+mod field;
 mod page;
 mod rows;
+pub mod schema;
 mod table;
 
 pub use amount::Amount;
-pub use csv::{Csv, Form};
+pub use csv::{Csv, CsvLayout};
 pub use page::{Block, Page};
 pub use rows::Rows;
 pub use table::{Column, Table};
@@ -63,8 +73,10 @@ pub trait Show: Serialize + JsonSchema + Sized {
         vec![]
     }
 
-    /// The answer for people.
-    fn page(&self, u: &Units) -> Page;
+    /// The answer for people: all of it, unless it says otherwise.
+    fn page(&self, u: &Units) -> Page {
+        Page::of(self, u, &[])
+    }
 
     /// The answer as a table for other programs: one line, unless it says otherwise.
     fn csv(&self) -> Csv {

@@ -40,7 +40,9 @@ impl Page {
     }
 
     pub fn rows(&mut self, rows: Rows) {
-        self.blocks.push(Block::Rows(rows));
+        if !rows.is_empty() {
+            self.blocks.push(Block::Rows(rows));
+        }
     }
 
     /// A table; nothing where it has no lines.

@@ -1,7 +1,7 @@
 //! Labels with their values.
 
-use super::amount::{Amount, plain};
-use crate::Scale;
+use super::amount::Amount;
+use crate::{Scale, units::NUMBER};
 use std::ops::Deref;
 
 /// Labels with their values, in the order in which they are read.
@@ -11,14 +11,15 @@ pub struct Rows(Vec<(String, String)>);
 
 impl Rows {
     /// A quantity; none where it is not there.
-    pub fn quantity(self, label: &str, scale: &Scale, amount: impl Into<Amount>) -> Self {
-        self.text(label, scale.of(amount))
+    pub fn quantity(mut self, label: &str, scale: &Scale, amount: impl Into<Amount>) -> Self {
+        self.0
+            .extend(scale.of(amount).map(|text| (label.into(), text)));
+        self
     }
 
     /// Words, or a number without a unit; none where there are none.
-    pub fn text(mut self, label: &str, text: impl Into<Amount>) -> Self {
-        self.0.extend(plain(text).map(|text| (label.into(), text)));
-        self
+    pub fn text(self, label: &str, text: impl Into<Amount>) -> Self {
+        self.quantity(label, &NUMBER, text)
     }
 
     /// The rows of another list behind these.

@@ -10,6 +10,44 @@ pub struct Column {
     pub cells: Vec<String>,
 }
 
+impl Column {
+    /// A column of cells; what there is not is a dash, and without any there is no column.
+    fn new(label: &str, scale: &Scale, cells: Vec<Option<String>>) -> Option<Self> {
+        let is_there = cells.iter().flatten().any(|cell| !cell.is_empty());
+        is_there.then(|| Self {
+            heading: heading(label, scale),
+            cells: cells
+                .into_iter()
+                .map(|cell| cell.unwrap_or("–".into()))
+                .collect(),
+        })
+    }
+
+    /// A column of amounts of one unit, with their points aligned unless their sizes are unlike.
+    pub(crate) fn of(label: &str, scale: &Scale, amounts: &[Amount]) -> Option<Self> {
+        let sizes = || {
+            amounts
+                .iter()
+                .filter_map(Amount::number)
+                .map(f64::abs)
+                .filter(|v| *v > 0.0)
+        };
+        let (low, high) = sizes().fold((f64::INFINITY, 0.0), |(a, b), v| (v.min(a), v.max(b)));
+        let cells = if high > UNLIKE * low {
+            amounts
+                .iter()
+                .map(|amount| unaligned_cell(amount, scale))
+                .collect()
+        } else {
+            aligned_cells(amounts, scale)
+        };
+        Self::new(label, scale, cells)
+    }
+}
+
+/// The ratio of numbers of unlike sizes.
+const UNLIKE: f64 = 100.0;
+
 /// A table with a line for each of a list.
 #[must_use]
 #[derive(Debug)]
@@ -39,8 +77,7 @@ impl<'a, T> Table<'a, T> {
         amount: impl Fn(&'a T) -> A,
     ) -> Self {
         let amounts = self.amounts(&|of| amount(of).into());
-        let cells = aligned_cells(&amounts, scale);
-        self.cells(heading(label, scale), cells)
+        self.with(Column::new(label, scale, aligned_cells(&amounts, scale)))
     }
 
     /// A column of quantities of one unit and of unlike sizes: each has its own decimals.
@@ -55,7 +92,7 @@ impl<'a, T> Table<'a, T> {
             .iter()
             .map(|amount| unaligned_cell(amount, scale))
             .collect();
-        self.cells(heading(label, scale), cells)
+        self.with(Column::new(label, scale, cells))
     }
 
     // By reference: compiled once for each kind of row, not for each column.
@@ -68,18 +105,14 @@ impl<'a, T> Table<'a, T> {
         self.quantity(heading, &NUMBER, text)
     }
 
-    /// A column of cells; what there is not is a dash.
-    fn cells(self, heading: String, cells: Vec<Option<String>>) -> Self {
-        if cells.iter().flatten().all(String::is_empty) {
-            return self;
-        }
-        let cells = cells.into_iter().map(|cell| cell.unwrap_or("–".into()));
-        self.column(heading, cells.collect())
+    /// A column of cells as they are.
+    pub fn column(self, heading: String, cells: Vec<String>) -> Self {
+        self.with(Some(Column { heading, cells }))
     }
 
-    /// A column of cells as they are.
-    pub fn column(mut self, heading: String, cells: Vec<String>) -> Self {
-        self.columns.push(Column { heading, cells });
+    /// With a column, where there is one.
+    pub(crate) fn with(mut self, column: Option<Column>) -> Self {
+        self.columns.extend(column);
         self
     }
 }
@@ -96,10 +129,7 @@ fn heading(label: &str, scale: &Scale) -> String {
 fn aligned_cells(amounts: &[Amount], scale: &Scale) -> Vec<Option<String>> {
     let numbers: Vec<Option<f64>> = amounts
         .iter()
-        .map(|amount| match amount {
-            Amount::Number(v) | Amount::Within(v, _) => Some(scale.rounded(*v)),
-            _ => None,
-        })
+        .map(|amount| amount.number().map(|v| scale.rounded(v)))
         .collect();
     amounts
         .iter()

@@ -1,7 +1,10 @@
 //! What a finite-element test answers with.
 
 use super::Simulated;
-use crate::{BuiltFile, FailedPoint, MuscleSummary, PressureLimits, Problem};
+use crate::{
+    BuiltFile, FailedPoint, MuscleSummary, PressureLimits, Problem, Units,
+    print::{Csv, Page, Show, sentences},
+};
 use mckibben_core::{curve::Test, model::Response, status::Status, warning::Warning};
 use mckibben_fem::results::{ProfilePoint, Sensitivity, StrandState};
 use mckibben_report::Figure;
@@ -70,7 +73,7 @@ pub struct SimulatedPoint {
     pub braid_energy_j: f64,
     /// Energy of the ends that slip, J.
     pub ends_energy_j: f64,
-    /// P (V − V0), J.
+    /// Work of the pressure: P (V − V0), J.
     pub pressure_work_j: f64,
     /// Directions in which the equilibrium is unstable with the terminals held.
     pub unstable_directions: usize,
@@ -133,5 +136,47 @@ impl From<&Simulated> for SimulatedRow {
             strands: s.strands.clone(),
             sensitivities: s.sensitivities.clone(),
         }))
+    }
+}
+
+/// Fields of a point in the table of a page.
+const SHOWN: [&str; 14] = [
+    "pressure_mpa",
+    "contraction",
+    "force_n",
+    "volume_mm3",
+    "bulged_diameter_mm",
+    "strand_tension_n",
+    "braid_tension_n",
+    "stiffness_n_per_mm",
+    "max_stretch",
+    "slack",
+    "free_contraction",
+    "unstable_directions",
+    "status",
+    "cause",
+];
+
+impl Show for SimulateAnswer {
+    fn warnings(&self) -> Vec<String> {
+        sentences(&self.warnings)
+    }
+
+    fn page(&self, u: &Units) -> Page {
+        let rows: Vec<SimulatedRow> = self.simulated.iter().map(SimulatedRow::from).collect();
+        let mut page = Page::of(self, u, &["points", "deck"]);
+        page.list("", &rows, u, &SHOWN);
+        let answered = |row: &SimulatedRow| matches!(row, SimulatedRow::Answered(_));
+        if let Some(last) = rows.iter().rfind(|row| answered(row)) {
+            page.paragraph("last point");
+            let more = ["profile", "strands", "volume_per_pressure_mm3_per_mpa"];
+            let without = [&SHOWN[2..], &more].concat();
+            page.and(Page::of(last, u, &without));
+        }
+        page
+    }
+
+    fn csv(&self) -> Csv {
+        Csv::rows(self.simulated.iter().map(SimulatedRow::from))
     }
 }

@@ -2,7 +2,6 @@
 
 mod answer;
 mod files;
-mod page;
 
 pub use answer::*;
 

@@ -17,7 +17,7 @@ use std::{
     io::{BufWriter, Error, Write},
     path::{Path, PathBuf},
 };
-use table::Table;
+use table::CsvTable;
 pub use write::{
     burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save,
     save_all, save_inside, warn, warn_behind,
@@ -136,7 +136,7 @@ pub fn print_page<T: Show>(
             .chain(&csv.warnings)
             .filter(|w| is_of_burst(w))
             .for_each(warn);
-        table::csv(&Table::of(csv)?)
+        table::csv(&CsvTable::of(csv)?)
     };
     made(&|| json(answer), &csv, format, Box::new(text), target)
 }

@@ -4,16 +4,19 @@
 use crate::Problem;
 use mckibben_app::{
     ProblemKind,
-    print::{Csv, Form},
+    print::{
+        Csv, CsvLayout,
+        schema::{items, properties, variants},
+    },
 };
 use mckibben_core::clean::cell;
 use serde_json::{Map, Value};
 
 /// The columns of an answer's rows by their schema.
-fn schema_columns(schema: &Value, form: Form) -> Vec<String> {
+fn schema_columns(schema: &Value, form: CsvLayout) -> Vec<String> {
     let mut out = vec![];
-    scalars(schema, schema, form == Form::Columns, &mut out);
-    if form == Form::Flat {
+    scalars(schema, schema, form == CsvLayout::Columns, &mut out);
+    if form == CsvLayout::Flat {
         properties(schema, schema).for_each(|(_, value)| scalars(schema, value, false, &mut out));
     }
     out
@@ -31,50 +34,14 @@ fn with_others(mut columns: Vec<String>, list: &[Value]) -> Vec<String> {
     columns
 }
 
-/// A schema without its reference.
-fn resolved<'a>(root: &'a Value, node: &'a Value) -> &'a Value {
-    let name = node
-        .get("$ref")
-        .and_then(Value::as_str)
-        .and_then(|path| path.strip_prefix("#/$defs/"));
-    name.and_then(|name| root.get("$defs")?.get(name))
-        .unwrap_or(node)
-}
-
-/// A schema and those of which it is one or all, without `null`.
-fn variants<'a>(root: &'a Value, node: &'a Value) -> Vec<&'a Value> {
-    let node = resolved(root, node);
-    let mut out = vec![node];
-    for of in ["anyOf", "oneOf", "allOf"]
-        .iter()
-        .filter_map(|key| node.get(*key)?.as_array())
-        .flatten()
-    {
-        out.extend(variants(root, of));
-    }
-    out.retain(|node| node.get("type").and_then(Value::as_str) != Some("null"));
-    out
-}
-
-fn properties<'a>(
-    root: &'a Value,
-    node: &'a Value,
-) -> impl Iterator<Item = (&'a String, &'a Value)> {
-    variants(root, node)
-        .into_iter()
-        .filter_map(|node| node.get("properties")?.as_object())
-        .flat_map(Map::iter)
-}
-
 /// The keys of an object whose values are numbers, flags or texts, or lists of such.
 fn scalars(root: &Value, node: &Value, are_lists: bool, out: &mut Vec<String>) {
     for (name, value) in properties(root, node) {
-        let items = || {
-            variants(root, value)
-                .into_iter()
-                .find_map(|node| node.get("items"))
+        let value = if are_lists {
+            items(root, value)
+        } else {
+            Some(value)
         };
-        let value = if are_lists { items() } else { Some(value) };
         if value.is_some_and(|value| is_scalar(root, value)) && !out.contains(name) {
             out.push(name.clone());
         }
@@ -105,22 +72,22 @@ fn is_scalar(root: &Value, node: &Value) -> bool {
     some
 }
 
-pub struct Table {
+pub struct CsvTable {
     /// Keys of the rows in JSON.
     pub columns: Vec<String>,
     /// Its rows, as objects; a key that is not there is an empty cell.
     pub rows: Vec<Value>,
 }
 
-impl Table {
+impl CsvTable {
     /// The table of an answer.
     pub fn of(answer: Csv) -> Result<Self, Problem> {
-        let schema = answer.schema();
+        let schema = (answer.schema)();
         let rows = answer.rows.map_err(|e| broken(&e))?;
         let rows: Vec<Value> = match answer.form {
-            Form::Rows => rows,
-            Form::Flat => rows.into_iter().map(flat).collect(),
-            Form::Columns => rows
+            CsvLayout::Rows => rows,
+            CsvLayout::Flat => rows.into_iter().map(flat).collect(),
+            CsvLayout::Columns => rows
                 .iter()
                 .filter_map(Value::as_object)
                 .flat_map(of_columns)
@@ -177,7 +144,7 @@ fn broken(error: &dyn std::fmt::Display) -> Problem {
     ProblemKind::Output.problem(format!("cannot make CSV: {error}"))
 }
 
-pub fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
+pub fn csv(table: &CsvTable) -> Result<Vec<u8>, Problem> {
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer
         .write_record(table.columns.iter().map(|c| cell(c).into_owned()))
@@ -202,7 +169,7 @@ mod tests {
 
     #[test]
     fn columns_are_the_scalar_keys_of_the_schema() {
-        let of = |csv: Csv| Table::of(csv).unwrap().columns;
+        let of = |csv: Csv| CsvTable::of(csv).unwrap().columns;
         let point = of(Csv::rows::<PointAnswer>([]));
         for name in ["force_n", "slack", "model", "start_pressure_mpa"] {
             assert!(point.iter().any(|c| c == name), "{name}: {point:?}");
@@ -219,7 +186,7 @@ mod tests {
         let defs = &schema("motion").unwrap()["answer"]["$defs"];
         let motion = schema_columns(
             &json!({ "$ref": "#/$defs/MotionSeries", "$defs": defs }),
-            Form::Columns,
+            CsvLayout::Columns,
         );
         assert!(motion.iter().any(|c| c == "time_s") && motion.iter().any(|c| c == "contraction"));
     }

@@ -485,7 +485,7 @@ fn a_campaign_becomes_a_formula() {
         "fit data/campaign/paper.csv --hold-out 35 -o f.json --tables t/x --plots p",
     );
     for part in [
-        "held out: D0 35",
+        "outer diameters 35 mm",
         "a rises with P",
         "left out: D0 < 35",
         "Smallest R²",

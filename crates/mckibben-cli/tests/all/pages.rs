@@ -43,10 +43,10 @@ fn commands(block: &[&str]) -> Vec<String> {
 fn without_times(text: &str) -> String {
     let timeless = |line: &str| {
         let (name, _) = line.split_at(line.rfind("  ").map_or(0, |at| at + 2));
-        if line.starts_with("  time ") && line.ends_with(" threads") {
-            return Some(format!("{name}… with … threads"));
-        }
-        if line.starts_with("  points a second ") {
+        if ["  time   ", "  points a second "]
+            .iter()
+            .any(|label| line.starts_with(label))
+        {
             return Some(format!("{name}…"));
         }
         let (points, rest) = line.split_once(" points in ")?;

@@ -20,7 +20,7 @@ pub struct ErrorSummary {
     /// Largest share.
     #[serde(rename = "max_of_blocked", deserialize_with = "share")]
     pub max: f64,
-    /// Largest difference in N.
+    /// Largest difference, N.
     #[serde(deserialize_with = "share")]
     pub max_n: f64,
     /// Largest by the paper's (12): share of the largest force of the same isobaric curve.

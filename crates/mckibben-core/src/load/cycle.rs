@@ -21,7 +21,7 @@ pub struct Cycle {
     pub stroke_mm: f64,
     /// Work on the load, J.
     pub work_j: f64,
-    /// Air of a filling in normal litres (0 °C, 101.325 kPa), where the model knows the cavity.
+    /// Air of a filling, normal litres (0 °C, 101.325 kPa), where the model knows the cavity.
     pub air_normal_litres: Option<f64>,
     /// Exergy of that air at the higher pressure, J.
     pub air_exergy_j: Option<f64>,

@@ -13,7 +13,7 @@ use serde::Serialize;
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Default, Serialize, schemars::JsonSchema)]
 pub struct Comparison {
-    /// Its name.
+    /// The model.
     pub model: String,
     /// Root mean square, N; none where the model could not be compared.
     #[serialize_always]
@@ -23,21 +23,21 @@ pub struct Comparison {
     pub max_n: Option<f64>,
     /// The mean, N: above zero if the model predicts too much pull.
     pub mean_n: Option<f64>,
-    /// R² = 1 − Σ(F − F_ref)²/Σ(F_ref − mean F_ref)²; none where all reference pulls are the same.
+    /// R²: 1 − Σ(F − F_ref)²/Σ(F_ref − mean F_ref)²; none where all reference pulls are the same.
     pub r_squared: Option<f64>,
     /// Measured contractions that it answered; 0 without.
     #[serde(skip_serializing_if = "is_zero")]
     pub contraction_points: usize,
-    /// Root mean square of its contractions less the measured ones.
+    /// Root mean square of the contractions less the measured ones.
     pub rms_contraction: Option<f64>,
-    /// The mean: above zero if the model contracts too far.
+    /// Mean of the same: above zero if the model contracts too far.
     pub mean_contraction: Option<f64>,
     /// Measured volumes of the cavity that it answered; 0 without.
     #[serde(skip_serializing_if = "is_zero")]
     pub volume_points: usize,
     /// Root mean square of its volumes less the measured ones, mm³.
     pub rms_volume_mm3: Option<f64>,
-    /// The mean, mm³: above zero if the model holds too much air.
+    /// Mean of the same, mm³: above zero if the model holds too much air.
     pub mean_volume_mm3: Option<f64>,
     /// Points that it answered.
     pub points: usize,

@@ -63,7 +63,7 @@ pub struct Spread {
     pub label: String,
     /// How many.
     pub points: usize,
-    /// In N.
+    /// Root mean square, N.
     pub rms_n: f64,
     /// Largest, in N.
     pub max_n: f64,

@@ -40,7 +40,7 @@ pub(super) fn with_file(file: &str) -> Vec<String> {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[schemars(rename = "MeasuredFacts")]
 pub struct Facts {
-    /// Name of its folder.
+    /// Name, that of its folder.
     #[serde(default)]
     pub name: String,
     /// Which muscle or rubber.

@@ -51,7 +51,7 @@ pub struct LibraryAgreement {
     pub points: usize,
     /// Root mean square of measured − computed, N.
     pub rms_n: f64,
-    /// The same over the largest blocked force of the points.
+    /// The same as a share of the largest blocked force of the points.
     pub rms_of_blocked: f64,
     /// Largest difference, N.
     pub largest_n: f64,

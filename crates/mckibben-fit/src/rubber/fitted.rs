@@ -123,7 +123,7 @@ pub struct FittedLaw {
 pub struct LawQuality {
     /// Shear modulus μ at rest, MPa.
     pub shear_modulus_mpa: f64,
-    /// R² of the nominal stresses.
+    /// R²: of the nominal stresses.
     pub r_squared: f64,
     /// R² of the free fit, where this one was held.
     pub free_r_squared: Option<f64>,
@@ -131,9 +131,9 @@ pub struct LawQuality {
     pub rms_mpa: f64,
     // Of points that pull; of general tests over the larger of the two stresses that the
     // neo-Hookean law which follows all points best has in that state.
-    /// Root mean square of the differences over the measured stress.
+    /// Root mean square of the differences, as a share of the measured stress.
     pub relative_rms: f64,
-    /// Akaike's criterion for small samples.
+    /// AICc: Akaike's criterion for small samples.
     pub aicc: f64,
     /// Largest principal stretch of the points.
     pub fitted_to_stretch: f64,
@@ -310,8 +310,7 @@ pub struct HeldOutError {
     pub mode: Option<Mode>,
     #[serde(flatten)]
     pub errors: StressErrors,
-    /// Σ P Pm/Σ Pm² − 1: the factor by which the law is too stiff (above zero) or too soft, less
-    /// one.
+    /// Share by which the law is too stiff (above zero) or too soft: Σ P Pm/Σ Pm² − 1.
     pub stiffer: f64,
 }
 

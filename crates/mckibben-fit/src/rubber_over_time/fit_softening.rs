@@ -34,8 +34,8 @@ pub struct SofteningFit {
     pub m_mpa: f64,
     /// β: the same as a share of the largest energy.
     pub beta: f64,
-    /// Standard errors of r, m and β, the law taken as known; null where the data do not determine
-    /// them.
+    /// Standard errors of r and m and β, the law taken as known; null where the data do not
+    /// determine them.
     pub standard_errors: [Option<f64>; 3],
     /// Points of the first loading.
     pub first_loading_points: usize,

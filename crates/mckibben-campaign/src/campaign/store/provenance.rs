@@ -26,7 +26,7 @@ pub struct Provenance {
     pub plan: String,
     /// The muscle that is varied with all that the plan leaves to defaults, as a muscle file.
     pub muscle: String,
-    /// Name of the model.
+    /// The model.
     pub model: String,
     /// How the plan is sampled.
     pub sampling: String,

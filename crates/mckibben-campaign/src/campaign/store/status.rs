@@ -59,7 +59,7 @@ pub struct CampaignStatus {
     pub shards_running: u64,
     /// Shards that nothing computes.
     pub shards_missing: u64,
-    /// Points a second by the times of the newest parts, of all shards together; nothing where these
+    /// Points a second, by the times of the newest parts, of all shards together; nothing where these
     /// are fewer than two.
     pub points_per_s: Option<f64>,
     /// What is left at this rate in s, where a process computes.

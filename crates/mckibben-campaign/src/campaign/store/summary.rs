@@ -54,7 +54,7 @@ pub struct Summary {
     pub warnings: Vec<Warned>,
     /// Smallest and largest value of inputs and answers, in the order of the columns.
     pub ranges: Vec<Extent>,
-    /// Bytes on the disk.
+    /// Size on the disk.
     pub bytes: u64,
     /// Parts that are missing, of a folder.
     pub missing_parts: u64,

@@ -45,7 +45,8 @@ pub struct UniversalErrors {
     pub against: String,
     /// Over all points it was fitted to.
     pub fit: UniversalSummary,
-    /// Over the same points, each predicted by a fit to the muscles of the other folds.
+    /// Left out, a fifth of the muscles at a time: the same points, each predicted by a fit to the
+    /// muscles of the other folds.
     pub left_out: UniversalSummary,
 }
 

@@ -30,7 +30,7 @@ pub struct UniversalRange {
     /// ε as a share of the ideal muscle's largest
     #[serde(deserialize_with = "interval")]
     pub contraction_of_ideal: (f64, f64),
-    /// C01/(C10 + C01) of a Mooney–Rivlin rubber; 0 of every other law
+    /// C01 as a share: C01/(C10 + C01) of a Mooney–Rivlin rubber; 0 of every other law
     #[serde(default = "c01_share", deserialize_with = "interval")]
     pub c01_share: (f64, f64),
 }

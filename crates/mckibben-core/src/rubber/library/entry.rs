@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// A rubber of the library.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct RubberEntry {
-    /// Name in kebab-case, such as `dragon-skin-30`.
+    /// Name, in kebab-case, such as `dragon-skin-30`.
     pub name: String,
     /// Other names it answers to.
     #[serde(default, skip_serializing)]

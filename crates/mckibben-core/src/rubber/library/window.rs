@@ -35,7 +35,7 @@ pub struct WindowLaw {
     pub delta_aicc: f64,
     /// Root mean square of the differences of nominal stress, in MPa.
     pub rms_mpa: f64,
-    /// R² of the nominal stresses.
+    /// R²: of the nominal stresses.
     pub r_squared: f64,
     /// The law with its constants.
     #[serde(flatten)]
