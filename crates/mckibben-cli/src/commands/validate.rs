@@ -1,6 +1,6 @@
 //! `validate`: verification and validation, each with its table.
 
-use crate::{Bar, Format, NO_ANSWER, Output, Plot, Problem, cli::examples, output::width};
+use crate::{Bar, Context, NO_ANSWER, Output, Plot, Problem, examples::examples, output::width};
 use mckibben_app::{
     MeasuredFolder, MeasuredRequest, ProblemKind, ValidateRequest, measured_folder,
 };
@@ -46,17 +46,17 @@ pub struct Validate {
 }
 
 impl Validate {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         if let Some(folder) = self.measured {
             let cases = folder.map_or_else(|| Ok(built_in()), |folder| folders(&folder))?;
             let request = MeasuredRequest {
                 cases: chosen(cases, &self.only)?,
                 model: self.model,
-                figure: self.plot.wanted(),
+                figure: self.plot.wanted(context),
             };
             let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
-            self.plot.save(&mut answer.figure)?;
-            return self.output.print(format, &answer);
+            self.plot.save(context, &mut answer.figure)?;
+            return self.output.print(context, &answer);
         }
         if self.plot.plot.is_some() {
             let message = "--plot draws the measured muscles: it requires --measured";
@@ -64,8 +64,9 @@ impl Validate {
             return Err(Problem::usage(message, hint));
         }
         let mut answer = mckibben_app::validate(&self.request, &Bar::new("groups of cases"))?;
-        answer.has_sources = self.output.output.is_none() && width::of_tables() >= WITH_SOURCES;
-        self.output.print(format, &answer)?;
+        answer.has_sources = width::of_result(self.output.output.as_deref())
+            .is_some_and(|width| width >= WITH_SOURCES);
+        self.output.print(context, &answer)?;
         Ok(if answer.ok() { 0 } else { NO_ANSWER })
     }
 }
