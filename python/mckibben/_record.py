@@ -482,7 +482,7 @@ class Identified(Record):
             words.append(f"  {p.name} {p.value:.5g}{half} {p.unit}".rstrip())
         by = "stated errors" if self.errors_stated else "residuals"
         words.append(f"± half width of 95 %, by the {by}")
-        return "\n".join([*words, *(f"note: {text}" for text in self.warnings)])
+        return "\n".join([*words, *(f"note: {w.message}" for w in self.warnings)])
 
 
 class FittedLaws(Record):

@@ -3,15 +3,16 @@
 use super::{CompareAnswer, ComparedModel};
 use crate::{
     UnderstoodTable, Units,
-    print::{Csv, Page, Show, Table, sentences},
+    print::{Csv, Page, Show, Table},
     units::{NUMBER, PERCENT},
     words::in_a_row,
 };
+use mckibben_core::warning::Warning;
 use mckibben_fit::compare::Comparison;
 
 impl Show for CompareAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

@@ -3,7 +3,7 @@
 use super::{CurveAnswer, PointRow, StudyAnswer, study_rows};
 use crate::{
     Units, breakdown, percent,
-    print::{Csv, Page, Show, Table, sentences},
+    print::{Csv, Page, Show, Table},
     units::PERCENT,
     words::{aligned, half_width, within},
 };
@@ -13,17 +13,18 @@ use mckibben_core::{
     curve::{Curve, CurvePoint, Test},
     muscle::Direction,
     study::StudyPanel,
+    warning::Warning,
 };
 
 impl Show for CurveAnswer {
-    fn warnings(&self) -> Vec<String> {
+    fn warnings(&self) -> Vec<Warning> {
         let mut failed = self.points().filter_map(|q| q.answer.as_ref().err());
         let count = failed.clone().count();
         let failed = failed
             .next()
             .map(|first| format!("{count} points have no answer (–); the first: {first}"));
-        let mut all = sentences(&self.warnings);
-        all.extend(failed);
+        let mut all = self.warnings.clone();
+        all.extend(failed.map(Warning::from));
         all
     }
 
@@ -142,8 +143,8 @@ fn cells(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
 }
 
 impl Show for StudyAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

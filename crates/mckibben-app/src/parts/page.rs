@@ -7,7 +7,7 @@ use crate::{
     units::{DEGREES, MEGAPASCALS, NUMBER, PERCENT, Scale},
     words::law_text,
 };
-use mckibben_core::rubber::library::Standing;
+use mckibben_core::{rubber::library::Standing, warning::Warning};
 use mckibben_design::tubes::TubePart;
 
 impl Show for PartsListAnswer {
@@ -89,7 +89,7 @@ fn part<T>(page: &mut Page, table: Table<'_, T>, about: &[&str]) {
 }
 
 impl Show for PartShowAnswer {
-    fn warnings(&self) -> Vec<String> {
+    fn warnings(&self) -> Vec<Warning> {
         let rubber = self.rubber.as_ref();
         rubber.map_or_else(Vec::new, |rubber| rubber.warnings.clone())
     }

@@ -1,6 +1,7 @@
 //! An answer as a table for other programs: the columns are those of the rows' schema, so that they
 //! are the same whatever the values.
 
+use mckibben_core::warning::Warning;
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
 use serde_json::{Error, Value, to_value};
@@ -13,7 +14,7 @@ pub struct Csv {
     schema: fn(SchemaGenerator) -> Schema,
     pub form: Form,
     /// Warnings that the page has among its lines.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// How the lines follow from the rows.
@@ -59,7 +60,7 @@ impl Csv {
     }
 
     /// With warnings that the page has among its lines.
-    pub fn with_warnings(mut self, list: &[String]) -> Self {
+    pub fn with_warnings(mut self, list: &[Warning]) -> Self {
         self.warnings.extend_from_slice(list);
         self
     }

@@ -7,7 +7,7 @@ use crate::{
     units::{MEGAPASCALS, NUMBER, PERCENT, Scale},
     words::in_a_row,
 };
-use mckibben_core::rubber::Law;
+use mckibben_core::{rubber::Law, warning::Warning};
 use mckibben_fit::{
     rubber::{FittedLaw, Measure},
     rubber_over_time::{PronyFit, SofteningFit},
@@ -16,8 +16,9 @@ use mckibben_fit::{
 const SECONDS: Scale = Scale::fixed("s");
 
 impl Show for RubberFitAnswer {
-    fn warnings(&self) -> Vec<String> {
-        [&self.warnings[..], &self.failed].concat()
+    fn warnings(&self) -> Vec<Warning> {
+        let failed = self.failed.iter().cloned().map(Warning::from);
+        self.warnings.iter().cloned().chain(failed).collect()
     }
 
     fn page(&self, _: &Units) -> Page {

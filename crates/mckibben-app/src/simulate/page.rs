@@ -3,16 +3,16 @@
 use super::{SimulateAnswer, Simulated, SimulatedPoint, SimulatedRow};
 use crate::{
     Units, number, percent,
-    print::{Csv, Page, Rows, Show, Table, sentences},
+    print::{Csv, Page, Rows, Show, Table},
     units::{DEGREES, JOULES, NUMBER, PERCENT},
 };
-use mckibben_core::model::Response;
+use mckibben_core::{model::Response, warning::Warning};
 
 type Line<'a> = (&'a Simulated, &'a SimulatedRow);
 
 impl Show for SimulateAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

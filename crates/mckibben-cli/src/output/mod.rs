@@ -10,7 +10,7 @@ use mckibben_app::{
     ProblemKind, Units,
     print::{Page, Show},
 };
-use mckibben_core::warning::is_of_burst;
+use mckibben_core::{joined, warning::Warning};
 use serde::Serialize;
 use serde_json::Value;
 use std::{
@@ -118,7 +118,7 @@ impl Context {
                 let csv = answer.csv();
                 let warnings = answer.warnings();
                 let all = warnings.iter().chain(&csv.warnings);
-                all.filter(|w| is_of_burst(w)).for_each(|w| self.warn(w));
+                all.filter(|w| w.is_of_burst()).for_each(|w| self.warn(w));
                 self.emit(table::csv(&Table::of(csv)?)?, target)
             }
         }
@@ -128,18 +128,21 @@ impl Context {
     /// others behind the text; without them the others before it.
     fn print_text(
         &self,
-        warnings: Vec<String>,
+        warnings: Vec<Warning>,
         page: impl FnOnce() -> Page,
         target: Target<'_>,
     ) -> Result<(), Problem> {
         self.unit_note.iter().for_each(|note| self.warn(note));
         let (first, mut others): (Vec<_>, Vec<_>) =
-            warnings.into_iter().partition(|w| is_of_burst(w));
+            warnings.into_iter().partition(Warning::is_of_burst);
         let mut text = String::new();
         if first.is_empty() {
             others.drain(..).for_each(|w| self.warn(w));
         } else {
-            text = self.units.sentence(&first.join("\n")) + "\n\n";
+            text = self
+                .units
+                .sentence(&joined(first.iter().map(ToString::to_string), "\n"))
+                + "\n\n";
         }
         let width = width::of_result(target);
         text += &self.laid_out(&page(), width.unwrap_or(width::STABLE));
