@@ -953,7 +953,7 @@ def joint():
         worst = [
             float(v) / 100
             for v in re.findall(
-                r"free contraction: .* ([\d.]+) % worst", "\n".join(answer["warnings"])
+                r"free contraction: .* ([\d.]+) % worst", str(answer["warnings"])
             )
         ]
         arm = ARM if name == "pair" else max(p["arm_1_mm"] for p in points) / 1e3

@@ -267,14 +267,14 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         points = p.ravel().tolist(), e.ravel().tolist()
         with blamed(is_one=p.ndim == 0):
             rows = bound.solve(*points, is_nan(errors), heard(progress, "solve"))
-        texts = _say(text for row in rows for text in row.get("warnings", ()))
+        said = [[w["message"] for w in row.pop("warnings", ())] for row in rows]
+        texts = _say(text for of_row in said for text in of_row)
         usual = {"slack": False, "status": "ok", "cause": ""}
-        for row in rows:
+        for row, of_row in zip(rows, said, strict=True):
             # They add as squares.
             parts = row.pop("uncertainty_parts_n", {}).items()
             row |= {f"uncertainty_{name}_n": part for name, part in parts}
-            said = set(row.pop("warnings", ()))
-            row["warned"] = sum(1 << texts.index(text) for text in said)
+            row["warned"] = sum(1 << texts.index(text) for text in set(of_row))
             row.pop("predicted_direction", None)
         made = _api.Solution._read(
             {

@@ -481,7 +481,7 @@ class Identified(Record):
             half = "" if p.half_width_95 is None else f" ± {p.half_width_95:.3g}"
             words.append(f"  {p.name} {p.value:.5g}{half} {p.unit}".rstrip())
         words.append("± half width of 95 %")
-        return "\n".join([*words, *(f"note: {text}" for text in self.warnings)])
+        return "\n".join([*words, *(f"note: {w.message}" for w in self.warnings)])
 
 
 class FittedLaws(Record):

@@ -172,14 +172,16 @@ def test_a_text_without_a_unit_is_refused(thin: mk.Muscle) -> None:
 
 def test_numbers_and_arrays_have_the_warnings_of_the_command(thin: mk.Muscle) -> None:
     """The three of 2.5 MPa, which nobody meant: once a call, and flags at each point in solve()."""
-    said = mk.ask(
+    answer = mk.ask(
         "force",
         {
             "muscle": {"file": {"name": "m", "text": thin.to_toml()}},
             "pressure_mpa": 2.5,
             "contraction": 0.1,
         },
-    )["warnings"]
+    )
+    said = [warning["message"] for warning in answer["warnings"]]
+    assert [warning["kind"] for warning in answer["warnings"]][0] == "burst"
     assert len(said) == 3
     for ask in (
         lambda: thin.force("2.5 MPa", 0.1),

@@ -1249,7 +1249,7 @@ inBrowser(({ name, url, open, blank }) => {
                 .toLowerCase()
                 .startsWith(text),
             ),
-          plain(warning),
+          plain(warning.message),
           { timeout: 30_000 },
         );
     }

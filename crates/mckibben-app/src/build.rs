@@ -29,6 +29,7 @@ use mckibben_core::{
         Dimension,
         typed::{Length, Pressure},
     },
+    warning::Warning,
 };
 use mckibben_report::Document;
 use schemars::JsonSchema;
@@ -128,8 +129,8 @@ pub struct BuildAnswer {
     pub test: Vec<TestPoint>,
     /// The files: the steps first, which link to the others.
     pub files: Vec<BuiltFile>,
-    /// Warnings, in sentences.
-    pub warnings: Vec<String>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
     /// The report, where one is wanted.
     #[serde(skip)]
     pub document: Option<Document>,
@@ -139,7 +140,7 @@ pub struct BuildAnswer {
 }
 
 impl Show for BuildAnswer {
-    fn warnings(&self) -> Vec<String> {
+    fn warnings(&self) -> Vec<Warning> {
         self.warnings.clone()
     }
 
@@ -226,7 +227,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         files.push(File::bytes(REPORT[1], about, document.to_pdf().map_err(wrong)?).into());
     }
     let outside = not_measured(&plan.muscle, plan.safety.pressure_mpa);
-    let warnings = said.iter().chain(&outside).map(ToString::to_string);
+    let of_plan = plan.muscle.warnings().into_iter().chain(plan.warnings());
     Ok(BuildAnswer {
         muscle: (&plan.muscle).into(),
         blocked_force_n: plan.operating.blocked_force_n,
@@ -244,9 +245,10 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         safety: plan.safety,
         mass_g: plan.mass_g(),
         limits: (&burst).into(),
-        warnings: warnings
-            .chain(plan.muscle.warnings())
-            .chain(plan.warnings())
+        warnings: said
+            .into_iter()
+            .chain(outside)
+            .chain(of_plan.map(Warning::from))
             .collect(),
         files,
         document,

@@ -17,7 +17,7 @@ use mckibben_core::{
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     units::{Dimension, tidy, typed::Pressure},
-    warning::{Warning, is_of_burst},
+    warning::Warning,
 };
 use mckibben_fit::library::measured_range::{self, NotMeasured};
 use schemars::JsonSchema;
@@ -67,8 +67,8 @@ pub struct CheckAnswer {
     pub stated: MeasureValues,
     /// Derived quantities.
     pub derived: Derived,
-    /// Warnings, in sentences.
-    pub warnings: Vec<String>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
     /// Its values at the working pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub characteristics: Option<Characteristics>,
@@ -133,7 +133,7 @@ pub struct Characteristics {
 }
 
 /// Values at the working pressure, warnings of the burst pressure, and findings.
-type AtPressure = (Option<Characteristics>, Vec<String>, Vec<MuscleFinding>);
+type AtPressure = (Option<Characteristics>, Vec<Warning>, Vec<MuscleFinding>);
 
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
@@ -159,7 +159,7 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         let at_pressure = match at_pressure(&mut question, request.pressure_mpa.map(f64::from)) {
             // Without a requested pressure the data of the muscle are an answer by themselves.
             Err(e) if request.pressure_mpa.is_none() && e.kind != ProblemKind::Cancelled => {
-                (None, vec![e.message], vec![])
+                (None, vec![e.message.into()], vec![])
             }
             at_pressure => at_pressure?,
         };
@@ -184,6 +184,8 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
                 rubber.name.as_deref().unwrap_or("this rubber")
             )
         });
+    let of_muscle = muscle.warnings().into_iter();
+    let of_muscle = of_muscle.chain(library::warnings(rubber));
     Ok(CheckAnswer {
         summary: (&muscle).into(),
         law: law.name().into(),
@@ -208,9 +210,7 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         },
         warnings: said
             .into_iter()
-            .chain(muscle.warnings())
-            .chain(library::warnings(rubber))
-            .chain(beyond)
+            .chain(of_muscle.chain(beyond).map(Warning::from))
             .collect(),
         characteristics,
         findings,
@@ -243,11 +243,7 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
     };
     let findings = findings_of(&question.muscle, &burst, &values)?;
     let said = burst.warnings(pressure_mpa, 0.0);
-    Ok((
-        Some(values),
-        said.iter().map(ToString::to_string).collect(),
-        findings,
-    ))
+    Ok((Some(values), said, findings))
 }
 
 /// A finding.
@@ -451,7 +447,7 @@ impl CheckAnswer {
         let warnings = self
             .warnings
             .iter()
-            .filter(|w| kind == FindingKind::Implausible && !is_of_burst(w));
+            .filter(|w| kind == FindingKind::Implausible && !w.is_of_burst());
         let sentences = self
             .findings
             .iter()
@@ -464,6 +460,6 @@ impl CheckAnswer {
                 }
                 None => finding.text.clone(),
             });
-        warnings.cloned().chain(sentences).collect()
+        warnings.map(ToString::to_string).chain(sentences).collect()
     }
 }

@@ -5,7 +5,7 @@ use crate::{
     NameOrFile, Problem, ProblemKind, Result, UnderstoodTable, Units, contractions, figure,
     flags::{self, Args},
     list, measured_points,
-    print::{Csv, Page, Show, sentences},
+    print::{Csv, Page, Show},
     steps, warnings,
 };
 use mckibben_core::{
@@ -91,8 +91,8 @@ pub struct CompareAnswer {
 }
 
 impl Show for CompareAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

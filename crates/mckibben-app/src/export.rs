@@ -12,6 +12,7 @@ use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, Workspace},
     units::typed::{Length, Pressure},
+    warning::Warning,
 };
 use mckibben_export::{BoxRequest, ExportTarget, ExportedJoint, ExportedMuscle};
 use schemars::JsonSchema;
@@ -76,8 +77,8 @@ pub struct ExportAnswer {
     pub loses: String,
     /// The files: the one to begin with first.
     pub files: Vec<BuiltFile>,
-    /// Warnings, in sentences.
-    pub warnings: Vec<String>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
 }
 
 impl Show for ExportAnswer {
@@ -91,7 +92,7 @@ impl Show for ExportAnswer {
 }
 
 /// The files of a target, and what is said of them.
-fn written(mut page: Page, files: &[BuiltFile], warnings: &[String]) -> Page {
+fn written(mut page: Page, files: &[BuiltFile], warnings: &[Warning]) -> Page {
     page.list("", files, &Units::default(), &["name", "about"]);
     page.gap();
     page.lines(warnings.iter().map(|warning| format!("note: {warning}")));
@@ -153,23 +154,19 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let mut exported = ExportedMuscle::fit(model, &name, wanted)?;
     exported.cord_m = 1e-3 * finite("cord_mm", request.cord_mm)?;
     let artefact = exported.to(target)?;
-    let mut warnings = exported.warnings();
-    warnings.extend(
-        burst
-            .warnings(supply_mpa, QUIET_MPA)
-            .iter()
-            .map(ToString::to_string),
-    );
-    warnings.extend(artefact.notes);
-    warnings.extend(muscle.warnings());
+    let of_fit = exported.warnings().into_iter().map(Warning::from);
+    let others = artefact.notes.into_iter().chain(muscle.warnings());
+    let warnings = of_fit
+        .chain(burst.warnings(supply_mpa, QUIET_MPA))
+        .chain(others.map(Warning::from));
     Ok(ExportAnswer {
         target: target.name.into(),
         muscle: (&muscle).into(),
         needs: target.needs.into(),
         loses: target.loses.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
+        warnings: warnings.collect(),
         exported,
-        warnings,
     })
 }
 
@@ -233,8 +230,8 @@ pub struct ExportJointAnswer {
     pub exported: ExportedJoint,
     /// The files: the one to begin with first.
     pub files: Vec<BuiltFile>,
-    /// Warnings, in sentences.
-    pub warnings: Vec<String>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
 }
 
 /// A joint as files.
@@ -275,21 +272,19 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let name = name_of(request.name.as_ref(), request.joint.joint.as_ref(), "joint");
     let exported = ExportedJoint::fit(&joint, &models, &name, supply_mpa)?;
     let artefact = exported.to(target)?;
-    let mut warnings: Vec<String> = exported
-        .muscles
+    let of_fits = exported.muscles.iter().flat_map(ExportedMuscle::warnings);
+    let of_bursts = bursts
         .iter()
-        .flat_map(ExportedMuscle::warnings)
+        .flat_map(|b| b.warnings(supply_mpa, QUIET_MPA));
+    let of_muscles = joint.muscles().iter().flat_map(|m| m.muscle.warnings());
+    let others = artefact.notes.into_iter().chain(of_muscles);
+    let mut warnings: Vec<Warning> = of_fits
+        .map(Warning::from)
+        .chain(of_bursts)
+        .chain(others.map(Warning::from))
         .collect();
-    warnings.extend(
-        bursts
-            .iter()
-            .flat_map(|b| b.warnings(supply_mpa, QUIET_MPA))
-            .map(|w| w.to_string()),
-    );
-    warnings.extend(artefact.notes);
-    warnings.extend(joint.muscles().iter().flat_map(|m| m.muscle.warnings()));
     let mut known = std::collections::BTreeSet::new();
-    warnings.retain(|warning| known.insert(warning.clone()));
+    warnings.retain(|warning| known.insert(warning.to_string()));
     Ok(ExportJointAnswer {
         target: target.name.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),

@@ -5,7 +5,7 @@ use crate::{
     above_zero,
     flags::{self, Args},
     given,
-    print::{Csv, Page, Rows, Show, sentences},
+    print::{Csv, Page, Rows, Show},
     units::{JOULES, MEGAPASCALS, PERCENT},
 };
 use mckibben_core::{
@@ -13,6 +13,7 @@ use mckibben_core::{
     load::{Fill, FillError, Filling},
     refused::Refused,
     units::typed::{Pressure, Ratio, Volume},
+    warning::Warning,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -56,8 +57,8 @@ pub struct FillAnswer {
 }
 
 impl Show for FillAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.fill.answer.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.fill.answer.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

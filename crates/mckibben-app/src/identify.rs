@@ -139,7 +139,7 @@ pub struct IdentifyAnswer {
     #[schemars(with = "Vec<IdentifiedPoint>")]
     pub points: Vec<PointFit>,
     /// Warnings: contradictions, parameters that are not identifiable, missing measurements.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// The figure, if requested.
     pub figure: Option<Figure>,
 }
@@ -520,15 +520,12 @@ fn warnings(
     request: &IdentifyRequest,
     identified: &Identification,
     beyond: Option<Warning>,
-) -> Vec<String> {
+) -> Vec<Warning> {
     let prototype = (MuscleFields::default() == request.muscle).then(|| {
         let measures = MuscleSummary::from(&Muscle::prototype()).line(&Units::default());
         format!("these are the constants of a muscle with {measures}: give the measures of yours")
     });
-    let beyond = beyond.map(|warning| warning.to_string());
-    prototype
-        .into_iter()
-        .chain(identified.notes.iter().cloned())
-        .chain(beyond)
-        .collect()
+    let notes = identified.notes.iter().cloned();
+    let said = prototype.into_iter().chain(notes).map(Warning::from);
+    said.chain(beyond).collect()
 }

@@ -11,7 +11,6 @@ use mckibben_core::{
     curve::Test,
     muscle::{Direction, file::to_toml},
     progress::Progress,
-    warning::is_of_burst,
 };
 use mckibben_report::{Document, DrawingSheet, Figure, Part};
 use schemars::JsonSchema;
@@ -100,9 +99,8 @@ pub fn report(
     let said = shown
         .warnings
         .iter()
-        .filter(|w| is_of_burst(w))
-        .cloned()
-        .map(Part::Text);
+        .filter(|w| w.is_of_burst())
+        .map(|w| Part::Text(w.to_string()));
     let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
@@ -244,9 +242,12 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
             "The clamped length on each plug is not stated; the cut lengths assume {cut} mm."
         ));
     }
-    list.extend(shown.warnings.iter().cloned());
-    list.extend(point.point.warnings.iter().map(ToString::to_string));
-    list.retain(|sentence| !is_of_burst(sentence));
+    let warnings = shown.warnings.iter().chain(&point.point.warnings);
+    list.extend(
+        warnings
+            .filter(|w| !w.is_of_burst())
+            .map(ToString::to_string),
+    );
     list.dedup();
     vec![
         Part::Heading("Assumptions and limits".into()),

@@ -7,6 +7,7 @@ use mckibben_core::{
         Law, RubberLaw,
         library::{self, COVERING, RubberEntry, RubberFit, Standing, Window, WindowLaw},
     },
+    warning::Warning,
 };
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
@@ -45,7 +46,7 @@ pub struct RubberDetails {
     /// The word for `rubber` that names the fits that are taken.
     pub rubber: String,
     /// Warnings about the fit that the prototype uses.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// A law fitted to a rubber.
@@ -126,11 +127,12 @@ pub fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Problem> {
         .iter()
         .flat_map(|w| w.laws.iter().map(|l| of_curve(&word, w, l)));
     let published = entry.fits.iter().map(|fit| as_published(&word, entry, fit));
+    let warnings = library::warnings(&named).into_iter();
     Ok(Some(RubberDetails {
         laws: entry.laws(),
         fits: fitted.chain(published).collect(),
         entry: entry.clone(),
-        warnings: library::warnings(&named),
+        warnings: warnings.map(Warning::from).collect(),
         rubber: word,
     }))
 }

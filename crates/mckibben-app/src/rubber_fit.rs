@@ -13,6 +13,7 @@ use mckibben_core::{
     progress::Progress,
     rubber::over_time::OgdenRoxburgh,
     size,
+    warning::Warning,
 };
 use mckibben_fit::{
     rubber::{
@@ -110,7 +111,7 @@ pub struct RubberFitAnswer {
     /// Laws without a fit, and why.
     pub failed: Vec<String>,
     /// Warnings.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// Muscle file with that law. With a softening it is the law of the first loading, with a
     /// relaxation alone the one at once, each with its constants.
     pub muscle_file: Option<String>,
@@ -249,9 +250,11 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let relaxation = request.relaxation.map(relaxes).transpose()?;
     let softens = || form().and_then(|form| Ok(fit_softening(&history()?, form)?));
     let softening = request.softening.then(softens).transpose()?;
-    let mut warnings = fit.warnings.clone();
     let both = relaxation.as_ref().zip(softening.as_ref());
-    warnings.extend(both.map(|_| APART.into()));
+    let warnings = fit.warnings.iter().cloned();
+    let warnings = warnings
+        .chain(both.map(|_| APART.into()))
+        .map(Warning::from);
     let mut answer = RubberFitAnswer {
         understood,
         points: fit.points.len(),
@@ -262,7 +265,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         recommended: taken.map(|law| law.form.name()),
         parameters: taken.map_or_else(Vec::new, |law| law.parameters.clone()),
         failed: fit.failed.iter().map(ToString::to_string).collect(),
-        warnings,
+        warnings: warnings.collect(),
         relaxation,
         softening,
         muscle_file: None,

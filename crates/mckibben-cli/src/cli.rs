@@ -1,7 +1,7 @@
 //! The command line: its commands, and what every command takes.
 
 use crate::{
-    Format, Problem,
+    Context, Format, Problem,
     commands::{
         build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint,
         motion, parts, point, rubber, schema, serve, simulate,
@@ -124,31 +124,31 @@ pub enum Command {
 
 impl Command {
     /// Runs it; the exit code where it ends well.
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &mut Context) -> Result<u8, Problem> {
         match self {
-            Self::Design(command) => command.0.run(format),
-            Self::Force(command) => command.0.run(format),
-            Self::Pressure(command) => command.0.run(format),
-            Self::Contraction(command) => command.0.run(format),
-            Self::Fill(command) => command.0.run(format),
-            Self::Curve(command) => command.0.run(format),
-            Self::Joint(command) => command.0.run(format),
-            Self::Motion(command) => command.0.run(format),
-            Self::Simulate(command) => command.0.run(format),
-            Self::Check(command) => command.0.run(format),
-            Self::Build(command) => command.0.run(format),
-            Self::Export(command) => command.0.run(format),
-            Self::Campaign(command) => command.0.run(format),
-            Self::Compare(command) => command.0.run(format),
-            Self::Identify(command) => command.0.run(format),
-            Self::Fit(command) => command.0.run(format),
-            Self::Parts(command) => command.run(format),
-            Self::Rubber(command) => command.0.run(format),
-            Self::Serve(command) => command.0.run(format),
-            Self::Schema(command) => command.0.run(),
-            Self::Help(command) => command.0.run(),
-            Self::Man(command) => command.0.run(),
-            Self::Completions(command) => command.0.run(),
+            Self::Design(command) => command.0.run(context),
+            Self::Force(command) => command.0.run(context),
+            Self::Pressure(command) => command.0.run(context),
+            Self::Contraction(command) => command.0.run(context),
+            Self::Fill(command) => command.0.run(context),
+            Self::Curve(command) => command.0.run(context),
+            Self::Joint(command) => command.0.run(context),
+            Self::Motion(command) => command.0.run(context),
+            Self::Simulate(command) => command.0.run(context),
+            Self::Check(command) => command.0.run(context),
+            Self::Build(command) => command.0.run(context),
+            Self::Export(command) => command.0.run(context),
+            Self::Campaign(command) => command.0.run(context),
+            Self::Compare(command) => command.0.run(context),
+            Self::Identify(command) => command.0.run(context),
+            Self::Fit(command) => command.0.run(context),
+            Self::Parts(command) => command.run(context),
+            Self::Rubber(command) => command.0.run(context),
+            Self::Serve(command) => command.0.run(context),
+            Self::Schema(command) => command.0.run(context),
+            Self::Help(help) => help.0.run(command()),
+            Self::Man(man) => man.0.run(command(), context),
+            Self::Completions(completions) => completions.0.run(command(), context),
         }
     }
 }
@@ -255,32 +255,6 @@ fn with_short_help(path: &str, mut command: clap::Command) -> clap::Command {
     } else {
         examples
     })
-}
-
-/// Examples of a command, each without the name of the program; a long one goes on below.
-pub fn examples(list: &[&str]) -> String {
-    let one = |example: &&str| {
-        let mut out = String::new();
-        let mut width = 0;
-        // A flag stays beside its value.
-        for (i, part) in format!("mckibben {example}").split(" -").enumerate() {
-            let space = match i {
-                0 => "\n  ",
-                _ if width + part.len() > 74 => " \\\n    -",
-                _ => " -",
-            };
-            width = if space.contains('\n') { 5 } else { width + 2 } + part.len();
-            out.extend([space, part]);
-        }
-        out
-    };
-    let all: String = list.iter().map(one).collect();
-    let heading = if list.len() > 1 {
-        "Examples:"
-    } else {
-        "Example:"
-    };
-    heading.to_owned() + &all
 }
 
 /// Examples up to the second one.

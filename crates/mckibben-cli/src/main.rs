@@ -6,7 +6,8 @@
 mod clean;
 mod cli;
 mod commands;
-mod display_units;
+mod context;
+mod examples;
 mod format;
 mod output;
 mod plot;
@@ -14,16 +15,13 @@ mod problem;
 mod progress;
 mod quantities;
 mod quotes;
-mod typed;
 
 use clap::FromArgMatches;
+use context::Context;
 use format::Format;
 use mckibben_app::{Problem, guarded, panics_are_problems};
 use mckibben_core::threads;
-use output::{
-    Output, check_ending, emit, ending, overwrite, print_page, save, save_all, save_inside,
-    text::path_on_one_line, warn,
-};
+use output::{Output, check_ending, ending, text::path_on_one_line};
 use plot::Plot;
 use problem::{NO_ANSWER, NOT_CONVERGED, exit_code, unprinted};
 use progress::Bar;
@@ -34,8 +32,12 @@ fn main() -> ExitCode {
     let args: Vec<String> = args_os()
         .map(|arg| arg.to_string_lossy().into_owned())
         .collect();
+    let refused = Context {
+        format: asked_format(&args),
+        ..Context::default()
+    };
     if let Err(problem) = quotes::check_quotes(&args) {
-        return report(problem, asked_format());
+        return report(problem, &refused);
     }
     progress::no_signal_for_long_files();
     let mut root = cli::command();
@@ -45,40 +47,47 @@ fn main() -> ExitCode {
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
         Err(error) => {
-            typed::take(&root, &args, None);
-            return unparsed(&error);
+            let context = Context {
+                format: refused.format,
+                ..Context::new(&root, &args, None)
+            };
+            return unparsed(&error, &context);
         }
     };
-    let format = cli.format;
+    let mut context = Context {
+        format: cli.format,
+        overwrite: cli.overwrite,
+        ..Context::new(&root, &args, Some(&matches))
+    };
     let done = guarded(|| {
         let _entered = progress::cancel().enter();
-        typed::take(&root, &args, Some(&matches));
-        display_units::take();
         // A server ends by itself, when its requests have ended.
         if !matches!(cli.command, cli::Command::Serve(_)) {
             progress::watched();
         }
         let continues = matches!(cli.command, cli::Command::Campaign(_));
-        output::check_named(continues, cli.overwrite)?;
-        cli.command.run(format)
+        context.check_named(continues)?;
+        cli.command.run(&mut context)
     });
-    threads::shortage().into_iter().for_each(output::warn);
+    let shortage = threads::shortage();
+    shortage.into_iter().for_each(|text| context.warn(text));
     match progress::last_word(done) {
         Ok(code) => ExitCode::from(code),
-        Err(problem) => report(problem, format),
+        Err(problem) => report(problem, &context),
     }
 }
 
 /// A command line that clap refuses: a problem where a value is wrong or JSON is asked for; else
 /// clap's own words.
-fn unparsed(error: &clap::Error) -> ExitCode {
-    let format = asked_format();
-    let gone = || problem::of_gone_flag(error).or_else(|| problem::of_gone_command(error));
+fn unparsed(error: &clap::Error, context: &Context) -> ExitCode {
+    let gone = || {
+        problem::of_gone_flag(error, context).or_else(|| problem::of_gone_command(error))
+    };
     if let Some(problem) = problem::of_value(error).or_else(gone) {
-        return report(problem, format);
+        return report(problem, context);
     }
-    if error.use_stderr() && format == Format::Json {
-        return report(problem::unparsed(error), format);
+    if error.use_stderr() && context.format == Format::Json {
+        return report(problem::unparsed(error), context);
     }
     let text = error.render().to_string();
     // Nothing better can be done if the terminal is gone.
@@ -90,8 +99,7 @@ fn unparsed(error: &clap::Error) -> ExitCode {
 }
 
 /// The format of a command line that could not be parsed.
-fn asked_format() -> Format {
-    let args: Vec<_> = args_os().skip(1).collect();
+fn asked_format(args: &[String]) -> Format {
     let json = args.iter().any(|a| a == "--format=json")
         || args
             .windows(2)
@@ -99,15 +107,15 @@ fn asked_format() -> Format {
     if json { Format::Json } else { Format::Text }
 }
 
-fn report(problem: Problem, format: Format) -> ExitCode {
+fn report(problem: Problem, context: &Context) -> ExitCode {
     if problem.message.is_empty() {
         return ExitCode::SUCCESS;
     }
-    let problem = problem::in_words(problem);
-    if format == Format::Json {
+    let problem = problem::in_words(problem, context);
+    if context.format == Format::Json {
         let _ = writeln!(std::io::stderr(), "{}", problem::as_json(&problem));
     } else {
-        output::complain(&problem::as_text(&problem));
+        output::complain(&problem::as_text(&problem, &context.units));
     }
     ExitCode::from(exit_code(Some(&problem)))
 }

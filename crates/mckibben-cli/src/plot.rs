@@ -1,13 +1,10 @@
 //! Figures into files.
 
-use crate::{
-    Problem,
-    output::{ending, save as save_file},
-};
+use crate::{Context, Problem, output::ending};
 use mckibben_app::{ProblemKind, Units};
 use mckibben_core::units::typed::Length;
 use mckibben_report::{Figure, FigureError};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A figure of the answer.
 #[derive(clap::Args)]
@@ -50,19 +47,18 @@ fn width(text: &str) -> Result<Length, Problem> {
 
 impl Plot {
     /// The units of the figure, where one is to be written.
-    pub fn wanted(&self) -> Option<Units> {
-        self.plot.as_ref().map(|_| crate::display_units::units())
+    pub fn wanted(&self, context: &Context) -> Option<Units> {
+        self.plot.as_ref().map(|_| context.units.clone())
     }
 
     /// Writes the figure of an answer, where a file is named for it.
-    pub fn save(&self, figure: &mut Option<Figure>) -> Result<(), Problem> {
+    pub fn save(&self, context: &Context, figure: &mut Option<Figure>) -> Result<(), Problem> {
         let (Some(mut figure), Some(path)) = (figure.take(), &self.plot) else {
             return Ok(());
         };
         if let Some(width) = self.plot_width {
             figure = figure.width_mm(width.0);
         }
-        let path: &Path = path;
-        save_file(Some(path), &figure.bytes(path)?)
+        context.save(Some(path), figure.bytes(path)?)
     }
 }

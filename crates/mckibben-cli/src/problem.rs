@@ -1,14 +1,9 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words
 //! of the command line.
 
-use crate::{
-    clean, display_units,
-    output::plain,
-    quantities::unit_hint,
-    typed::{flag_of, in_flags},
-};
+use crate::{Context, clean, output::plain};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use mckibben_app::{Ending, Problem, ProblemKind};
+use mckibben_app::{Ending, Problem, ProblemKind, Units};
 use mckibben_core::{
     joined,
     units::{QuantityError, RangeError},
@@ -69,7 +64,7 @@ const GONE: [(&str, &str, &str); 3] = [
 ];
 
 /// A flag that a command does not have, and what to type in its place.
-pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
+pub fn of_gone_flag(error: &clap::Error, context: &Context) -> Option<Problem> {
     let Some(ContextValue::String(flag)) = error.get(ContextKind::InvalidArg) else {
         return None;
     };
@@ -88,9 +83,9 @@ pub fn of_gone_flag(error: &clap::Error) -> Option<Problem> {
     }
     let is_table = !flag.starts_with('-') && flag.contains('.');
     let of_table = ["--area", "--gauge-length", "--mode"].contains(&&**flag);
-    let (what, hint) = if let Some(data) = flag_of("data").filter(|_| is_table) {
+    let (what, hint) = if let Some(data) = context.flag_of("data").filter(|_| is_table) {
         ("a table stands behind its flag", format!("{data} {flag}"))
-    } else if of_table && flag_of("set").is_some() {
+    } else if of_table && context.flag_of("set").is_some() {
         let name = flag[2..].replace('-', "_");
         ("it is a constant of a table", format!("--set {name}=VALUE"))
     } else {
@@ -140,12 +135,13 @@ pub fn unprinted(error: &io::Error) -> Problem {
 /// A problem in the words of the command line: flags in place of fields, and what to do where the
 /// layers below do not say it. A note on the unit of a pressure comes first, unless a text was not
 /// understood.
-pub fn in_words(mut problem: Problem) -> Problem {
+pub fn in_words(mut problem: Problem, context: &Context) -> Problem {
     // What is in backquotes there are keys of a file.
     if !matches!(problem.kind, ProblemKind::File | ProblemKind::Formula) {
-        problem.message = in_flags(&problem.message);
+        problem.message = context.in_flags(&problem.message);
     }
-    let flag = problem.field.as_deref().and_then(flag_of);
+    let field = problem.field.as_deref();
+    let flag = field.and_then(|field| context.flag_of(field));
     if let Some(flag) = flag.filter(|flag| !problem.message.starts_with(flag)) {
         problem.message = format!("{flag}: {}", problem.message);
     }
@@ -155,26 +151,24 @@ pub fn in_words(mut problem: Problem) -> Problem {
         ("", ProblemKind::Model) => "`mckibben parts list models` shows them".into(),
         ("", ProblemKind::Formula) => "`mckibben fit` writes such files".into(),
         ("", ProblemKind::Parameter) => "`mckibben identify --help` shows the forms".into(),
-        (hint, _) => in_flags(hint),
+        (hint, _) => context.in_flags(hint),
     };
     let is_understood = !matches!(
         problem.kind,
         ProblemKind::Usage | ProblemKind::Quantity | ProblemKind::File
     );
-    problem.hint = match (&*problem.hint, unit_hint().filter(|_| is_understood)) {
-        (hint, None) => hint.into(),
-        ("", Some(note)) => note.into(),
-        (hint, Some(note)) => format!("{note}; else {hint}"),
-    };
+    if let Some(note) = context.unit_note.as_deref().filter(|_| is_understood) {
+        problem.hint = match &*problem.hint {
+            "" => note.into(),
+            hint => format!("{note}; else {hint}"),
+        };
+    }
     problem
 }
 
 /// `error: …` once a mistake, and the hint below it, in the units that the user reads.
-pub fn as_text(problem: &Problem) -> String {
-    let line = |start, text: &str| {
-        let text = display_units::sentence(text);
-        format!("{start}: {}", clean::line(&text))
-    };
+pub fn as_text(problem: &Problem, units: &Units) -> String {
+    let line = |start, text: &str| format!("{start}: {}", clean::line(&units.sentence(text)));
     let mut lines: Vec<_> = problem.messages().map(|m| line("error", m)).collect();
     if !problem.hint.is_empty() {
         lines.push(line("  hint", &problem.hint));
@@ -207,7 +201,7 @@ mod tests {
         let work = || -> Result<u8, Problem> { Ok([1, 2][index]) };
         let problem = mckibben_app::guarded(work).unwrap_err();
         assert_eq!(exit_code(Some(&problem)), 4);
-        let text = as_text(&problem);
+        let text = as_text(&problem, &Units::default());
         assert!(
             text.contains(": index out of bounds: the len is 2"),
             "{text}"

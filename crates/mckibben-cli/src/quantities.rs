@@ -4,33 +4,20 @@ use mckibben_core::{
     joined,
     units::{Dimension, short_numbers},
 };
-use std::sync::OnceLock;
-
-/// The note on the unit of a pressure that was typed.
-static UNIT_NOTE: OnceLock<String> = OnceLock::new();
-
-/// The note on a pressure that was typed as a bare number, beside an answer or a problem.
-pub fn unit_hint() -> Option<&'static str> {
-    UNIT_NOTE.get().map(String::as_str)
-}
 
 /// A bare number is a pressure in MPa; where that is high, bar was probably meant.
-pub fn check_unit(flag: &str, text: &str) {
+pub fn unit_note(flag: &str, text: &str) -> Option<String> {
     const HIGH_MPA: f64 = 1.0;
     if !(flag.ends_with("pressure") || flag == "--supply") {
-        return;
+        return None;
     }
     let numbers: Result<Vec<f64>, _> = text
         .split([',', ':'])
         .flat_map(|part| part.split(".."))
         .map(|part| part.trim().parse::<f64>())
         .collect();
-    if let Some(high) = numbers
-        .ok()
-        .and_then(|list| list.into_iter().find(|p| *p >= HIGH_MPA))
-    {
-        UNIT_NOTE.get_or_init(|| format!("{flag} {text}: {}", meant(high)));
-    }
+    let high = numbers.ok()?.into_iter().find(|p| *p >= HIGH_MPA)?;
+    Some(format!("{flag} {text}: {}", meant(high)))
 }
 
 /// What a bare pressure as high as no muscle bears may have been meant to be.

@@ -44,6 +44,7 @@ pub fn check_quotes(args: &[String]) -> Result<(), Problem> {
 mod tests {
     use super::*;
     use crate::problem::as_text;
+    use mckibben_app::Units;
 
     fn args(line: &str) -> Vec<String> {
         line.split(' ').map(str::to_owned).collect()
@@ -51,7 +52,7 @@ mod tests {
 
     #[test]
     fn a_unit_by_itself_behind_a_number_is_a_missing_quote() {
-        let said = |line: &str| as_text(&check_quotes(&args(line)).unwrap_err());
+        let said = |line: &str| as_text(&check_quotes(&args(line)).unwrap_err(), &Units::default());
         let text = said("force -p 2 bar");
         assert!(text.contains("-p 2 bar: a quote is missing"), "{text}");
         assert!(text.contains("write -p 2bar or -p '2 bar'"), "{text}");

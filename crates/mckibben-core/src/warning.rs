@@ -6,30 +6,24 @@ use crate::{
     muscle::{Muscle, Rubber},
     units::{rounded, short_numbers},
 };
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
-use std::{borrow::Cow, fmt};
+use std::fmt;
 
 /// Strand strain at which the validated range of all models ends.
 pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
 
-/// How a sentence about the burst begins.
-const ABOVE: &str = "ABOVE THE ALLOWED PRESSURE";
-const BURST: &str = "BURST";
-
-/// Whether the sentence of a warning is about the burst of the muscle, and so comes first.
-pub fn is_of_burst(sentence: &str) -> bool {
-    sentence.starts_with(BURST) || sentence.starts_with(ABOVE)
-}
-
 /// What a warning is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum WarningKind {
     /// Something about the muscle, the model or the question, whatever the answer.
-    Said,
+    General,
     /// The pressure reaches or exceeds the muscle's burst pressure
     /// ([`burst`](crate::analysis::burst())).
     Burst,
+    /// The burst pressure is not known.
+    BurstNotChecked,
     /// The pressure exceeds the allowed one.
     AboveAllowed,
     /// A strand carries more than its strength here.
@@ -50,29 +44,38 @@ pub enum WarningKind {
     Flat,
 }
 
-/// What the user should know of an answer; as data it is its sentence.
-#[derive(Debug, Clone, PartialEq)]
+/// What the user should know of an answer.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "AnswerWarning")]
 pub struct Warning {
     /// What it is about.
     pub kind: WarningKind,
     /// How grave it is among those of its kind.
+    #[serde(skip)]
     gravity: f64,
-    sentence: String,
+    /// The sentence.
+    message: String,
 }
 
 impl Warning {
-    fn new(kind: WarningKind, gravity: f64, sentence: String) -> Self {
+    fn new(kind: WarningKind, gravity: f64, message: String) -> Self {
         Self {
             kind,
             gravity,
-            sentence,
+            message,
         }
+    }
+
+    /// Whether it is about the burst of the muscle, and so comes first.
+    pub fn is_of_burst(&self) -> bool {
+        use WarningKind::{AboveAllowed, Burst, BurstNotChecked};
+        matches!(self.kind, Burst | BurstNotChecked | AboveAllowed)
     }
 
     /// Of a pressure in MPa at which a muscle fails that bursts at `burst_mpa`.
     pub fn of_burst(pressure_mpa: f64, burst_mpa: f64, by: FailureMode) -> Self {
         let sentence = format!(
-            "{BURST}: {pressure_mpa:.3}\u{a0}MPa exceeds the burst pressure of this muscle, \
+            "BURST: {pressure_mpa:.3}\u{a0}MPa exceeds the burst pressure of this muscle, \
              {burst_mpa:.3}\u{a0}MPa, at which {by}"
         );
         Self::new(WarningKind::Burst, pressure_mpa / burst_mpa, sentence)
@@ -93,16 +96,16 @@ impl Warning {
                 )
             },
         );
-        let sentence = format!("{ABOVE}: {pressure_mpa:.3}\u{a0}MPa; {reason}");
+        let sentence = format!("ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3}\u{a0}MPa; {reason}");
         Self::new(WarningKind::AboveAllowed, pressure_mpa / most.mpa, sentence)
     }
 
     /// That a burst pressure is not known.
     pub fn burst_not_checked(why: NoBurst) -> Self {
         Self::new(
-            WarningKind::Said,
+            WarningKind::BurstNotChecked,
             0.0,
-            format!("{BURST} NOT CHECKED: {why}"),
+            format!("BURST NOT CHECKED: {why}"),
         )
     }
 
@@ -146,7 +149,7 @@ impl Warning {
         let mut out: Vec<Warning> = vec![];
         for warning in all {
             let same = |w: &&mut Warning| match warning.kind {
-                WarningKind::Said => *w == warning,
+                WarningKind::General | WarningKind::BurstNotChecked => *w == warning,
                 kind => w.kind == kind,
             };
             match out.iter_mut().find(same) {
@@ -175,27 +178,21 @@ impl Warning {
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.sentence)
+        f.write_str(&self.message)
     }
 }
 
 impl From<String> for Warning {
     fn from(sentence: String) -> Self {
         Self::new(
-            WarningKind::Said,
+            WarningKind::General,
             0.0,
             short_numbers(&sentence).into_owned(),
         )
     }
 }
 
-impl Serialize for Warning {
-    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
-        out.collect_str(self)
-    }
-}
-
-/// As data an error is its sentence too.
+/// As data an error is its sentence.
 pub fn sentence<E: fmt::Display, S: Serializer>(
     error: &Option<E>,
     out: S,
@@ -204,20 +201,6 @@ pub fn sentence<E: fmt::Display, S: Serializer>(
         .as_ref()
         .map(|error| short_numbers(&error.to_string()).into_owned())
         .serialize(out)
-}
-
-impl JsonSchema for Warning {
-    fn schema_name() -> Cow<'static, str> {
-        String::schema_name()
-    }
-
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        String::json_schema(generator)
-    }
 }
 
 /// The strength of one strand in N, where it is known.

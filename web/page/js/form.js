@@ -367,9 +367,16 @@ export function table(head, rows, { text = [0], pick, label } = {}) {
   );
 }
 
-/** Warnings of an answer. @param {string[] | undefined} list */
+/**
+ * Warnings of an answer, and other sentences.
+ * @param {(string | { message: string })[] | undefined} list
+ */
 export const warnings = (list) =>
-  el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", capital(inWords(w)))));
+  el(
+    "ul",
+    { class: "warnings" },
+    ...(list ?? []).map((w) => el("li", capital(inWords(typeof w === "string" ? w : w.message)))),
+  );
 
 /** Inputs in one column. @param {string} label @param {import("./dom.js").Child[]} children */
 export const inputs = (label, ...children) =>

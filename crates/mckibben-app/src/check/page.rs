@@ -9,7 +9,7 @@ use crate::{
 };
 use mckibben_core::{
     muscle::{EndFactor, Muscle},
-    warning::is_of_burst,
+    warning::Warning,
 };
 
 /// The kinds, each with its heading, and what is said where nothing was found.
@@ -38,12 +38,9 @@ const HEADINGS: [(FindingKind, &str, &str); 4] = [
 
 impl Show for CheckAnswer {
     /// The others are among the findings.
-    fn warnings(&self) -> Vec<String> {
-        self.warnings
-            .iter()
-            .filter(|w| is_of_burst(w))
-            .cloned()
-            .collect()
+    fn warnings(&self) -> Vec<Warning> {
+        let of_burst = self.warnings.iter().filter(|w| w.is_of_burst());
+        of_burst.cloned().collect()
     }
 
     fn page(&self, u: &Units) -> Page {

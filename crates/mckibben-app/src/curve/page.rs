@@ -3,24 +3,25 @@
 use super::{CurveAnswer, PointRow, StudyAnswer, StudyRow, study_rows};
 use crate::{
     Units, breakdown, percent,
-    print::{Amount, Column, Csv, Page, Show, Table, sentences},
+    print::{Amount, Column, Csv, Page, Show, Table},
     units::PERCENT,
 };
 use mckibben_core::{
     by_number::ByNumber,
     curve::{CurvePoint, Test},
     muscle::Direction,
+    warning::Warning,
 };
 
 impl Show for CurveAnswer {
-    fn warnings(&self) -> Vec<String> {
+    fn warnings(&self) -> Vec<Warning> {
         let mut failed = self.points().filter_map(|q| q.answer.as_ref().err());
         let count = failed.clone().count();
         let failed = failed
             .next()
             .map(|first| format!("{count} points have no answer (–); the first: {first}"));
-        let mut all = sentences(&self.warnings);
-        all.extend(failed);
+        let mut all = self.warnings.clone();
+        all.extend(failed.map(Warning::from));
         all
     }
 
@@ -98,8 +99,8 @@ fn computed(test: Test, q: &CurvePoint) -> Amount {
 }
 
 impl Show for StudyAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

@@ -8,14 +8,14 @@ use super::{
 };
 use crate::{
     Units, number, percent,
-    print::{Csv, Page, Rows, Show, Table, sentences},
+    print::{Csv, Page, Rows, Show, Table},
     units::{NEWTON_METRES, NORMAL_LITRES, PERCENT},
 };
-use mckibben_core::{joined, units::rounded};
+use mckibben_core::{joined, units::rounded, warning::Warning};
 
 impl Show for DesignAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

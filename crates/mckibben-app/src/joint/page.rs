@@ -3,16 +3,16 @@
 use super::{JointAnswer, JointMap, JointRow};
 use crate::{
     Units, number,
-    print::{Amount, Csv, Page, Show, Table, sentences},
+    print::{Amount, Csv, Page, Show, Table},
     units::{DEGREES, NEWTON_METRES, Scale},
 };
-use mckibben_core::extremes::ends;
+use mckibben_core::{extremes::ends, warning::Warning};
 
 const NM_PER_RAD: Scale = Scale::fixed("N m/rad");
 
 impl Show for JointAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

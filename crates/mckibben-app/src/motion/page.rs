@@ -3,10 +3,11 @@
 use super::{MotionAnswer, MotionRun};
 use crate::{
     Units, number,
-    print::{Csv, Page, Rows, Show, Table, sentences},
+    print::{Csv, Page, Rows, Show, Table},
     uncertainty::bounds,
     units::{DEGREES, JOULES, NORMAL_LITRES, PERCENT, Scale},
 };
+use mckibben_core::warning::Warning;
 
 const SECONDS: Scale = Scale::fixed("s");
 const HERTZ: Scale = Scale::fixed("Hz");
@@ -14,8 +15,8 @@ const HERTZ: Scale = Scale::fixed("Hz");
 const SHOWN: usize = 12;
 
 impl Show for MotionAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

@@ -7,7 +7,7 @@ use crate::{
     units::{MEGAPASCALS, NUMBER, PERCENT},
     words::law_text,
 };
-use mckibben_core::rubber::library::Standing;
+use mckibben_core::{rubber::library::Standing, warning::Warning};
 
 impl Show for PartsListAnswer {
     fn page(&self, u: &Units) -> Page {
@@ -74,7 +74,7 @@ impl Show for PartsListAnswer {
 }
 
 impl Show for PartShowAnswer {
-    fn warnings(&self) -> Vec<String> {
+    fn warnings(&self) -> Vec<Warning> {
         let rubber = self.rubber.as_ref();
         rubber.map_or_else(Vec::new, |rubber| rubber.warnings.clone())
     }

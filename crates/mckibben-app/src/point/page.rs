@@ -3,15 +3,15 @@
 use super::{Background, PointAnswer};
 use crate::{
     PointQuantity, Scale, Units,
-    print::{Page, Rows, Show, sentences},
+    print::{Page, Rows, Show},
     uncertainty::bounds,
     units::{NUMBER, PERCENT},
 };
-use mckibben_core::answer::Answer;
+use mckibben_core::{answer::Answer, warning::Warning};
 
 impl Show for PointAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.point.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.point.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

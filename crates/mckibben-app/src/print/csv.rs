@@ -2,6 +2,7 @@
 //! are the same whatever the values.
 
 use super::schema;
+use mckibben_core::warning::Warning;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Error, Value, to_value};
@@ -14,7 +15,7 @@ pub struct Csv {
     pub schema: fn() -> Value,
     pub form: CsvLayout,
     /// Warnings that the page has among its lines.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// How the lines follow from the rows.
@@ -60,7 +61,7 @@ impl Csv {
     }
 
     /// With warnings that the page has among its lines.
-    pub fn with_warnings(mut self, list: &[String]) -> Self {
+    pub fn with_warnings(mut self, list: &[Warning]) -> Self {
         self.warnings.extend_from_slice(list);
         self
     }

@@ -62,14 +62,14 @@ pub use rows::Rows;
 pub use table::{Column, Table};
 
 use crate::Units;
+use mckibben_core::warning::Warning;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::fmt::Display;
 
 /// An answer that prints itself; its JSON is that of serde.
 pub trait Show: Serialize + JsonSchema + Sized {
-    /// Sentences that a reader sees beside the answer, whatever its form.
-    fn warnings(&self) -> Vec<String> {
+    /// What a reader sees beside the answer, whatever its form.
+    fn warnings(&self) -> Vec<Warning> {
         vec![]
     }
 
@@ -82,9 +82,4 @@ pub trait Show: Serialize + JsonSchema + Sized {
     fn csv(&self) -> Csv {
         Csv::row(self)
     }
-}
-
-/// Warnings as sentences.
-pub(crate) fn sentences(list: &[impl Display]) -> Vec<String> {
-    list.iter().map(ToString::to_string).collect()
 }

@@ -5,14 +5,16 @@ use crate::{
     UnderstoodTable, Units, number,
     print::{Csv, Page, Show},
 };
+use mckibben_core::warning::Warning;
 use mckibben_fit::rubber::FittedLaw;
 
 /// Fields that stand otherwise on the page, or in files.
 const APART: [&str; 5] = ["understood", "law", "parameters", "failed", "muscle_file"];
 
 impl Show for RubberFitAnswer {
-    fn warnings(&self) -> Vec<String> {
-        [&self.warnings[..], &self.failed].concat()
+    fn warnings(&self) -> Vec<Warning> {
+        let failed = self.failed.iter().cloned().map(Warning::from);
+        self.warnings.iter().cloned().chain(failed).collect()
     }
 
     fn page(&self, u: &Units) -> Page {

@@ -3,7 +3,7 @@
 use super::Simulated;
 use crate::{
     BuiltFile, FailedPoint, MuscleSummary, PressureLimits, Problem, Units,
-    print::{Csv, Page, Show, sentences},
+    print::{Csv, Page, Show},
 };
 use mckibben_core::{curve::Test, model::Response, status::Status, warning::Warning};
 use mckibben_fem::results::{ProfilePoint, Sensitivity, StrandState};
@@ -158,8 +158,8 @@ const SHOWN: [&str; 14] = [
 ];
 
 impl Show for SimulateAnswer {
-    fn warnings(&self) -> Vec<String> {
-        sentences(&self.warnings)
+    fn warnings(&self) -> Vec<Warning> {
+        self.warnings.clone()
     }
 
     fn page(&self, u: &Units) -> Page {

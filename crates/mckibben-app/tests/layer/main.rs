@@ -285,7 +285,7 @@ fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
             .as_array()
             .unwrap()
             .iter()
-            .map(|w| w.as_str().unwrap());
+            .map(|w| w["message"].as_str().unwrap());
         warnings
             .filter(|w| w.contains("the braid `paper` is known for D0 30\u{a0}mm to 50\u{a0}mm"))
             .count()

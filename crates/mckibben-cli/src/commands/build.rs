@@ -1,11 +1,8 @@
 //! `build`: a folder with all that a workshop needs, or its report alone.
 
 use crate::{
-    Bar, Format, Problem, check_ending,
-    cli::examples,
-    display_units, ending,
-    output::{ShownUnits, print},
-    path_on_one_line, save, save_all,
+    Bar, Context, Problem, check_ending, ending, examples::examples, output::ShownUnits,
+    path_on_one_line,
 };
 use mckibben_app::{BuildRequest, REPORT, build, print::Page};
 use std::path::PathBuf;
@@ -34,14 +31,14 @@ pub struct Build {
 }
 
 impl Build {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
         let folder = self.output.as_deref();
         let target = self.report.as_deref();
         check_ending(target, &["html", "htm", "pdf"])?;
         let is_pdf = target.and_then(ending).is_some_and(|end| end == "pdf");
         check_ending(self.plot.as_deref(), &["svg"])?;
         self.request.report = folder.is_some() || target.is_some();
-        self.request.units = display_units::units();
+        self.request.units = context.units.clone();
         let mut answer = build(&self.request, &Bar::new("parts"))?;
         if let Some(document) = answer.document.take() {
             // With the view that the reader turns.
@@ -51,14 +48,14 @@ impl Build {
                     file.content.clone_from(&page);
                 }
                 if target.is_some() && file.name == REPORT[usize::from(is_pdf)] {
-                    save(target, &file.content)?;
+                    context.save(target, &file.content)?;
                 }
             }
         }
         if self.plot.is_some() {
-            save(self.plot.as_deref(), answer.drawing.as_bytes())?;
+            context.save(self.plot.as_deref(), answer.drawing.as_bytes())?;
         }
-        folder.map_or(Ok(()), |folder| save_all(&answer.files, folder))?;
+        folder.map_or(Ok(()), |folder| context.save_all(&answer.files, folder))?;
         let add = |page: &mut Page| {
             if let Some(folder) = folder {
                 let count = answer.files.len();
@@ -77,7 +74,7 @@ impl Build {
                 );
             }
         };
-        print(&answer, format, add, None)?;
+        context.print(&answer, add, None)?;
         Ok(0)
     }
 }

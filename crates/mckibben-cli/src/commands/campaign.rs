@@ -1,13 +1,11 @@
 //! `campaign`, `campaign run|show|merge|status`.
 
 use crate::{
-    Bar, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean,
-    cli::examples,
-    emit,
-    output::{Output, json, print},
-    overwrite, path_on_one_line,
+    Bar, Context, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean,
+    examples::examples,
+    output::{Output, json},
+    path_on_one_line,
     progress::INTERRUPTED,
-    warn,
 };
 use clap::Subcommand;
 use mckibben_app::{
@@ -18,8 +16,8 @@ use mckibben_campaign::campaign::CampaignOutcome;
 use mckibben_core::progress::{Progress, Silent};
 use std::time::{Duration, Instant};
 
-fn no_csv(format: Format) -> Result<(), Problem> {
-    if format != Format::Csv {
+fn no_csv(context: &Context) -> Result<(), Problem> {
+    if context.format != Format::Csv {
         return Ok(());
     }
     let message = "--format csv: the table is the Parquet file itself";
@@ -92,15 +90,15 @@ enum About {
 }
 
 impl Campaign {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         match self.about {
             Some(About::Show { request, output }) => {
-                output.print(format, &campaign_show(&request)?)
+                output.print(context, &campaign_show(&request)?)
             }
-            Some(About::Merge { request }) => merge(request, format),
+            Some(About::Merge { request }) => merge(request, context),
             Some(About::Status { request, output }) => {
                 let status = campaign_status(&request)?;
-                output.print(format, &status)?;
+                output.print(context, &status)?;
                 Ok(if status.shards_missing > 0 {
                     NO_ANSWER
                 } else {
@@ -108,29 +106,33 @@ impl Campaign {
                 })
             }
             None if self.dry_run => {
-                no_csv(format)?;
+                no_csv(context)?;
                 let bar = Bar::new("muscles");
                 let forecast = campaign_forecast(&self.request, &bar)?;
                 drop(bar);
-                print(&forecast, format, |_| (), None)?;
+                context.print(&forecast, |_| (), None)?;
                 Ok(0)
             }
-            None => run_campaign(self.request, self.quiet, format),
+            None => run_campaign(self.request, self.quiet, context),
         }
     }
 }
 
-fn run_campaign(mut request: CampaignRequest, quiet: bool, format: Format) -> Result<u8, Problem> {
-    no_csv(format)?;
+fn run_campaign(
+    mut request: CampaignRequest,
+    quiet: bool,
+    context: &Context,
+) -> Result<u8, Problem> {
+    no_csv(context)?;
     let bar = Bar::new("muscles");
     let progress: &dyn Progress = if quiet { &Silent } else { &bar };
     let from = Instant::now();
-    request.overwrite = overwrite();
+    request.overwrite = context.overwrite;
     let outcome = mckibben_app::campaign(&request, progress)?;
     let interrupted = bar.cancelled() && !outcome.complete;
     drop(bar);
     for file in &outcome.recomputed {
-        warn(format!(
+        context.warn(format!(
             "{} is recomputed: {}",
             file.file.display(),
             file.cause
@@ -138,11 +140,11 @@ fn run_campaign(mut request: CampaignRequest, quiet: bool, format: Format) -> Re
     }
     if !quiet {
         // What is on the disk is valid, whatever ended the run.
-        let out = match format {
+        let out = match context.format {
             Format::Json => format!("{:#}\n", json(&outcome)?),
             _ => as_text(&outcome, from.elapsed()),
         };
-        emit(clean::lines(&out).as_bytes(), None)?;
+        context.emit(clean::lines(&out).as_bytes(), None)?;
     }
     let c = outcome.counts;
     Ok(if interrupted {
@@ -190,9 +192,9 @@ fn as_text(outcome: &CampaignOutcome, time: Duration) -> String {
     out
 }
 
-fn merge(mut request: CampaignMergeRequest, format: Format) -> Result<u8, Problem> {
-    no_csv(format)?;
-    request.overwrite = overwrite();
-    print(&campaign_merge(&request)?, format, |_| (), None)?;
+fn merge(mut request: CampaignMergeRequest, context: &Context) -> Result<u8, Problem> {
+    no_csv(context)?;
+    request.overwrite = context.overwrite;
+    context.print(&campaign_merge(&request)?, |_| (), None)?;
     Ok(0)
 }

@@ -1,7 +1,7 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to
 //! measure first; or a formula's file.
 
-use crate::{Format, Output, Problem, cli::examples, emit};
+use crate::{Context, Format, Output, Problem, examples::examples};
 use mckibben_app::{CheckFormulaRequest, CheckRequest, TextFile, check, check_formula};
 use std::path::Path;
 
@@ -25,10 +25,10 @@ pub struct Check {
 }
 
 impl Check {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         let file = self.request.question.muscle.file();
         if let Some(formula) = file.and_then(formula) {
-            return self.show_formula(formula, format);
+            return self.show_formula(formula, context);
         }
         if self.latex {
             let message = "--latex is of a formula, not of a muscle";
@@ -38,10 +38,10 @@ impl Check {
             ));
         }
         let answer = check(&self.request)?;
-        self.output.print(format, &answer)
+        self.output.print(context, &answer)
     }
 
-    fn show_formula(self, formula: CheckFormulaRequest, format: Format) -> Result<u8, Problem> {
+    fn show_formula(self, formula: CheckFormulaRequest, context: &Context) -> Result<u8, Problem> {
         if self.request.pressure_mpa.is_some() {
             return Err(Problem::usage(
                 "--pressure is of a muscle, not of a formula",
@@ -52,9 +52,15 @@ impl Check {
             latex: self.latex,
             ..formula
         })?;
-        match answer.latex.as_ref().filter(|_| format == Format::Text) {
-            Some(latex) => emit(latex, self.output.output.as_deref()).map(|()| 0),
-            None => self.output.print(format, &answer),
+        match answer
+            .latex
+            .as_ref()
+            .filter(|_| context.format == Format::Text)
+        {
+            Some(latex) => context
+                .emit(latex, self.output.output.as_deref())
+                .map(|()| 0),
+            None => self.output.print(context, &answer),
         }
     }
 }

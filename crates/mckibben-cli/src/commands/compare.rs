@@ -1,6 +1,6 @@
 //! `compare`: models, and measured points.
 
-use crate::{Bar, Format, Output, Plot, Problem, cli::examples};
+use crate::{Bar, Context, Output, Plot, Problem, examples::examples};
 use mckibben_app::CompareRequest;
 
 /// Models, and measured points.
@@ -19,10 +19,10 @@ pub struct Compare {
 }
 
 impl Compare {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
-        self.request.figure = self.plot.wanted();
+    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+        self.request.figure = self.plot.wanted(context);
         let mut answer = mckibben_app::compare(&self.request, &Bar::new("models"))?;
-        self.plot.save(&mut answer.figure)?;
-        self.output.print(format, &answer)
+        self.plot.save(context, &mut answer.figure)?;
+        self.output.print(context, &answer)
     }
 }

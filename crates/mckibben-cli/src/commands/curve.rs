@@ -1,10 +1,7 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
 use crate::{
-    Bar, Format, Output, Plot, Problem,
-    cli::examples,
-    exit_code,
-    output::{emit_json, form},
+    Bar, Context, Format, Output, Plot, Problem, examples::examples, exit_code, output::form,
 };
 use mckibben_app::{CurveRequest, StudyRequest, study};
 
@@ -37,34 +34,34 @@ pub struct Curve {
 }
 
 impl Curve {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         let mut request = self.request;
-        request.figure = self.plot.wanted();
+        request.figure = self.plot.wanted(context);
         if self.study.is_some() {
             let request = StudyRequest {
                 question: request.question,
                 figure: request.figure,
             };
             let mut answer = study(&request)?;
-            self.plot.save(&mut answer.figure)?;
-            return self.output.print(format, &answer);
+            self.plot.save(context, &mut answer.figure)?;
+            return self.output.print(context, &answer);
         }
         request.load.read_tables()?;
         let bar = Bar::new("curves");
         let mut answer = mckibben_app::curve(&request, &bar)?;
         drop(bar);
-        if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
+        if let Some(problem) = answer.problem.take_if(|_| context.format == Format::Text) {
             return Err(problem);
         }
         if answer.problem.is_none() {
-            self.plot.save(&mut answer.figure)?;
+            self.plot.save(context, &mut answer.figure)?;
         }
         answer.figure = None;
         let target = self.output.output.as_deref();
-        if form(target, format)? == Format::Json {
-            emit_json(&answer, target)?;
+        if form(target, context.format)? == Format::Json {
+            context.emit_json(&answer, target)?;
         } else {
-            self.output.print(format, &answer)?;
+            self.output.print(context, &answer)?;
         }
         Ok(exit_code(answer.problem.as_ref()))
     }

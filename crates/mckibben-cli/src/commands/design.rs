@@ -1,8 +1,8 @@
 //! `design`: the main job.
 
 use crate::{
-    Bar, Format, NO_ANSWER, Plot, Problem, check_ending, cli::examples, emit, output::ShownUnits,
-    path_on_one_line, print_page, save,
+    Bar, Context, Format, NO_ANSWER, Plot, Problem, check_ending, examples::examples,
+    output::ShownUnits, path_on_one_line,
 };
 use mckibben_app::DesignRequest;
 use std::path::{Path, PathBuf};
@@ -35,15 +35,15 @@ pub struct Design {
 }
 
 impl Design {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
         let target = self.output.as_deref();
         check_ending(target, &["toml"])?;
         self.request.load.read_tables()?;
-        self.request.figure = self.plot.wanted();
+        self.request.figure = self.plot.wanted(context);
         let mut answer = mckibben_app::design(&self.request, &Bar::new("muscles"))?;
         let winner = answer.muscle_files.first();
         if let Some(winner) = winner {
-            save(target, winner.text.as_bytes())?;
+            context.save(target, winner.text.as_bytes())?;
         }
         let name = target.and_then(Path::file_name);
         let name = name.map(|name| path_on_one_line(Path::new(name)));
@@ -52,13 +52,13 @@ impl Design {
         if let (Some(joint), Some(target), Some(name)) = (joint, target, &name) {
             let stem = target.file_stem().unwrap_or_default().to_string_lossy();
             let beside = target.with_file_name(format!("{stem}-joint.toml"));
-            save(Some(&beside), joint.file(name).as_bytes())?;
+            context.save(Some(&beside), joint.file(name).as_bytes())?;
             written = Some(format!(", its joint in {}", path_on_one_line(&beside)));
         }
         let page = |u: &_| answer.page_with(u, self.all, name.as_deref());
-        print_page(&answer, format, page, None)?;
-        if let (Some(path), Some(_), Format::Text) = (target, winner, format) {
-            emit(
+        context.print_page(&answer, page, None)?;
+        if let (Some(path), Some(_), Format::Text) = (target, winner, context.format) {
+            context.emit(
                 format!(
                     "\nThe winner is in {}{}.\n",
                     path_on_one_line(path),
@@ -67,7 +67,7 @@ impl Design {
                 None,
             )?;
         }
-        self.plot.save(&mut answer.figure)?;
+        self.plot.save(context, &mut answer.figure)?;
         Ok(if answer.candidates.is_empty() {
             NO_ANSWER
         } else {

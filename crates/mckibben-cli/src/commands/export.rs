@@ -1,11 +1,6 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use crate::{
-    Format, Problem,
-    cli::examples,
-    output::{ShownUnits, print},
-    path_on_one_line, save_all,
-};
+use crate::{Context, Problem, examples::examples, output::ShownUnits, path_on_one_line};
 use mckibben_app::{
     BuiltFile, ExportListRequest, ExportRequest, export, export_joint, export_list, print::Page,
 };
@@ -33,13 +28,14 @@ pub struct Export {
 }
 
 impl Export {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         if self.list {
-            print(&export_list(&ExportListRequest {})?, format, |_| (), None)?;
+            context.print(&export_list(&ExportListRequest {})?, |_| (), None)?;
             return Ok(0);
         }
         let folder = self.output.as_deref();
-        let save = |files: &[BuiltFile]| folder.map_or(Ok(()), |folder| save_all(files, folder));
+        let save =
+            |files: &[BuiltFile]| folder.map_or(Ok(()), |folder| context.save_all(files, folder));
         let written = |files: &[BuiltFile], page: &mut Page| {
             page.line(match folder {
                 Some(folder) => {
@@ -57,11 +53,11 @@ impl Export {
         if let Some(file) = file.filter(|file| is_joint(&file.text)) {
             let answer = export_joint(&request.of_joint(Path::new(&file.name))?)?;
             save(&answer.files)?;
-            print(&answer, format, |page| written(&answer.files, page), None)?;
+            context.print(&answer, |page| written(&answer.files, page), None)?;
         } else {
             let answer = export(request)?;
             save(&answer.files)?;
-            print(&answer, format, |page| written(&answer.files, page), None)?;
+            context.print(&answer, |page| written(&answer.files, page), None)?;
         }
         Ok(0)
     }

@@ -1,9 +1,6 @@
 //! `fit`: from a table of points to a formula.
 
-use crate::{
-    Bar, Format, NO_ANSWER, Problem, check_ending, cli::examples, output::print, overwrite,
-    path_on_one_line, save, save_inside,
-};
+use crate::{Bar, Context, NO_ANSWER, Problem, check_ending, examples::examples, path_on_one_line};
 use mckibben_app::{
     FitAnswer, FitReportRequest, FitRequest, NamedFigure, TextFile, fit_report, print::Page,
 };
@@ -63,10 +60,10 @@ pub struct Fit {
 }
 
 impl Fit {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         let target = self.output.as_deref();
         let Some(path) = self.file else {
-            return report(target, format);
+            return report(target, context);
         };
         check_ending(target, &["json"])?;
         let mut request = self.request;
@@ -79,7 +76,7 @@ impl Fit {
         (request.tables, request.figures) = (self.tables.is_some(), self.plots.is_some());
         let mut answer = mckibben_app::fit(&request, &Bar::new("steps"))?;
         if let Some(folder) = &self.tables {
-            write_tables(folder, &mut answer)?;
+            write_tables(folder, &mut answer, context)?;
         }
         if let Some(folder) = &self.plots {
             let mut figures = vec![];
@@ -90,20 +87,20 @@ impl Fit {
                     figures.push((file, bytes));
                 }
             }
-            save_inside(folder, figures, overwrite())?;
+            context.save_inside(folder, figures)?;
         }
-        save(target, answer.formula_file().as_bytes())?;
+        context.save(target, answer.formula_file().as_bytes())?;
         let add = |page: &mut Page| {
             if let Some(path) = target.map(path_on_one_line) {
                 page.paragraph(format!("The formula is in {path}: --model {path}"));
             }
         };
-        print(&answer, format, add, None)?;
+        context.print(&answer, add, None)?;
         Ok(0)
     }
 }
 
-fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
+fn write_tables(folder: &Path, answer: &mut FitAnswer, context: &Context) -> Result<(), Problem> {
     let mut tables = Map::new();
     let mut files = vec![];
     for table in std::mem::take(&mut answer.tables) {
@@ -118,13 +115,13 @@ fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Problem> {
         "tables.json".into(),
         format!("{:#}\n", json!({ "method": method, "tables": tables })),
     ));
-    save_inside(folder, files, overwrite())
+    context.save_inside(folder, files)
 }
 
 /// The paper's results, computed again.
-fn report(target: Option<&Path>, format: Format) -> Result<u8, Problem> {
+fn report(target: Option<&Path>, context: &Context) -> Result<u8, Problem> {
     let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
-    print(&answer, format, |_| (), target)?;
+    context.print(&answer, |_| (), target)?;
     Ok(if answer.findings.iter().all(|f| f.ok) {
         0
     } else {

@@ -1,10 +1,6 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
-use crate::{
-    Problem,
-    cli::{command, examples},
-    emit, overwrite, save_inside, unprinted,
-};
+use crate::{Context, Problem, examples::examples, unprinted};
 use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -22,8 +18,8 @@ pub struct Help {
 }
 
 impl Help {
-    pub fn run(self) -> Result<u8, Problem> {
-        let mut root = built();
+    pub fn run(self, root: Command) -> Result<u8, Problem> {
+        let mut root = built(root);
         let words = self.command;
         let mut command = &mut root;
         for word in &words {
@@ -57,14 +53,14 @@ pub struct ManPages {
 }
 
 impl ManPages {
-    pub fn run(self) -> Result<u8, Problem> {
-        let root = built();
+    pub fn run(self, root: Command, context: &Context) -> Result<u8, Problem> {
+        let root = built(root);
         let words = self.command;
         let Some(folder) = self.output else {
             let command = words
                 .iter()
                 .try_fold(&root, |command, word| command.find_subcommand(word));
-            emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
+            context.emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
             return Ok(0);
         };
         let mut left = vec![&root];
@@ -73,7 +69,7 @@ impl ManPages {
             pages.push((Man::new(command.clone()).get_filename(), page(command)?));
             left.extend(command.get_subcommands());
         }
-        save_inside(&folder, pages, overwrite()).map(|()| 0)
+        context.save_inside(&folder, pages).map(|()| 0)
     }
 }
 
@@ -89,18 +85,17 @@ pub struct Completions {
 }
 
 impl Completions {
-    pub fn run(self) -> Result<u8, Problem> {
+    pub fn run(self, mut root: Command, context: &Context) -> Result<u8, Problem> {
         // Into memory first: clap_complete panics where it cannot write.
         let mut script = vec![];
-        clap_complete::generate(self.shell, &mut command(), "mckibben", &mut script);
-        emit(&script, None)?;
+        clap_complete::generate(self.shell, &mut root, "mckibben", &mut script);
+        context.emit(&script, None)?;
         Ok(0)
     }
 }
 
 /// The command line with all that it inherits.
-fn built() -> Command {
-    let mut root = command();
+fn built(mut root: Command) -> Command {
     root.build();
     root
 }

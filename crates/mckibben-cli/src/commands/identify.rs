@@ -1,10 +1,8 @@
 //! `identify`: constants of a muscle from points.
 
 use crate::{
-    Bar, Format, Plot, Problem, check_ending,
-    cli::examples,
-    output::{ShownUnits, print},
-    overwrite, path_on_one_line, save, save_inside,
+    Bar, Context, Plot, Problem, check_ending, examples::examples, output::ShownUnits,
+    path_on_one_line,
 };
 use mckibben_app::{
     IdentifyRequest, MotionRequest, TextFile,
@@ -54,24 +52,24 @@ pub struct Identify {
 }
 
 impl Identify {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
         check_ending(self.output.as_deref(), &["toml"])?;
-        self.request.figure = self.plot.wanted();
+        self.request.figure = self.plot.wanted(context);
         if let Some(log) = &self.motion {
-            return self.of_motion(log, format);
+            return self.of_motion(log, context);
         }
         let mut answer = mckibben_app::identify(&self.request, &Bar::new("points"))?;
-        self.plot.save(&mut answer.figure)?;
+        self.plot.save(context, &mut answer.figure)?;
         let folder = self.save_measured.as_deref();
         if let Some(folder) = folder {
             let files = self.request.measured_files(&answer)?;
-            save_inside(folder, files, overwrite())?;
+            context.save_inside(folder, files)?;
         }
         let measured = folder.map(|path| {
             let place = path_on_one_line(path);
             format!("The measured muscle is in {place}; fill in README.md and case.toml.")
         });
-        self.written(&answer, ("muscle", &answer.muscle_file), measured, format)
+        self.written(&answer, ("muscle", &answer.muscle_file), measured, context)
     }
 
     /// Writes the file that was found, and says where it is, and what else was written.
@@ -80,21 +78,21 @@ impl Identify {
         answer: &impl Show,
         (what, file): (&str, &str),
         more: Option<String>,
-        format: Format,
+        context: &Context,
     ) -> Result<u8, Problem> {
         let target = self.output.as_deref();
-        save(target, file.as_bytes())?;
+        context.save(target, file.as_bytes())?;
         let written = target.map(|path| format!("The {what} is in {}.", path_on_one_line(path)));
         let add = |page: &mut Page| {
             let texts = written.into_iter().chain(more);
             texts.for_each(|text| page.paragraph(text));
         };
-        print(answer, format, add, None)?;
+        context.print(answer, add, None)?;
         Ok(0)
     }
 
     /// Constants of a drive from a log of its motion.
-    fn of_motion(&self, log: &Path, format: Format) -> Result<u8, Problem> {
+    fn of_motion(&self, log: &Path, context: &Context) -> Result<u8, Problem> {
         let drive = self.request.muscle.file().map(|file| &*file.name);
         let request = MotionRequest {
             model: self.request.model.clone(),
@@ -105,10 +103,10 @@ impl Identify {
         }
         .with_drive(Path::new(drive.unwrap_or_default()))?;
         let mut answer = mckibben_app::motion(&request, &Bar::new("motion"))?;
-        self.plot.save(&mut answer.figure)?;
+        self.plot.save(context, &mut answer.figure)?;
         let Some(identified) = &answer.identified else {
             return Ok(0);
         };
-        self.written(&answer, ("drive", &identified.drive_file), None, format)
+        self.written(&answer, ("drive", &identified.drive_file), None, context)
     }
 }

@@ -1,6 +1,6 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a joint.
 
-use crate::{Bar, Format, Output, Plot, Problem, cli::examples, output::form};
+use crate::{Bar, Context, Format, Output, Plot, Problem, examples::examples, output::form};
 use mckibben_app::{JointFields, JointRequest, joint};
 use std::path::PathBuf;
 
@@ -25,13 +25,13 @@ pub struct Joint {
 }
 
 impl Joint {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
         let request = &mut self.request;
         request.joint = JointFields::read(&self.file)?;
-        request.figure = self.plot.wanted();
+        request.figure = self.plot.wanted(context);
         // Text does not show them.
         let target = self.output.output.as_deref();
-        request.without_start_pressures = form(target, format)? == Format::Text;
+        request.without_start_pressures = form(target, context.format)? == Format::Text;
         let mut answer = joint(request, &Bar::new("joint"))?;
         if request.figure.is_some() && answer.figure.is_none() {
             let message = "--plot: a figure of a joint has torques over angles, or a map";
@@ -40,7 +40,7 @@ impl Joint {
                 "give --angle with a range, or --map",
             ));
         }
-        self.plot.save(&mut answer.figure)?;
-        self.output.print(format, &answer)
+        self.plot.save(context, &mut answer.figure)?;
+        self.output.print(context, &answer)
     }
 }

@@ -1,6 +1,6 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
-use crate::{Bar, Format, Output, Plot, Problem, cli::examples, display_units, exit_code};
+use crate::{Bar, Context, Output, Plot, Problem, examples::examples, exit_code};
 use mckibben_app::{LoadFields, MotionRequest, TextFile, motion};
 use std::path::PathBuf;
 
@@ -39,7 +39,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &mut Context) -> Result<u8, Problem> {
         if self.size.is_none() && self.request.rise_time_s.is_some() {
             let message = "--rise-time is that of a part to size";
             return Err(Problem::usage(message, "add --size valve"));
@@ -58,13 +58,13 @@ impl Motion {
             self.request.tables = fields.load_tables;
         }
         if let Some(path) = &self.file {
-            display_units::take_file(&TextFile::read(path)?.text);
+            context.take_units(&TextFile::read(path)?.text);
             self.request = self.request.with_drive(path)?;
         }
-        self.request.figure = self.plot.wanted();
+        self.request.figure = self.plot.wanted(context);
         let mut answer = motion(&self.request, &Bar::new("motion"))?;
-        self.plot.save(&mut answer.figure)?;
-        self.output.print(format, &answer)?;
+        self.plot.save(context, &mut answer.figure)?;
+        self.output.print(context, &answer)?;
         Ok(exit_code(answer.problem().as_ref()))
     }
 }

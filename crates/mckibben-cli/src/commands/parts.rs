@@ -1,6 +1,6 @@
 //! `parts list|show`.
 
-use crate::{Format, Output, Problem, cli::examples};
+use crate::{Context, Output, Problem, examples::examples};
 use clap::Subcommand;
 use mckibben_app::{PartShowRequest, PartsListRequest, part_show, parts_list};
 
@@ -32,10 +32,10 @@ pub enum Parts {
 }
 
 impl Parts {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         match self {
-            Self::List { request, output } => output.print(format, &parts_list(&request)?),
-            Self::Show { request, output } => output.print(format, &part_show(&request)?),
+            Self::List { request, output } => output.print(context, &parts_list(&request)?),
+            Self::Show { request, output } => output.print(context, &part_show(&request)?),
         }
     }
 }

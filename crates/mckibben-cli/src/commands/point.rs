@@ -1,6 +1,6 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::{Format, Output, Problem, cli::examples};
+use crate::{Context, Output, Problem, examples::examples};
 use clap::Args;
 use mckibben_app::{ContractionRequest, ForceRequest, PressureRequest};
 
@@ -41,23 +41,23 @@ pub struct Contraction {
 }
 
 impl Force {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         self.output
-            .print(format, &mckibben_app::force(&self.request)?)
+            .print(context, &mckibben_app::force(&self.request)?)
     }
 }
 
 impl Pressure {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         self.output
-            .print(format, &mckibben_app::pressure(&self.request)?)
+            .print(context, &mckibben_app::pressure(&self.request)?)
     }
 }
 
 impl Contraction {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
         self.request.load.read_tables()?;
         self.output
-            .print(format, &mckibben_app::contraction(&self.request)?)
+            .print(context, &mckibben_app::contraction(&self.request)?)
     }
 }

@@ -1,8 +1,6 @@
 //! `rubber`: laws from tension tests.
 
-use crate::{
-    Format, Plot, Problem, check_ending, cli::examples, output::print, path_on_one_line, save,
-};
+use crate::{Context, Plot, Problem, check_ending, examples::examples, path_on_one_line};
 use mckibben_app::{ProblemKind, RubberFitRequest, TextFile, print::Page, rubber_fit};
 use mckibben_core::progress::Silent;
 use std::path::{Path, PathBuf};
@@ -37,14 +35,16 @@ fn table(path: &str) -> Result<TextFile, Problem> {
 }
 
 impl Rubber {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
         let target = self.output.as_deref();
         check_ending(target, &["toml"])?;
         self.request.tables.data.splice(0..0, self.tests);
         self.request.figure = self.plot.plot.is_some();
         let mut answer = rubber_fit(&self.request, &Silent)?;
         let written = target.zip(answer.muscle_file.as_deref());
-        written.map_or(Ok(()), |(path, text)| save(Some(path), text.as_bytes()))?;
+        written.map_or(Ok(()), |(path, text)| {
+            context.save(Some(path), text.as_bytes())
+        })?;
         if target.is_some() && written.is_none() {
             let message = "none of these laws is stable over the stretches of a muscle; no muscle \
                 file is written";
@@ -54,7 +54,7 @@ impl Rubber {
                 "add `stable`, or take `laws` neo-hookean",
             ));
         }
-        self.plot.save(&mut answer.figure)?;
+        self.plot.save(context, &mut answer.figure)?;
         let add = |page: &mut Page| {
             if let Some(path) = target.map(path_on_one_line) {
                 page.line(format!(
@@ -62,7 +62,7 @@ impl Rubber {
                 ));
             }
         };
-        print(&answer, format, add, None)?;
+        context.print(&answer, add, None)?;
         Ok(0)
     }
 }

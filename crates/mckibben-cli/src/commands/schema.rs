@@ -1,6 +1,6 @@
 //! `schema`: the JSON Schema of requests, answers and files.
 
-use crate::{Problem, check_ending, cli::examples, emit, overwrite, save_inside};
+use crate::{Context, Problem, check_ending, examples::examples};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 use std::path::PathBuf;
 
@@ -27,22 +27,24 @@ pub struct Schema {
 }
 
 impl Schema {
-    pub fn run(self) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         let target = self.output;
         let one = match (self.file, self.command) {
             (Some(kind), _) => file_schema(&kind)?,
             (None, Some(command)) => schema(&command)?,
             (None, None) => {
                 let Some(folder) = &target else {
-                    return emit(format!("{:#}\n", bundle()), None).map(|()| 0);
+                    return context.emit(format!("{:#}\n", bundle()), None).map(|()| 0);
                 };
                 let files = COMMANDS
                     .iter()
                     .map(|c| (format!("{}.json", c.name), format!("{:#}\n", c.schema())));
-                return save_inside(folder, files, overwrite()).map(|()| 0);
+                return context.save_inside(folder, files).map(|()| 0);
             }
         };
         check_ending(target.as_deref(), &["json"])?;
-        emit(format!("{one:#}\n"), target.as_deref()).map(|()| 0)
+        context
+            .emit(format!("{one:#}\n"), target.as_deref())
+            .map(|()| 0)
     }
 }

@@ -1,6 +1,6 @@
 //! `serve`: the workbench in a browser.
 
-use crate::{Format, Problem, emit, progress, warn};
+use crate::{Context, Format, Problem, progress};
 use mckibben_app::ProblemKind;
 use mckibben_server::Config;
 use std::{
@@ -27,7 +27,7 @@ pub struct Serve {
 }
 
 impl Serve {
-    pub fn run(self, format: Format) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8, Problem> {
         // Signals are taken over before anybody can know that the server is there.
         progress::stopped();
         let port = self.port;
@@ -35,15 +35,15 @@ impl Serve {
             TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(|e| unbound(port, &e))?;
         let address = listener.local_addr().map_err(|e| unbound(port, &e))?;
         let address = format!("http://{address}");
-        let line = match format {
+        let line = match context.format {
             Format::Json => serde_json::json!({ "address": address }).to_string(),
             _ => address.clone(),
         };
-        emit(&(line + "\n"), None)?;
+        context.emit(&(line + "\n"), None)?;
         if self.open
             && let Err(error) = open::that_detached(&address)
         {
-            warn(format!(
+            context.warn(format!(
                 "no browser can be opened ({error}): open {address} yourself"
             ));
         }

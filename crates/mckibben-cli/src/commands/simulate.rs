@@ -1,11 +1,8 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 use crate::{
-    Bar, Format, Output, Plot, Problem, check_ending,
-    cli::examples,
-    exit_code,
-    output::{self, check},
-    path_on_one_line, save, save_all,
+    Bar, Context, Format, Output, Plot, Problem, check_ending, examples::examples, exit_code,
+    path_on_one_line,
 };
 use mckibben_app::{SimulateRequest, print::Page};
 use std::path::PathBuf;
@@ -45,24 +42,26 @@ pub struct Simulate {
 }
 
 impl Simulate {
-    pub fn run(mut self, format: Format) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
         let deck = self.export_inp.as_deref();
         check_ending(deck, &["inp"])?;
         let opened = self.vtu.as_ref().map(|folder| folder.join("muscle.pvd"));
-        opened.as_deref().map_or(Ok(()), check)?;
-        self.request.figure = self.plot.wanted();
+        opened
+            .as_deref()
+            .map_or(Ok(()), |path| context.check(path))?;
+        self.request.figure = self.plot.wanted(context);
         self.request.deck = deck.is_some();
         self.request.vtu = self.vtu.is_some();
         self.request.eighth = !self.whole;
         let mut answer = mckibben_app::simulate(&self.request, &Bar::new("points"))?;
         let files = std::mem::take(&mut answer.files);
         self.vtu
-            .map_or(Ok(()), |folder| save_all(&files, &folder))?;
+            .map_or(Ok(()), |folder| context.save_all(&files, &folder))?;
         if let Some(text) = answer.deck.take() {
-            save(deck, text.as_bytes())?;
+            context.save(deck, text.as_bytes())?;
         }
-        self.plot.save(&mut answer.figure)?;
-        if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
+        self.plot.save(context, &mut answer.figure)?;
+        if let Some(problem) = answer.problem.take_if(|_| context.format == Format::Text) {
             return Err(problem);
         }
         let target = self.output.output.as_deref();
@@ -71,7 +70,7 @@ impl Simulate {
                 page.paragraph(format!("ParaView opens {}.", path_on_one_line(path)));
             }
         };
-        output::print(&answer, format, add, target)?;
+        context.print(&answer, add, target)?;
         Ok(exit_code(answer.problem.as_ref()))
     }
 }

@@ -5,12 +5,12 @@ pub mod text;
 mod width;
 mod write;
 
-use crate::{Format, Problem, clean, display_units, quantities::unit_hint, unprinted};
+use crate::{Context, Format, Problem, clean, unprinted};
 use mckibben_app::{
     ProblemKind, Units,
     print::{Page, Show},
 };
-use mckibben_core::warning::is_of_burst;
+use mckibben_core::{joined, warning::Warning};
 use serde::Serialize;
 use serde_json::Value;
 use std::{
@@ -18,10 +18,7 @@ use std::{
     path::{Path, PathBuf},
 };
 use table::CsvTable;
-pub use write::{
-    burst_first, check, check_ending, check_named, complain, emit, ending, overwrite, save,
-    save_all, save_inside, warn, warn_behind,
-};
+pub use write::{check_ending, complain, ending};
 
 pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
     serde_json::to_value(answer)
@@ -52,20 +49,6 @@ impl<W: Write> Write for Plain<W> {
     }
 }
 
-/// Prints an answer of many points as JSON: straight to standard output, or into a file, which
-/// appears whole.
-pub fn emit_json<T: Serialize>(answer: &T, target: Target<'_>) -> Result<(), Problem> {
-    if target.is_some() {
-        return emit(plain(format!("{:#}\n", json(answer)?)), target);
-    }
-    let mut out = BufWriter::new(std::io::stdout().lock());
-    serde_json::to_writer_pretty(Plain(&mut out), answer)
-        .map_err(Error::from)
-        .and_then(|()| writeln!(out))
-        .and_then(|()| out.flush())
-        .map_err(|error| unprinted(&error))
-}
-
 /// Units that are shown.
 #[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
@@ -75,7 +58,7 @@ pub struct ShownUnits {
     /// Of text and figures: a unit of pressure, force or length, or several. Without it those of
     /// your flags, else MPa, N and mm.
     #[arg(long, value_name = "UNIT,…")]
-    // `shown` finds it among the flags.
+    // `Context` has it.
     #[allow(dead_code)]
     units: Option<Units>,
 }
@@ -95,8 +78,8 @@ pub struct Output {
 
 impl Output {
     /// Prints an answer where `--output` says.
-    pub fn print<T: Show>(&self, format: Format, answer: &T) -> Result<u8, Problem> {
-        print(answer, format, |_| (), self.output.as_deref())?;
+    pub fn print<T: Show>(&self, context: &Context, answer: &T) -> Result<u8, Problem> {
+        context.print(answer, |_| (), self.output.as_deref())?;
         Ok(0)
     }
 }
@@ -104,66 +87,84 @@ impl Output {
 /// The file that a result goes to; else standard output.
 pub type Target<'a> = Option<&'a Path>;
 
-/// Prints an answer in the requested form: as text for people with what `add` adds, as JSON, or as
-/// a table.
-pub fn print<T: Show>(
-    answer: &T,
-    format: Format,
-    add: impl FnOnce(&mut Page),
-    target: Target<'_>,
-) -> Result<(), Problem> {
-    let page = |u: &Units| {
-        let mut page = answer.page(u);
-        add(&mut page);
-        page
-    };
-    print_page(answer, format, page, target)
-}
+impl Context {
+    /// Prints an answer in the requested form: as text for people with what `add` adds, as JSON, or
+    /// as a table.
+    pub fn print<T: Show>(
+        &self,
+        answer: &T,
+        add: impl FnOnce(&mut Page),
+        target: Target<'_>,
+    ) -> Result<(), Problem> {
+        let page = |u: &Units| {
+            let mut page = answer.page(u);
+            add(&mut page);
+            page
+        };
+        self.print_page(answer, page, target)
+    }
 
-/// The same with a page of its own.
-pub fn print_page<T: Show>(
-    answer: &T,
-    format: Format,
-    page: impl FnOnce(&Units) -> Page,
-    target: Target<'_>,
-) -> Result<(), Problem> {
-    let text = || burst_first(&answer.warnings()) + &text::laid_out(&page(&display_units::units()));
-    let csv = || {
-        let csv = answer.csv();
-        let warnings = answer.warnings();
-        warnings
-            .iter()
-            .chain(&csv.warnings)
-            .filter(|w| is_of_burst(w))
-            .for_each(warn);
-        table::csv(&CsvTable::of(csv)?)
-    };
-    made(&|| json(answer), &csv, format, Box::new(text), target)
-}
-
-/// The same of what can be made of an answer, of one type for all answers, so that it is compiled
-/// once.
-fn made(
-    json: &dyn Fn() -> Result<Value, Problem>,
-    csv: &dyn Fn() -> Result<Vec<u8>, Problem>,
-    format: Format,
-    text: Box<dyn FnOnce() -> String + '_>,
-    target: Target<'_>,
-) -> Result<(), Problem> {
-    let out = match form(target, format)? {
-        Format::Text => {
-            unit_hint().into_iter().for_each(warn);
-            if target.is_some() {
-                width::in_file();
+    /// The same with a page of its own.
+    pub fn print_page<T: Show>(
+        &self,
+        answer: &T,
+        page: impl FnOnce(&Units) -> Page,
+        target: Target<'_>,
+    ) -> Result<(), Problem> {
+        match form(target, self.format)? {
+            Format::Text => self.print_text(answer.warnings(), || page(&self.units), target),
+            Format::Json => self.emit(plain(format!("{:#}\n", json(answer)?)), target),
+            Format::Csv => {
+                let csv = answer.csv();
+                let warnings = answer.warnings();
+                let all = warnings.iter().chain(&csv.warnings);
+                all.filter(|w| w.is_of_burst()).for_each(|w| self.warn(w));
+                self.emit(table::csv(&CsvTable::of(csv)?)?, target)
             }
-            width::broken(&clean::lines(&plain(text()))).into_bytes()
         }
-        Format::Json => plain(format!("{:#}\n", json()?)).into_bytes(),
-        Format::Csv => csv()?,
-    };
-    emit(&out, target)?;
-    warn_behind();
-    Ok(())
+    }
+
+    /// Prints a text and its warnings: those of the burst pressure as its first lines, with the
+    /// others behind the text; without them the others before it.
+    fn print_text(
+        &self,
+        warnings: Vec<Warning>,
+        page: impl FnOnce() -> Page,
+        target: Target<'_>,
+    ) -> Result<(), Problem> {
+        self.unit_note.iter().for_each(|note| self.warn(note));
+        let (first, mut others): (Vec<_>, Vec<_>) =
+            warnings.into_iter().partition(Warning::is_of_burst);
+        let mut text = String::new();
+        if first.is_empty() {
+            others.drain(..).for_each(|w| self.warn(w));
+        } else {
+            text = self
+                .units
+                .sentence(&joined(first.iter().map(ToString::to_string), "\n"))
+                + "\n\n";
+        }
+        let width = width::of_result(target);
+        text += &self.laid_out(&page(), width.unwrap_or(width::STABLE));
+        let text = width::broken(&clean::lines(&plain(text)), width);
+        self.emit(text, target)?;
+        others.into_iter().for_each(|w| self.warn(w));
+        Ok(())
+    }
+
+    /// Prints an answer of many points as JSON: straight to standard output, or into a file, which
+    /// appears whole.
+    pub fn emit_json<T: Serialize>(&self, answer: &T, target: Target<'_>) -> Result<(), Problem> {
+        if target.is_some() {
+            return self.emit(plain(format!("{:#}\n", json(answer)?)), target);
+        }
+        let mut out = BufWriter::new(std::io::stdout().lock());
+        serde_json::to_writer_pretty(Plain(&mut out), answer)
+            .map_err(Error::from)
+            .and_then(|()| writeln!(out))
+            .and_then(|()| out.flush())
+            .map_err(|error| unprinted(&error))
+    }
 }
 
 /// The format of a file by its ending; without one, or for standard output, that of `--format`.

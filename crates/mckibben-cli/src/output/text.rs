@@ -1,7 +1,7 @@
 //! Text for people: aligned, with units, rounded to what is worth reading.
 
-use super::width::{self, fold};
-use crate::{clean::line, typed::in_flags};
+use super::width::fold;
+use crate::{Context, clean::line};
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::print::{Block, Column, Page};
 use mckibben_core::joined;
@@ -120,29 +120,32 @@ fn table(room: usize, columns: &[&Drawn<'_>]) -> String {
     joined(table.lines().map(|l| l.trim_end().to_owned()), "\n") + "\n"
 }
 
-/// A page of an answer.
-pub fn laid_out(page: &Page) -> String {
-    let block = |block: &Block| match block {
-        Block::Text(text) => in_flags(text) + "\n",
-        Block::Rows(rows) => pairs_within(width::of_tables(), rows),
-        Block::Table(columns) => table_within(width::of_tables(), columns),
-    };
-    page.blocks.iter().map(block).collect()
-}
+impl Context {
+    /// A page of an answer, whose tables are as wide.
+    pub fn laid_out(&self, page: &Page, room: usize) -> String {
+        let block = |block: &Block| match block {
+            Block::Text(text) => self.in_flags(text) + "\n",
+            Block::Rows(rows) => self.pairs_within(room, rows),
+            Block::Table(columns) => table_within(room, columns),
+        };
+        page.blocks.iter().map(block).collect()
+    }
 
-/// Aligned `name   value` lines; a long value goes on below.
-fn pairs_within(room: usize, list: &[(String, String)]) -> String {
-    let width = list
-        .iter()
-        .map(|(name, _)| name.chars().count())
-        .max()
-        .unwrap_or(0);
-    let room = room.saturating_sub(width + 5).max(NARROW);
-    let one = |(name, value): &(String, String)| {
-        let value = fold(&in_flags(&line(value)), room).join(&format!("\n{:1$}", "", width + 5));
-        format!("  {name:<width$}   {value}\n")
-    };
-    list.iter().map(one).collect()
+    /// Aligned `name   value` lines; a long value goes on below.
+    fn pairs_within(&self, room: usize, list: &[(String, String)]) -> String {
+        let width = list
+            .iter()
+            .map(|(name, _)| name.chars().count())
+            .max()
+            .unwrap_or(0);
+        let room = room.saturating_sub(width + 5).max(NARROW);
+        let one = |(name, value): &(String, String)| {
+            let value =
+                fold(&self.in_flags(&line(value)), room).join(&format!("\n{:1$}", "", width + 5));
+            format!("  {name:<width$}   {value}\n")
+        };
+        list.iter().map(one).collect()
+    }
 }
 
 #[cfg(test)]
@@ -200,7 +203,7 @@ mod tests {
 
     #[test]
     fn a_long_value_goes_on_below_its_beginning() {
-        let text = pairs_within(
+        let text = Context::default().pairs_within(
             40,
             &[(
                 "name".into(),

@@ -2,57 +2,37 @@
 //! are 100 columns wide at most, and sentences stay on one line.
 
 use mckibben_core::joined;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::path::Path;
 use terminal_size::{Width, terminal_size_of};
 
 /// Of tables in files and pipes.
-const STABLE: usize = 100;
+pub const STABLE: usize = 100;
 /// No text is narrower.
 const LEAST: usize = 40;
-/// Whether the text goes to a file.
-static IN_FILE: AtomicBool = AtomicBool::new(false);
 
-/// Notes that the text goes to a file, where no terminal counts.
-pub fn in_file() {
-    IN_FILE.store(true, Ordering::Relaxed);
-}
-
-/// Of the place where standard output is read, where it has a width.
-fn of_reader() -> Option<usize> {
-    if IN_FILE.load(Ordering::Relaxed) {
+/// Of the place where a result is read, where it has a width.
+pub fn of_result(target: Option<&Path>) -> Option<usize> {
+    if target.is_some() {
         return None;
     }
-    or_environment(terminal_size_of(std::io::stdout()).map(|(width, _)| width))
-}
-
-fn or_environment(terminal: Option<Width>) -> Option<usize> {
     let said = || std::env::var("COLUMNS").ok()?.parse::<usize>().ok();
-    Some(
-        terminal
-            .map(|Width(width)| usize::from(width))
-            .or_else(said)?
-            .max(LEAST),
-    )
+    let terminal = terminal_size_of(std::io::stdout());
+    let width = terminal
+        .map(|(Width(width), _)| usize::from(width))
+        .or_else(said)?;
+    Some(width.max(LEAST))
 }
 
-pub fn of_tables() -> usize {
-    of_reader().unwrap_or(STABLE)
+/// Of standard error, where it has a width.
+pub fn aside() -> Option<usize> {
+    terminal_size_of(std::io::stderr()).map(|(Width(width), _)| LEAST.max(width.into()))
 }
 
-/// Sentences of a text, broken at blanks where standard output has a width. What is indented goes
-/// on indented.
-pub fn broken(text: &str) -> String {
-    of_reader().map_or_else(|| text.to_owned(), |width| lines(text, width))
-}
-
-/// The same of standard error.
-pub fn broken_aside(text: &str) -> String {
-    let terminal =
-        terminal_size_of(std::io::stderr()).map(|(Width(width), _)| usize::from(width).max(LEAST));
-    terminal.map_or_else(|| text.to_owned(), |width| lines(text, width))
-}
-
-fn lines(text: &str, width: usize) -> String {
+/// Sentences of a text, broken at blanks where there is a width. What is indented goes on indented.
+pub fn broken(text: &str, width: Option<usize>) -> String {
+    let Some(width) = width else {
+        return text.to_owned();
+    };
     let one = |line: &str| {
         let blanks = line.len() - line.trim_start_matches(' ').len();
         let indent = " ".repeat(if blanks > 0 { blanks + 2 } else { 0 }.min(width / 2));
@@ -117,15 +97,18 @@ mod tests {
     #[test]
     fn lines_are_broken_at_blanks_and_indented_ones_go_on_indented() {
         assert_eq!(
-            lines("one two three\n  four five six", 9),
+            broken("one two three\n  four five six", Some(9)),
             "one two\nthree\n  four\n    five\n    six"
         );
         assert_eq!(
-            lines("a-word-that-is-too-long b", 9),
+            broken("a-word-that-is-too-long b", Some(9)),
             "a-word-that-is-too-long\nb"
         );
-        assert_eq!(lines("at a pull of 12.5 N", 16), "at a pull of\n12.5 N");
+        assert_eq!(
+            broken("at a pull of 12.5 N", Some(16)),
+            "at a pull of\n12.5 N"
+        );
         let short = "  name     value\n\n";
-        assert_eq!(lines(short, 80), short);
+        assert_eq!(broken(short, Some(80)), short);
     }
 }

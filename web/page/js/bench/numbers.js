@@ -116,8 +116,7 @@ function warned({ facts }, point) {
   const own = facts.said?.state === muscle.state ? facts.said.warnings : [];
   const unknown = muscle.unknown.map(([key]) => key).join(", ");
   const list = new Set([
-    ...own,
-    ...(point.warnings ?? []),
+    ...[...own, ...(point.warnings ?? [])].map((w) => w.message),
     ...muscle.wrong.values(),
     unknown && `Not understood in the address: ${unknown}`,
   ]);

@@ -136,7 +136,9 @@ export const mount = (main) => {
         { text: [0, 1, 5], label: "laws of the rubber" },
       ),
       warnings(
-        [...answer.warnings, ...answer.failed].map((w) => w.replace(/\b(mu|alpha)\d\b/g, sign)),
+        [...answer.warnings.map((w) => w.message), ...answer.failed].map((text) =>
+          text.replace(/\b(mu|alpha)\d\b/g, sign),
+        ),
       ),
       file
         ? muscleButtons(
