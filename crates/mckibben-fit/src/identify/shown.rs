@@ -7,7 +7,6 @@ use mckibben_core::{
         Constant, Muscle,
         measures::{ANGLE, SEATING, SLIP, TAKE_UP},
     },
-    rubber::RubberLaw,
 };
 
 /// A constant whose deviation fell below this share of that before was learnt from the points.
