@@ -14,6 +14,7 @@ mod parameter;
 mod posterior;
 mod result;
 mod run;
+mod shown;
 mod signs;
 mod values;
 

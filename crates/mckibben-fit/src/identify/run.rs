@@ -11,18 +11,16 @@ use super::{
     friction::{FrictionLaw, friction_law},
     history,
     result::{spread, spreads},
+    shown::Shown,
     signs,
     values::with_values,
 };
 use crate::measured::{DataPoint, Quantity};
 use mckibben_core::{
-    built::{Experience, HALF_95, Prior},
+    built::{Experience, Prior},
     extremes::peak,
     joined,
-    muscle::{
-        Constant, Muscle,
-        measures::{ANGLE, SEATING, SLIP, TAKE_UP},
-    },
+    muscle::{Constant, Muscle},
     progress::{Progress, Silent},
 };
 
@@ -68,9 +66,6 @@ impl<'a> IdentificationRequest<'a> {
         }
     }
 }
-
-/// A constant whose deviation fell below this share of that before was learnt from the points.
-const LEARNT: f64 = 0.7;
 
 /// Refuses numbers that are none.
 fn check(points: &[DataPoint]) -> Result<(), DataError> {
@@ -128,14 +123,29 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
             muscle";
         IdentifyError::Refused(none.to_owned())
     })?;
+    let mut identified = identified(request, &base, &counted, &found)?;
+    identified.slack = slack;
+    notes.extend(advice::zero_of_load_cell(&sought));
+    notes.extend(advice::after(&identified, request));
+    identified.notes = notes;
+    Ok(identified)
+}
+
+/// The muscle with the constants that were found, and with the law of its friction.
+fn identified(
+    request: &IdentificationRequest<'_>,
+    base: &Muscle,
+    counted: &[DataPoint],
+    found: &Posterior,
+) -> Result<Identification> {
     let muscle = base.with_constants(&found.constants)?;
-    let law = friction_law(request, &muscle, &counted).unwrap_or_else(|| FrictionLaw {
+    let law = friction_law(request, &muscle, counted).unwrap_or_else(|| FrictionLaw {
         muscle,
         parameters: vec![],
         left: vec![],
     });
     let muscle = law.muscle;
-    let mut left = bench::left_over(request, &muscle, &counted, &found.constants)?
+    let mut left = bench::left_over(request, &muscle, counted, &found.constants)?
         .unwrap_or_else(|| found.clone());
     // Of rows in time order the friction has a history, which the bench does not know.
     let points = if request.history && !law.left.is_empty() {
@@ -156,14 +166,13 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
         .to_string();
     let residuals: Vec<f64> = points.iter().map(|f| f.residual_n).collect();
     let all = spread("all", &residuals);
-    let parameters: Vec<Identified> = Shown::all(&base)
-        .filter_map(|shown| shown.identified(&base, &muscle, &found))
+    let parameters: Vec<Identified> = Shown::all(base)
+        .filter_map(|shown| shown.identified(base, &muscle, found))
         .chain(law.parameters)
         .collect();
-    notes.extend(advice::zero_of_load_cell(&sought));
-    let identified = Identification {
+    Ok(Identification {
         bench: bench::written(&muscle, &left, model, request.history),
-        correlation: correlation(&parameters, &found),
+        correlation: correlation(&parameters, found),
         spreads: spreads(&points),
         freedom: points.len(),
         rms_before_n: found.rms_before_n,
@@ -171,15 +180,10 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
         max_n: all.max_n,
         deviation: all.rms_n,
         notes: vec![],
+        slack: vec![],
         muscle,
         parameters,
         points,
-        slack,
-    };
-    notes.extend(advice::after(&identified, request));
-    Ok(Identification {
-        notes,
-        ..identified
     })
 }
 
@@ -230,121 +234,6 @@ fn fits(left: Vec<(DataPoint, f64)>) -> Vec<PointFit> {
         outlier: outliers[i],
     };
     points.into_iter().enumerate().map(one).collect()
-}
-
-/// How a constant stands in the muscle file.
-struct Shown {
-    constant: Constant,
-    /// The parameter of that name; the factor on the pull and the share of friction have none.
-    target: Option<Target>,
-    /// The value without the constant.
-    zero: f64,
-    /// What one unit of the constant makes of the value; `None` where it is the logarithm of a factor.
-    factor: Option<f64>,
-}
-
-impl Shown {
-    /// `None` where a muscle has no such constant.
-    fn new(constant: Constant, base: &Muscle) -> Option<Self> {
-        let d0_mm = base.outer_diameter_mm();
-        let (target, factor) = match constant {
-            Constant::PullFactor => (None, None),
-            Constant::Seating => (Some(Target::Measure(&SEATING)), Some(d0_mm)),
-            Constant::Compliance => (Some(Target::Measure(&SLIP)), Some(1.0 / d0_mm)),
-            Constant::TakeUp => (Some(Target::Measure(&TAKE_UP)), Some(1.0)),
-            // A law of one constant is that constant.
-            Constant::Modulus => match base.tube().rubber.law.values().len() {
-                1 => (Some(Target::Law(0)), None),
-                _ => (Some(Target::Modulus), None),
-            },
-            Constant::Angle => (Some(Target::Measure(&ANGLE)), Some(1.0)),
-            Constant::Strands => {
-                base.family_stiffness_n_per_mm()?;
-                (Some(Target::Stiffness), None)
-            }
-            Constant::Friction => (None, Some(1.0)),
-        };
-        let value = target.and_then(|target| target.value(base));
-        Some(Self {
-            constant,
-            target,
-            zero: value.unwrap_or(if factor.is_some() { 0.0 } else { 1.0 }),
-            factor,
-        })
-    }
-
-    fn all(base: &Muscle) -> impl Iterator<Item = Self> {
-        Constant::ALL
-            .into_iter()
-            .filter_map(|constant| Self::new(constant, base))
-    }
-
-    /// Whether a name means it: a factor on all moduli, or the one modulus of the law.
-    fn is(&self, target: Target, base: &Muscle) -> bool {
-        let law = &base.tube().rubber.law;
-        let moduli = || {
-            law.constants()
-                .into_iter()
-                .filter(|c| c.constant.is_modulus())
-        };
-        let is_modulus = match target {
-            Target::Modulus => true,
-            Target::Law(i) => {
-                let own = law.constants().into_iter().nth(i);
-                own.is_some_and(|c| c.constant.is_modulus()) && moduli().count() == 1
-            }
-            _ => false,
-        };
-        self.target == Some(target) || is_modulus && self.constant == Constant::Modulus
-    }
-
-    fn name(&self, base: &Muscle) -> String {
-        match self.target {
-            Some(target) => target.name(base),
-            None if self.constant == Constant::Friction => "friction_share".to_owned(),
-            None => self.constant.word().to_owned(),
-        }
-    }
-
-    fn value_of(&self, x: f64) -> f64 {
-        match self.factor {
-            Some(factor) => self.zero + factor * x,
-            None => self.zero * x.exp(),
-        }
-    }
-
-    fn constant_of(&self, value: f64) -> f64 {
-        match self.factor {
-            Some(factor) => (value - self.zero) / factor,
-            None => (value / self.zero).ln(),
-        }
-    }
-
-    /// The constant as it was found; none that is known.
-    fn identified(&self, base: &Muscle, muscle: &Muscle, found: &Posterior) -> Option<Identified> {
-        let i = self.constant as usize;
-        let before = found.prior.deviation[i];
-        let is_law = self.constant == Constant::Friction && muscle.friction().is_some();
-        if before == 0.0 || is_law {
-            return None;
-        }
-        let deviation = found.covariance[i][i].sqrt();
-        let value = self.value_of(found.constants[i]);
-        let slope = self.factor.unwrap_or(value).abs();
-        Some(Identified {
-            target: self.target,
-            name: self.name(base),
-            start: self.value_of(found.prior.centre[i]),
-            value,
-            unit: self.target.map_or("", |target| target.unit(base)),
-            standard_error: slope * deviation,
-            half_width: HALF_95 * slope * deviation,
-            prior_standard_deviation: Some(slope * before),
-            identifiable: deviation < LEARNT * before,
-            at_bound: found.at_bound[i],
-            matters: true,
-        })
-    }
 }
 
 /// Refuses names that are no constants which are sought, and those that are named twice.

@@ -1,0 +1,133 @@
+//! The constants of a built muscle as parameters of its file.
+
+use super::{Identified, Posterior, Target};
+use mckibben_core::{
+    built::HALF_95,
+    muscle::{
+        Constant, Muscle,
+        measures::{ANGLE, SEATING, SLIP, TAKE_UP},
+    },
+};
+
+/// A constant whose deviation fell below this share of that before was learnt from the points.
+const LEARNT: f64 = 0.7;
+
+/// How a constant stands in the muscle file.
+pub struct Shown {
+    pub constant: Constant,
+    /// The parameter of that name; the factor on the pull and the share of friction have none.
+    pub target: Option<Target>,
+    /// The value without the constant.
+    zero: f64,
+    /// What one unit of the constant makes of the value; `None` where it is the logarithm of a factor.
+    factor: Option<f64>,
+}
+
+impl Shown {
+    /// `None` where a muscle has no such constant.
+    fn new(constant: Constant, base: &Muscle) -> Option<Self> {
+        let d0_mm = base.outer_diameter_mm();
+        let (target, factor) = match constant {
+            Constant::PullFactor => (None, None),
+            Constant::Seating => (Some(Target::Measure(&SEATING)), Some(d0_mm)),
+            Constant::Compliance => (Some(Target::Measure(&SLIP)), Some(1.0 / d0_mm)),
+            Constant::TakeUp => (Some(Target::Measure(&TAKE_UP)), Some(1.0)),
+            // A law of one constant is that constant.
+            Constant::Modulus => match base.tube().rubber.law.values().len() {
+                1 => (Some(Target::Law(0)), None),
+                _ => (Some(Target::Modulus), None),
+            },
+            Constant::Angle => (Some(Target::Measure(&ANGLE)), Some(1.0)),
+            Constant::Strands => {
+                base.family_stiffness_n_per_mm()?;
+                (Some(Target::Stiffness), None)
+            }
+            Constant::Friction => (None, Some(1.0)),
+        };
+        let value = target.and_then(|target| target.value(base));
+        Some(Self {
+            constant,
+            target,
+            zero: value.unwrap_or(if factor.is_some() { 0.0 } else { 1.0 }),
+            factor,
+        })
+    }
+
+    pub fn all(base: &Muscle) -> impl Iterator<Item = Self> {
+        Constant::ALL
+            .into_iter()
+            .filter_map(|constant| Self::new(constant, base))
+    }
+
+    /// Whether a name means it: a factor on all moduli, or the one modulus of the law.
+    pub fn is(&self, target: Target, base: &Muscle) -> bool {
+        let law = &base.tube().rubber.law;
+        let moduli = || {
+            law.constants()
+                .into_iter()
+                .filter(|c| c.constant.is_modulus())
+        };
+        let is_modulus = match target {
+            Target::Modulus => true,
+            Target::Law(i) => {
+                let own = law.constants().into_iter().nth(i);
+                own.is_some_and(|c| c.constant.is_modulus()) && moduli().count() == 1
+            }
+            _ => false,
+        };
+        self.target == Some(target) || is_modulus && self.constant == Constant::Modulus
+    }
+
+    fn name(&self, base: &Muscle) -> String {
+        match self.target {
+            Some(target) => target.name(base),
+            None if self.constant == Constant::Friction => "friction_share".to_owned(),
+            None => self.constant.word().to_owned(),
+        }
+    }
+
+    fn value_of(&self, x: f64) -> f64 {
+        match self.factor {
+            Some(factor) => self.zero + factor * x,
+            None => self.zero * x.exp(),
+        }
+    }
+
+    pub fn constant_of(&self, value: f64) -> f64 {
+        match self.factor {
+            Some(factor) => (value - self.zero) / factor,
+            None => (value / self.zero).ln(),
+        }
+    }
+
+    /// The constant as it was found; none that is known.
+    pub fn identified(
+        &self,
+        base: &Muscle,
+        muscle: &Muscle,
+        found: &Posterior,
+    ) -> Option<Identified> {
+        let i = self.constant as usize;
+        let before = found.prior.deviation[i];
+        let is_law = self.constant == Constant::Friction && muscle.friction().is_some();
+        if before == 0.0 || is_law {
+            return None;
+        }
+        let deviation = found.covariance[i][i].sqrt();
+        let value = self.value_of(found.constants[i]);
+        let slope = self.factor.unwrap_or(value).abs();
+        Some(Identified {
+            target: self.target,
+            name: self.name(base),
+            start: self.value_of(found.prior.centre[i]),
+            value,
+            unit: self.target.map_or("", |target| target.unit(base)),
+            standard_error: slope * deviation,
+            half_width: HALF_95 * slope * deviation,
+            prior_standard_deviation: Some(slope * before),
+            identifiable: deviation < LEARNT * before,
+            at_bound: found.at_bound[i],
+            matters: true,
+        })
+    }
+}
