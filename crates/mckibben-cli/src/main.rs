@@ -80,9 +80,7 @@ fn main() -> ExitCode {
 /// A command line that clap refuses: a problem where a value is wrong or JSON is asked for; else
 /// clap's own words.
 fn unparsed(error: &clap::Error, context: &Context) -> ExitCode {
-    let gone = || {
-        problem::of_gone_flag(error, context).or_else(|| problem::of_gone_command(error))
-    };
+    let gone = || problem::of_gone_flag(error, context).or_else(|| problem::of_gone_command(error));
     if let Some(problem) = problem::of_value(error).or_else(gone) {
         return report(problem, context);
     }

@@ -68,8 +68,6 @@ pub mod status;
 pub mod study;
 #[doc(hidden)]
 pub mod threads;
-#[doc(hidden)]
-pub mod verification;
 pub mod warning;
 
 #[doc(hidden)]
