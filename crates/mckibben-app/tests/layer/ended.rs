@@ -118,7 +118,6 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         ],
         "compare" => vec![
             json!({ "models": ["fe", "thick-wall"], "pressures_mpa": pressures, "contractions": contractions }),
-            json!({ "models": ["fe"], "data": [bench], "fit": ["modulus", "stiffness"] }),
             json!({ "models": ["thick-wall"], "data": [long()], "muscle": { "file": text_file("bench.toml") } }),
         ],
         "identify" => [("fe", bench), ("thick-wall", long())]
