@@ -1,8 +1,8 @@
 //! Files that users name, together with the files named in them, as requests hold them.
 
 use crate::{
-    ExportJointRequest, ExportRequest, JointFields, LoadFields, MotionRequest, MuscleFields,
-    PAPER, Problem, ProblemKind, Result, TextFile,
+    ExportJointRequest, ExportRequest, JointFields, LoadFields, MotionRequest, MuscleFields, PAPER,
+    Problem, ProblemKind, Result, TextFile,
 };
 use mckibben_core::{load::Load, muscle::file, units::typed::Length};
 use mckibben_fit::library;

@@ -23,12 +23,12 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_fit::{
-    library::write::{SavedMuscle, measured_files},
     identify::{
         Identification, IdentificationRequest, Identified, LawTrial, Parameter, PointFit, Target,
         TrialMuscle, default_parameters, identify_default, try_laws,
     },
     least_squares::Loss,
+    library::write::{SavedMuscle, measured_files},
     measured::{
         DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
         read_points,

@@ -3,11 +3,7 @@
 use super::{caption, contraction, curves::MOST_BANDS, pressure, pull, said, some_of};
 use crate::{percent, units::Units};
 use mckibben_core::{
-    analysis::Evaluation,
-    by_number::ByNumber,
-    extremes::ends,
-    model::Workspace,
-    muscle::Direction,
+    analysis::Evaluation, by_number::ByNumber, extremes::ends, model::Workspace, muscle::Direction,
 };
 use mckibben_fit::{
     identify::{Build, Identification, PointFit},

@@ -139,7 +139,10 @@ static ALL: LazyLock<Vec<MeasuredMuscle>> = LazyLock::new(|| {
     // For every caller, and not for the first alone, who may leave.
     let _entered = Cancel::default().enter();
     let names = with_file("muscle.toml");
-    names.iter().filter_map(|n| MeasuredMuscle::read(n)).collect()
+    names
+        .iter()
+        .filter_map(|n| MeasuredMuscle::read(n))
+        .collect()
 });
 
 /// Every measured muscle that is built in. The tests read each folder.

@@ -10,8 +10,8 @@ pub mod residual;
 pub mod write;
 
 use crate::{identify::Build, measured::DataPoint};
-use folder::{IDENTIFIED, text_of, with_file};
 pub use folder::{Facts, MeasuredMuscle, measured};
+use folder::{IDENTIFIED, text_of, with_file};
 use mckibben_core::{catalogue, muscle::Muscle};
 use residual::{ForceErrors, Residual, residuals};
 use serde::Serialize;

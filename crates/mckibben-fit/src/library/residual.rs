@@ -89,10 +89,7 @@ fn residual(
 
 /// The median of what a muscle that is built pulls in N, and half of its interval, on the branch that
 /// was measured: on the mean of both without the friction.
-pub fn of_branch(
-    branch: Direction,
-    (built, parts): (Built, UncertaintyParts),
-) -> (f64, f64) {
+pub fn of_branch(branch: Direction, (built, parts): (Built, UncertaintyParts)) -> (f64, f64) {
     if !branch.is_mean() {
         return (built.predicted_n, parts.total());
     }

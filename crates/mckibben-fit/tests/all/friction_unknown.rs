@@ -9,8 +9,8 @@ use mckibben_core::{
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::{
     identify::{IdentificationRequest, Parameter, identify},
-    measured::{DataPoint, read_data},
     library::library,
+    measured::{DataPoint, read_data},
 };
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
