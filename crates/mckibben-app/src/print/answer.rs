@@ -12,8 +12,8 @@ use serde::Serialize;
 use serde_json::{Map, Value, to_value};
 use std::iter;
 
-/// Fields that no page has: figures and files.
-const APART: [&str; 3] = ["figure", "figures", "files"];
+/// Fields that no page has: figures and files; warnings stand before or behind it.
+const APART: [&str; 4] = ["figure", "figures", "files", "warnings"];
 /// Values of a row, and letters of an object in a row, at most.
 const IN_A_ROW: usize = 10;
 const ON_A_LINE: usize = 150;

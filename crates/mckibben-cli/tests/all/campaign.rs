@@ -407,7 +407,7 @@ fn each_mistake_of_a_plan_stands_on_a_line_of_its_own() {
     std::fs::write(dir.path().join("plan.toml"), plan).unwrap();
     for words in ["plan.toml --dry-run", "plan.toml -o out.parquet"] {
         let errors = campaign(dir.path(), words).err;
-        let starts = ["error: plan.toml:8:", "error: plan.toml:3:"];
+        let starts = ["error: plan.toml:3:", "error: plan.toml:8:"];
         let lines: Vec<&str> = errors.lines().collect();
         assert_eq!(lines.len(), starts.len(), "{errors}");
         for (line, start) in lines.iter().zip(starts) {

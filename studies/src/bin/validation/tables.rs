@@ -33,6 +33,9 @@ fn percent(ratio: f64, decimals: usize) -> String {
 
 /// Decimals that give a number so many digits.
 fn decimals(value: f64, digits: i32) -> usize {
+    if value == 0.0 {
+        return 0;
+    }
     (digits - 1 - value.abs().log10().floor() as i32).clamp(0, 6) as usize
 }
 
