@@ -42,16 +42,17 @@ impl BoxRequest {
 /// Errors of the form against its model at points that it was not fitted to.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FormErrors {
-    /// Root mean square of the pull's error, share of the blocked force at the supply.
+    /// Error of the pull at the points: rms, share of the blocked force at the supply.
     pub force_rms: f64,
-    /// 95 % of the points err by less, share of the blocked force.
+    /// Error of the pull at 95 % of the points: they err by less, share of the blocked force.
     pub force_95_ratio: f64,
-    /// At most, share of the blocked force: 1.5 times the largest at the points, and 0.0002.
+    /// Largest error of the pull: share of the blocked force, 1.5 times the largest at the points,
+    /// and 0.0002.
     pub force_worst_ratio: f64,
-    /// Root mean square of the volume's error, share of the largest volume.
+    /// Error of the volume at the points: rms, share of the largest volume.
     pub volume_rms: f64,
-    /// The same of the volume, share of the largest volume: twice the largest at the points, and
-    /// 0.0002.
+    /// Largest error of the volume: share of the largest volume, twice the largest at the points,
+    /// and 0.0002.
     pub volume_worst_ratio: f64,
 }
 

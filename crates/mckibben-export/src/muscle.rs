@@ -26,7 +26,7 @@ pub struct ExportBox {
 /// A muscle fitted for export.
 #[derive(Debug, Clone, serde::Serialize, schemars::JsonSchema)]
 pub struct ExportedMuscle {
-    /// Name of the muscle in the files.
+    /// Name in the files.
     pub name: String,
     #[serde(skip)]
     pub muscle_file: String,
@@ -35,12 +35,12 @@ pub struct ExportedMuscle {
     /// The box over which the form was fitted.
     #[serde(flatten)]
     pub bounds: ExportBox,
-    /// The model that answered.
+    /// The model.
     pub model: String,
     /// Version of the program.
     #[serde(skip)]
     pub version: &'static str,
-    /// The first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
+    /// Hash: the first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
     pub hash: String,
     /// Errors of the form against the model.
     #[serde(flatten)]

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 #[command(after_long_help = examples(&[
     "identify examples/bench.toml --data examples/bench.csv",
-    "identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --model thick-wall --free mu,terminals.end_factor,friction.c,friction.beta --plot fit.svg -o found.toml",
+    "identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --model thick-wall --free mu,braid.angle,friction.c,friction.beta --plot fit.svg -o found.toml",
     "identify examples/bench.toml --data examples/bench.csv --save-measured my-muscle",
     "motion examples/drive.toml --model universal -o log.csv",
     "identify examples/drive.toml --motion log.csv --model universal -o drive.toml"
