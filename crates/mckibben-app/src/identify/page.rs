@@ -11,8 +11,9 @@ use mckibben_fit::identify::{Identification, Identified};
 use std::borrow::Cow;
 
 /// Fields that stand otherwise on the page, or in files.
-const APART: [&str; 5] = [
+const APART: [&str; 6] = [
     "understood",
+    "deviation",
     "parameters",
     "correlation",
     "muscle_file",
