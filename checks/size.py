@@ -155,9 +155,11 @@ def measured():
         row["code"] += code
         row["tests"] += tests
     code = sum(code for code, _, _ in counts.values())
+    program = sum(n for path, (n, _, _) in counts.items() if path.startswith("crates/"))
     of = lambda pattern: [path for path in listed if re.fullmatch(pattern, path)]
     tree = {
         "code": code,
+        "crates": program,
         "tests": sum(tests for _, tests, _ in counts.values()),
         # What python/write.py makes is not written by hand.
         "python": sum(map(python, of(r"python/(write|mckibben/(?!_api).*)\.py"))),
