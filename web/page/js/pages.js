@@ -94,13 +94,7 @@ export const PAGES = [
     "workbench",
     "Report, workshop, controllers, simulators and finite elements: the muscle as files.",
   ],
-  [
-    "about",
-    "",
-    "About",
-    "verified",
-    "How accurate the results are, and where the data come from.",
-  ],
+  ["about", "", "About", "verified", "How accurate the results are, and where the data come from."],
 ].map(([name, place, text, help, about]) => ({ name, place, text, help, about }));
 /** @param {string} name */
 export const pageOf = (name) => PAGES.find((page) => page.name === name) ?? PAGES[0];
