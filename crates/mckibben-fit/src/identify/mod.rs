@@ -12,6 +12,7 @@ mod friction;
 mod history;
 mod parameter;
 mod posterior;
+mod pulls;
 mod result;
 mod run;
 mod shown;
@@ -32,6 +33,7 @@ pub use {
     crate::measured::Section,
     bench::{farthest_first, left_over},
     parameter::{ParameterError, target_and_numbers},
+    pulls::{Found, Pulls, start},
     run::pulls_and_slack,
     signs::doubts,
 };

@@ -7,7 +7,7 @@ use mckibben_core::{
         measures::{Identify, of_section},
     },
     nearest::{meant, nearest},
-    rubber::ConstantValue,
+    rubber::{ConstantValue, RubberLaw},
     units::{Dimension, parse_quantity},
 };
 use thiserror::Error;
@@ -134,6 +134,28 @@ impl Target {
         match self {
             Target::Measure(m) => m.identify.as_ref(),
             _ => None,
+        }
+    }
+
+    /// A half-width of the 95 % interval above this means that the data do not determine it, at a
+    /// value `v`: half of the shear modulus at rest for the moduli of the law, half of the value for
+    /// most others; less for what a ruler measures.
+    #[doc(hidden)]
+    pub fn limit(self, muscle: &Muscle, v: f64) -> f64 {
+        match self {
+            Law(i) if constant(muscle, i).is_some_and(|c| c.constant.is_modulus()) => {
+                0.5 * muscle.tube().rubber.law.shear_modulus_mpa()
+            }
+            other => other.identify().map_or(0.5 * v.abs(), |i| i.limit(v)),
+        }
+    }
+
+    /// A change that matters to a search from a value `v`.
+    #[doc(hidden)]
+    pub fn scale(self, muscle: &Muscle, v: f64) -> f64 {
+        match self.limit(muscle, v) {
+            limit if limit > 0.0 => limit,
+            _ => 1.0,
         }
     }
 

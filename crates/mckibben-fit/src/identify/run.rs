@@ -8,8 +8,9 @@
 use super::{
     Build, DataError, Identification, Identified, IdentifyError, PointFit, Posterior,
     PosteriorRequest, Result, Target, advice, bench,
-    friction::{FrictionLaw, friction_law},
+    friction::friction_law,
     history,
+    pulls::Found,
     result::{spread, spreads},
     shown::Shown,
     signs,
@@ -139,7 +140,7 @@ fn identified(
     found: &Posterior,
 ) -> Result<Identification> {
     let muscle = base.with_constants(&found.constants)?;
-    let law = friction_law(request, &muscle, counted).unwrap_or_else(|| FrictionLaw {
+    let law = friction_law(request, &muscle, counted).unwrap_or_else(|| Found {
         muscle,
         parameters: vec![],
         left: vec![],
