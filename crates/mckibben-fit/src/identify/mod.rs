@@ -34,7 +34,7 @@ pub use {
     bench::{farthest_first, left_over},
     parameter::{ParameterError, target_and_numbers},
     pulls::{Found, Pulls, start},
-    run::pulls_and_slack,
+    run::{free_target, pulls_and_slack},
     signs::doubts,
 };
 

@@ -8,7 +8,6 @@ use crate::Result;
 use mckibben_core::{
     built::{Experience, Prior},
     muscle::{Constant, Muscle},
-    rubber::RubberLaw,
 };
 use mckibben_fit::{
     identify::{
@@ -167,15 +166,15 @@ impl<'a> ChosenFit<'a> {
         let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
         let targets: Vec<Target> = self.free.iter().map(|p| p.target).collect();
         let request = self.request();
-        let (mut points, _) = pulls_and_slack(&request);
+        let (counted, _) = pulls_and_slack(&request);
         let fit = |points| Pulls {
             friction_share: self.friction_share(),
             ..Pulls::new(&request, self.muscle, &targets, points)
         };
         // Points without an answer at the start are left out.
-        let rows = fit(&points).rows(&start).ok_or("no model at the start")?;
-        let mut answers = rows.iter().map(|row| row.is_ok());
-        points.retain(|_| answers.next() == Some(true));
+        let rows = fit(&counted).rows(&start).ok_or("no model at the start")?;
+        let answered = counted.iter().zip(rows).filter(|row| row.1.is_ok());
+        let points: Vec<DataPoint> = answered.map(|row| *row.0).collect();
         let mut pulls = fit(&points);
         pulls.scales = pulls.mean_slopes(&start).unwrap_or(pulls.scales);
         Ok(pulls.found(&unknowns).ok_or("no minimum was found")?)

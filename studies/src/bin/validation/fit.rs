@@ -61,6 +61,7 @@ pub fn posterior(
         progress: &Silent,
         bounds: &[],
         search: true,
+        zero: false,
     };
     request.posterior().ok().flatten()
 }
