@@ -23,7 +23,10 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_fit::{
-    identify::{Identification, IdentificationRequest, Identified, PointFit, Target, with_values},
+    identify::{
+        Identification, IdentificationRequest, Identified, PointFit, Target, free_target,
+        with_values,
+    },
     library::write::{SavedMuscle, measured_files},
     measured::{
         DataPoint, MeasuredPoint, PointOptions, PressureLog, Quantity, Section, mean_of_data,
@@ -443,7 +446,7 @@ impl IdentifyRequest {
                 NAME=LOW:HIGH bounds it";
             return Err(Problem::new(ProblemKind::Parameter, message, hint).in_field("free"));
         }
-        let free = self.free.iter().map(|text| Target::parse(text, muscle));
+        let free = self.free.iter().map(|text| free_target(text, muscle));
         let fixed = self
             .fix
             .iter()

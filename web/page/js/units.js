@@ -290,6 +290,7 @@ const LABELS = {
   "tube.material.modulus": "factor of the modulus",
   pull_factor: "factor of the pull",
   friction_share: "friction of the usual one",
+  force_offset: "zero of the load cell",
 };
 /** A field without its unit. @param {string} field */
 const plain = (field) =>

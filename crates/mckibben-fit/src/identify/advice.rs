@@ -337,7 +337,8 @@ pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
         let (zero_n, half_n) = (with.x.last()?, with.half_widths.last()?);
         return (with.squares < 0.5 * before && zero_n.abs() > *half_n).then(|| {
             format!(
-                "the load cell seems to show {} N without a pull: look at its zero",
+                "the load cell seems to show {} N without a pull: look at its zero, or free \
+                 `force_offset`",
                 show(*zero_n)
             )
         });

@@ -49,6 +49,7 @@ pub fn left_over(
         progress: request.progress,
         bounds: &[],
         search: false,
+        zero: false,
     }
     .posterior()
 }

@@ -12,6 +12,7 @@ mod friction;
 mod history;
 mod parameter;
 mod posterior;
+mod pulls;
 mod result;
 mod run;
 mod shown;
@@ -32,7 +33,8 @@ pub use {
     crate::measured::Section,
     bench::{farthest_first, left_over},
     parameter::{ParameterError, target_and_numbers},
-    run::pulls_and_slack,
+    pulls::{Found, Pulls, start},
+    run::{free_target, pulls_and_slack},
     signs::doubts,
 };
 

@@ -1,13 +1,13 @@
 //! The parameters that can be identified, named as in the muscle file.
 
-use Target::{Law, Modulus, Stiffness};
+use Target::{ForceOffset, Law, Modulus, Stiffness};
 use mckibben_core::{
     muscle::{
         Measure, Muscle,
         measures::{Identify, of_section},
     },
     nearest::{meant, nearest},
-    rubber::ConstantValue,
+    rubber::{ConstantValue, RubberLaw},
     units::{Dimension, parse_quantity},
 };
 use thiserror::Error;
@@ -22,16 +22,19 @@ pub enum Target {
     Modulus,
     /// k of one strand family on the diameter of the muscle.
     Stiffness,
+    /// What the load cell shows without a pull: of the bench, not of the muscle.
+    ForceOffset,
     /// A measure of the muscle.
     Measure(&'static Measure),
 }
 
 /// Names that are neither of the law nor of a measure; some have a second spelling.
-const NAMES: [(&str, Target); 4] = [
+const NAMES: [(&str, Target); 5] = [
     ("tube.material.modulus", Modulus),
     ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
     ("stiffness", Stiffness),
+    ("force_offset", ForceOffset),
 ];
 
 /// The measures that can be identified, by the tables of the muscle file: those of the braid that a
@@ -52,7 +55,9 @@ impl Target {
     pub fn all(muscle: &Muscle) -> Vec<Target> {
         let laws = (0..muscle.tube().rubber.law.values().len()).map(Law);
         let measures = measures().map(|(m, _)| Target::Measure(m));
-        laws.chain([Modulus, Stiffness]).chain(measures).collect()
+        laws.chain([Modulus, Stiffness, ForceOffset])
+            .chain(measures)
+            .collect()
     }
 
     /// The name, as in the muscle file.
@@ -91,12 +96,7 @@ impl Target {
         {
             return Ok(*t);
         }
-        let known: Vec<String> = all.iter().map(|t| t.name(muscle)).collect();
-        let meant = meant(nearest(given, known.iter().map(String::as_str)));
-        let known = known.join(", ");
-        Err(ParameterError(format!(
-            "`{given}` cannot be identified{meant}; the parameters of this muscle are {known}"
-        )))
+        Err(unknown(given, all.into_iter(), muscle))
     }
 
     /// Its unit; empty for a plain number.
@@ -111,6 +111,7 @@ impl Target {
         match self {
             Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
             Stiffness => Dimension::Stiffness,
+            ForceOffset => Dimension::Force,
             Target::Measure(m) => m.dimension,
             Modulus => Dimension::Ratio,
         }
@@ -134,6 +135,28 @@ impl Target {
         match self {
             Target::Measure(m) => m.identify.as_ref(),
             _ => None,
+        }
+    }
+
+    /// A half-width of the 95 % interval above this means that the data do not determine it, at a
+    /// value `v`: half of the shear modulus at rest for the moduli of the law, half of the value for
+    /// most others; less for what a ruler measures.
+    #[doc(hidden)]
+    pub fn limit(self, muscle: &Muscle, v: f64) -> f64 {
+        match self {
+            Law(i) if constant(muscle, i).is_some_and(|c| c.constant.is_modulus()) => {
+                0.5 * muscle.tube().rubber.law.shear_modulus_mpa()
+            }
+            other => other.identify().map_or(0.5 * v.abs(), |i| i.limit(v)),
+        }
+    }
+
+    /// A change that matters to a search from a value `v`.
+    #[doc(hidden)]
+    pub fn scale(self, muscle: &Muscle, v: f64) -> f64 {
+        match self.limit(muscle, v) {
+            limit if limit > 0.0 => limit,
+            _ => 1.0,
         }
     }
 
@@ -165,6 +188,20 @@ impl Target {
 /// Constant number `i` of the muscle's law.
 fn constant(muscle: &Muscle, i: usize) -> Option<ConstantValue> {
     muscle.tube().rubber.law.constants().into_iter().nth(i)
+}
+
+/// A word that names none of some parameters.
+pub fn unknown(
+    given: &str,
+    known: impl Iterator<Item = Target>,
+    muscle: &Muscle,
+) -> ParameterError {
+    let known: Vec<String> = known.map(|t| t.name(muscle)).collect();
+    let meant = meant(nearest(given, known.iter().map(String::as_str)));
+    let known = known.join(", ");
+    ParameterError(format!(
+        "`{given}` cannot be identified{meant}; the parameters of this muscle are {known}"
+    ))
 }
 
 fn form(given: &str, form: &str) -> ParameterError {

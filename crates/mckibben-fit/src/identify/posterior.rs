@@ -15,6 +15,14 @@
 //! S the scatter between lengths. A point whose branch is not stated lies anywhere in the loop: its
 //! variance has h² more. A contraction or a pressure that was measured counts as the pull there.
 //! What ends below 0.7 of its deviation before was learnt from the points.
+//!
+//! A zero z of the load cell adds to the measured pulls (1 where a pull was measured, 0 elsewhere:
+//! the column e). With its prior N(0, s²), s the largest pull, q = eᵀR⁻¹e + 1/s² and b = JᵀR⁻¹e, it is
+//! eliminated from the normal equations of both:
+//!
+//! ```text
+//! A → A − b bᵀ/q,   JᵀR⁻¹(y − f) → JᵀR⁻¹(y − f) − b z,   z = eᵀR⁻¹(y − f)/q,   var z = 1/q + bᵀC b/q²
+//! ```
 
 use super::{Build, IdentifyError, Result, by_section::by_section};
 use crate::{
@@ -55,8 +63,21 @@ pub struct Posterior {
     pub prior: Prior,
     /// rms of the points about the centre of the prior, in N.
     pub rms_before_n: f64,
-    /// Each point with the pull of the constants there, in N.
+    /// Each point, without the zero, with the pull of the constants there, in N.
     pub points: Vec<(DataPoint, f64)>,
+    /// What the load cell shows without a pull, in N, where it is sought.
+    pub zero: Option<Zero>,
+}
+
+/// What the load cell shows without a pull, in N: one number more that all pulls have, with a prior
+/// of mean zero.
+#[derive(Debug, Clone)]
+pub struct Zero {
+    pub value_n: f64,
+    /// Its standard deviation.
+    pub deviation_n: f64,
+    /// That of its prior.
+    pub before_n: f64,
 }
 
 /// Points, the muscle that states what is known, its model and what is known before.
@@ -72,6 +93,8 @@ pub struct PosteriorRequest<'a> {
     pub bounds: &'a [(Constant, (f64, f64))],
     /// Whether the constants are sought; else they stay at the centre of the prior.
     pub search: bool,
+    /// Whether a zero of the load cell is sought beside them.
+    pub zero: bool,
 }
 
 /// A point beside the muscle with constants.
@@ -82,6 +105,21 @@ pub struct Row {
     pub(super) slopes: Constants,
     /// T cosθ η: h in N.
     half_loop_n: f64,
+}
+
+/// A point without what the load cell shows of nothing.
+pub fn without_zero(mut point: DataPoint, zero_n: f64) -> DataPoint {
+    if point.measured == Quantity::Force {
+        point.at.force_n -= zero_n;
+    }
+    point
+}
+
+/// The zero of the load cell at some constants, q and b.
+struct Eliminated {
+    value_n: f64,
+    q: f64,
+    b: DVector<f64>,
 }
 
 /// Of a value the nearest one within bounds.
@@ -212,13 +250,24 @@ impl PosteriorRequest<'_> {
         })
     }
 
-    /// A step towards the largest posterior within bounds, and A.
+    /// Standard deviation of a zero of the load cell before: the largest measured pull, in N.
+    fn zero_before_n(&self) -> f64 {
+        let is_force = |p: &&DataPoint| p.measured == Quantity::Force;
+        peak(
+            self.points
+                .iter()
+                .filter(is_force)
+                .map(|p| p.at.force_n.abs()),
+        )
+    }
+
+    /// A step towards the largest posterior within bounds, A, and what eliminates the zero.
     fn step(
         &self,
         x: &Constants,
         known: &[(&DataPoint, &Row)],
         (bounds, in_model): (&[(f64, f64); CONSTANTS], &[bool; CONSTANTS]),
-    ) -> Option<(Constants, DMatrix<f64>)> {
+    ) -> Option<(Constants, DMatrix<f64>, Option<Eliminated>)> {
         let n = known.len();
         let root = self.covariance(known).cholesky()?;
         let slope = |i: usize, c: usize| f64::from(in_model[c]) * known[i].1.slopes[c];
@@ -229,7 +278,20 @@ impl PosteriorRequest<'_> {
         let off = DVector::from_iterator(n, off);
         let weighted = root.solve(&j);
         let mut a = j.transpose() * &weighted;
-        let mut right = weighted.transpose() * off;
+        let mut right = weighted.transpose() * &off;
+        let zero = self.zero.then(|| {
+            let is_force = known
+                .iter()
+                .map(|k| f64::from(u8::from(k.0.measured == Quantity::Force)));
+            let e = root.solve(&DVector::from_iterator(n, is_force.clone()));
+            let q = e.iter().zip(is_force).map(|(e, one)| e * one).sum::<f64>()
+                + self.zero_before_n().powi(-2);
+            let b = j.transpose() * &e;
+            let value_n = e.dot(&off) / q;
+            a -= &b * b.transpose() / q;
+            right -= &b * value_n;
+            Eliminated { value_n, q, b }
+        });
         let Prior { centre, deviation } = self.prior;
         for c in 0..CONSTANTS {
             // A constant that is known needs no search.
@@ -246,7 +308,7 @@ impl PosteriorRequest<'_> {
             let next: Constants = from_fn(|c| x[c] + step[c]);
             let within = |c: usize| clamp(next[c], bounds[c]);
             let Some(c) = (0..CONSTANTS).find(|&c| !is_held[c] && within(c) != next[c]) else {
-                return Some((next, a));
+                return Some((next, a, zero));
             };
             is_held[c] = true;
             let stiff = HELD * a[(c, c)];
@@ -283,7 +345,7 @@ impl PosteriorRequest<'_> {
                 let off = known.iter().map(|(p, row)| row.predicted_n - p.at.force_n);
                 rms_before_n = Errors::new(off).rms;
             }
-            let Some((mut next, a)) = self.step(&x, &known, (&bounds, &in_model)) else {
+            let Some((mut next, a, zero)) = self.step(&x, &known, (&bounds, &in_model)) else {
                 return Ok(None);
             };
             for c in 0..CONSTANTS {
@@ -296,7 +358,7 @@ impl PosteriorRequest<'_> {
                 from_fn(|c| (next[c] - x[c]) / deviation[c].max(f64::MIN_POSITIVE));
             let small = step.iter().all(|s| s.abs() < SMALL);
             if !self.search || small {
-                return Ok(self.found(x, &bounds, &a, &known, rms_before_n));
+                return Ok(self.found(x, &bounds, (&a, zero), &known, rms_before_n));
             }
             // Of steps that shrink by a steady share, or go to and fro, the sum is taken at once.
             let dot = |other: &[f64; CONSTANTS]| -> f64 {
@@ -324,12 +386,19 @@ impl PosteriorRequest<'_> {
         &self,
         constants: Constants,
         bounds: &[(f64, f64); CONSTANTS],
-        a: &DMatrix<f64>,
+        (a, zero): (&DMatrix<f64>, Option<Eliminated>),
         known: &[(&DataPoint, &Row)],
         rms_before_n: f64,
     ) -> Option<Posterior> {
         let inverse = a.clone().cholesky()?.inverse();
+        let zero = zero.map(|Eliminated { value_n, q, b }| Zero {
+            value_n,
+            deviation_n: (1.0 / q + b.dot(&(&inverse * &b)) / (q * q)).sqrt(),
+            before_n: self.zero_before_n(),
+        });
+        let zero_n = zero.as_ref().map_or(0.0, |zero| zero.value_n);
         Some(Posterior {
+            zero,
             at_bound: from_fn(|c| constants[c] <= bounds[c].0 || constants[c] >= bounds[c].1),
             constants,
             covariance: (0..CONSTANTS)
@@ -339,7 +408,7 @@ impl PosteriorRequest<'_> {
             rms_before_n,
             points: known
                 .iter()
-                .map(|(point, row)| (**point, row.predicted_n))
+                .map(|(point, row)| (without_zero(**point, zero_n), row.predicted_n))
                 .collect(),
         })
     }

@@ -6,10 +6,13 @@
 //! with the constants that were found ([`friction`](super::friction)).
 
 use super::{
-    Build, DataError, Identification, Identified, IdentifyError, PointFit, Posterior,
-    PosteriorRequest, Result, Target, advice, bench,
-    friction::{FrictionLaw, friction_law},
+    Build, DataError, Identification, Identified, IdentifyError, ParameterError, PointFit,
+    Posterior, PosteriorRequest, Result, Target, advice, bench,
+    friction::friction_law,
     history,
+    parameter::unknown,
+    posterior::{Zero, without_zero},
+    pulls::Found,
     result::{spread, spreads},
     shown::Shown,
     signs,
@@ -117,15 +120,21 @@ pub fn identify(request: &IdentificationRequest<'_>) -> Result<Identification> {
         progress: request.progress,
         bounds: &bounds,
         search: true,
+        zero: request.free.contains(&Target::ForceOffset),
     };
     let found = sought.posterior()?.ok_or_else(|| {
         let none = "the model has no answer at the points with any constants near to those of the \
             muscle";
         IdentifyError::Refused(none.to_owned())
     })?;
-    let mut identified = identified(request, &base, &counted, &found)?;
+    let zero_n = found.zero.as_ref().map_or(0.0, |zero| zero.value_n);
+    let pulls = counted.iter().map(|point| without_zero(*point, zero_n));
+    let pulls: Vec<DataPoint> = pulls.collect();
+    let mut identified = identified(request, &base, &pulls, &found)?;
     identified.slack = slack;
-    notes.extend(advice::zero_of_load_cell(&sought));
+    if found.zero.is_none() {
+        notes.extend(advice::zero_of_load_cell(&sought));
+    }
     notes.extend(advice::after(&identified, request));
     identified.notes = notes;
     Ok(identified)
@@ -139,7 +148,7 @@ fn identified(
     found: &Posterior,
 ) -> Result<Identification> {
     let muscle = base.with_constants(&found.constants)?;
-    let law = friction_law(request, &muscle, counted).unwrap_or_else(|| FrictionLaw {
+    let law = friction_law(request, &muscle, counted).unwrap_or_else(|| Found {
         muscle,
         parameters: vec![],
         left: vec![],
@@ -169,6 +178,7 @@ fn identified(
     let parameters: Vec<Identified> = Shown::all(base)
         .filter_map(|shown| shown.identified(base, &muscle, found))
         .chain(law.parameters)
+        .chain(found.zero.as_ref().map(Zero::identified))
         .collect();
     Ok(Identification {
         bench: bench::written(&muscle, &left, model, request.history),
@@ -252,17 +262,24 @@ fn check_names(request: &IdentificationRequest<'_>, base: &Muscle) -> Result<()>
         {
             return refuse(target, "is named twice, free or fixed: name it once");
         }
-        if !target.is_of_friction() && !Shown::all(base).any(|shown| shown.is(target, base)) {
-            let known = Shown::all(base).filter_map(|shown| Some(shown.target?.name(base)));
-            let known = joined(known, ", ");
+        let is_beside = target.is_of_friction() || target == Target::ForceOffset;
+        if !is_beside && !Shown::all(base).any(|shown| shown.is(target, base)) {
+            let known = joined(can_be_free(base).map(|target| target.name(base)), ", ");
             return refuse(
                 target,
                 &format!(
-                    "is not told by points: measure it and state it. Free can be {known}, and \
-                     the friction"
+                    "is stated, not identified: measure it and give its value (--fix). Free can \
+                     be {known}"
                 ),
             );
         }
+    }
+    let others = request.fixed.iter().map(|f| f.0);
+    let others = others.chain(request.bounds.iter().map(|b| b.0));
+    if others.into_iter().any(|other| other == Target::ForceOffset) {
+        let what = "is of the load cell, not of the muscle: free it without bounds, or subtract \
+            what is known of it from the pulls";
+        return refuse(Target::ForceOffset, what);
     }
     let is_free = |target: &Target| {
         let of_points = Shown::all(base).any(|shown| shown.target == Some(*target));
@@ -274,14 +291,27 @@ fn check_names(request: &IdentificationRequest<'_>, base: &Muscle) -> Result<()>
     }
 }
 
+/// What points may tell of a muscle.
+fn can_be_free(base: &Muscle) -> impl Iterator<Item = Target> {
+    let constants = Shown::all(base).filter_map(|shown| shown.target);
+    let beside = |t: &Target| t.is_of_friction() || *t == Target::ForceOffset;
+    constants.chain(Target::all(base).into_iter().filter(beside))
+}
+
+/// The parameter of a name that is free.
+///
+/// # Errors
+/// A word that names none; those that can be free are named.
+pub fn free_target(text: &str, base: &Muscle) -> Result<Target, ParameterError> {
+    Target::parse(text, base).map_err(|_| unknown(text.trim(), can_be_free(base), base))
+}
+
 /// The bounds of constants by those of parameters.
 fn bounds(request: &IdentificationRequest<'_>, base: &Muscle) -> Vec<(Constant, (f64, f64))> {
     let one = |&(target, (low, high)): &(Target, (f64, f64))| {
         let shown = Shown::all(base).find(|shown| shown.is(target, base))?;
-        Some((
-            shown.constant,
-            (shown.constant_of(low), shown.constant_of(high)),
-        ))
+        let of = |value| shown.constant_of(target, value, base);
+        Some((shown.constant, (of(low), of(high))))
     };
     request.bounds.iter().filter_map(one).collect()
 }

@@ -1,6 +1,6 @@
 //! The constants of a built muscle as parameters of its file.
 
-use super::{Identified, Posterior, Target};
+use super::{Identified, Posterior, Target, posterior::Zero};
 use mckibben_core::{
     built::HALF_95,
     muscle::{
@@ -65,13 +65,14 @@ impl Shown {
         let moduli = || {
             law.constants()
                 .into_iter()
-                .filter(|c| c.constant.is_modulus())
+                .filter(|c| c.constant.is_modulus() && c.value != 0.0)
         };
         let is_modulus = match target {
             Target::Modulus => true,
             Target::Law(i) => {
                 let own = law.constants().into_iter().nth(i);
-                own.is_some_and(|c| c.constant.is_modulus()) && moduli().count() == 1
+                own.is_some_and(|c| c.constant.is_modulus() && c.value != 0.0)
+                    && moduli().count() == 1
             }
             _ => false,
         };
@@ -93,10 +94,15 @@ impl Shown {
         }
     }
 
-    pub fn constant_of(&self, value: f64) -> f64 {
+    /// The constant at a value of a parameter that means it: of one modulus its factor counts.
+    pub fn constant_of(&self, target: Target, value: f64, base: &Muscle) -> f64 {
+        let zero = match target {
+            Target::Law(_) => target.value(base).unwrap_or(self.zero),
+            _ => self.zero,
+        };
         match self.factor {
-            Some(factor) => (value - self.zero) / factor,
-            None => (value / self.zero).ln(),
+            Some(factor) => (value - zero) / factor,
+            None => (value / zero).ln(),
         }
     }
 
@@ -129,5 +135,24 @@ impl Shown {
             at_bound: found.at_bound[i],
             matters: true,
         })
+    }
+}
+
+impl Zero {
+    /// The zero of the load cell as it was found.
+    pub fn identified(&self) -> Identified {
+        Identified {
+            target: Some(Target::ForceOffset),
+            name: "force_offset".to_owned(),
+            start: 0.0,
+            value: self.value_n,
+            unit: "N",
+            standard_error: self.deviation_n,
+            half_width: HALF_95 * self.deviation_n,
+            prior_standard_deviation: Some(self.before_n),
+            identifiable: self.deviation_n < LEARNT * self.before_n,
+            at_bound: false,
+            matters: true,
+        }
     }
 }

@@ -15,6 +15,7 @@ impl Target {
         match self {
             Target::Law(i) => muscle.tube().rubber.law.values().get(i).copied(),
             Target::Modulus => Some(1.0),
+            Target::ForceOffset => None,
             Target::Stiffness => muscle.family_stiffness_n_per_mm(),
             Target::Measure(m) if *m == END_FACTOR || *m == FRICTION_EXPONENT => muscle
                 .measure(m)
@@ -38,6 +39,7 @@ pub fn with_values(base: &Muscle, values: &[(Target, f64)]) -> Result<Muscle, Mu
                 *law = law.with_constants(|k, old| if k == i { v } else { old });
             }
             Target::Modulus => factor = v,
+            Target::ForceOffset => {}
             Target::Stiffness => parts.braid.stiffness = BraidStiffness::NewtonPerMm(v),
             Target::Measure(m) => {
                 // C alone has the exponent that a search for it starts from.

@@ -124,9 +124,9 @@ fn swapped_names_of_the_branches_are_refused() {
 }
 
 /// A load cell that shows 15 N without a pull is named, with a zero that is near to it, and not where
-/// there is none.
+/// there is none; with its zero free the constants come back.
 #[test]
-fn a_zero_of_the_load_cell_is_named() {
+fn a_zero_of_the_load_cell_is_named_and_can_be_free() {
     let said = |table: &str| {
         let notes = found(&points(table)).unwrap().notes;
         let zero = notes.iter().find(|n| n.contains("load cell seems to show"));
@@ -136,6 +136,21 @@ fn a_zero_of_the_load_cell_is_named() {
     let shown_n: f64 = zero.split_whitespace().nth(6).unwrap().parse().unwrap();
     assert!((shown_n - 15.0).abs() < 3.0, "{zero}");
     assert_eq!(said(include_str!("bench/n0.csv")), None);
+    let names = [
+        "tube.material.mu",
+        "braid.stiffness",
+        "friction.coefficient",
+        "friction.exponent",
+        "force_offset",
+    ];
+    let muscle = start();
+    let free = names.map(|name| Target::parse(name, &muscle).unwrap());
+    let points = points(include_str!("bench/fo.csv"));
+    let of = identify(&IdentificationRequest::new(&muscle, &free, &points, BUILD)).unwrap();
+    let (zero, half) = value(&of, "force_offset");
+    assert!((zero - 15.0).abs() < half.max(3.0), "{zero} ± {half}");
+    let (mu, _) = value(&of, "tube.material.mu");
+    assert!((mu - 0.25).abs() < 0.02, "{mu}");
 }
 
 /// The commonest test of a hand-made muscle: its contraction without a load against the pressure.

@@ -11,9 +11,7 @@ use mckibben_core::{
     progress::Silent,
 };
 use mckibben_fit::{
-    identify::{
-        Build, IdentificationRequest, Identified, Posterior, PosteriorRequest, identify,
-    },
+    identify::{Build, IdentificationRequest, Identified, Posterior, PosteriorRequest, identify},
     library::residual::{Residual, residuals},
     measured::{DataPoint, mean_of_data},
 };
@@ -63,6 +61,7 @@ pub fn posterior(
         progress: &Silent,
         bounds: &[],
         search: true,
+        zero: false,
     };
     request.posterior().ok().flatten()
 }

@@ -55,7 +55,6 @@ fn constant(of: &Identified) -> String {
     let doubt = match of {
         of if of.identifiable => "",
         of if of.at_bound => " (on its bound)",
-        of if of.implausible => " (not determined)",
         _ => " (not identifiable)",
     };
     let unit = format!(" {}", of.unit);

@@ -216,17 +216,48 @@ fn names_bounds_and_doubles_are_checked() {
     assert!(refused(both).contains("named twice"));
     let wall = free(&m, &["tube.wall_thickness"]);
     let message = refused(of(&wall));
-    let known = "tube.material.mu, braid.angle, braid.stiffness";
+    // Only what can be free is named.
+    let known = "tube.material.mu, braid.angle, braid.stiffness, force_offset, friction.";
+    let what =
+        "tube.wall_thickness is stated, not identified: measure it and give its value (--fix)";
     assert!(
-        message.contains("measure it and state it") && message.contains(known),
+        message.starts_with(what) && message.contains(known),
         "{message}"
     );
+    for measured in [
+        "braid.thickness",
+        "braid.crimp",
+        "terminals.grip",
+        "tube.length",
+    ] {
+        assert!(!message.contains(measured), "{message}");
+        let measured_free = free(&m, &[measured]);
+        let request = IdentificationRequest::new(&m, &measured_free, &points, &thick);
+        let message = refused(request);
+        assert!(
+            message.starts_with(&format!("{measured} is stated")),
+            "{message}"
+        );
+    }
+    let unknown = free_target("mo", &m).unwrap_err().to_string();
+    assert!(
+        unknown.contains(known) && !unknown.contains("tube.wall_thickness"),
+        "{unknown}"
+    );
+    assert_eq!(free_target("mu", &m).unwrap(), mu[0]);
     let angle = [(Target::Measure(&ANGLE), (20.0, 30.0))];
     let not_free = IdentificationRequest {
         bounds: &angle,
         ..of(&mu)
     };
     assert!(refused(not_free).contains("braid.angle has bounds and is not free"));
+    // A zero of the load cell is no value of the muscle.
+    let zero = [(Target::ForceOffset, 3.0)];
+    let fixed_zero = IdentificationRequest {
+        fixed: &zero,
+        ..of(&mu)
+    };
+    assert!(refused(fixed_zero).contains("subtract"));
     // A bound that holds the truth away: the constant is the bound.
     let bounds = [(mu[0], (0.35, 1.0))];
     let fit = identify(&IdentificationRequest {

@@ -181,8 +181,8 @@ fn softer() -> Muscle {
 }
 
 /// What the posterior weighs of a muscle whose modulus alone is free, κ its logarithm: pulls less
-/// those of the model, their slopes by κ by differences, and R as its formula stands in
-/// [`posterior`](super::posterior).
+/// those of the model, the slopes of the interval by κ ([`mckibben_core::built`]), and R as its
+/// formula stands in [`posterior`](super::posterior).
 fn weighed(base: &Muscle, points: &[DataPoint], kappa: f64) -> [DMatrix<f64>; 3] {
     let w = &mut Workspace::new();
     let mut pull_n = |kappa: f64, p: &DataPoint| {
@@ -195,22 +195,15 @@ fn weighed(base: &Muscle, points: &[DataPoint], kappa: f64) -> [DMatrix<f64>; 3]
     let n = points.len();
     let off = points.iter().map(|p| p.at.force_n - pull_n(kappa, p));
     let off = DMatrix::from_iterator(n, 1, off.collect::<Vec<_>>());
-    const STEP: f64 = 1e-4;
-    let slopes = points
-        .iter()
-        .map(|p| (pull_n(kappa + STEP, p) - pull_n(kappa - STEP, p)) / (2.0 * STEP));
-    let slopes = DMatrix::from_iterator(n, 1, slopes.collect::<Vec<_>>());
     let mut x = [0.0; Constant::ALL.len()];
     x[Constant::Modulus as usize] = kappa;
     let prior = Prior::of(base, Experience::built_in());
     let predictor = Predictor::about(base, x, prior.covariance()).unwrap();
-    let place = |p: &DataPoint| -> Place {
-        predictor
-            .at(p.at.pressure_mpa, p.at.contraction, 0.0)
-            .unwrap()
-            .place
-    };
-    let places: Vec<Place> = points.iter().map(place).collect();
+    let at = |p: &DataPoint| predictor.at(p.at.pressure_mpa, p.at.contraction, 0.0);
+    let known: Vec<_> = points.iter().map(|p| at(p).unwrap()).collect();
+    let slopes = known.iter().map(|at| at.slopes[Constant::Modulus as usize]);
+    let slopes = DMatrix::from_iterator(n, 1, slopes);
+    let places: Vec<Place> = known.iter().map(|at| at.place).collect();
     let highest = |of: fn(&Place) -> f64| places.iter().map(of).fold(0.0, f64::max);
     let (highest_mpa, blocked_n) = (highest(|p| p.pressure_mpa), highest(|p| p.blocked_n));
     let covariance = DMatrix::from_fn(n, n, |i, k| {
@@ -265,6 +258,92 @@ fn one_constant_that_is_named_is_that_of_its_normal_equation() {
     );
     let stated = with_values(&base, &[(Target::Law(0), mu.value)]).unwrap();
     assert_eq!(fit.muscle, stated);
+}
+
+/// By the normal equations of two unknowns, κ = ln(μ/μ0) and the zero z of the load cell, whose prior
+/// has the largest pull as its deviation: with G = [g 1] and M = GᵀR⁻¹G + diag(1/σ², 1/s²), the step
+/// M⁻¹ [GᵀR⁻¹(y − f − z) − (κ/σ², z/s²)] from what was found is none. The search ends where a step of
+/// κ is below 1e-6 σ, and z follows κ by M₁₂/M₂₂.
+#[test]
+fn a_zero_of_the_load_cell_is_that_of_the_normal_equations() {
+    let base = softer();
+    let mut points = noisy(&bench(&soft(), 0.0), 4.0, 7);
+    points.iter_mut().for_each(|p| p.at.force_n += 12.0);
+    let fit = identified(&base, &["mu", "force_offset"], &points).unwrap();
+    let [mu, zero] = &fit.parameters[..] else {
+        panic!("{:#?}", fit.parameters)
+    };
+    assert_eq!((zero.name.as_str(), zero.unit), ("force_offset", "N"));
+    let sigma = Prior::of(&base, Experience::built_in()).deviation[Constant::Modulus as usize];
+    let largest_n = points.iter().map(|p| p.at.force_n).fold(0.0, f64::max);
+    let (kappa, before) = ((mu.value / 0.25).ln(), [sigma, largest_n]);
+    let [off, slopes, covariance] = weighed(&base, &points, kappa);
+    let columns = DMatrix::from_fn(points.len(), 2, |i, k| if k == 0 { slopes[i] } else { 1.0 });
+    let weighted = covariance.lu().solve(&columns).unwrap();
+    let off = off.add_scalar(-zero.value);
+    let mut m = weighted.transpose() * &columns;
+    let mut right = weighted.transpose() * off;
+    for (i, value) in [kappa, zero.value].into_iter().enumerate() {
+        m[(i, i)] += before[i].powi(-2);
+        right[i] -= value / before[i].powi(2);
+    }
+    let inverse = m.clone().try_inverse().unwrap();
+    let step = &inverse * right;
+    assert!(step[0].abs() < 1e-5 * sigma, "{step}");
+    let follows = (m[(0, 1)] / m[(1, 1)]).abs();
+    assert!(step[1].abs() < 1e-5 * sigma * follows, "{step}");
+    let expected = HALF_95 * inverse[(1, 1)].sqrt();
+    assert!(
+        (zero.half_width / expected - 1.0).abs() < 1e-4,
+        "{zero:#?} {expected}"
+    );
+    assert!((zero.value - 12.0).abs() < zero.half_width, "{zero:#?}");
+    assert!(!says(&fit, "load cell"), "{:?}", fit.notes);
+    // What is left is that of the pulls without the zero, and none is sought that is not named.
+    assert!(fit.rms_n < 8.0, "{}", fit.rms_n);
+    let all = identify(&IdentificationRequest::new(&base, &[], &points, &thick)).unwrap();
+    assert_eq!(all.parameter(Target::ForceOffset).map(|p| p.value), None);
+}
+
+/// The one modulus of a law that is not zero means the modulus, by its value too; of two none does.
+#[test]
+fn the_only_modulus_of_a_law_is_its_modulus() {
+    let mooney = |c10, c01| {
+        let law = Law::named("mooney-rivlin", &[c10, c01]).unwrap();
+        muscle(law, BraidStiffness::NewtonPerMm(400.0))
+    };
+    let gent = Law::named("gent", &[0.25, 20.0]).unwrap();
+    for (base, name) in [
+        (mooney(0.125, 0.0), "c10"),
+        (muscle(gent, BraidStiffness::NewtonPerMm(400.0)), "mu"),
+    ] {
+        let points = bench(&base, 0.0);
+        let fit = identified(&base, &[name], &points).unwrap();
+        let [p] = &fit.parameters[..] else {
+            panic!("{:#?}", fit.parameters)
+        };
+        assert!(
+            p.name.ends_with("modulus") && (p.value - 1.0).abs() < 1e-6,
+            "{p:#?}"
+        );
+        // A bound of 1.25 times its value holds the truth away.
+        let free = free(&base, &[name]);
+        let value = free[0].value(&base).unwrap();
+        let bounds = [(free[0], (1.25 * value, 4.0 * value))];
+        let request = IdentificationRequest::new(&base, &free, &points, &thick);
+        let bounded = identify(&IdentificationRequest {
+            bounds: &bounds,
+            ..request
+        });
+        let p = &bounded.unwrap().parameters[0];
+        assert!(p.at_bound && (p.value - 1.25).abs() < 1e-12, "{p:#?}");
+    }
+    let two = mooney(0.1, 0.05);
+    let refused = identified(&two, &["c10"], &bench(&two, 0.0)).unwrap_err();
+    assert!(
+        refused.to_string().contains("is stated, not identified"),
+        "{refused}"
+    );
 }
 
 /// Where the muscle has its constants the points say nothing else: the prior and they agree. A name

@@ -1,6 +1,6 @@
 //! Chosen constants by least squares: known ones come back, and their ± is right.
 
-use crate::chosen::{Chosen, ChosenFit, Parameter};
+use crate::chosen::{ChosenFit, Parameter};
 use mckibben_core::{
     model::{ForceModel, ModelError, ThickWall, Workspace},
     muscle::{
@@ -9,7 +9,10 @@ use mckibben_core::{
     },
     rubber::{Law, MooneyRivlin, NeoHookean, Yeoh},
 };
-use mckibben_fit::measured::{DataPoint, MeasuredPoint, Quantity, Section};
+use mckibben_fit::{
+    identify::{Found, Target::Law as OfLaw},
+    measured::{DataPoint, MeasuredPoint, Quantity, Section},
+};
 
 /// Numbers as good as normal ones: the sum of twelve from a linear congruential generator.
 struct Noise(u64);
@@ -112,8 +115,11 @@ fn noisy(points: &[DataPoint], deviation: f64, seed: u64) -> Vec<DataPoint> {
     out
 }
 
-fn identified(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Chosen {
-    let free: Vec<Parameter> = names.iter().map(|n| Parameter::parse(n, m).unwrap()).collect();
+fn identified(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Found {
+    let free: Vec<Parameter> = names
+        .iter()
+        .map(|n| Parameter::parse(n, m).unwrap())
+        .collect();
     ChosenFit::new(m, &free, points, &thick).found().unwrap()
 }
 
@@ -265,7 +271,9 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     let seating = 1.6;
     let points = of_lengths(&m, seating);
     let free = ["mu=0.5", "terminals.seating"].map(|n| Parameter::parse(n, &m).unwrap());
-    let fit = ChosenFit::new(&m, &free, &points, &with_ends).found().unwrap();
+    let fit = ChosenFit::new(&m, &free, &points, &with_ends)
+        .found()
+        .unwrap();
     for (p, truth) in fit.parameters.iter().zip([0.3, seating]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
     }
@@ -342,7 +350,11 @@ fn what_the_data_cannot_tell_is_flagged() {
     let m = soft();
     let points = noisy(&bench(&m, 0.0), 4.0, 5);
     let fit = identified(&m, &["mu=0.4", "modulus"], &points);
-    assert!(fit.parameters.iter().all(|p| !p.identifiable), "{:#?}", fit.parameters);
+    assert!(
+        fit.parameters.iter().all(|p| !p.identifiable),
+        "{:#?}",
+        fit.parameters
+    );
     let fit = identified(&m, &["mu", "friction.c=5"], &points);
     let [mu, friction] = &fit.parameters[..] else {
         panic!()
@@ -360,5 +372,35 @@ fn chains_that_never_lock_have_a_limit_at_the_bound() {
     let m = muscle(gent, BraidStiffness::NewtonPerMm(400.0));
     let fit = identified(&m, &["mu", "jm"], &bench(&soft(), 0.0));
     let limit = &fit.parameters[1];
-    assert!((100.0..=1000.0).contains(&limit.value) && !limit.identifiable, "{limit:#?}");
+    assert!(
+        (100.0..=1000.0).contains(&limit.value) && !limit.identifiable,
+        "{limit:#?}"
+    );
+}
+
+#[test]
+fn names_starts_and_bounds_are_read() {
+    let m = Muscle::prototype();
+    let p = Parameter::parse("tube.material.c10=0.2MPa:50kPa:1MPa", &m).unwrap();
+    assert_eq!(
+        p,
+        Parameter {
+            target: OfLaw(0),
+            start: Some(0.2),
+            bounds: Some((0.05, 1.0))
+        }
+    );
+    assert_eq!(
+        Parameter::parse("c01", &m).unwrap(),
+        Parameter::free(OfLaw(1))
+    );
+    assert_eq!(
+        Parameter::parse("friction.beta = 0.6", &m).unwrap().start,
+        Some(0.6)
+    );
+    let message = |text: &str| Parameter::parse(text, &m).unwrap_err().to_string();
+    assert!(message("braid.stifness").contains("did you mean braid.stiffness?"));
+    assert!(message("c10=1:2:3").contains("must lie between"));
+    assert!(message("c10=1:2").contains("name=start:low:high"));
+    assert!(message("c10=3mm").contains("tube.material.c10"));
 }

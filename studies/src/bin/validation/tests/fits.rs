@@ -4,7 +4,7 @@ use super::{muscle, rubbers};
 use crate::{
     bounds::{hand_made, with_constants},
     case::MuscleCase,
-    chosen::{Chosen, ChosenFit},
+    chosen::ChosenFit,
     elements,
     pulses::predict,
     report::{Fitted, Group, report},
@@ -18,7 +18,7 @@ use mckibben_core::{
     rubber::{Law, NeoHookean, RubberLaw},
 };
 use mckibben_fit::{
-    identify::{Identified, Target},
+    identify::{Found, Identified, Target},
     library::{
         agreement, library,
         residual::{ForceErrors, Residual},
@@ -179,7 +179,7 @@ fn the_bias_by_angle_is_that_of_an_independent_calculation() {
 }
 
 /// Identifies the muscle of a folder again; its muscle has the bench that states its ±.
-fn refit(case: &MuscleCase) -> (Muscle, Chosen) {
+fn refit(case: &MuscleCase) -> (Muscle, Found) {
     let fit = &case.fits[case.library_fit];
     let points = case.points_of(fit);
     let chosen = ChosenFit::new(&fit.muscle, &fit.free, &points, &elements);
@@ -228,12 +228,12 @@ fn the_kept_muscle_is_the_one_that_its_points_give() {
         );
         // The fit lets the muscle push where it is slack, the agreement does not.
         let pulls = identification
-            .points
+            .left
             .iter()
             .map(|(point, residual_n)| (*residual_n, point.at.force_n));
         let residuals = pulls.map(|(residual, measured)| (residual + measured).max(0.0) - measured);
         let rms_n =
-            (residuals.map(|r| r * r).sum::<f64>() / identification.points.len() as f64).sqrt();
+            (residuals.map(|r| r * r).sum::<f64>() / identification.left.len() as f64).sqrt();
         assert!(
             (ours.rms_n / rms_n - 1.0).abs() < 1e-6,
             "{name}: {ours:?} {rms_n}"
