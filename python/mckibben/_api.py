@@ -2151,7 +2151,7 @@ class Export(_record.Files):
     target
         The target.
     name
-        Name of the muscle in the files.
+        Name in the files.
     form
         Pull and volume in closed form.
     supply_pressure_mpa : MPa
@@ -2161,19 +2161,19 @@ class Export(_record.Files):
     contraction_high
         Upper end of the contraction: the free contraction at the supply by default.
     model
-        The model that answered.
+        The model.
     hash
-        The first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
+        Hash: the first 16 digits of the SHA-256 of muscle file, model, version and coefficients.
     force_rms
-        Root mean square of the pull's error, share of the blocked force at the supply.
+        Error of the pull at the points: rms, share of the blocked force at the supply.
     force_95_ratio
-        95 % of the points err by less, share of the blocked force.
+        Error of the pull at 95 % of the points: they err by less, share of the blocked force.
     force_worst_ratio
-        At most, share of the blocked force: 1.5 times the largest at the points, and 0.0002.
+        Largest error of the pull: share of the blocked force, 1.5 times the largest at the points, and 0.0002.
     volume_rms
-        Root mean square of the volume's error, share of the largest volume.
+        Error of the volume at the points: rms, share of the largest volume.
     volume_worst_ratio
-        The same of the volume, share of the largest volume: twice the largest at the points, and 0.0002.
+        Largest error of the volume: share of the largest volume, twice the largest at the points, and 0.0002.
     blocked_force_n : N
         Blocked force at the supply, N.
     uncertainty_n : N
