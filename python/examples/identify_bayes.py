@@ -107,9 +107,7 @@ def by_nuts(found: Fit, p: Array, e: Array, f: Array, samples: int = 400) -> Arr
     def model() -> None:
         z = numpyro.sample(
             "z",
-            numpyro.distributions.Normal(jnp.zeros(len(found.value)), 30.0).to_event(
-                1
-            ),
+            numpyro.distributions.Normal(jnp.zeros(len(found.value)), 30.0).to_event(1),
         )
         # In standard errors about what least squares found: then the sampler needs little tuning.
         theta = jnp.asarray(found.value) + jnp.asarray(found.standard_error) * z
