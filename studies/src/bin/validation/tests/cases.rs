@@ -113,7 +113,7 @@ fn saved_and_read(case: &MuscleCase) -> (MuscleCase, usize) {
         muscle: &fit.muscle,
         points: &case.points,
         origin: "a, table\n.csv",
-        free: &fit.free,
+        free: &targets,
         fixed: &[],
         both_branches: fit.both_branches,
         identified: &identified,
