@@ -2,9 +2,10 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben_core::joint::{Joint, BoundJoint, JointMuscle, Link, Path};
-use mckibben_core::model::ModelKind;
+use mckibben_core::model::{ForceModel, ModelKind};
 use mckibben_core::muscle::Muscle;
 use mckibben_core::progress::Silent;
+use std::sync::Arc;
 
 fn map(c: &mut Criterion) {
     let muscle = Muscle::prototype();
@@ -28,7 +29,8 @@ fn map(c: &mut Criterion) {
         let Ok(force) = kind.build(&muscle) else {
             continue;
         };
-        let Ok(model) = BoundJoint::new(&joint, vec![&*force, &*force], true) else {
+        let force: Arc<dyn ForceModel> = Arc::from(force);
+        let Ok(model) = BoundJoint::new(joint.clone(), vec![force.clone(), force], true) else {
             continue;
         };
         group.bench_function(kind.name(), |b| {

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     least_squares::{Loss, Unknown, estimate, robust_deviation},
-    measured::{DataPoint, Quantity, distinct},
+    measured::{DataPoint, Quantity, distinct, mean_of_data},
     rubber::MODULI,
 };
 use mckibben_core::{
@@ -297,14 +297,18 @@ fn outlying(points: &[PointFit]) -> Option<String> {
     })
 }
 
-/// Residuals of which a zero of the load cell explains half of the squares, beside modulus, strands
-/// and friction of the muscle by least squares.
+/// Residuals of which a zero of the load cell explains half of the squares, beside modulus and
+/// strands of the muscle by least squares. The friction falls out of the means of both branches; of
+/// one branch its share is sought too.
 pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
     const TURNS: usize = 6;
     const MOST: f64 = 0.5;
-    let weights: Vec<f64> = request.points.iter().map(|p| p.weight).collect();
+    const SMALL: f64 = 1e-3;
+    let points = &mean_of_data(request.points);
+    let request = PosteriorRequest { points, ..*request };
+    let weights: Vec<f64> = points.iter().map(|p| p.weight).collect();
     let is_force = |p: &DataPoint| f64::from(u8::from(p.measured == Quantity::Force));
-    let zero: Vec<f64> = request.points.iter().map(is_force).collect();
+    let zero: Vec<f64> = points.iter().map(is_force).collect();
     let mut x = [0.0; Constant::ALL.len()];
     let mut turn = 0;
     loop {
@@ -313,7 +317,7 @@ pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
         let fit = |columns: &[Vec<f64>]| {
             let moved = |x: &[f64]| {
                 let by = |i: usize| columns.iter().zip(x).map(|(c, x)| c[i] * x).sum::<f64>();
-                let each = request.points.iter().zip(&rows).enumerate();
+                let each = points.iter().zip(&rows).enumerate();
                 let off = each.map(|(i, (p, row))| row.predicted_n - p.at.force_n + by(i));
                 Some(off.collect::<Vec<f64>>())
             };
@@ -324,18 +328,18 @@ pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
         let mut free = vec![Constant::Modulus, Constant::Strands, Constant::Friction];
         free.retain(|constant| slopes(*constant).any(|slope| slope != 0.0));
         let mut columns: Vec<Vec<f64>> = free.iter().map(|c| slopes(*c).collect()).collect();
-        if turn < TURNS {
-            let step = fit(&columns)?.x;
-            for (constant, step) in free.iter().zip(step) {
+        let before = fit(&columns)?;
+        columns.push(zero.clone());
+        let with = fit(&columns)?;
+        let steps = free.iter().zip(&with.x);
+        if turn < TURNS && steps.clone().any(|step| step.1.abs() > SMALL) {
+            for (constant, step) in steps {
                 x[*constant as usize] += step.clamp(-MOST, MOST);
             }
             continue;
         }
-        let before = fit(&columns)?.squares;
-        columns.push(zero);
-        let with = fit(&columns)?;
         let (zero_n, half_n) = (with.x.last()?, with.half_widths.last()?);
-        return (with.squares < 0.5 * before && zero_n.abs() > *half_n).then(|| {
+        return (with.squares < 0.5 * before.squares && zero_n.abs() > *half_n).then(|| {
             format!(
                 "the load cell seems to show {} N without a pull: look at its zero, or free \
                  `force_offset`",

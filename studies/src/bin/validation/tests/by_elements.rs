@@ -33,12 +33,12 @@ fn muscle(d: f64, k: f64) -> Muscle {
     Muscle::new(tube, braid, Terminals::default(), Some(friction)).unwrap()
 }
 
-/// Points of two muscles whose k grows like D0^0.9, with friction; some read as contraction, some
+/// Points of two muscles of one k, with friction; some read as contraction, some
 /// as pressure.
 fn points() -> Vec<DataPoint> {
     let mut out: Vec<DataPoint> = vec![];
-    for (d, k) in [(30.0, 400.0), (40.0, 400.0 * (40.0f64 / 30.0).powf(0.9))] {
-        let m = muscle(d, k);
+    for d in [30.0, 40.0] {
+        let m = muscle(d, 400.0);
         let (model, w) = (
             Axisymmetric::between_ends(&m).unwrap(),
             &mut Workspace::new(),
