@@ -4,7 +4,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben_core::model::{ForceModel, ModelKind, ThickWall, Workspace};
 use mckibben_core::muscle::{Direction, Muscle};
 use mckibben_core::units::Values;
-use mckibben_design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
+use mckibben_design::{BraidChoice, Objective, OperatingPoint, Spec, design};
 use std::hint::black_box;
 
 fn points(c: &mut Criterion) {
@@ -34,29 +34,19 @@ fn grids(c: &mut Criterion) {
         (ModelKind::Paper, tenths(300, 500), tenths(10, 50)),
         (ModelKind::ThickWall, tenths(50, 800), tenths(5, 100)),
     ] {
+        let wanted = OperatingPoint {
+            force_n: 700.0,
+            contraction: 0.15,
+        };
         let spec = Spec {
-            wanted: vec![OperatingPoint {
-                force_n: 700.0,
-                contraction: 0.15,
-            }]
-            .into(),
-            count: 1,
-            pitch_mm: None,
+            built: false,
             direction: Direction::Mean,
-            max_pressure_mpa: 0.25,
-            base: Muscle::prototype(),
             outer_diameter_mm: diameters,
             wall_mm: walls,
-            length_mm: None,
             braid: BraidChoice::Angle(Values::List(vec![28.0])),
-            rubbers: vec![],
-            limits: Limits::default(),
             objective: Objective::Diameter,
             top: 5,
-            extrapolate: false,
-            guaranteed: None,
-            liquid: None,
-            tubes: vec![],
+            ..Spec::new(vec![wanted], 0.25)
         };
         let build = |m: &Muscle| kind.build(m);
         group.bench_function(kind.name(), |b| {
