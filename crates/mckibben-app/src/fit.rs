@@ -201,7 +201,7 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         vec![]
     };
     Ok(FitAnswer {
-        formula: Document::Section(fitted.formula.clone()),
+        formula: Document::Section(fitted.formula.clone().into()),
         tables: fitted
             .paper
             .as_ref()
@@ -239,7 +239,7 @@ fn universal(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer>
     };
     let fitted = universal::universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?;
     Ok(FitAnswer {
-        formula: Document::Universal(fitted),
+        formula: Document::Universal(fitted.into()),
         tables: vec![],
         figures: vec![],
         failed: 0,
@@ -409,7 +409,7 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
             let method = Method::Paper(Rules::default());
             let fitted = refitted(method).map_err(|e| no_fit("paper", e))?;
             coefficients = rows_of(&fitted.formula);
-            Document::Section(fitted.published())
+            Document::Section(fitted.published().into())
         }
         (None, Some(name)) => built_in(name)?,
         (None, None) => return Err(Problem::missing("file", "the file of a formula")),
@@ -431,7 +431,7 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
 fn built_in(name: &str) -> Result<Document> {
     let formula = UniversalFormula::large().filter(|_| name == ModelKind::Universal.name());
     formula
-        .map(|formula| Document::Universal((*formula).clone()))
+        .map(|formula| Document::Universal(Box::new((*formula).clone())))
         .ok_or_else(|| {
             let message =
                 format!("there is no built-in formula \"{name}\"; there are paper and universal");

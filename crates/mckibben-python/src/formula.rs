@@ -25,7 +25,7 @@ impl Formula {
         let read = Document::parse(text)
             .map_err(|e| Wrong::from(Problem::from(e.in_file(Path::new(&name)))));
         match read? {
-            Document::Section(formula) => Ok(Self { formula }),
+            Document::Section(formula) => Ok(Self { formula: *formula }),
             Document::Universal(_) => {
                 let message = "a universal formula needs the whole muscle";
                 let problem = Problem::usage(message, "ask its model of a muscle");

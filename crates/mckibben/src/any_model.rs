@@ -76,8 +76,8 @@ impl Model {
     /// [`FormulaError`] with line, column and key.
     pub fn from_formula(text: &str) -> Result<Self, FormulaError> {
         Ok(match Document::parse(text)? {
-            Document::Section(formula) => Self::Formula(Arc::new(formula)),
-            Document::Universal(formula) => Self::Universal(Arc::new(formula)),
+            Document::Section(formula) => Self::Formula(formula.into()),
+            Document::Universal(formula) => Self::Universal(formula.into()),
         })
     }
 

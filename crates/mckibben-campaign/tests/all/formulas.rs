@@ -138,7 +138,7 @@ fn global_is_exact_on_a_polynomial_of_its_terms() {
     assert!((ours / exact - 1.0).abs() < 1e-7, "{ours} {exact}");
     assert_eq!(
         Document::parse(&formula.to_json()).unwrap(),
-        Document::Section(formula)
+        Document::Section(formula.into())
     );
 }
 

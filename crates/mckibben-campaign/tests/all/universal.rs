@@ -71,7 +71,7 @@ fn a_fit_does_not_depend_on_threads_and_finds_small_errors() {
     assert_eq!(one.to_json(), four.to_json());
     assert_eq!(
         Document::parse(&one.to_json()).unwrap(),
-        Document::Universal(one.clone())
+        Document::Universal(one.clone().into())
     );
     // Sixty muscles are few; the goal for 2048 is met on muscles left out already.
     assert!(

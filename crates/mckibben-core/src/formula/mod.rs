@@ -127,9 +127,9 @@ pub const MAX_BYTES: u64 = 4 << 20;
 #[serde(untagged)]
 pub enum Document {
     /// A formula for muscles of one make.
-    Section(Formula),
+    Section(Box<Formula>),
     /// A formula for muscles of every make.
-    Universal(UniversalFormula),
+    Universal(Box<UniversalFormula>),
 }
 
 /// The text of a formula's file.

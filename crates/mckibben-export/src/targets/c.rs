@@ -14,7 +14,7 @@ pub const TARGET: ExportTarget = ExportTarget {
     needs: "a C99 compiler; of its library only sqrt, of a joint sin and cos too",
     loses: "nothing of the form",
     make,
-    joint: joint,
+    joint,
 };
 
 /// Name, what it is, and template of a file.

@@ -36,7 +36,7 @@ pub const TARGET: ExportTarget = ExportTarget {
     loses: "without the plugin friction and the form: pull is linear in the pressure and of second \
         degree in the length, from the length at rest to the free contraction; no volume",
     make,
-    joint: joint,
+    joint,
 };
 
 /// Lengths up to this share of that at rest lie on the parabola of the gain.

@@ -13,7 +13,7 @@ pub const TARGET: ExportTarget = ExportTarget {
     needs: "NumPy, or the library of the arrays that it is given",
     loses: "nothing of the form",
     make,
-    joint: joint,
+    joint,
 };
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {

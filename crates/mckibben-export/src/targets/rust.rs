@@ -13,7 +13,7 @@ pub const TARGET: ExportTarget = ExportTarget {
     needs: "Rust from 1.84; no crate and no heap",
     loses: "nothing of the form",
     make,
-    joint: joint,
+    joint,
 };
 
 /// Templates: the functions of muscles and of joints, the numbers of each, and a test of a muscle.

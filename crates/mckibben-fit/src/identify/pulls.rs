@@ -26,6 +26,9 @@ use mckibben_core::{
     },
 };
 
+/// A pull without friction in N, and how it changes with the lever of the ends in N/mm.
+pub type WithoutFriction = (f64, f64);
+
 /// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
 fn start_of_coefficient(points: &[DataPoint], exponent: f64) -> f64 {
     let sum = |branch| {
@@ -114,7 +117,7 @@ pub struct Pulls<'a> {
     pub scales: [f64; 4],
     /// Of each measured pull that of the mean of the branches in N, and G in N/mm; of the law of the
     /// friction alone, which leaves them as they are.
-    pub means: Vec<(f64, f64)>,
+    pub means: Vec<WithoutFriction>,
     /// c_f of the friction that is estimated.
     pub friction_share: f64,
 }
@@ -201,7 +204,7 @@ impl<'a> Pulls<'a> {
     }
 
     /// The points that the model answers with its pull without friction, and what it says there.
-    pub fn means(&self) -> Option<(Vec<DataPoint>, Vec<(f64, f64)>)> {
+    pub fn means(&self) -> Option<(Vec<DataPoint>, Vec<WithoutFriction>)> {
         let stated = self.muscle.friction().is_some_and(|f| f.lever_mm > 0.0);
         let has_lever = stated || self.targets.contains(&Target::Measure(&FRICTION_LEVER));
         let rows = self.of_points(self.muscle, |model, i| {

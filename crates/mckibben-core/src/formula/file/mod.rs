@@ -68,9 +68,9 @@ impl Document {
     /// Reads a text.
     pub fn parse(text: &str) -> Read<Self> {
         let read = match kind(text)? {
-            Kind::Paper => Self::Section(paper(text)?),
-            Kind::Global => Self::Section(global(text)?),
-            Kind::Universal => Self::Universal(universal(text)?),
+            Kind::Paper => Self::Section(paper(text)?.into()),
+            Kind::Global => Self::Section(global(text)?.into()),
+            Kind::Universal => Self::Universal(universal(text)?.into()),
         };
         // A file that was laid out anew has been edited.
         match text.split_once(DIGEST) {

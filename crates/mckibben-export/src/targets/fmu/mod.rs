@@ -26,7 +26,7 @@ pub const TARGET: ExportTarget = ExportTarget {
         (x86-64) or macOS (x86-64, arm64); no compiler",
     loses: "of a valve its lag, and hoses; of a joint valves",
     make,
-    joint: joint,
+    joint,
 };
 
 /// A version of FMI.
