@@ -4,6 +4,7 @@ use super::{CheckFormulaAnswer, FitAnswer, coefficients, is_of_the_paper};
 use crate::{
     Units,
     print::{Csv, Page, Show, Table},
+    units::{NUMBER, PERCENT},
 };
 use mckibben_campaign::fit::{
     PaperMethod,
@@ -124,6 +125,31 @@ fn steps(m: &PaperMethod, of_the_paper: bool, page: &mut Page) {
 }
 
 impl Show for Results {
+    fn page(&self, _: &Units) -> Page {
+        let u = Units::default();
+        let share = PERCENT.digits(3);
+        let length = u.length.digits(4);
+        let mut page = Page::default();
+        page.line("in % of the blocked force at 0.25 MPa, where the muscle pulls");
+        page.gap();
+        page.table(
+            Table::of(&self.findings)
+                .unaligned("at most", &share, |f| f.at_most)
+                .quantity("largest", &share, |f| f.errors.summary.max)
+                .quantity("rms", &share, |f| f.errors.summary.rms)
+                .quantity("(12)", &share, |f| f.errors.summary.max_12)
+                .quantity("largest", &u.force.digits(3), |f| f.errors.summary.max_n)
+                .text("points", |f| f.errors.summary.points)
+                .text("comparison", |f| &f.comparison)
+                .quantity("worst at D0", &length, |f| f.errors.worst.outer_diameter_mm)
+                .quantity("s", &length, |f| f.errors.worst.wall_mm)
+                .quantity("P", &u.pressure, |f| f.errors.worst.pressure_mpa)
+                .quantity("ε", &NUMBER, |f| f.errors.worst.contraction),
+        );
+        page.and(Page::of(self, &u, &["findings"]));
+        page
+    }
+
     fn csv(&self) -> Csv {
         Csv::rows(&self.findings)
     }

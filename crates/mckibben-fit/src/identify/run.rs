@@ -268,7 +268,7 @@ fn check_names(request: &IdentificationRequest<'_>, base: &Muscle) -> Result<()>
             return refuse(
                 target,
                 &format!(
-                    "is stated, not identified: measure it and give its value (--fix). Free can \
+                    "is stated, not identified: measure it and give its value (`fix`). Free can \
                      be {known}"
                 ),
             );

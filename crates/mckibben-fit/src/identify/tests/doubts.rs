@@ -219,7 +219,7 @@ fn names_bounds_and_doubles_are_checked() {
     // Only what can be free is named.
     let known = "tube.material.mu, braid.angle, braid.stiffness, force_offset, friction.";
     let what =
-        "tube.wall_thickness is stated, not identified: measure it and give its value (--fix)";
+        "tube.wall_thickness is stated, not identified: measure it and give its value (`fix`)";
     assert!(
         message.starts_with(what) && message.contains(known),
         "{message}"
