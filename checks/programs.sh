@@ -19,7 +19,8 @@ simulated() { "$program" simulate examples/prototype.toml --format json --vtu "$
 read_by oracle "$program"
 read_by campaign "$program"
 read_by bodies "$program"
-cargo run --quiet --workspace --profile test --locked --example exported >"$made/motion.json"
+cargo build --quiet --workspace --all-targets --profile test --locked
+"${CARGO_TARGET_DIR:-target}/debug/examples/exported" >"$made/motion.json"
 read_by motion "$made/motion.json"
 simulated vtu -e 10% -p 0.05..0.25:0.05
 read_by vtu "$made/vtu" "$made/vtu.json"
