@@ -25,4 +25,3 @@ test -x "$venv/bin/python" || python3 -m venv "$venv"
 bash checks/fmu-binaries.sh --check
 "$venv/bin/python" checks/exports.py "$1"
 "$venv/bin/python" checks/exports_fmu.py "$1"
-if 
