@@ -8,7 +8,8 @@ use mckibben_core::{
 };
 
 /// The goals for 500 random muscles (rms 0.6 %, 99 % of points within 2.3 %, worst 5 %) on fifty of
-/// them, and tighter ones that the formula meets by a factor of three. The full number: `cargo study universal_errors`.
+/// them, and tighter ones that the formula meets by a factor of three. The full number: `cargo
+/// study universal_errors`.
 #[test]
 fn the_goals_hold_on_random_muscles() {
     let samples = held_out_samples(50, 11);
@@ -20,7 +21,7 @@ fn the_goals_hold_on_random_muscles() {
         large.rms < 0.001 && large.p99 < 0.004 && large.max < 0.01,
         "{large:?}"
     );
-    assert!(thick.rms > 10.0 * large.rms, "{thick:?}");
+    assert!(thick.rms > 100.0 * large.rms, "{thick:?} {large:?}");
 }
 
 /// Far beyond the longest muscle of the campaign the error is no larger.

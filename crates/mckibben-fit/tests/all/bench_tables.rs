@@ -124,8 +124,8 @@ fn swapped_names_of_the_branches_are_refused() {
     assert!(error.to_string().contains("swapped"), "{error}");
 }
 
-/// A load cell that shows 15 N without a pull is named, with a zero that is near to it, and not where
-/// there is none; with its zero free the constants come back.
+/// A load cell that shows 15 N without a pull is named, with a zero that is near to it, and not
+/// where there is none; with its zero free the constants come back.
 #[test]
 fn a_zero_of_the_load_cell_is_named_and_can_be_free() {
     let said = |table: &str| {
@@ -135,8 +135,8 @@ fn a_zero_of_the_load_cell_is_named_and_can_be_free() {
     };
     let zero = said(include_str!("bench/fo.csv")).unwrap();
     let shown_n: f64 = zero.split_whitespace().nth(6).unwrap().parse().unwrap();
-    // 1.96 deviations: 13 means of two pulls have a noise of 1.41 N each, and beside modulus and strands
-    // the zero has 1.58 times the deviation of one mean.
+    // 1.96 deviations: 13 means of two pulls have a noise of 1.41 N each, and beside modulus and
+    // strands the zero has 1.58 times the deviation of one mean.
     assert!((shown_n - 15.0).abs() < 1.96 * 1.41 * 1.58, "{zero}");
     assert_eq!(said(include_str!("bench/n0.csv")), None);
     let names = [
@@ -159,7 +159,8 @@ fn a_zero_of_the_load_cell_is_named_and_can_be_free() {
 }
 
 /// The commonest test of a hand-made muscle: its contraction without a load against the pressure.
-/// It is judged by the contraction, with all its rows, and with the angle free the rows are inside of the ±.
+/// It is judged by the contraction, with all its rows, and with the angle free the rows are inside
+/// of the ±.
 #[test]
 fn contractions_without_a_load_are_judged_as_contractions() {
     let table = "pressure_kpa,length_mm,force_n,measured,branch\n\
