@@ -2,7 +2,7 @@
 //!
 //! Between neighbours x_i, x_{i+1} of a function y(x) the line is y = chord + D (x − x_i)(x −
 //! x_{i+1}), D the second divided difference, linear between those at both ends: the cubic through
-//! four points. Where D changes its sign or by more than [`ALIKE`], at a corner or a jump, the
+//! four points. Where D changes its sign or by more than `ALIKE`, at a corner or a jump, the
 //! chord is kept; the ends of a line are straight where they have one neighbour only.
 
 use crate::rect::Spot;

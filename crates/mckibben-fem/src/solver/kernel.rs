@@ -1,4 +1,4 @@
-//! Dense kernels of the sparse factorisation: C = [C] − A D Bᵀ, and the division of rows by a small
+//! Dense kernels of the sparse factorisation: C = \[C\] − A D Bᵀ, and the division of rows by a small
 //! triangle. Matrices by columns.
 //!
 //! A tile of C stays in registers while it runs along A's and B's columns. A strip of B stays in
