@@ -4,9 +4,8 @@
 use crate::{
     AskFields, Contraction, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
     ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
-    borne, burst_of,
+    borne, burst_of, proof_mpa,
     flags::{self, Args},
-    not_measured,
     print::{Csv, Page, Show},
     report::report,
     usual_mpa,
@@ -14,7 +13,7 @@ use crate::{
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use mckibben_build::{
     BuildPart, Content, Cut, File, Operating, Plan, Proof, PullAt, Safety, Shown, TestPoint,
-    ToMeasure, Wishes, proof_mpa,
+    ToMeasure, Wishes,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation},
@@ -206,7 +205,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     }
     let (mut plan, burst) = planned(request)?;
     plan.expected = expected(&plan)?;
-    let said = burst.warnings(plan.operating.pressure_mpa, 0.0);
+    let said = burst.warnings(plan.operating.pressure_mpa);
     let wrong = |e| ProblemKind::Internal.problem(format!("the drawing cannot be drawn: {e}"));
     let files = mckibben_build::files(&plan).map_err(wrong)?;
     let mut files: Vec<BuiltFile> = files
@@ -226,7 +225,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         #[cfg(feature = "files")]
         files.push(File::bytes(REPORT[1], about, document.to_pdf().map_err(wrong)?).into());
     }
-    let outside = not_measured(&plan.muscle, plan.safety.pressure_mpa);
+    let outside = Warning::not_measured(&plan.muscle, plan.safety.pressure_mpa);
     let of_plan = plan.muscle.warnings().into_iter().chain(plan.warnings());
     Ok(BuildAnswer {
         muscle: (&plan.muscle).into(),
@@ -366,11 +365,15 @@ fn operating(
     let model = choice.bound(muscle)?;
     let model = &*model;
     let mut workspace = Workspace::new();
-    let mut evaluation = Evaluation::new(model, &mut workspace, Options::default());
-    let burst = burst_of(&choice, model)?;
-    let allowed_mpa = burst.allowed().map(|a| a.mpa);
+    let in_use = AskFields::default().options(muscle)?;
+    let mut evaluation = Evaluation::new(model, &mut workspace, in_use);
+    let burst = Burst {
+        overpressure: request.overpressure,
+        ..burst_of(&choice, model)?
+    };
     let pressure_mpa = given_mpa.unwrap_or(usual_mpa(&burst, muscle));
-    borne(&burst, pressure_mpa, request.overpressure)?;
+    borne(&burst, pressure_mpa)?;
+    let proof_mpa = proof_mpa(&burst, pressure_mpa)?;
     evaluation.check_range(pressure_mpa, 0.0)?;
     let free = evaluation.free_contraction(pressure_mpa)?;
     let mut free_contractions = vec![];
@@ -380,10 +383,7 @@ fn operating(
         cancel::check()?;
     }
     let blocked_force_n = evaluation.force_n(pressure_mpa, 0.0)?;
-    let mut space = Workspace::new();
-    let in_use = AskFields::default().options(muscle)?;
-    let mut on_branch = Evaluation::new(model, &mut space, in_use);
-    let pulls = pulls(&mut on_branch, pressure_mpa, 0.5 * free)?;
+    let pulls = pulls(&mut evaluation, pressure_mpa, 0.5 * free)?;
     let point = evaluation.point(pressure_mpa, 0.5 * free)?;
     let words = UncertaintyWords::of(&point, &mut evaluation);
     let left: Vec<Left> = words.worth().copied().collect();
@@ -411,31 +411,32 @@ fn operating(
     let volume_mm3 = response
         .volume_mm3
         .unwrap_or_else(|| muscle.rest_volume_mm3());
-    let proof_mpa = proof_mpa(pressure_mpa, burst.least().map(|f| f.1));
     // A muscle whose free state at the proof pressure is not found stores at least what its cavity
     // at the working pressure does; one that has no blocked state there pulls in proportion.
     let at_proof = evaluation
         .free_contraction(proof_mpa)
         .and_then(|free| evaluation.cavity_mm3(proof_mpa, free))
         .ok();
-    let held_n = evaluation.force_n(proof_mpa, 0.0).ok();
+    let mut of_mean = evaluation.with(Options::default());
+    let mean_n = of_mean.force_n(pressure_mpa, 0.0)?;
+    let held_n = of_mean.force_n(proof_mpa, 0.0).ok();
     let proof = Proof {
         pressure_mpa: proof_mpa,
-        blocked_force_n: held_n.unwrap_or(blocked_force_n * proof_mpa / pressure_mpa),
+        blocked_force_n: held_n.unwrap_or(mean_n * proof_mpa / pressure_mpa),
         volume_mm3: at_proof.unwrap_or(volume_mm3),
     };
     let operating = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
         blocked_force_n,
+        held_n: mean_n,
+        branch: in_use.direction,
         free_contraction: free,
         bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),
         volume_mm3,
         proof,
         contour_mm,
-        burst: burst.first().map(|(by, burst_mpa)| (burst_mpa, by)),
-        least_burst_mpa: PressureLimits::from(&burst).least_burst_pressure_mpa,
-        allowed_mpa,
+        limits: (&burst).into(),
         pulls,
         free_contractions,
         to_measure,

@@ -2,16 +2,14 @@
 //! before all others.
 
 use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
-use mckibben_build::highest_mpa;
-pub use mckibben_core::analysis::QUIET_MPA;
 use mckibben_core::{
-    analysis::{AnalysisError, Burst, FailureMode, FailurePressure, NoBurst, burst},
+    analysis::{AnalysisError, Burst, NoBurst, RELIEF, burst},
     cancel,
     model::{ForceModel, ModelError},
     muscle::Muscle,
+    units::rounded,
 };
-use schemars::JsonSchema;
-use serde::Serialize;
+pub use mckibben_core::analysis::PressureLimits;
 use std::sync::Mutex;
 
 /// Muscles whose burst pressure is kept.
@@ -67,126 +65,87 @@ pub fn usual_mpa(found: &Burst, muscle: &Muscle) -> f64 {
     })
 }
 
-/// What is handed out for a pressure that the muscle does not bear is refused: up to the allowed
-/// one, with `overpressure` up to that of a proof test.
-pub fn borne(found: &Burst, pressure_mpa: f64, overpressure: bool) -> Result<(), Problem> {
-    let most_mpa = match (overpressure, found.least(), found.allowed()) {
-        (true, Some((_, burst_mpa)), _) => highest_mpa(burst_mpa),
-        (false, _, Some(allowed)) => allowed.mpa,
-        _ => f64::INFINITY,
-    };
-    if pressure_mpa <= most_mpa {
+/// What is handed out for a pressure that is not allowed is refused.
+pub fn borne(found: &Burst, pressure_mpa: f64) -> Result<(), Problem> {
+    let allowed = found.allowed().map(|allowed| allowed.mpa);
+    if allowed.is_none_or(|allowed_mpa| pressure_mpa <= allowed_mpa) {
         return Ok(());
     }
-    let said = found
-        .warnings(pressure_mpa, f64::INFINITY)
-        .first()
-        .map_or_else(String::new, ToString::to_string);
-    let hint = "give a lower `pressure_mpa`; `overpressure` allows up to three quarters of the \
-        burst pressure";
+    let said = found.warnings(pressure_mpa).first().map_or_else(String::new, ToString::to_string);
+    let raised = Burst {
+        overpressure: true,
+        ..*found
+    };
+    let higher = raised.allowed().filter(|raised| allowed.is_some_and(|mpa| raised.mpa > mpa));
+    let hint = match higher {
+        Some(_) => {
+            "give a lower `pressure_mpa`; `overpressure` allows more, up to a proof test at three \
+             quarters of the burst pressure"
+        }
+        None => "give a lower `pressure_mpa`",
+    };
     Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
 }
 
-/// The pressures that a muscle bears.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Default, Serialize, JsonSchema)]
-pub struct PressureLimits {
-    /// Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that
-    /// of the weakest; none where no number for it is stated.
-    #[serialize_always]
-    pub burst_pressure_mpa: Option<f64>,
-    /// How it fails there.
-    pub burst_by: Option<FailureMode>,
-    /// The least that the burst pressure may be, MPa, where number or strength of the strands are
-    /// estimates; the allowed pressure follows from it.
-    pub least_burst_pressure_mpa: Option<f64>,
-    /// Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at
-    /// which the tube does, two thirds of the least that each may be by estimates of the strands,
-    /// and at most that for which the fittings are rated.
-    pub allowed_pressure_mpa: Option<f64>,
-    /// The failure that it keeps its distance from; none where the fittings are rated for it.
-    pub allowed_by: Option<FailureMode>,
-    /// The pressure of that failure over the allowed one.
-    pub allowed_factor: Option<f64>,
-    /// Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
-    pub ends_included: bool,
+/// The pressure in MPa of the proof test of a muscle that works at one in MPa.
+pub fn proof_mpa(found: &Burst, pressure_mpa: f64) -> Result<f64, Problem> {
+    found.proof_mpa(pressure_mpa).ok_or_else(|| {
+        let most_mpa = found.strained.mpa().unwrap_or(f64::INFINITY) / RELIEF;
+        let message = format!(
+            "no proof test fits above {pressure_mpa}\u{a0}MPa: a tenth more stretches the strands \
+             beyond their limit"
+        );
+        let most = rounded(most_mpa, 3, f64::floor);
+        let hint = format!("give a `pressure_mpa` of at most {most}\u{a0}MPa, or stiffer strands");
+        ProblemKind::OutOfRange
+            .problem(message)
+            .in_field("pressure_mpa")
+            .with_hint(hint)
+    })
 }
 
-impl From<&Burst> for PressureLimits {
-    fn from(found: &Burst) -> Self {
-        let first = found.first();
-        let allowed = found.allowed();
-        let least_mpa = found.least().map(|f| f.1);
-        Self {
-            burst_pressure_mpa: first.map(|f| f.1),
-            burst_by: first.map(|f| f.0),
-            least_burst_pressure_mpa: least_mpa.filter(|p| first.is_some_and(|f| *p < f.1)),
-            allowed_pressure_mpa: allowed.map(|a| a.mpa),
-            allowed_by: allowed.and_then(|a| a.by),
-            allowed_factor: allowed.map(|a| a.factor),
-            ends_included: !matches!(found.ends, FailurePressure::Unknown(_)),
-        }
-    }
-}
+/// What a muscle bears, in rows.
+pub trait LimitRows {
+    /// The rows with a note behind the burst pressure.
+    fn rows_with(&self, note: &str, u: &Units) -> Rows;
 
-impl PressureLimits {
-    /// What the muscle bears.
-    pub fn rows(&self, u: &Units) -> Rows {
+    /// The rows.
+    fn rows(&self, u: &Units) -> Rows {
         self.rows_with("", u)
     }
 
     /// The same as lines.
-    pub(crate) fn lines(&self, u: &Units) -> impl Iterator<Item = String> {
+    fn lines(&self, u: &Units) -> impl Iterator<Item = String> {
         self.rows(u)
             .into_iter()
             .map(|(name, value)| format!("{name} {value}"))
     }
+}
 
-    /// The rows with a note behind the burst pressure.
-    pub(crate) fn rows_with(&self, note: &str, u: &Units) -> Rows {
-        let burst = self.burst_pressure_mpa.map(|p| {
+impl LimitRows for PressureLimits {
+    fn rows_with(&self, note: &str, u: &Units) -> Rows {
+        let pressure = |p: f64| u.pressure.show(p);
+        let burst = self.burst_pressure_mpa.map(|least| {
             let by = self.burst_by.map(|by| format!("; there {by}"));
-            let least = self.least_burst_pressure_mpa.map(|least| {
-                format!(
-                    "; {} at least, by what is known of its strands",
-                    u.pressure.show(least)
-                )
-            });
-            u.pressure.show(p) + &by.unwrap_or_default() + &least.unwrap_or_default() + note
-        });
-        let allowed = self.allowed_pressure_mpa.map(|p| {
-            let why = match self.allowed_by {
-                Some(by) => format!(
-                    "safety factor {} where {by}",
-                    number(self.allowed_factor.unwrap_or(1.0), 3)
+            let by = by.unwrap_or_default();
+            match self.nominal_burst_pressure_mpa {
+                Some(nominal) => format!(
+                    "{} at least, {} by nominal numbers of its strands{by}{note}",
+                    pressure(least),
+                    pressure(nominal)
                 ),
-                None => "the fittings are rated for it".into(),
-            };
-            let ends = if self.ends_included {
-                ""
-            } else {
-                "; its ends are NOT INCLUDED"
-            };
-            format!("{}; {why}{ends}", u.pressure.show(p))
+                None => pressure(least) + &by + note,
+            }
+        });
+        let allowed = self.allowed_pressure_mpa.zip(self.allowed_by).map(|(p, by)| {
+            let factor = self.allowed_factor.filter(|factor| *factor > 1.0);
+            let factor = factor.map(|factor| format!("safety factor {} where ", number(factor, 3)));
+            let raised = if self.overpressure { " (overpressure)" } else { "" };
+            let ends = if self.ends_included { "" } else { "; its ends are NOT INCLUDED" };
+            format!("{}{raised}; {}{by}{ends}", pressure(p), factor.unwrap_or_default())
         });
         Rows::default()
             .text("burst pressure", burst)
             .text("allowed pressure", allowed)
-    }
-
-    /// Those of the weakest of several muscles; none where that of one of them is not known.
-    pub(crate) fn of_all(all: &[Burst]) -> Self {
-        let known: Option<Vec<&Burst>> = all.iter().map(|b| b.pressure_mpa().map(|_| b)).collect();
-        known
-            .into_iter()
-            .flatten()
-            .reduce(|a, b| {
-                if b.pressure_mpa() < a.pressure_mpa() {
-                    b
-                } else {
-                    a
-                }
-            })
-            .map_or_else(Self::default, Self::from)
     }
 }

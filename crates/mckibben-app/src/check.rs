@@ -13,13 +13,12 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Burst, FailureMode, FailurePressure},
-    built::Left,
+    built::{Left, not_measured},
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     units::{Dimension, tidy, typed::Pressure},
     warning::Warning,
 };
-use mckibben_fit::library::measured_range::{self, NotMeasured};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -242,7 +241,7 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         limits: (&burst).into(),
     };
     let findings = findings_of(&question.muscle, &burst, &values)?;
-    let said = burst.warnings(pressure_mpa, 0.0);
+    let said = burst.warnings(pressure_mpa);
     Ok((Some(values), said, findings))
 }
 
@@ -298,7 +297,9 @@ fn findings_of(
         .chain(of(FindingKind::Unknown, unknown(burst)))
         .chain(of(
             FindingKind::Outside,
-            outside(muscle, values.pressure_mpa),
+            not_measured(muscle, values.pressure_mpa)
+                .map(|q| q.to_string())
+                .collect(),
         ));
     let measurements = values.uncertainty_words.measurements.iter();
     Ok(findings
@@ -398,35 +399,6 @@ fn unknown(burst: &Burst) -> Vec<String> {
         .into_iter()
         .filter_map(of_mode)
         .chain(rated)
-        .collect()
-}
-
-/// The same as one warning, of a muscle that is chosen or built.
-pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> Option<Warning> {
-    let outside = outside(muscle, pressure_mpa).join("; ");
-    let said =
-        format!("outside of the muscles that were measured, on which the ± is founded: {outside}");
-    (!outside.is_empty()).then(|| Warning::from(said))
-}
-
-/// Where the muscle lies outside of the measured ones, on which the ± is founded.
-fn outside(muscle: &Muscle, pressure_mpa: f64) -> Vec<String> {
-    // The measured muscles are no part of the reduced engine.
-    if !cfg!(feature = "whole") {
-        return vec![];
-    }
-    let said = |q: NotMeasured| {
-        let (quantity, unit) = q.quantity;
-        let [value, low, high] = [q.value, q.measured.0, q.measured.1].map(|v| number(v, 3));
-        let from = if q.measured.0 > 0.0 {
-            format!("{low} to")
-        } else {
-            "up to".into()
-        };
-        format!("{quantity} is {value}{unit} (measured: {from} {high}{unit})")
-    };
-    measured_range::not_measured(muscle, pressure_mpa)
-        .map(said)
         .collect()
 }
 

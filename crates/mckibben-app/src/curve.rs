@@ -4,7 +4,7 @@ mod page;
 
 use crate::{
     Contractions, LoadAnswer, LoadFields, MuscleSummary, PressureLimits, Problem, ProblemKind,
-    QUIET_MPA, QuestionFields, Result, Units, check_both, figure, finite,
+    QuestionFields, Result, Units, check_both, figure, finite,
     flags::{self, Args},
     load::loaded,
     point::Question,
@@ -135,7 +135,7 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         }
     }
     let burst = question.burst()?;
-    Warning::put_first(&mut family.said, burst.warnings(highest_mpa, QUIET_MPA));
+    Warning::put_first(&mut family.said, burst.warnings(highest_mpa));
     let mut answer = CurveAnswer {
         limits: (&burst).into(),
         model: question.model.info().name.to_string(),

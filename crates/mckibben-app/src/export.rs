@@ -2,14 +2,14 @@
 
 use crate::{
     BuiltFile, Contraction, JointFields, ModelFields, MuscleFields, MuscleSummary, Problem,
-    ProblemKind, QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite,
+    ProblemKind, Result, TextFile, above_zero, borne, burst_of, finite,
     flags::{self, Args},
     print::{Csv, Page, Show},
     units::Units,
     usual_mpa,
 };
 use mckibben_core::{
-    analysis::{Evaluation, Options},
+    analysis::{Burst, Evaluation, Options},
     model::{ForceModel, Workspace},
     units::typed::{Length, Pressure},
     warning::Warning,
@@ -130,11 +130,14 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let muscle = request.muscle.resolve_for(&choice)?;
     let model = choice.bound(&muscle)?;
     let model = &*model;
-    let burst = burst_of(&choice, model)?;
+    let burst = Burst {
+        overpressure: request.overpressure,
+        ..burst_of(&choice, model)?
+    };
     let supply_mpa = request
         .pressure_mpa
         .map_or_else(|| usual_mpa(&burst, &muscle), f64::from);
-    borne(&burst, supply_mpa, request.overpressure)?;
+    borne(&burst, supply_mpa)?;
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     Evaluation::new(model, &mut Workspace::new(), Options::default())
         .check_range(supply_mpa, 0.0)?;
@@ -157,7 +160,7 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
     let of_fit = exported.warnings().into_iter().map(Warning::from);
     let others = artefact.notes.into_iter().chain(muscle.warnings());
     let warnings = of_fit
-        .chain(burst.warnings(supply_mpa, QUIET_MPA))
+        .chain(burst.warnings(supply_mpa))
         .chain(others.map(Warning::from));
     Ok(ExportAnswer {
         target: target.name.into(),
@@ -257,7 +260,12 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let models: Vec<&dyn ForceModel> = models.iter().map(|model| &**model).collect();
     let bursts = models
         .iter()
-        .map(|model| burst_of(&choice, *model))
+        .map(|model| {
+            Ok(Burst {
+                overpressure: request.overpressure,
+                ..burst_of(&choice, *model)?
+            })
+        })
         .collect::<Result<Vec<_>>>()?;
     let of_each = bursts.iter().zip(joint.muscles());
     let usual = of_each.map(|(burst, m)| usual_mpa(burst, &m.muscle));
@@ -265,7 +273,7 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let supply_mpa = request.pressure_mpa.map_or(usual, f64::from);
     above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
     for (burst, model) in bursts.iter().zip(&models) {
-        borne(burst, supply_mpa, request.overpressure)?;
+        borne(burst, supply_mpa)?;
         Evaluation::new(*model, &mut Workspace::new(), Options::default())
             .check_range(supply_mpa, 0.0)?;
     }
@@ -275,7 +283,7 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let of_fits = exported.muscles.iter().flat_map(ExportedMuscle::warnings);
     let of_bursts = bursts
         .iter()
-        .flat_map(|b| b.warnings(supply_mpa, QUIET_MPA));
+        .flat_map(|b| b.warnings(supply_mpa));
     let of_muscles = joint.muscles().iter().flat_map(|m| m.muscle.warnings());
     let others = artefact.notes.into_iter().chain(of_muscles);
     let mut warnings: Vec<Warning> = of_fits

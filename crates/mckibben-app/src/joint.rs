@@ -156,7 +156,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
             .fold(supplied, f64::max)
     };
     let said = bursts.iter().enumerate();
-    let said = said.flat_map(|(i, burst)| burst.warnings(highest(i), 0.0));
+    let said = said.flat_map(|(i, burst)| burst.warnings(highest(i)));
     let mut warnings = Warning::gravest(&solver.warnings);
     Warning::put_first(&mut warnings, said);
     let mut answer = JointAnswer {

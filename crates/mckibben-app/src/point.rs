@@ -4,11 +4,11 @@ mod page;
 
 use crate::{
     AskFields, BoundModel, Contraction, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields,
-    MuscleSummary, PointQuantity, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result,
+    MuscleSummary, PointQuantity, Problem, ProblemKind, Result,
     UncertaintyWords, burst_of, check_both, check_branch, flags::Args, load::loaded,
 };
 use mckibben_core::{
-    analysis::{Burst, Evaluation, source_of},
+    analysis::{Burst, Evaluation, PressureLimits, source_of},
     answer::{Answer, Options},
     built::basis_of,
     extremes::peak,
@@ -102,6 +102,9 @@ pub struct PointAnswer {
     /// What was sought: the ± belongs to it.
     #[serde(skip)]
     pub sought: PointQuantity,
+    /// Whether the model was named: then its number comes first.
+    #[serde(skip)]
+    pub is_model_named: bool,
 }
 
 /// Data behind a point: its ±, what the muscle bears, the muscle, and the model.
@@ -231,6 +234,7 @@ fn answered(
         loaded: None,
         background,
         sought,
+        is_model_named: question.is_model_named,
     })
 }
 
@@ -314,6 +318,8 @@ pub struct Question {
     pub(crate) model: Box<dyn ForceModel>,
     pub(crate) workspace: Workspace,
     pub(crate) options: Options,
+    /// Whether a model was named.
+    pub(crate) is_model_named: bool,
 }
 
 impl Question {
@@ -349,6 +355,7 @@ impl QuestionFields {
             model,
             workspace: Workspace::new(),
             options,
+            is_model_named: self.model.name.is_some(),
         })
     }
 }
@@ -367,7 +374,7 @@ impl Question {
     /// Data behind an answer, which warns of the highest pressure first.
     pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
-        Warning::put_first(&mut of.warnings, burst.warnings(highest_mpa, QUIET_MPA));
+        Warning::put_first(&mut of.warnings, burst.warnings(highest_mpa));
         Ok(Background {
             uncertainty_words: UncertaintyWords::of(of, &mut self.evaluation()),
             limits: (&burst).into(),

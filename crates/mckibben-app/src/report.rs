@@ -1,15 +1,15 @@
 //! The report of `build`: all that is known of a muscle, as one document.
 
 use crate::{
-    AskFields, BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer,
-    QuestionFields, Result, ShapeRequest, Units, check, curve, flags::Args, force, number, percent,
+    BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer,
+    Result, ShapeRequest, Units, check, curve, flags::Args, force, number, percent,
     print::Rows, ratio, shape, words::fixed,
 };
 use mckibben_build::Plan;
 use mckibben_core::{
     analysis::{Burst, FailureMode, FailurePressure, SAFETY},
     curve::Test,
-    muscle::{Direction, file::to_toml},
+    muscle::file::to_toml,
     progress::Progress,
 };
 use mckibben_report::{Document, DrawingSheet, Figure, Part};
@@ -70,7 +70,7 @@ pub fn report(
     };
     let pressure_mpa = plan.operating.pressure_mpa;
     let wanted = CheckRequest {
-        question: of_mean(request),
+        question: request.muscle.clone().into(),
         pressure_mpa: Some(pressure_mpa.into()),
         ..CheckRequest::default()
     };
@@ -89,7 +89,7 @@ pub fn report(
         None => ratio(usual)?,
     };
     let point = force(&ForceRequest {
-        question: of_mean(request),
+        question: request.muscle.clone().into(),
         pressure_mpa: Some(pressure_mpa.into()),
         contraction: Some(contraction.into()),
         ..ForceRequest::default()
@@ -142,18 +142,6 @@ pub fn report(
         parts,
         footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
     })
-}
-
-/// The muscle at the mean of both branches, as the plan has it.
-fn of_mean(request: &BuildRequest) -> QuestionFields {
-    QuestionFields {
-        muscle: request.muscle.clone(),
-        asking: AskFields {
-            direction: Some(Direction::Mean),
-            ..AskFields::default()
-        },
-        ..QuestionFields::default()
-    }
 }
 
 fn table(rows: Rows) -> Part {

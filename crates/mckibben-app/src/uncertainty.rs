@@ -24,8 +24,9 @@ const NAMED: usize = 3;
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct UncertaintyWords {
-    /// What it will pull:
-    /// `520 N (170 N to 900 N, 95 %) while it shortens: friction −145, take-up −100, ends −55`.
+    /// What it will pull, and the model's pull with what leads from it to that: `520 N (170 N to
+    /// 900 N, 95 %) while it shortens; model: 820 N, mean of both branches: friction −145, take-up
+    /// −100, ends −55`.
     pub built: Option<String>,
     /// The ± with its parts:
     /// `± 170 N (95 %): rubber 100, friction 90, ends 50, mesh 1`.
@@ -74,10 +75,23 @@ impl UncertaintyWords {
         out
     }
 
-    /// What a muscle that is built pulls, in units.
+    /// What a muscle that is built pulls, and what lies between the model's pull and that, in units.
     pub fn built_in(&self, u: &Units) -> Option<String> {
+        Some(format!("{}; model: {}", self.pull_in(u)?, self.model_in(u)?))
+    }
+
+    /// What a muscle that is built pulls, in units.
+    pub(crate) fn pull_in(&self, u: &Units) -> Option<String> {
+        Some(interval(&self.pull?, &u.force))
+    }
+
+    /// The model's pull, and the parts that lead from it to the pull of a muscle that is built, with
+    /// a digit more than this has, so that they add up to it.
+    pub(crate) fn model_in(&self, u: &Units) -> Option<String> {
         let pull = self.pull?;
         let force = &u.force;
+        let a_digit_more = 0.1 * force.value(pull.half_n());
+        let show = |n: f64| within(force.value(n), a_digit_more);
         let shift = pull.predicted_shift_n;
         let shifts = [
             ("friction", shift.friction),
@@ -85,15 +99,16 @@ impl UncertaintyWords {
             ("ends", shift.ends),
             ("factor", shift.factor),
         ];
-        let least_n = 0.005 * pull.predicted_high_n.abs();
-        let shifts = shifts.into_iter().filter(|(_, n)| n.abs() > least_n);
-        let shifts = shifts.map(|(name, n)| {
+        let shifts = shifts.map(|(name, n)| (name, n, show(n.abs())));
+        let counts = |text: &str| text.chars().any(|c| ('1'..='9').contains(&c));
+        let shifts = shifts.into_iter().filter(|(.., text)| counts(text));
+        let shifts = shifts.map(|(name, n, text)| {
             let sign = if n < 0.0 { "−" } else { "+" };
-            format!("{name} {sign}{}", force.half_width(n.abs()))
+            format!("{name} {sign}{text}")
         });
         let shifts = joined(shifts, ", ");
         let colon = if shifts.is_empty() { "" } else { ": " };
-        Some(format!("{}{colon}{shifts}", interval(&pull, force)))
+        Some(format!("{}\u{a0}{}, mean of both branches{colon}{shifts}", show(pull.mean_n), force.name))
     }
 
     /// The ± with its parts, in units.

@@ -450,11 +450,12 @@ fn data(plan: &Plan, sheet: &mut DrawingSheet) {
         .map_or_else(|| "not stated".into(), |n| n.to_string());
     let pressure = |p: f64| plan.shown.short_pressure(p);
     let known = |value: Option<f64>| value.map_or_else(|| "not known".into(), pressure);
-    // The pressure that counts where the strands are estimates.
-    let burst = match operating.least_burst_mpa {
-        Some(mpa) => format!("Burst at least {}", pressure(mpa)),
-        None => format!("Burst pressure {}", known(operating.burst.map(|b| b.0))),
+    let limits = &operating.limits;
+    let least = match limits.nominal_burst_pressure_mpa {
+        Some(_) => "at least",
+        None => "pressure",
     };
+    let burst = format!("Burst {least} {}", known(limits.burst_pressure_mpa));
     let rows = [
         format!("Braid angle θ₀ {}°", trimmed(muscle.braid().angle_deg, 1)),
         format!("Strands {strands}{}", plan.estimate()),
@@ -466,7 +467,7 @@ fn data(plan: &Plan, sheet: &mut DrawingSheet) {
         ),
         format!("Free contraction {}", percent(operating.free_contraction)),
         burst,
-        format!("Allowed pressure {}", known(operating.allowed_mpa)),
+        format!("Allowed pressure {}", known(limits.allowed_pressure_mpa)),
         "without the ends: prove them".into(),
         format!("Proof test {}, water", pressure(safety.proof_pressure_mpa)),
         format!("Numbers by model {}", operating.model),

@@ -9,9 +9,8 @@
 //! The limits are choices: no pull-off force of a clamp on a muscle was found in any source. So
 //! every end is proved under the load of the proof pressure.
 
-use crate::safety::PROOF_TO_WORKING;
 use mckibben_core::{
-    analysis::SAFETY,
+    analysis::{PROOF_TO_WORKING, SAFETY},
     muscle::EndsMade::{self, Crimped, Tied},
 };
 use std::f64::consts::PI;

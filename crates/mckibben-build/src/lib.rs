@@ -44,7 +44,7 @@ pub use plan::{EndParts, Plan, Wishes};
 pub use plug::{Material, Plug, Port};
 #[doc(hidden)]
 pub use safety::energy_j;
-pub use safety::{Operating, Proof, PullAt, Safety, ToMeasure, highest_mpa, proof_mpa, relief_mpa};
+pub use safety::{Operating, Proof, PullAt, Safety, ToMeasure, relief_mpa};
 pub use shown::Shown;
 pub use stem::Stem;
 pub use test_points::TestPoint;

@@ -86,7 +86,7 @@ impl Plan {
             ..wishes.clone()
         };
         let load = |force_n: f64, p: f64| clamp_load_n(&muscle, force_n.max(0.0), p);
-        let end_load_n = load(operating.blocked_force_n, operating.pressure_mpa);
+        let end_load_n = load(operating.held_n, operating.pressure_mpa);
         let proof_load_n = load(
             operating.proof.blocked_force_n,
             operating.proof.pressure_mpa,
@@ -251,7 +251,7 @@ impl Plan {
         }
         if let Some(bears_n) = self.buckling_n() {
             let [push, bears, allowed] =
-                [-self.operating.blocked_force_n, bears_n, bears_n / BUCKLING]
+                [-self.operating.held_n, bears_n, bears_n / BUCKLING]
                     .map(|n| self.shown.force(n.max(0.0)));
             out.push(format!(
                 "the muscle pushes with up to {push}, and its wall alone buckles at {bears}: guide \

@@ -13,9 +13,10 @@ impl Plan {
     pub(crate) fn verdict(&self) -> Vec<String> {
         let (operating, shown) = (&self.operating, &self.shown);
         let at_rest = format!(
-            "By the model alone ({}, between both branches of friction) it is blocked at {} at {}, \
-             and contracts by {} ({}) without load.",
+            "By the model alone ({}, {}) it is blocked at {} at {}, and contracts by {} ({}) \
+             without load.",
             operating.model,
+            operating.branch.motion(),
             shown.force(operating.blocked_force_n),
             shown.pressure(operating.pressure_mpa),
             percent(operating.free_contraction),
@@ -73,19 +74,18 @@ impl Plan {
             shown.pressure(safety.proof_pressure_mpa),
             shown.pressure(self.highest_mpa())
         );
-        let above = self
-            .operating
-            .allowed_mpa
-            .filter(|mpa| self.operating.pressure_mpa > mpa * (1.0 + 1e-9));
-        let above = above.map(|mpa| {
+        let limits = &self.operating.limits;
+        let raised = limits.allowed_pressure_mpa.filter(|_| limits.overpressure);
+        let raised = raised.map(|mpa| {
             format!(
-                "The working pressure is above the largest allowed one, {}.",
+                "Overpressure: the allowed pressure was raised to {}. The muscle keeps no usual \
+                 distance from its burst.",
                 shown.pressure(mpa)
             )
         });
-        let unknown = self.operating.burst.is_none().then(|| {
+        let unknown = limits.burst_pressure_mpa.is_none().then(|| {
             "The burst pressure is NOT KNOWN, because number or strength of the strands are not \
-             stated: nothing limits the proof pressure but twice the working pressure."
+             stated: keep away from the muscle whenever it is under pressure."
                 .to_owned()
         });
         let warnings = self.warnings();
@@ -97,7 +97,7 @@ impl Plan {
         let warnings = warnings.into_iter().map(sentence);
         unknown
             .into_iter()
-            .chain(above)
+            .chain(raised)
             .chain(warnings)
             .chain([energy, order])
             .collect()

@@ -18,8 +18,8 @@ const LOAD_CELL: f64 = 1.25;
 impl Plan {
     /// The highest pressure in MPa that a relief valve may let through.
     pub(crate) fn highest_mpa(&self) -> f64 {
-        let allowed_mpa = self.operating.allowed_mpa.unwrap_or(f64::INFINITY);
-        relief_mpa(self.safety.pressure_mpa, allowed_mpa)
+        let allowed_mpa = self.operating.limits.allowed_pressure_mpa;
+        relief_mpa(self.safety.pressure_mpa, allowed_mpa.unwrap_or(f64::INFINITY))
     }
 }
 
@@ -72,13 +72,15 @@ fn row(name: &str, text: String) -> Vec<String> {
 fn pressures(plan: &Plan) -> Vec<Vec<String>> {
     let (shown, operating) = (&plan.shown, &plan.operating);
     let unknown = || "not known".to_owned();
-    let burst = operating.burst.map(|(mpa, by)| {
-        let least = operating
-            .least_burst_mpa
-            .map(|least| format!("; {} at least", shown.short_pressure(least)));
-        format!("{}: {by}{}", shown.pressure(mpa), least.unwrap_or_default())
+    let limits = &operating.limits;
+    let burst = limits.burst_pressure_mpa.zip(limits.burst_by);
+    let burst = burst.map(|(mpa, by)| {
+        let nominal = limits
+            .nominal_burst_pressure_mpa
+            .map(|p| format!(" at least, {} by nominal numbers", shown.short_pressure(p)));
+        format!("{}{}: {by}", shown.pressure(mpa), nominal.unwrap_or_default())
     });
-    let allowed = operating.allowed_mpa.map(|mpa| shown.pressure(mpa));
+    let allowed = limits.allowed_pressure_mpa.map(|mpa| shown.pressure(mpa));
     let end = "load of an end at the working pressure";
     vec![
         row("working pressure", shown.pressure(operating.pressure_mpa)),

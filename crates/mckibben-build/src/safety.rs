@@ -1,8 +1,9 @@
 //! Pressures of the tests and the energy of the air.
 
 use mckibben_core::{
-    analysis::{ATMOSPHERE_MPA, FailureMode, RELIEF},
+    analysis::{ATMOSPHERE_MPA, PressureLimits, RELIEF},
     built::{Built, Left},
+    muscle::Direction,
     units::rounded,
 };
 
@@ -12,8 +13,12 @@ pub struct Operating {
     pub model: String,
     /// Working pressure in MPa.
     pub pressure_mpa: f64,
-    /// Blocked force there in N.
+    /// Blocked force there in N, on the branch of its job.
     pub blocked_force_n: f64,
+    /// The same of the mean of both branches: the ends hold it.
+    pub held_n: f64,
+    /// The branch of its job.
+    pub branch: Direction,
     pub free_contraction: f64,
     /// Largest outer diameter in mm of the muscle that contracts freely.
     pub bulged_diameter_mm: f64,
@@ -23,12 +28,8 @@ pub struct Operating {
     pub proof: Proof,
     /// Its outer contour from the middle (z = 0) to a clamp: z and radius in mm.
     pub contour_mm: Vec<[f64; 2]>,
-    /// Burst pressure in MPa, where it is known, and how the muscle fails there.
-    pub burst: Option<(f64, FailureMode)>,
-    /// The least that it may be in MPa, where it rests on estimates.
-    pub least_burst_mpa: Option<f64>,
-    /// Largest allowed pressure in MPa, where it is known.
-    pub allowed_mpa: Option<f64>,
+    /// The pressures that the muscle bears.
+    pub limits: PressureLimits,
     /// What it is for, or half of its free contraction: pulls at contractions.
     pub pulls: Vec<PullAt>,
     /// Free contractions at the pressures of the test sheet: pressure in MPa, contraction.
@@ -72,20 +73,13 @@ pub struct ToMeasure {
     pub left: Vec<Left>,
 }
 
-/// Proof over working pressure: a choice, half of the ratio of burst to working pressure of hoses
-/// for compressed air (RMA, Hose Handbook, IP-2, 2003).
-pub const PROOF_TO_WORKING: f64 = 2.0;
-/// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle:
-/// a choice.
-const PROOF_TO_BURST: f64 = 0.75;
-
 /// Pressures of the tests, and the energy of their air.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Safety {
     /// Working pressure, MPa.
     pub pressure_mpa: f64,
     /// Pressure of the proof test with water, MPa: twice the working pressure, at most three
-    /// quarters of the burst pressure.
+    /// quarters of the burst pressure and what stretches the strands to their limit.
     pub proof_pressure_mpa: f64,
     /// Pressure of the leak test, MPa.
     pub leak_pressure_mpa: f64,
@@ -118,21 +112,11 @@ impl Safety {
     }
 }
 
-/// The highest working pressure in MPa: a muscle is proved at it at least.
-pub fn highest_mpa(burst_mpa: f64) -> f64 {
-    PROOF_TO_BURST * burst_mpa
-}
-
 /// The pressure of a relief valve in MPa to three digits: above the one that is set, and not above
 /// the highest that the muscle may have.
 pub fn relief_mpa(pressure_mpa: f64, highest_mpa: f64) -> f64 {
     let relief = highest_mpa.min(RELIEF * pressure_mpa);
     rounded(relief * (1.0 + 1e-9), 3, f64::floor).max(pressure_mpa.min(highest_mpa))
-}
-
-/// Pressure of the proof test in MPa.
-pub fn proof_mpa(pressure_mpa: f64, burst_mpa: Option<f64>) -> f64 {
-    (PROOF_TO_WORKING * pressure_mpa).min(burst_mpa.map_or(f64::INFINITY, highest_mpa))
 }
 
 /// Energy in J of air at a gauge pressure: E = p V ln(p/p₀), p absolute. It is the work of an

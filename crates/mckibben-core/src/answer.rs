@@ -80,10 +80,10 @@ pub(crate) struct SlackState {
 
 impl Evaluation<'_> {
     /// Checks the model's range; with `extrapolate` a violation becomes a warning.
-    pub fn check_range(&self, pressure_mpa: f64, contraction: f64) -> Result<Vec<String>> {
+    pub fn check_range(&self, pressure_mpa: f64, contraction: f64) -> Result<Option<Warning>> {
         let info = self.model.info();
         let Err(mut error) = info.range.check(&info.name, pressure_mpa, contraction) else {
-            return Ok(vec![]);
+            return Ok(None);
         };
         let straight = 1.0 - 1.0 / self.model.muscle().braid().angle_rad().cos();
         if let ModelError::OutOfRange { make, .. } = &mut error
@@ -95,7 +95,8 @@ impl Evaluation<'_> {
             ));
         }
         if self.options.extrapolate {
-            Ok(vec![format!("extrapolated: {error}")])
+            let sentence = format!("extrapolated: {error}");
+            Ok(Some(Warning::of(WarningKind::Extrapolated, sentence)))
         } else {
             Err(error)
         }
@@ -178,12 +179,12 @@ impl Evaluation<'_> {
     ) -> Result<Answer> {
         let model = self.model;
         let options = self.options;
-        let said = self
-            .check_range(pressure_mpa, contraction)?
-            .into_iter()
-            .chain(model.muscle().warnings())
-            .chain(model.notes(self.workspace));
-        let mut warnings: Vec<Warning> = said.map(Warning::from).collect();
+        let outside = self.check_range(pressure_mpa, contraction)?;
+        let said = model.muscle().warnings().into_iter();
+        let said = said.chain(model.notes(self.workspace)).map(Warning::from);
+        let not_measured = Warning::not_measured(model.muscle(), pressure_mpa);
+        let mut warnings: Vec<Warning> =
+            outside.into_iter().chain(said).chain(not_measured).collect();
         let response = self.equilibrium(pressure_mpa, contraction, hanging)?;
         let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
         let pushes = |r: &Response| r.force_n < 0.0 && !options.two_sided;

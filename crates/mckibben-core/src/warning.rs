@@ -42,6 +42,10 @@ pub enum WarningKind {
     RubberStretch,
     /// What is sought has no ±.
     Flat,
+    /// The muscle or its pressure lies outside of the measured ones, on which the ± is founded.
+    NotMeasured,
+    /// The answer lies outside of the range of its model.
+    Extrapolated,
 }
 
 /// What the user should know of an answer.
@@ -58,12 +62,24 @@ pub struct Warning {
 }
 
 impl Warning {
-    fn new(kind: WarningKind, gravity: f64, message: String) -> Self {
+    pub(crate) fn new(kind: WarningKind, gravity: f64, message: String) -> Self {
         Self {
             kind,
             gravity,
             message,
         }
+    }
+
+    /// A sentence of a kind, with the numbers that it states in their shortest form.
+    pub fn of(kind: WarningKind, sentence: impl Into<String>) -> Self {
+        let sentence = sentence.into();
+        Self::new(kind, 0.0, short_numbers(&sentence).into_owned())
+    }
+
+    /// Whether it holds for the muscle at each of its points.
+    pub fn is_of_muscle(&self) -> bool {
+        use WarningKind::{BurstNotChecked, NotMeasured};
+        matches!(self.kind, BurstNotChecked | NotMeasured)
     }
 
     /// Whether it is about the burst of the muscle, and so comes first.
@@ -85,16 +101,15 @@ impl Warning {
     /// none where the fittings are rated for it.
     pub fn above_allowed(pressure_mpa: f64, most: Allowed) -> Self {
         let allowed = rounded(most.mpa, 4, f64::floor);
-        let reason = most.by.map_or_else(
-            || format!("the fittings are rated for {allowed}\u{a0}MPa"),
-            |by| {
-                format!(
-                    "the allowed pressure is {allowed}\u{a0}MPa, since {by} at {:.3}\u{a0}MPa \
-                     (safety factor {})",
-                    most.failure_mpa(),
-                    most.factor
-                )
-            },
+        let factor = if most.factor == 1.0 {
+            String::new()
+        } else {
+            format!(" (safety factor {:.4})", most.factor)
+        };
+        let reason = format!(
+            "the allowed pressure is {allowed}\u{a0}MPa, since {} at {:.3}\u{a0}MPa{factor}",
+            most.by,
+            most.failure_mpa()
         );
         let sentence = format!("ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3}\u{a0}MPa; {reason}");
         Self::new(WarningKind::AboveAllowed, pressure_mpa / most.mpa, sentence)
@@ -184,11 +199,7 @@ impl fmt::Display for Warning {
 
 impl From<String> for Warning {
     fn from(sentence: String) -> Self {
-        Self::new(
-            WarningKind::General,
-            0.0,
-            short_numbers(&sentence).into_owned(),
-        )
+        Self::of(WarningKind::General, sentence)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::Model;
 use mckibben_core::{
-    analysis::{AnalysisError, Burst, Evaluation, NoBurst, QUIET_MPA, burst},
+    analysis::{AnalysisError, Burst, Evaluation, NoBurst, burst},
     answer::{Answer, Options},
     model::{ForceModel, ModelError, Workspace},
     muscle::{Direction, Muscle},
@@ -20,6 +20,9 @@ use std::{
 /// error, unless [`extrapolating`](Self::extrapolating). Neighbouring questions are cheap, as finite
 /// elements go on from the last equilibrium; what is answered does not depend on them. A clone is
 /// independent: each thread takes one.
+///
+/// Calls that give one number refuse a pressure at which the muscle bursts, where that is known,
+/// unless [`past_burst`](Self::past_burst); whole answers say it in their warnings.
 ///
 /// ```
 /// use mckibben::prelude::*;
@@ -42,6 +45,8 @@ pub struct MuscleModel {
     options: Options,
     /// Follows from the model alone; sought when it is asked for.
     burst: Arc<OnceLock<Burst>>,
+    /// Whether pressures at which the muscle bursts are answered too.
+    is_past_burst: bool,
     pub(crate) workspace: Workspace,
 }
 
@@ -52,6 +57,7 @@ impl Clone for MuscleModel {
             choice: self.choice.clone(),
             options: self.options,
             burst: Arc::clone(&self.burst),
+            is_past_burst: self.is_past_burst,
             workspace: Workspace::new(),
         }
     }
@@ -96,8 +102,16 @@ impl MuscleModel {
             model: Arc::new(model),
             choice: None,
             burst: Arc::default(),
+            is_past_burst: false,
             workspace: Workspace::new(),
         }
+    }
+
+    /// The same that answers at pressures at which the muscle bursts too.
+    #[must_use]
+    pub fn past_burst(mut self) -> Self {
+        self.is_past_burst = true;
+        self
     }
 
     /// The same that answers outside of the model's range too, with a warning.
@@ -145,8 +159,10 @@ impl MuscleModel {
     /// F(P, ε) in N; 0 where the muscle is slack.
     ///
     /// # Errors
-    /// [`ModelError`] outside of the model's range or where it has no answer.
+    /// [`ModelError`] outside of the model's range, where it has no answer, or where the muscle
+    /// bursts.
     pub fn force_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        self.below_burst(pressure_mpa)?;
         let mut model = self.evaluation();
         model.check_range(pressure_mpa, contraction)?;
         match model.borne_force_n(pressure_mpa, contraction) {
@@ -175,7 +191,8 @@ impl MuscleModel {
     /// # Errors
     /// [`AnalysisError::NoPressure`] with the nearest pull that it reaches, or the model's.
     pub fn pressure_mpa(&mut self, force_n: f64, contraction: f64) -> Analysed<f64> {
-        self.evaluation().sought_pressure(force_n, contraction)
+        let pressure_mpa = self.evaluation().sought_pressure(force_n, contraction)?;
+        Ok(self.below_burst(pressure_mpa)?)
     }
 
     /// The same with everything that is known there.
@@ -192,6 +209,7 @@ impl MuscleModel {
     /// # Errors
     /// [`AnalysisError::NoContraction`] with the nearest pull that it reaches, or the model's.
     pub fn contraction(&mut self, force_n: f64, pressure_mpa: f64) -> Analysed<f64> {
+        self.below_burst(pressure_mpa)?;
         self.evaluation().sought_contraction(force_n, pressure_mpa)
     }
 
@@ -205,13 +223,15 @@ impl MuscleModel {
 
     /// Pulls in N at many points, on all threads; each has the digits that it has alone.
     pub fn forces_n(&self, points: &[(f64, f64)]) -> Vec<Result<f64, ModelError>> {
-        let (model, options) = (&self.model, self.options);
+        let (model, options, burst) = (&self.model, self.options, &self.burst);
+        let is_past_burst = self.is_past_burst;
         threads::map(points, |&(p, e)| {
             Self {
                 model: Arc::clone(model),
                 choice: None,
                 options,
-                burst: Arc::default(),
+                burst: Arc::clone(burst),
+                is_past_burst,
                 workspace: Workspace::new(),
             }
             .force_n(p, e)
@@ -225,11 +245,25 @@ impl MuscleModel {
             .get_or_init(|| burst(&*self.model).unwrap_or(Burst::unknown(NoBurst::NO_ANSWER)))
     }
 
+    /// A pressure in MPa below that at which the muscle bursts, where it is known.
+    fn below_burst(&self, pressure_mpa: f64) -> Result<f64, ModelError> {
+        match self.burst().least() {
+            Some((by, burst_mpa)) if pressure_mpa >= burst_mpa && !self.is_past_burst => {
+                Err(ModelError::Burst {
+                    pressure_mpa,
+                    burst_mpa,
+                    by,
+                })
+            }
+            _ => Ok(pressure_mpa),
+        }
+    }
+
     /// An answer with what is said of its pressure before all other warnings.
     fn warned(&self, mut answer: Answer) -> Answer {
         let said = self
             .burst()
-            .warnings(answer.response.pressure_mpa, QUIET_MPA);
+            .warnings(answer.response.pressure_mpa);
         Warning::put_first(&mut answer.warnings, said);
         answer
     }

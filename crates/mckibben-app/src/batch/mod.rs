@@ -11,12 +11,13 @@ mod point;
 pub use point::with_parameters;
 
 use crate::{
-    AskFields, Model, PressureLimits, Problem, ProblemKind, QUIET_MPA, Result, burst_of, finite,
+    AskFields, Model, PressureLimits, Problem, ProblemKind, Result, burst_of, finite,
     ratio,
 };
 use mckibben::gradient;
 use mckibben_core::{
     analysis::{Burst, Evaluation},
+    built::MEASURED,
     answer::{Answer, Options},
     model::{ForceModel, ModelInfo, ModelKind, Workspace},
     muscle::Muscle,
@@ -155,8 +156,9 @@ impl BoundModel {
             return Ok(*known);
         }
         let burst = burst_of(&self.choice, &*self.model)?;
-        let allowed_mpa = burst.allowed().map_or(QUIET_MPA, |allowed| allowed.mpa);
-        let highest_mpa = allowed_mpa.min(self.info().range.pressure_mpa.1);
+        let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
+        let measured_mpa = MEASURED[4].2.1;
+        let highest_mpa = allowed_mpa.min(measured_mpa).min(self.info().range.pressure_mpa.1);
         let choice = if self.is_elements() {
             ModelKind::ThickWall.into()
         } else {
@@ -166,8 +168,8 @@ impl BoundModel {
         let workspace = &mut Workspace::new();
         let mut is_quiet = |p: f64, e: f64| {
             let answer = Evaluation::new(&*model, workspace, self.options).point(p, e);
-            burst.warnings(p, QUIET_MPA).is_empty()
-                && answer.map_or(true, |answer| answer.warnings.is_empty())
+            burst.warnings(p).iter().all(Warning::is_of_muscle)
+                && answer.map_or(true, |a| a.warnings.iter().all(Warning::is_of_muscle))
         };
         let quiet = [1.0, 0.5, 0.25].into_iter().find_map(|share| {
             let p = share * highest_mpa;

@@ -11,7 +11,7 @@
 //! N/mm stays what it is, also where the braid's k follows the diameter.
 
 use super::{ArrayError, BoundModel, Many, PointQuantity, Quiet};
-use crate::{Problem, ProblemKind, QUIET_MPA, Result, finite, ratio};
+use crate::{Problem, ProblemKind, Result, finite, ratio};
 use mckibben::gradient::{self, GradientError};
 use mckibben_core::{
     analysis::{Burst, Evaluation},
@@ -46,10 +46,14 @@ impl BoundModel {
         quiet: Option<Quiet>,
         out: &mut [f64],
     ) -> Result<Vec<Warning>, ArrayError> {
+        let of_muscle = quiet.map(|(burst, _)| {
+            let outside = Warning::not_measured(self.muscle(), 0.0);
+            burst.warnings(0.0).into_iter().chain(outside).collect()
+        });
         let known = &mut Known {
             quiet,
             free: None,
-            said: vec![],
+            said: of_muscle.unwrap_or_default(),
         };
         let pairs = first.iter().zip(second).zip(out.chunks_mut(many.width()));
         for (index, ((&a, &b), places)) in pairs.enumerate() {
@@ -92,7 +96,7 @@ impl BoundModel {
     /// All that is known of a point but P′, and what is to be said of it.
     pub(super) fn point(&self, burst: &Burst, w: &mut Workspace, p: f64, e: f64) -> Result<Answer> {
         let mut answer = self.evaluation(w).point(p, e)?;
-        Warning::put_first(&mut answer.warnings, burst.warnings(p, QUIET_MPA));
+        Warning::put_first(&mut answer.warnings, burst.warnings(p));
         Ok(answer)
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Characteristics, CheckAnswer, FindingKind};
 use crate::{
-    Units, number,
+    LimitRows, Units, number,
     print::{Csv, Page, Rows, Show},
     units::{DEGREES, GRAMS, JOULES, MEGAPASCALS, NORMAL_LITRES, NUMBER, PERCENT},
     words::{braid_name, law_text},

@@ -457,7 +457,7 @@ pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
         .as_ref()
         .and_then(|closest| Burst::missing(&closest.rejected.muscle));
     missing
-        .map(|why| Burst::unknown(why).warnings(max_pressure_mpa, 0.0))
+        .map(|why| Burst::unknown(why).warnings(max_pressure_mpa))
         .unwrap_or_default()
 }
 
@@ -466,7 +466,7 @@ pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
 pub fn warnings(c: &Candidate) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
-    Warning::put_first(&mut all, c.burst.warnings(c.highest_pressure_mpa, 0.0));
+    Warning::put_first(&mut all, c.burst.warnings(c.highest_pressure_mpa));
     all
 }
 

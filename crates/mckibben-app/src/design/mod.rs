@@ -17,7 +17,7 @@ pub use answer::{
 pub use mckibben_design::{Bought, Bundle, BundlePoint};
 pub use request::{DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
 
-use crate::{Model, Result, UncertaintyWords, Units, figure, not_measured};
+use crate::{Model, Result, UncertaintyWords, Units, figure};
 use answer::{muscle_file, not_checked, out_of_reach, touches};
 use decision::Decision;
 use mckibben_core::{
@@ -147,7 +147,8 @@ fn warnings(found: &Design) -> Result<Vec<Warning>> {
     // Where no pitch is given they touch just where they are required to pull.
     let bundle = found.bundle.as_ref().filter(|_| spec.pitch_mm.is_some());
     warnings.extend(bundle.and_then(touches));
-    warnings.extend(not_measured(&winner.muscle, winner.highest_pressure_mpa));
+    let highest_mpa = winner.highest_pressure_mpa;
+    warnings.extend(Warning::not_measured(&winner.muscle, highest_mpa));
     Ok(warnings)
 }
 

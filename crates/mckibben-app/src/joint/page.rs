@@ -2,7 +2,7 @@
 
 use super::{JointAnswer, JointMap, JointRow};
 use crate::{
-    Units, number,
+    LimitRows, Units, number,
     print::{Amount, Csv, Page, Show, Table},
     units::{DEGREES, NEWTON_METRES, Scale},
 };

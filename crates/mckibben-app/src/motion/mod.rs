@@ -146,7 +146,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let burst = bursts.iter().enumerate().flat_map(|(i, burst)| {
         let reached = runs.iter().zip(&drives);
         let highest_mpa = peak(reached.map(|(run, (_, drive))| highest_mpa(run, drive, i)));
-        burst.warnings(highest_mpa, 0.0)
+        burst.warnings(highest_mpa)
     });
     Warning::put_first(&mut warnings, burst);
     let mut runs = runs.into_iter();

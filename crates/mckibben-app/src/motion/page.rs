@@ -2,7 +2,7 @@
 
 use super::{MotionAnswer, MotionRun};
 use crate::{
-    Units, number,
+    LimitRows, Units, number,
     print::{Csv, Page, Rows, Show, Table},
     uncertainty::bounds,
     units::{DEGREES, JOULES, NORMAL_LITRES, PERCENT, Scale},

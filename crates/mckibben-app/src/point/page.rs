@@ -2,12 +2,12 @@
 
 use super::{Background, PointAnswer};
 use crate::{
-    PointQuantity, Scale, Units,
+    LimitRows, PointQuantity, Scale, Units,
     print::{Page, Rows, Show},
     uncertainty::bounds,
     units::{NUMBER, PERCENT},
 };
-use mckibben_core::{answer::Answer, warning::Warning};
+use mckibben_core::{answer::Answer, joined, muscle::Direction, warning::Warning};
 
 impl Show for PointAnswer {
     fn warnings(&self) -> Vec<Warning> {
@@ -51,7 +51,7 @@ impl PointQuantity {
     fn built_in(self, of: &PointAnswer, u: &Units) -> Option<String> {
         let a = &of.point;
         let sought = match self {
-            Self::Force => return of.background.uncertainty_words.built_in(u),
+            Self::Force => return of.background.uncertainty_words.pull_in(u),
             Self::Pressure => [
                 a.predicted_mpa?,
                 a.predicted_low_mpa?,
@@ -59,8 +59,10 @@ impl PointQuantity {
             ],
             Self::Contraction => [a.predicted?, a.predicted_low?, a.predicted_high?],
         };
-        Some(bounds(sought, &self.scale(u)))
+        let way = a.built.map_or_else(String::new, |built| built.way());
+        Some(bounds(sought, &self.scale(u)) + &way)
     }
+
 }
 
 impl PointAnswer {
@@ -69,36 +71,52 @@ impl PointAnswer {
         let background = &self.background;
         let r = &a.response;
         let length = u.length.digits(4);
-        let quantity = |quantity: PointQuantity| quantity.scale(u).of(quantity.value(a));
-        let pull = if a.slack {
-            let zero = u.force.show(0.0);
-            Some(format!("{zero} (slack: the muscle would have to push)"))
-        } else {
-            quantity(PointQuantity::Force)
-        };
         let words = &background.uncertainty_words;
         let is_pull = self.sought == PointQuantity::Force;
         let of = if is_pull { "" } else { "of the pull " };
-        let built = self.sought.built_in(self, u);
-        let unknown = a
-            .built
-            .is_none()
-            .then(|| "unknown: see the warnings, or take the model fe".to_owned());
+        let models = |quantity: PointQuantity| {
+            let value = quantity.scale(u).of(quantity.value(a))?;
+            Some(if a.slack && quantity == PointQuantity::Force {
+                format!("{value} (slack: the muscle would have to push)")
+            } else {
+                value
+            })
+        };
+        // Of a model that was named its number comes first, else that of a muscle that is built.
+        let first = |quantity: PointQuantity| {
+            let built = self.sought.built_in(self, u);
+            let built = built.filter(|_| quantity == self.sought && !self.is_model_named);
+            built.or_else(|| models(quantity))
+        };
+        let other = match self.sought.built_in(self, u) {
+            None => Rows::default().text("as built", "unknown: see the warnings, or take the model fe"),
+            Some(built) if self.is_model_named => Rows::default().text("as built", built),
+            Some(_) => {
+                let on = a.direction.motion();
+                let value = models(self.sought).map(|value| format!("{value}, {on}"));
+                let shifts = words.model_in(u).filter(|_| is_pull);
+                let value = match (a.direction, shifts) {
+                    (Direction::Mean, Some(shifts)) => Some(shifts),
+                    (_, shifts) => Some(joined(value.into_iter().chain(shifts), "; ")),
+                };
+                Rows::default().text("by the model alone", value)
+            }
+        };
         Rows::default()
             .text("muscle", background.muscle.line(u))
             .text(
                 "model",
                 format!("{} ({})", a.model, background.about.source),
             )
-            .text("pressure", quantity(PointQuantity::Pressure))
-            .text("contraction", quantity(PointQuantity::Contraction))
+            .text("pressure", first(PointQuantity::Pressure))
+            .text("contraction", first(PointQuantity::Contraction))
             .quantity(
                 "shortening",
                 &length,
                 r.contraction * background.muscle.length_mm,
             )
-            .text("pull", pull)
-            .text("as built", built.or(unknown))
+            .text("pull", first(PointQuantity::Force))
+            .and(other)
             .and(self.branch_rows(u))
             .quantity("stiffness", &u.stiffness(), r.stiffness_n_per_mm)
             .quantity("pull per pressure", &u.slope(), r.force_per_pressure_mm2)

@@ -6,7 +6,7 @@ mod files;
 pub use answer::*;
 
 use crate::{
-    Contractions, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, QUIET_MPA,
+    Contractions, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
     RequestedPoint, Result, Units, burst_of, check_count, check_test, contractions, figure,
     flags::{self, Args},
     forces, list, reach, steps, warnings,
@@ -215,7 +215,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let burst = burst_of(&model, &*simulation)?;
     let highest_mpa = peak(questions.iter().map(|q| q.pressure_mpa));
-    Warning::put_first(&mut warnings, burst.warnings(highest_mpa, QUIET_MPA));
+    Warning::put_first(&mut warnings, burst.warnings(highest_mpa));
     Ok(SimulateAnswer {
         model: simulation.info().name.to_string(),
         test: request.test,

@@ -4,12 +4,12 @@ use super::plan::{Plan, Testing};
 use crate::columns::{COLUMNS, Column, PointRow, Role, Slot};
 use mckibben_core::{
     analysis::{Burst, NoBurst, SAFETY, burst_below},
+    built::not_measured,
     extremes::peak,
     model::{ForceModel, Response},
     muscle::Muscle,
     warning::VALIDATED_STRAND_STRAIN,
 };
-use mckibben_fit::library::measured_range::not_measured;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -163,7 +163,7 @@ fn no_contraction(
 impl From<&ModelError> for Status {
     fn from(error: &ModelError) -> Self {
         match error {
-            ModelError::OutOfRange { .. } => Self::OutOfRange,
+            ModelError::OutOfRange { .. } | ModelError::Burst { .. } => Self::OutOfRange,
             ModelError::NotConverged { .. } => Self::NotConverged,
             ModelError::Stopped { status, .. } => *status,
             _ => Self::NoAnswer,

@@ -29,6 +29,7 @@
 #[doc(hidden)]
 pub mod learnt;
 mod measure;
+mod measured;
 mod parts;
 mod predictor;
 mod prior;
@@ -38,6 +39,7 @@ pub use parts::UncertaintyParts;
 #[doc(hidden)]
 pub use {
     measure::{Left, Measurement},
+    measured::{MEASURED, NotMeasured, measured_values, not_measured},
     parts::{STIFFNESS_WAY, basis_of, stiffness_uncertainty_n_per_mm},
     predictor::{At, Predictor},
     prior::{Belief, Experience, Prior},
@@ -59,7 +61,10 @@ const FRICTION_LAW: f64 = 0.41;
 /// What a muscle that is built will pull.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Built {
-    /// The median of what a muscle that is built will pull, N.
+    /// The model's pull, of the mean of both branches, N.
+    pub mean_n: f64,
+    /// The median of what a muscle that is built will pull, N: `mean_n` and all of
+    /// `predicted_shift_n`.
     pub predicted_n: f64,
     /// Lower end of its 95 % interval, N.
     pub predicted_low_n: f64,
@@ -213,6 +218,7 @@ impl Evaluation<'_> {
                 .with_rubber(predictor.limit_n(pressure_mpa, contraction))
         };
         let built = Built {
+            mean_n,
             predicted_direction,
             predicted_shift_n: shift,
             ..Built::default()

@@ -1,7 +1,9 @@
 //! Why a model has no answer.
 
 use super::RangeViolation;
-use crate::{cancel::Cancelled, joined, status::Status};
+use crate::{
+    analysis::FailureMode, cancel::Cancelled, joined, status::Status, units::trimmed as short,
+};
 use std::{error::Error as StdError, fmt, sync::Arc};
 use thiserror::Error;
 
@@ -149,6 +151,19 @@ pub enum ModelError {
         pressure_mpa: f64,
         /// Contraction ratio.
         contraction: f64,
+    },
+    /// The muscle has burst at this pressure ([`burst`](crate::analysis::burst())).
+    #[error(
+        "{}\u{a0}MPa is not below the burst pressure of this muscle, {}\u{a0}MPa, at which {by}",
+        short(*.pressure_mpa, 4), short(*.burst_mpa, 4)
+    )]
+    Burst {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// The least burst pressure in MPa.
+        burst_mpa: f64,
+        /// What fails.
+        by: FailureMode,
     },
     /// What a model of your own says ([`ModelError::other`]).
     #[error(transparent)]

@@ -7,7 +7,7 @@ use crate::{
     trial::Trial,
 };
 use mckibben_core::{
-    analysis::{FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROVED, RELIEF, bisect},
+    analysis::{FailureMode, LEAST_SAFETY, PROVED, RELIEF, bisect},
     model::{ModelError, Result},
     units::Dimension,
 };
@@ -45,19 +45,16 @@ const HALVINGS: usize = 40;
 
 /// Lowers the highest pressure of a muscle to the least of its limits.
 pub fn lower(trial: &mut Trial<'_>) -> Result<()> {
-    let (burst, safety) = (&trial.burst, trial.burst.safety);
-    let allowed = burst.allowed().map(|allowed| match allowed.by {
-        Some(by) => (allowed.mpa, Below::Failure(by, allowed.failure_mpa())),
-        None => (allowed.mpa, Below::Rated),
+    let allowed = trial.burst.allowed().map(|allowed| {
+        let below = match allowed.by {
+            FailureMode::Fittings => Below::Rated,
+            FailureMode::StrandStrain => Below::Strained,
+            FailureMode::NoAnswer => Below::Unanswered(allowed.failure_mpa()),
+            by => Below::Failure(by, allowed.failure_mpa()),
+        };
+        (allowed.mpa, below)
     });
-    // Where no model answers, nothing fails up to the last answer.
-    let answered = match burst.strands {
-        FailurePressure::Unknown(NoBurst::NoAnswerBeyond(up_to_mpa)) if safety.strands > 0.0 => {
-            Some((up_to_mpa / safety.strands, Below::Unanswered(up_to_mpa)))
-        }
-        _ => None,
-    };
-    for (mpa, below) in allowed.into_iter().chain(answered) {
+    if let Some((mpa, below)) = allowed {
         // With room for the relief valve, which opens at the allowed pressure.
         if mpa / RELIEF < trial.highest_mpa {
             (trial.highest_mpa, trial.below) = (mpa / RELIEF, Some(below));

@@ -5,7 +5,8 @@
 //! `validation` makes it again, and its tests compare the constants of both.
 
 mod folder;
-pub mod measured_range;
+#[cfg(test)]
+mod measured_range;
 pub mod residual;
 pub mod write;
 

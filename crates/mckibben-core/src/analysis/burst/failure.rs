@@ -26,11 +26,15 @@ pub const BUCKLING: f64 = 2.0;
 /// close again, and a regulator holds its pressure within 2 to 5 %.
 pub const RELIEF: f64 = 1.1;
 
-/// Pressure in MPa up to which a single point or a curve says nothing of a burst pressure that is
-/// not known: that of a usual supply. Whoever builds reads of it at any pressure.
-pub const QUIET_MPA: f64 = 0.6;
+/// Proof over working pressure: a choice, half of the ratio of burst to working pressure of hoses
+/// for compressed air (RMA, Hose Handbook, IP-2, 2003).
+pub const PROOF_TO_WORKING: f64 = 2.0;
 
-/// How a muscle fails.
+/// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle:
+/// a choice.
+const PROOF_TO_BURST: f64 = 0.75;
+
+/// What limits the pressure of a muscle: how it fails, or what else ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FailureMode {
@@ -42,6 +46,12 @@ pub enum FailureMode {
     Bladder,
     /// Tube and braid are pulled off a plug.
     Ends,
+    /// The fittings are rated for no more.
+    Fittings,
+    /// The strands stretch beyond the validated range of all models.
+    StrandStrain,
+    /// No model answers beyond.
+    NoAnswer,
 }
 
 impl FailureMode {
@@ -50,8 +60,8 @@ impl FailureMode {
     /// openings, and builders use muscles up to 0.9 of it.
     pub fn share(self) -> f64 {
         match self {
-            Self::Strands | Self::Ends => 1.0,
             Self::Mesh | Self::Bladder => 0.5,
+            _ => 1.0,
         }
     }
 }
@@ -63,6 +73,9 @@ impl fmt::Display for FailureMode {
             Self::Mesh => "the tube bulges through the openings of the braid",
             Self::Bladder => "the rubber tears",
             Self::Ends => "the clamps let go",
+            Self::Fittings => "its fittings are rated for no more",
+            Self::StrandStrain => "its strands are stretched to their limit",
+            Self::NoAnswer => "no model answers beyond",
         })
     }
 }
@@ -146,6 +159,25 @@ impl FailurePressure {
         }
     }
 
+    /// The last pressure in MPa with an answer, where none fails up to there.
+    fn answered_up_to_mpa(self) -> Option<f64> {
+        match self {
+            Self::Unknown(NoBurst::NoAnswerBeyond(mpa)) => Some(mpa),
+            _ => None,
+        }
+    }
+
+    /// A share of this pressure.
+    pub(super) fn times(self, share: f64) -> Self {
+        match self {
+            Self::At { mpa, least_mpa } => Self::At {
+                mpa: share * mpa,
+                least_mpa: share * least_mpa,
+            },
+            other => other,
+        }
+    }
+
     /// This pressure, looked for up to one in MPa, and the least that it may be: that of fewer or
     /// weaker strands.
     pub(super) fn down_to(self, least: Self, up_to_mpa: f64) -> Self {
@@ -186,9 +218,9 @@ impl NoBurst {
 pub struct Allowed {
     /// In MPa.
     pub mpa: f64,
-    /// The failure that it keeps its distance from; none where the fittings are rated for less.
-    pub by: Option<FailureMode>,
-    /// The pressure of that failure over this one.
+    /// What it keeps its distance from.
+    pub by: FailureMode,
+    /// The pressure of that over this one.
     pub factor: f64,
 }
 
@@ -212,8 +244,14 @@ pub struct Burst {
     pub ends: FailurePressure,
     /// The pressure for which the fittings are rated, in MPa.
     pub rated_mpa: Option<f64>,
+    /// The strands of the blocked muscle are stretched to the validated limit
+    /// ([`VALIDATED_STRAND_STRAIN`](crate::warning::VALIDATED_STRAND_STRAIN)); no failure, but
+    /// nothing is known beyond.
+    pub strained: FailurePressure,
     /// The factors of the allowed pressure.
     pub safety: Safety,
+    /// Whether the pressure may rise up to that of a proof test, with room for a relief valve.
+    pub overpressure: bool,
     /// The answering model has no tension of the strands, and the thick-wall model gave it.
     pub from_thick_wall: bool,
 }
@@ -228,7 +266,9 @@ impl Burst {
             bladder: none,
             ends: none,
             rated_mpa: None,
+            strained: FailurePressure::None,
             safety: Safety::default(),
+            overpressure: false,
             from_thick_wall: false,
         }
     }
@@ -266,15 +306,24 @@ impl Burst {
     }
 
     /// The allowed pressure: the least failure pressure over its factor of safety, and the least
-    /// that it may be over [`PROVED`], or that factor where it is smaller.
+    /// that it may be over [`PROVED`], or that factor where it is smaller. Where strands are
+    /// stretched to their limit, or no model answers any more, it ends as well.
     pub fn allowed(&self) -> Option<Allowed> {
+        let one = |mpa, by| Allowed {
+            mpa,
+            by,
+            factor: 1.0,
+        };
         let of = |(mode, at): (FailureMode, FailurePressure)| {
             let factor = Some(self.safety.factor(mode)).filter(|factor| *factor > 0.0)?;
             let from = |failure_mpa: f64, factor: f64| Allowed {
                 mpa: failure_mpa / factor,
-                by: Some(mode),
+                by: mode,
                 factor,
             };
+            if let Some(up_to_mpa) = at.answered_up_to_mpa().filter(|_| mode.share() == 1.0) {
+                return Some(one(up_to_mpa / factor, FailureMode::NoAnswer));
+            }
             let nominal = from(at.mpa().unwrap_or(f64::INFINITY), factor);
             let least = from(at.least_mpa()?, factor.min(PROVED));
             Some(if least.mpa < nominal.mpa {
@@ -283,21 +332,40 @@ impl Burst {
                 nominal
             })
         };
-        let rated = self.rated_mpa.map(|mpa| Allowed {
-            mpa,
-            by: None,
-            factor: 1.0,
-        });
-        self.modes()
+        let failures: Vec<Allowed> = match self.least() {
+            Some((by, burst_mpa)) if self.overpressure => {
+                let factor = RELIEF / PROOF_TO_BURST;
+                let mpa = burst_mpa / factor;
+                vec![Allowed { mpa, by, factor }]
+            }
+            _ => self.modes().into_iter().filter_map(of).collect(),
+        };
+        let rated = self.rated_mpa.map(|p| one(p, FailureMode::Fittings));
+        let strained = self.strained.mpa();
+        let strained = strained.map(|p| one(p, FailureMode::StrandStrain));
+        let answered = self.strained.answered_up_to_mpa();
+        let answered = answered.map(|p| one(p, FailureMode::NoAnswer));
+        failures
             .into_iter()
-            .filter_map(of)
             .chain(rated)
+            .chain(strained)
+            .chain(answered)
             .reduce(|a, b| if b.mpa < a.mpa { b } else { a })
     }
 
-    /// What is said of it where the largest pressure is `highest_mpa`; of one that is not known only
-    /// above `quiet_mpa`.
-    pub fn warnings(&self, highest_mpa: f64, quiet_mpa: f64) -> Vec<Warning> {
+    /// Pressure of the proof test in MPa of a muscle that works at one in MPa: twice as much, at most
+    /// three quarters of the least burst pressure and what the strands stretch to at most; `None`
+    /// where that leaves no room for a relief valve between both.
+    pub fn proof_mpa(&self, working_mpa: f64) -> Option<f64> {
+        let burst_mpa = self.least().map(|(_, mpa)| PROOF_TO_BURST * mpa);
+        let most_mpa = burst_mpa.into_iter().chain(self.strained.mpa());
+        let proof_mpa = most_mpa.fold(PROOF_TO_WORKING * working_mpa, f64::min);
+        // To the last digit of what the allowed pressure follows from.
+        (proof_mpa >= RELIEF * working_mpa * (1.0 - 1e-9)).then_some(proof_mpa)
+    }
+
+    /// What is said of it where the largest pressure is `highest_mpa`.
+    pub fn warnings(&self, highest_mpa: f64) -> Vec<Warning> {
         let above = match (self.least(), self.allowed()) {
             (Some((by, burst_mpa)), _) if highest_mpa >= burst_mpa => {
                 Some(Warning::of_burst(highest_mpa, burst_mpa, by))
@@ -307,10 +375,7 @@ impl Burst {
             }
             _ => None,
         };
-        let unknown = self
-            .not_checked()
-            .filter(|_| highest_mpa > quiet_mpa)
-            .map(Warning::burst_not_checked);
+        let unknown = self.not_checked().map(Warning::burst_not_checked);
         above.into_iter().chain(unknown).collect()
     }
 

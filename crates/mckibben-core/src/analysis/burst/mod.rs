@@ -19,17 +19,23 @@
 pub mod bladder;
 pub mod ends;
 mod failure;
+mod limits;
 pub mod mesh;
 mod radii;
 pub mod strands;
 
 pub use failure::{
-    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROVED,
-    QUIET_MPA, RELIEF, SAFETY, Safety,
+    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROOF_TO_WORKING, PROVED,
+    RELIEF, SAFETY, Safety,
 };
+pub use limits::PressureLimits;
 
-use super::error::Result;
-use crate::model::ForceModel;
+use super::error::{AnalysisError, Result};
+use crate::{
+    built::HALF_95,
+    model::{ForceModel, ModelKind},
+    muscle::{Constant, Muscle},
+};
 
 /// The burst pressure of a model's muscle.
 ///
@@ -47,8 +53,24 @@ pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
 /// Those of [`burst`].
 pub fn burst_below(model: &dyn ForceModel, up_to_mpa: f64) -> Result<Burst> {
     let muscle = model.muscle();
-    let (strands, from_thick_wall) = strands::breaking(model, up_to_mpa)?;
-    let mesh = mesh::herniation(muscle);
+    let (mut strands, from_thick_wall) = strands::breaking(model, up_to_mpa)?;
+    let mut strained = strands::strained(model, up_to_mpa)?;
+    let mut mesh = mesh::herniation(muscle);
+    if let Some(weaker) = weaker(muscle) {
+        let [found, bound] = [muscle, &weaker].map(|m| ModelKind::ThickWall.build(m));
+        let (found, bound) = (found?, bound?);
+        let share = |of: &dyn Fn(&dyn ForceModel) -> Result<FailurePressure>| {
+            let at = |model| Ok::<_, AnalysisError>(of(model)?.mpa());
+            let both = at(&*bound)?.zip(at(&*found)?);
+            Ok::<_, AnalysisError>(both.map_or(1.0, |(bound, found)| (bound / found).min(1.0)))
+        };
+        strands = strands.times(share(&|m| Ok(strands::breaking(m, f64::INFINITY)?.0))?);
+        strained = strained.times(share(&|m| strands::strained(m, f64::INFINITY))?);
+        let bulging = (mesh::herniation(&weaker).mpa(), mesh.mpa());
+        if let (Some(bound), Some(found)) = bulging {
+            mesh = mesh.times((bound / found).min(1.0));
+        }
+    }
     let ends = ends::pull_off(model, up_to_mpa)?;
     let least = [strands, mesh, ends]
         .into_iter()
@@ -60,7 +82,21 @@ pub fn burst_below(model: &dyn ForceModel, up_to_mpa: f64) -> Result<Burst> {
         bladder: bladder::tearing(muscle, least)?,
         ends,
         rated_mpa: muscle.terminals().rated_pressure_mpa,
+        strained,
         safety: Safety::default(),
+        overpressure: false,
         from_thick_wall,
     })
+}
+
+/// The muscle with the least angle that its measured pulls allow: a limit does not rise because a
+/// muscle pulled less than was thought.
+fn weaker(muscle: &Muscle) -> Option<Muscle> {
+    let bench = muscle.bench()?;
+    let i = bench.constants.iter().position(|c| *c == Constant::Angle)?;
+    let deviation_deg = bench.covariance.get(i)?.get(i)?.max(0.0).sqrt();
+    let mut x = [0.0; Constant::ALL.len()];
+    x[Constant::Angle as usize] = -HALF_95 * deviation_deg;
+    // What lies beyond the plane braid is no muscle.
+    muscle.with_constants(&x).ok()
 }

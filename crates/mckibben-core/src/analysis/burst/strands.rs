@@ -22,6 +22,7 @@ use crate::{
         root::find_root,
     },
     model::{ForceModel, ModelError, ModelKind, Response, Workspace},
+    warning::VALIDATED_STRAND_STRAIN,
 };
 
 /// Pressures in MPa up to which a burst is sought.
@@ -51,7 +52,21 @@ pub fn breaking(model: &dyn ForceModel, up_to_mpa: f64) -> Result<(FailurePressu
     Ok((bears(strength_n)?.0.down_to(least.0, up_to_mpa), least.1))
 }
 
-/// What a part carries in a state, in N; `None` of a model that does not give it.
+/// The pressure at which the strands of a model's blocked muscle are stretched to the limit of the
+/// validated range, where they are not at one in MPa.
+///
+/// # Errors
+/// [`AnalysisError`] where the work is cancelled, or the model has no answer at all.
+pub fn strained(model: &dyn ForceModel, up_to_mpa: f64) -> Result<FailurePressure> {
+    let muscle = model.muscle();
+    if muscle.strand_strain(0.0).is_none() {
+        return Ok(FailurePressure::None);
+    }
+    let strain = |r: &Response| muscle.strand_strain(r.braid_tension_n?);
+    Ok(overloaded(model, &strain, VALIDATED_STRAND_STRAIN, up_to_mpa)?.0)
+}
+
+/// What a part carries in a state, in N, or its strain; `None` of a model that does not give it.
 pub(super) type Load<'a> = dyn Fn(&Response) -> Option<f64> + 'a;
 
 /// The pressure at which a part of the blocked muscle carries what it bears, in N, where it does
