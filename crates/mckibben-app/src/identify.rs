@@ -3,8 +3,8 @@
 pub mod page;
 
 use crate::{
-    DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
-    TextFile, UnderstoodTable, Units, figure, finite,
+    AskFields, DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
+    TextFile, UnderstoodTable, Units, burst_of, figure, finite,
     flags::{self, Args},
     number,
     warnings::largest_stretch,
@@ -15,11 +15,14 @@ use mckibben_core::{
     joined,
     model::Workspace,
     muscle::{
-        Muscle,
+        Job, JobPoint, Muscle,
         file::{parse_muscle, to_toml},
     },
     progress::Progress,
-    units::typed::{List, Ratio, Time},
+    units::{
+        Positive,
+        typed::{List, Ratio, Time},
+    },
     warning::Warning,
 };
 use mckibben_fit::{
@@ -135,6 +138,9 @@ pub struct IdentifyAnswer {
     pub identified: Identification,
     /// The muscle with the identified values.
     pub muscle: MuscleSummary,
+    /// Of a muscle that was designed for a job: the pressure to set now, MPa, at which the muscle as
+    /// it was found does it by the median, or the allowed one where that is lower.
+    pub set_pressure_mpa: Option<f64>,
     /// The same as a muscle file, with what was identified in its head.
     pub muscle_file: String,
     /// The points, with the values of the model.
@@ -216,14 +222,40 @@ impl From<&PointFit> for IdentifiedPoint {
     }
 }
 
+/// The job of a muscle with the pressure that the muscle as it was found takes.
+fn job_of(job: &Job, found: &Muscle, choice: &Model) -> Result<Job> {
+    let model = choice.bound(found)?;
+    let allowed = burst_of(choice, &*model)?.allowed();
+    let found = found.clone().with_job(job.clone());
+    let options = AskFields::default().options(&found)?;
+    let mut workspace = Workspace::new();
+    let mut model = Evaluation::new(&*model, &mut workspace, options);
+    let takes = |point: &JobPoint| {
+        let answer = model.pressure(point.force.into(), point.contraction.into()).ok()?;
+        answer.predicted_mpa
+    };
+    let set_mpa = job.points.iter().filter_map(takes).reduce(f64::max);
+    let set_mpa = set_mpa.unwrap_or(job.pressure.into());
+    let most_mpa = allowed.map_or(f64::INFINITY, |allowed| allowed.mpa);
+    let pressure = Positive::new(set_mpa.min(most_mpa).into());
+    Ok(Job {
+        pressure: pressure.unwrap_or(job.pressure),
+        ..job.clone()
+    })
+}
+
 /// The muscle with the identified values as a muscle file.
-fn muscle_file(data: &str, model: &str, identified: &Identification) -> Result<String> {
+fn muscle_file(
+    data: &str,
+    model: &str,
+    (identified, found): (&Identification, &Muscle),
+) -> Result<String> {
     let text = format!(
         "# Identified from {} with the model {}:\n# {}\n{}",
         line(data),
         line(model),
         in_one_line(&identified.parameters),
-        to_toml(&identified.with_bench())
+        to_toml(found)
     );
     readable(text)
 }
@@ -288,9 +320,15 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         );
         figure::identified(&identified, &build, &origin, &about, unit)
     });
+    let mut found = identified.with_bench();
+    if let Some(job) = muscle.job() {
+        let job = job_of(job, &found, &model)?;
+        found = found.with_job(job);
+    }
     Ok(IdentifyAnswer {
         model: model.name().into(),
-        muscle_file: muscle_file(&origin, model.name(), &identified)?,
+        muscle_file: muscle_file(&origin, model.name(), (&identified, &found))?,
+        set_pressure_mpa: found.pressure_to_set_mpa(),
         data: origin,
         understood,
         muscle: summary,
