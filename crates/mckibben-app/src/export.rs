@@ -1,7 +1,7 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
 use crate::{
-    BuiltFile, Contraction, JointFields, ModelFields, MuscleFields, MuscleSummary, Problem,
+    BuiltFile, Contraction, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem,
     ProblemKind, QUIET_MPA, Result, TextFile, above_zero, borne, burst_of, finite,
     flags::{self, Args},
     print::{Csv, Page, Show},
@@ -11,6 +11,7 @@ use crate::{
 use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, Workspace},
+    muscle::Muscle,
     units::typed::{Length, Pressure},
     warning::Warning,
 };
@@ -19,11 +20,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as
-/// files for a target.
-#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
+/// What the export of a muscle and that of a joint have in common.
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-pub struct ExportRequest {
+pub struct ExportFields {
     /// Target; `--list` describes them
     #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
     pub target: Option<String>,
@@ -35,9 +35,27 @@ pub struct ExportRequest {
     /// pressure
     #[arg(long)]
     pub overpressure: bool,
-    /// Lower end of the range of contractions [-0.05, a muscle that is stretched by 5 %]
+    /// Name in the files [that of the muscle or joint file]
+    #[arg(long)]
+    pub name: Option<String>,
+    /// The model.
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
+    pub model: ModelFields,
+}
+
+/// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as
+/// files for a target.
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[serde(default)]
+pub struct ExportRequest {
+    /// Target, supply pressure, name and model.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub common: ExportFields,
+    /// Lower end of the range of contractions [0, or where the job of the muscle begins]
     ///
-    /// Or nearer to 0 where the model ends or the form misses it.
+    /// Below 0, where strands lock, the form is less accurate.
     #[arg(long, value_name = "CONTRACTION", allow_hyphen_values = true)]
     pub contraction_low: Option<Contraction>,
     /// Upper end of the range of contractions [free contraction at the supply pressure]
@@ -48,17 +66,10 @@ pub struct ExportRequest {
     /// Lengths of the files are those of both.
     #[arg(long, default_value = "0mm", hide_default_value = true)]
     pub cord_mm: Length,
-    /// Name of the muscle in the files [that of the muscle file]
-    #[arg(long)]
-    pub name: Option<String>,
     /// The muscle.
     #[serde(deserialize_with = "MuscleFields::or_name")]
     #[command(flatten)]
     pub muscle: MuscleFields,
-    /// The model.
-    #[serde(deserialize_with = "ModelFields::or_name")]
-    #[command(flatten)]
-    pub model: ModelFields,
 }
 
 /// A muscle as files for a target.
@@ -123,21 +134,75 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
     })
 }
 
+/// Models of muscles that bear a supply pressure, and what is said of it.
+struct Supplied {
+    models: Vec<Box<dyn ForceModel>>,
+    supply_mpa: f64,
+    warnings: Vec<Warning>,
+}
+
+impl ExportFields {
+    fn supplied(&self, choice: &Model, muscles: &[&Muscle]) -> Result<Supplied> {
+        let models = muscles.iter().map(|muscle| choice.bound(muscle));
+        let models = models.collect::<Result<Vec<_>, _>>()?;
+        let bursts = models.iter().map(|model| burst_of(choice, &**model));
+        let bursts = bursts.collect::<Result<Vec<_>>>()?;
+        let usual = bursts.iter().zip(muscles);
+        let usual = usual.map(|(burst, muscle)| usual_mpa(burst, muscle));
+        let least = usual.fold(f64::INFINITY, f64::min);
+        let supply_mpa = self.pressure_mpa.map_or(least, f64::from);
+        above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
+        for (burst, model) in bursts.iter().zip(&models) {
+            borne(burst, supply_mpa, self.overpressure)?;
+            Evaluation::new(&**model, &mut Workspace::new(), Options::default())
+                .check_range(supply_mpa, 0.0)?;
+        }
+        let of_bursts = bursts
+            .iter()
+            .flat_map(|b| b.warnings(supply_mpa, QUIET_MPA));
+        let of_muscles = muscles.iter().flat_map(|muscle| muscle.warnings());
+        let warnings = of_bursts.chain(of_muscles.map(Warning::from)).collect();
+        Ok(Supplied {
+            models,
+            supply_mpa,
+            warnings,
+        })
+    }
+
+    fn target(&self) -> Result<ExportTarget> {
+        let missing = || {
+            let message = "`target` is missing: what the muscle is exported for";
+            let hint = format!("one of {}", ExportTarget::names());
+            Problem::usage(message, hint).in_field("target")
+        };
+        ExportTarget::named(self.target.as_deref().ok_or_else(missing)?)
+            .map_err(|e| Problem::from(e).in_field("target"))
+    }
+
+    /// The name that is given, or that of the file.
+    fn name_or(&self, file: Option<&TextFile>, otherwise: &str) -> String {
+        let stem = file.and_then(|file| Path::new(&file.name).file_stem());
+        let stem = stem.map_or(otherwise.into(), |stem| stem.to_string_lossy());
+        self.name.clone().unwrap_or_else(|| stem.into_owned())
+    }
+}
+
+/// Warnings of the fits and those of the muscles, each once.
+fn warnings_of(fits: &[ExportedMuscle], others: Vec<Warning>) -> Vec<Warning> {
+    let of_fits = fits.iter().flat_map(ExportedMuscle::warnings);
+    let mut warnings = Vec::from_iter(of_fits.map(Warning::from).chain(others));
+    let mut known = std::collections::BTreeSet::new();
+    warnings.retain(|warning| known.insert(warning.to_string()));
+    warnings
+}
+
 /// A muscle as files.
 pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
-    let target = target_of(request.target.as_deref())?;
-    let choice = request.model.choose()?;
+    let common = &request.common;
+    let target = common.target()?;
+    let choice = common.model.choose()?;
     let muscle = request.muscle.resolve_for(&choice)?;
-    let model = choice.bound(&muscle)?;
-    let model = &*model;
-    let burst = burst_of(&choice, model)?;
-    let supply_mpa = request
-        .pressure_mpa
-        .map_or_else(|| usual_mpa(&burst, &muscle), f64::from);
-    borne(&burst, supply_mpa, request.overpressure)?;
-    above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
-    Evaluation::new(model, &mut Workspace::new(), Options::default())
-        .check_range(supply_mpa, 0.0)?;
+    let supplied = common.supplied(&choice, &[&muscle])?;
     let end = |field, contraction: &Option<Contraction>| {
         contraction
             .as_ref()
@@ -145,51 +210,26 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
             .transpose()
             .map_err(|problem| problem.in_field(field))
     };
-    let name = name_of(request.name.as_ref(), request.muscle.file(), "muscle");
+    let job = muscle.job().into_iter().flat_map(|job| &job.points);
+    let of_job = job.fold(0.0, |low: f64, point| low.min(point.contraction.0));
     let wanted = BoxRequest {
-        supply_mpa,
-        contraction_low: end("contraction_low", &request.contraction_low)?,
+        supply_mpa: supplied.supply_mpa,
+        contraction_low: end("contraction_low", &request.contraction_low)?.unwrap_or(of_job),
         contraction_high: end("contraction_high", &request.contraction_high)?,
     };
-    let mut exported = ExportedMuscle::fit(model, &name, wanted)?;
+    let name = common.name_or(request.muscle.file(), "muscle");
+    let mut exported = ExportedMuscle::fit(&*supplied.models[0], &name, wanted)?;
     exported.cord_m = 1e-3 * finite("cord_mm", request.cord_mm)?;
     let artefact = exported.to(target)?;
-    let of_fit = exported.warnings().into_iter().map(Warning::from);
-    let others = artefact.notes.into_iter().chain(muscle.warnings());
-    let warnings = of_fit
-        .chain(burst.warnings(supply_mpa, QUIET_MPA))
-        .chain(others.map(Warning::from));
     Ok(ExportAnswer {
         target: target.name.into(),
         muscle: (&muscle).into(),
         needs: target.needs.into(),
         loses: target.loses.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
-        warnings: warnings.collect(),
+        warnings: warnings_of(std::slice::from_ref(&exported), supplied.warnings),
         exported,
     })
-}
-
-fn target_of(target: Option<&str>) -> Result<ExportTarget> {
-    let missing = || {
-        let message = "`target` is missing: what the muscle is exported for";
-        let hint = format!("one of {}", ExportTarget::names());
-        Problem::usage(message, hint).in_field("target")
-    };
-    ExportTarget::named(target.ok_or_else(missing)?)
-        .map_err(|e| Problem::from(e).in_field("target"))
-}
-
-/// The name that is given, or that of the file.
-fn name_of(given: Option<&String>, file: Option<&TextFile>, otherwise: &str) -> String {
-    let stem = file.and_then(|file| Path::new(&file.name).file_stem());
-    let stem = || {
-        stem.map_or_else(
-            || otherwise.to_owned(),
-            |stem| stem.to_string_lossy().into_owned(),
-        )
-    };
-    given.cloned().unwrap_or_else(stem)
 }
 
 /// A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms
@@ -201,23 +241,10 @@ pub struct ExportJointRequest {
     #[serde(flatten)]
     #[arg(skip)]
     pub joint: JointFields,
-    /// The model.
-    #[serde(deserialize_with = "ModelFields::or_name")]
+    /// Target, supply pressure of each muscle, name and model.
+    #[serde(flatten)]
     #[command(flatten)]
-    pub model: ModelFields,
-    /// The target: `c`, `rust`, `python`, `mjcf` or `fmu`.
-    #[arg(long = "as")]
-    pub target: Option<String>,
-    /// Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower]
-    #[arg(long)]
-    pub pressure_mpa: Option<Pressure>,
-    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
-    /// pressure.
-    #[arg(long)]
-    pub overpressure: bool,
-    /// Name of the joint in the files [that of the joint file]
-    #[arg(long)]
-    pub name: Option<String>,
+    pub common: ExportFields,
 }
 
 /// A joint as files for a target.
@@ -246,49 +273,20 @@ impl Show for ExportJointAnswer {
 }
 
 pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
-    let target = target_of(request.target.as_deref())?;
+    let common = &request.common;
+    let target = common.target()?;
     let joint = request.joint.resolve()?;
-    let choice = request.model.choose()?;
-    let models = joint
-        .muscles()
-        .iter()
-        .map(|m| choice.bound(&m.muscle))
-        .collect::<Result<Vec<_>, _>>()?;
-    let models: Vec<&dyn ForceModel> = models.iter().map(|model| &**model).collect();
-    let bursts = models
-        .iter()
-        .map(|model| burst_of(&choice, *model))
-        .collect::<Result<Vec<_>>>()?;
-    let of_each = bursts.iter().zip(joint.muscles());
-    let usual = of_each.map(|(burst, m)| usual_mpa(burst, &m.muscle));
-    let usual = usual.fold(f64::INFINITY, f64::min);
-    let supply_mpa = request.pressure_mpa.map_or(usual, f64::from);
-    above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
-    for (burst, model) in bursts.iter().zip(&models) {
-        borne(burst, supply_mpa, request.overpressure)?;
-        Evaluation::new(*model, &mut Workspace::new(), Options::default())
-            .check_range(supply_mpa, 0.0)?;
-    }
-    let name = name_of(request.name.as_ref(), request.joint.joint.as_ref(), "joint");
-    let exported = ExportedJoint::fit(&joint, &models, &name, supply_mpa)?;
+    let choice = common.model.choose()?;
+    let muscles = Vec::from_iter(joint.muscles().iter().map(|m| &m.muscle));
+    let supplied = common.supplied(&choice, &muscles)?;
+    let models = Vec::from_iter(supplied.models.iter().map(|model| &**model));
+    let name = common.name_or(request.joint.joint.as_ref(), "joint");
+    let exported = ExportedJoint::fit(&joint, &models, &name, supplied.supply_mpa)?;
     let artefact = exported.to(target)?;
-    let of_fits = exported.muscles.iter().flat_map(ExportedMuscle::warnings);
-    let of_bursts = bursts
-        .iter()
-        .flat_map(|b| b.warnings(supply_mpa, QUIET_MPA));
-    let of_muscles = joint.muscles().iter().flat_map(|m| m.muscle.warnings());
-    let others = artefact.notes.into_iter().chain(of_muscles);
-    let mut warnings: Vec<Warning> = of_fits
-        .map(Warning::from)
-        .chain(of_bursts)
-        .chain(others.map(Warning::from))
-        .collect();
-    let mut known = std::collections::BTreeSet::new();
-    warnings.retain(|warning| known.insert(warning.to_string()));
     Ok(ExportJointAnswer {
         target: target.name.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
+        warnings: warnings_of(&exported.muscles, supplied.warnings),
         exported,
-        warnings,
     })
 }

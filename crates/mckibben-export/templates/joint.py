@@ -108,7 +108,7 @@ def _pulled(xp, needed, ends, first):
     return tuple(xp.where(pull > 1e-6 * full, muscle.pressure(xp.where(pull > 0, pull, 1 + 0 * pull), length), 0 * pull) for muscle, pull, (length, _, _, full) in zip(MUSCLES, pulls, ends))
 
 
-def _pressures(xp, torque, angle, stiffness):
+def _pressures(xp, angle, torque, stiffness):
     needed, ends = torque - _passive(xp, angle)[0], _ends(xp, angle)
     _, arm, without, full = ends[0]
     # The pulls of the first muscle at which the second can do the rest.
@@ -179,17 +179,17 @@ def _first(xp, angle, needed, stiffness, ends, low, high):
     return xp.where(between, first - moving, first), between | (near <= enough)
 
 
-def pressures(torque, angle, stiffness=None):
+def pressures(angle, torque, stiffness=None):
     """Pressures from 0 to the supply, one of each muscle, for a torque and a stiffness at an angle: the lowest ones. Where nothing gives what is wanted, those that come near it; see `pressures_status`."""
     if stiffness is None:
-        xp, values = _arrays(torque, angle)
+        xp, values = _arrays(angle, torque)
         return _pressures(xp, *values, None)[0]
-    xp, values = _arrays(torque, angle, stiffness)
+    xp, values = _arrays(angle, torque, stiffness)
     return _pressures(xp, *values)[0]
 
 
-def pressures_status(torque, angle, stiffness=None):
+def pressures_status(angle, torque, stiffness=None):
     """Of pressures: 0, or a sum of ANGLE_OUTSIDE and NO_ANSWER of the muscles (nothing from 0 to the supply gives torque and stiffness)."""
-    xp, values = _arrays(torque, angle, *([] if stiffness is None else [stiffness]))
+    xp, values = _arrays(angle, torque, *([] if stiffness is None else [stiffness]))
     answered = _pressures(xp, *values, *([None] if stiffness is None else []))[1]
-    return MUSCLES[0].NO_ANSWER * (answered == 0) + ANGLE_OUTSIDE * (((values[1] >= RANGE[0]) & (values[1] <= RANGE[1])) == 0)
+    return MUSCLES[0].NO_ANSWER * (answered == 0) + ANGLE_OUTSIDE * (((values[0] >= RANGE[0]) & (values[0] <= RANGE[1])) == 0)

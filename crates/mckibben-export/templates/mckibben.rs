@@ -1,25 +1,3 @@
-@{supply?}//! Pull and volume of the McKibben muscle @{name} in closed form.
-@{count?}//! Torque, stiffness and pressures of the joint @{name}, whose muscles are closed forms.
-//!
-//! @{facts}
-//!
-//! `mod @{id};` in a crate, or this file as a crate of its own: Rust from 1.84, without `std`, heap, `unsafe` and other crates. It does not panic.
-//! Two muscles in one program share these functions where the `static` of the second is copied behind that of the first.
-//!
-//! Units: Pa (gauge), m, N, m³, rad, N m. All numbers are [`Real`]: f32 on an Arm core without an operating system, and with `--cfg mckibben_float`;
-//! otherwise, and with `--cfg mckibben_double`, f64. Of a muscle each answer is that of the exported C file to the last bit.
-@{count?}//! Of the joint it differs by rounding: sine and cosine are those of this file.
-//!
-//! With q = P/supply and ε = 1 − L/L0 the pull is F = c0 + c1 q + c2 φ0(q) + c3 φ1(q) + c4 φ2(q), φk = max(q − κk, 0)²; each c is a cubic spline in ε. The
-//! volume has the same potential: dF/dP = −dV/dL.
-//!
-//! ```ignore
-@{supply?}//! let force_n = @{id}::@{ID}.force_n(0.5 * @{supply}, @{length})?;
-@{count?}//! let pressures_pa = @{id}::@{ID}.pressures_pa(angle_rad, torque_nm, None)?;
-//! ```
-//!
-//! Made by mckibben @{version}.
-
 #![no_std]
 #![allow(dead_code, unused_attributes, unexpected_cfgs)]
 #![allow(clippy::approx_constant, clippy::excessive_precision, clippy::neg_cmp_op_on_partial_ord)]
@@ -53,7 +31,8 @@ mod precision {
 
 pub use self::precision::Real;
 
-/// A status is a sum of these: the muscle would have to push, and is slack. This alone is no error.
+/// Outside of the box each answer is that of its nearest point; what is not a number counts as the lower end. A status is a sum of these: the muscle would
+/// have to push, and is slack. This alone is no error.
 pub const SLACK: u32 = 1;
 /// The pressure lies outside of the box, or is not a number.
 pub const PRESSURE_OUTSIDE: u32 = 2;
@@ -123,7 +102,7 @@ pub enum Branch {
 
 /// The numbers of a muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Muscle {
+pub struct Muscle<'a> {
     /// L0, at rest.
     pub length_m: Real,
     /// A rope or rod between the muscle and what it pulls; the length of each function is that of both.
@@ -131,7 +110,7 @@ pub struct Muscle {
     /// Upper end of the box of pressures.
     pub supply_pa: Real,
     /// The first and the last are the ends of the box of contractions.
-    pub nodes: &'static [Node],
+    pub nodes: &'a [Node],
     pub volume_m3: Functions,
     /// Half the hysteresis is f0 √q + f1 q; zeros where the muscle does not state its friction.
     pub friction_n: [Real; 2],
@@ -142,33 +121,46 @@ pub struct Muscle {
 }
 
 /// The functions of the contraction at a contraction, and the part between two nodes with the place in it.
-struct Spline {
+struct Spline<'a> {
     c: Functions,
     slope: Functions,
     part: usize,
-    from: &'static Node,
-    to: &'static Node,
+    from: &'a Node,
+    to: &'a Node,
     t: Real,
     h: Real,
     beyond: Real,
 }
 
 /// A muscle at a pressure and a contraction; the pull is negative where it would have to push.
-struct State {
-    spline: Spline,
+pub(crate) struct State<'a> {
+    spline: Spline<'a>,
     phi: Functions,
     by_q: Functions,
-    pull: Real,
-    status: u32,
+    pub pull: Real,
+    pub status: u32,
 }
 
+impl State<'_> {
+    /// The slope of the pull in the contraction.
+    pub(crate) fn slope_in_contraction(&self) -> Real {
+        sum_of(&self.spline.slope, &self.phi)
+    }
+
+    /// Its slope in the pressure over the supply.
+    pub(crate) fn slope_in_q(&self) -> Real {
+        sum_of(&self.spline.c, &self.by_q)
+    }
+}
+
+/// The nearest number from `low` to `high`; `low` of what is not a number.
 fn within(value: Real, low: Real, high: Real) -> Real {
-    if value < low {
-        low
-    } else if value > high {
+    if value > high {
         high
-    } else {
+    } else if value >= low {
         value
+    } else {
+        low
     }
 }
 
@@ -177,7 +169,7 @@ fn sum_of(c: &Functions, phi: &Functions) -> Real {
 }
 
 /// The functions of the pressure, and their slopes.
-fn functions(q: Real) -> (Functions, Functions) {
+pub(crate) fn functions(q: Real) -> (Functions, Functions) {
     let (mut phi, mut slope) = ([1.0, q, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0]);
     let later = phi.iter_mut().zip(&mut slope).skip(2);
     for ((phi, slope), (knot, _)) in later.zip(PARTS) {
@@ -228,7 +220,7 @@ fn root(value: Real) -> Real {
     whole as Real * Real::from_bits((power as precision::Bits) << (DIGITS - 1))
 }
 
-impl Muscle {
+impl<'a> Muscle<'a> {
     /// Lower end of the box of contractions.
     pub fn contraction_low(&self) -> Real {
         self.nodes.first().map_or(0.0, |node| node.contraction)
@@ -249,8 +241,15 @@ impl Muscle {
         pressure | if is_inside { 0 } else { CONTRACTION_OUTSIDE }
     }
 
-    fn spline(&self, contraction: Real) -> Spline {
-        let inside = within(contraction, self.contraction_low(), self.contraction_high());
+    /// The nearest number of the box; what is finite, where the muscle continues beyond it.
+    fn taken(&self, value: Real, low: Real, high: Real) -> Real {
+        if self.beyond && value.is_finite() { value } else { within(value, low, high) }
+    }
+
+    fn spline(&self, contraction: Real) -> Spline<'a> {
+        let (low, high) = (self.contraction_low(), self.contraction_high());
+        let taken = self.taken(contraction, low, high);
+        let inside = within(taken, low, high);
         let (mut part, mut from, mut to) = (0, &NONE, &NONE);
         for (n, pair) in self.nodes.windows(2).enumerate() {
             match pair {
@@ -261,7 +260,7 @@ impl Muscle {
         let h = to.contraction - from.contraction;
         let t = (inside - from.contraction) / h;
         let s = 1.0 - t;
-        let beyond = if self.beyond { contraction - inside } else { 0.0 };
+        let beyond = taken - inside;
         let values = [(1.0 + 2.0 * t) * s * s, h * t * s * s, t * t * (3.0 - 2.0 * t), -h * t * t * s];
         let slopes = [-6.0 * t * s / h, s * (1.0 - 3.0 * t), 6.0 * t * s / h, t * (3.0 * t - 2.0)];
         let slope = weighted(slopes, from, to);
@@ -273,7 +272,7 @@ impl Muscle {
     }
 
     /// The integrals of the functions of the contraction from the lower end of the box.
-    fn integrals(&self, k: &Spline) -> Functions {
+    fn integrals(&self, k: &Spline<'_>) -> Functions {
         let mut sums = [0.0; FUNCTIONS];
         for (sum, (c, slope)) in sums.iter_mut().zip(k.c.iter().zip(&k.slope)) {
             *sum = k.beyond * (c - 0.5 * slope * k.beyond);
@@ -295,16 +294,15 @@ impl Muscle {
         sums
     }
 
-    fn state(&self, pressure_pa: Real, contraction: Real) -> State {
-        let q = pressure_pa / self.supply_pa;
-        let (phi, by_q) = functions(if self.beyond { q } else { within(q, 0.0, 1.0) });
+    pub(crate) fn state(&self, pressure_pa: Real, contraction: Real) -> State<'a> {
+        let (phi, by_q) = functions(self.taken(pressure_pa / self.supply_pa, 0.0, 1.0));
         let spline = self.spline(contraction);
         let pull = sum_of(&spline.c, &phi);
         let status = self.outside(pressure_pa, contraction) | if pull <= 0.0 { SLACK } else { 0 };
         State { spline, phi, by_q, pull, status }
     }
 
-    fn state_at(&self, pressure_pa: Real, length_m: Real) -> State {
+    fn state_at(&self, pressure_pa: Real, length_m: Real) -> State<'a> {
         self.state(pressure_pa, self.contraction_of(length_m))
     }
 
@@ -323,26 +321,29 @@ impl Muscle {
     /// dF/dL at constant pressure; 0 where the muscle is slack.
     pub fn stiffness_n_per_m(&self, pressure_pa: Real, length_m: Real) -> Answer {
         let state = self.state_at(pressure_pa, length_m);
-        let slope = -sum_of(&state.spline.slope, &state.phi) / self.length_m;
+        let slope = -state.slope_in_contraction() / self.length_m;
         answer((if state.pull <= 0.0 { 0.0 } else { slope }, state.status))
     }
 
     /// dF/dP at constant length; 0 where the muscle is slack.
     pub fn force_per_pressure_m2(&self, pressure_pa: Real, length_m: Real) -> Answer {
         let state = self.state_at(pressure_pa, length_m);
-        let slope = sum_of(&state.spline.c, &state.by_q) / self.supply_pa;
+        let slope = state.slope_in_q() / self.supply_pa;
         answer((if state.pull <= 0.0 { 0.0 } else { slope }, state.status))
     }
 
     /// Volume of the cavity; of a slack muscle that at its free contraction.
     pub fn volume_m3(&self, pressure_pa: Real, length_m: Real) -> Answer {
         let state = self.state_at(pressure_pa, length_m);
+        answer((self.volume_of(&state, pressure_pa), state.status))
+    }
+
+    pub(crate) fn volume_of(&self, state: &State<'a>, pressure_pa: Real) -> Real {
         let free = || self.spline(self.contraction_and_status(0.0, pressure_pa).0);
-        let spline = if state.pull <= 0.0 { free() } else { state.spline };
-        let integrals = self.integrals(&spline);
+        let integrals = if state.pull <= 0.0 { self.integrals(&free()) } else { self.integrals(&state.spline) };
         let parts = integrals.iter().zip(&state.by_q).skip(1);
         let sum = parts.fold(0.0, |sum, (integral, by_q)| sum + integral * by_q);
-        answer((sum_of(&self.volume_m3, &state.phi) + self.length_m / self.supply_pa * sum, state.status))
+        sum_of(&self.volume_m3, &state.phi) + self.length_m / self.supply_pa * sum
     }
 
     /// Pressure at which the muscle pulls with `force_n` at a length, in closed form. [`NO_ANSWER`] and 0 where it pulls more without pressure, where it
@@ -414,7 +415,7 @@ impl Muscle {
     }
 
     /// By Newton's method between bounds.
-    fn contraction_and_status(&self, force_n: Real, pressure_pa: Real) -> (Real, u32) {
+    pub(crate) fn contraction_and_status(&self, force_n: Real, pressure_pa: Real) -> (Real, u32) {
         let (mut low, mut high) = (self.contraction_low(), self.contraction_high());
         let mut status = self.outside(pressure_pa, low) | if force_n >= 0.0 { 0 } else { NO_ANSWER };
         let force_n = if force_n < 0.0 { 0.0 } else { force_n };
@@ -424,7 +425,7 @@ impl Muscle {
             at = next;
             let state = self.state(pressure_pa, at);
             miss = state.pull - force_n;
-            slope = sum_of(&state.spline.slope, &state.phi);
+            slope = state.slope_in_contraction();
             if miss > 0.0 {
                 low = at;
             } else {
@@ -456,17 +457,24 @@ impl Muscle {
         let q = if q > 0.0 { q } else { 0.0 };
         let size = root(velocity_m_per_s * velocity_m_per_s + smoothing_m_per_s * smoothing_m_per_s);
         let [by_root, by_q] = self.friction_n;
-        let sliding = || (by_root * root(q) + by_q * q) * velocity_m_per_s / size;
-        let moving = pull + if size > 0.0 { sliding() } else { 0.0 };
+        let share = if size > 0.0 && size.is_finite() {
+            velocity_m_per_s / size
+        } else if velocity_m_per_s > 0.0 {
+            1.0
+        } else if velocity_m_per_s < 0.0 {
+            -1.0
+        } else {
+            0.0
+        };
+        let moving = pull + (by_root * root(q) + by_q * q) * share;
         let friction = (if moving > 0.0 { moving } else { 0.0 }) - if pull > 0.0 { pull } else { 0.0 };
         answer((friction, state.status))
     }
 
     /// Half the hysteresis at a pressure.
     fn friction_limit_n(&self, pressure_pa: Real) -> Real {
-        let q = pressure_pa / self.supply_pa;
+        let q = self.taken(pressure_pa / self.supply_pa, 0.0, 1.0);
         let q = if q > 0.0 { q } else { 0.0 };
-        let q = if q > 1.0 && !self.beyond { 1.0 } else { q };
         let [by_root, by_q] = self.friction_n;
         by_root * root(q) + by_q * q
     }
@@ -551,7 +559,7 @@ impl FrictionMemory {
     }
 
     /// After each step: the muscle went to a pressure and a length without a turn on the way, and may turn there. It stays where one is not a number.
-    pub fn moved(&mut self, muscle: &Muscle, pressure_pa: Real, length_m: Real) {
+    pub fn moved(&mut self, muscle: &Muscle<'_>, pressure_pa: Real, length_m: Real) {
         if !(pressure_pa.is_finite() && length_m.is_finite()) {
             return;
         }
@@ -582,7 +590,7 @@ impl FrictionMemory {
 
     /// What friction adds to the pull at a pressure and a length to which the muscle goes without a turn: positive where it has become longer; with it
     /// the muscle never pushes.
-    pub fn friction_after_n(&self, muscle: &Muscle, pressure_pa: Real, length_m: Real) -> Answer {
+    pub fn friction_after_n(&self, muscle: &Muscle<'_>, pressure_pa: Real, length_m: Real) -> Answer {
         let limit = muscle.friction_limit_n(pressure_pa);
         let mut next = self.clone();
         next.moved(muscle, pressure_pa, length_m);

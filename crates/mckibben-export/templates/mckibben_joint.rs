@@ -18,7 +18,7 @@ pub struct Path {
 /// surroundings together. Pressures of each function lie between 0 and the supply of each muscle, angles in `range_rad`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joint<const N: usize> {
-    pub muscles: [(&'static Muscle, Path); N],
+    pub muscles: [(&'static Muscle<'static>, Path); N],
     /// Of a spring on a rope.
     pub rope_path: Path,
     /// A spring on a rope pulls with rope0 + rope1 length, N and N/m, never below 0.
@@ -155,7 +155,7 @@ impl<const N: usize> Joint<N> {
     }
 
     /// Each muscle with its pressure and its path.
-    fn each(&self, pressures_pa: [Real; N], angle: Real) -> impl Iterator<Item = (&'static Muscle, Real, At)> {
+    fn each(&self, pressures_pa: [Real; N], angle: Real) -> impl Iterator<Item = (&'static Muscle<'static>, Real, At)> {
         let muscles = IntoIterator::into_iter(self.muscles).zip(pressures_pa);
         muscles.map(move |((muscle, path), pressure)| (muscle, pressure, path.at(angle)))
     }

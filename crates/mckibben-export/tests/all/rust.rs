@@ -191,8 +191,7 @@ fn mains(muscle: &ExportedMuscle, places: &[[f64; 4]]) -> [String; 2] {
     let count = places.len();
     // Slack alone is no error in Rust.
     let c = format!(
-        "#include \"{id}.h\"\n#include \"mckibben_memory.h\"\n#include \
-         \"mckibben_branch.h\"\n{C_SAYS}#define SAY(call) do {{ const mckibben_real found = (call); s = \
+        "#include \"{id}.h\"\n{C_SAYS}#define SAY(call) do {{ const mckibben_real found = (call); s = \
          s == 1u ? 0u : s; say(found); }} while (0)\nint main(void) {{\nstatic const mckibben_real \
          places[{count}][4] = {{\n{}}};\nfor (int beyond = 0; beyond < 2; beyond++) \
          {{\nmckibben_muscle own = {id};\nmckibben_memory memory;\nconst mckibben_muscle *m = \
