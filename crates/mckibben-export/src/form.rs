@@ -105,8 +105,7 @@ impl Form {
             supply_pa: self.supply_pa,
             nodes,
             volume_m3: self.v,
-            friction_n: self.friction_n,
-            presliding_m: self.presliding_m,
+            friction: [0.0; 3],
             beyond,
         }
     }

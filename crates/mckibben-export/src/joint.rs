@@ -5,7 +5,7 @@ use crate::{
     Artefact, BoxRequest, ExportError, ExportTarget, ExportedMuscle, MARK, Result,
     fit::{TAUT, free_contraction},
     muscle::plain,
-    template::list,
+    template::{list, lists},
 };
 use mckibben_core::{
     extremes::{ends, even, peak},
@@ -20,9 +20,6 @@ const ANGLES: u32 = 96;
 const BESIDE: f64 = 1e-3;
 /// The least upper end of a box.
 const LEAST_HIGH: f64 = 0.01;
-/// How many numbers a joint has beside its muscles.
-pub const JOINT_NUMBERS: usize = 23;
-
 /// A joint whose muscles are fitted for export.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct ExportedJoint {
@@ -170,54 +167,46 @@ impl ExportedJoint {
     }
 
     /// The ways, springs, weight and range, as C has them, in SI units.
-    pub(crate) fn numbers(&self) -> Vec<f64> {
-        let path = |path: Path| match path {
-            Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],
-            Path::Points {
-                origin_mm: [x, y],
-                insertion_mm: [u, v],
-            } => [0.0, x, y, u, v],
-        };
-        let mut numbers =
-            Vec::from_iter(self.paths().into_iter().flat_map(path).map(|mm| 1e-3 * mm));
+    pub(crate) fn numbers(&self) -> ([Vec<f64>; 3], [(&'static str, [f64; 2]); 4]) {
+        let paths = self.paths().map(|path| {
+            let mm = match path {
+                Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],
+                Path::Points {
+                    origin_mm: [x, y],
+                    insertion_mm: [u, v],
+                } => [0.0, x, y, u, v],
+            };
+            mm.map(|mm| 1e-3 * mm).to_vec()
+        });
         let inclination = self.joint.link().inclination_deg.to_radians();
         let (torsion, rope) = self.springs();
         let weight = [-self.joint.link().weight_nm(-inclination).0, inclination];
-        numbers.extend([rope, torsion, weight, self.range_rad()].concat());
-        numbers
+        let range = self.range_rad();
+        let others = [
+            ("rope", rope),
+            ("torsion", torsion),
+            ("weight", weight),
+            ("range", range),
+        ];
+        (paths, others)
     }
 
     /// The values for templates whose lists are between these brackets.
     pub(crate) fn values(
         &self,
-        [open, close]: [&str; 2],
+        brackets: [&str; 2],
         one: impl Fn(f64) -> String + Copy,
     ) -> Vec<(&'static str, String)> {
-        let numbers = self.numbers();
-        let list = |values: &[f64]| list(values, [open, close], one);
-        let path = |p: &[f64]| {
-            format!(
-                "{open}{}, {}, {}{close}",
-                one(p[0]),
-                list(&p[1..3]),
-                list(&p[3..5])
-            )
-        };
-        let (paths, others) = numbers.split_at(15);
-        let paths: Vec<String> = paths.chunks_exact(5).map(path).collect();
+        let (paths, others) = self.numbers();
         let mut values = vec![
-            ("paths", format!("{open}{}{close}", paths.join(", "))),
+            ("paths", lists(&paths, brackets, one)),
             ("name", plain(&self.name)),
             ("version", env!("CARGO_PKG_VERSION").into()),
             ("ID", self.identifier().to_ascii_uppercase()),
             ("id", self.identifier()),
             ("count", self.muscles.len().to_string()),
         ];
-        values.extend(
-            ["rope", "torsion", "weight", "range"]
-                .into_iter()
-                .zip(others.chunks_exact(2).map(list)),
-        );
+        values.extend(others.map(|(name, pair)| (name, list(&pair, brackets, one))));
         values
     }
 }

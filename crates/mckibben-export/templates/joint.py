@@ -8,7 +8,7 @@ surroundings together. `pressures` has one of each muscle; arguments are numbers
 @{imports}
 
 MUSCLES = (@{modules},)
-# Of the muscles and of a spring on a rope: the radius of a pulley, or, where it is 0, two points, one of the fixed link and one of the moving one.
+# Of the muscles and of a spring on a rope: the radius of a pulley, or, where it is 0, x and y of a point of the fixed link and of one of the moving one.
 PATHS = @{paths}
 ROPE = @{rope}  # a spring on a rope pulls with ROPE[0] + ROPE[1] length, N and N/m, never below 0
 TORSION = @{torsion}  # a torsion spring turns with -(TORSION[0] + TORSION[1] angle), N m and N m/rad
@@ -21,11 +21,11 @@ _arrays, _stopped, _repeated = MUSCLES[0]._arrays, MUSCLES[0]._stopped, MUSCLES[
 
 def _path(xp, path, angle):
     """Length (of a pulley from that at the neutral angle), arm -d length/d angle, and the slope of the arm."""
-    radius, a, b = path
+    radius, *a, bx, by = path
     if radius:
         return -radius * angle, radius + 0 * angle, 0 * angle
     s, c = xp.sin(angle), xp.cos(angle)
-    x, y = c * b[0] - s * b[1], s * b[0] + c * b[1]
+    x, y = c * bx - s * by, s * bx + c * by
     length = xp.sqrt((a[0] - x) * (a[0] - x) + (a[1] - y) * (a[1] - y))
     arm = (a[1] * x - a[0] * y) / length
     return length, arm, (arm * arm - a[0] * x - a[1] * y) / length

@@ -63,17 +63,14 @@ static void at_contraction(const mckibben_muscle *m, real contraction, coefficie
 /* The integral of a c from the lower end of the box. */
 static real integral(const mckibben_muscle *m, const coefficients *k, int i)
 {
-    const real *a = m->a[i], *b = m->b[i];
-    const real t = k->t, h = k->h, s3 = t * t * t, s4 = s3 * t;
     real sum = k->beyond * (k->c[i] - R(0.5) * k->slope[i] * k->beyond);
-    for (int n = 0; n < k->n; n++) {
-        const real g = m->node[n + 1] - m->node[n];
-        sum += R(0.5) * g * (a[n] + a[n + 1] + g / R(6) * (b[n] - b[n + 1]));
+    for (int n = 0; n <= k->n; n++) {
+        const real *a = &m->a[i][n], *b = &m->b[i][n];
+        const real t = n < k->n ? R(1) : k->t, h = n < k->n ? m->node[n + 1] - m->node[n] : k->h, s3 = t * t * t, s4 = t * t * t * t;
+        sum += h * (t - s3 + R(0.5) * s4) * a[0] + h * h * (R(0.5) * t * t - R(2) / R(3) * s3 + R(0.25) * s4) * b[0] + h * (s3 - R(0.5) * s4) * a[1]
+             + h * h * (R(0.25) * s4 - s3 / R(3)) * b[1];
     }
-    a += k->n;
-    b += k->n;
-    return sum + h * ((t - s3 + R(0.5) * s4) * a[0] + (s3 - R(0.5) * s4) * a[1]
-        + h * ((R(0.5) * t * t - R(2) / R(3) * s3 + R(0.25) * s4) * b[0] + (R(0.25) * s4 - s3 / R(3)) * b[1]));
+    return sum;
 }
 
 /* The functions of the pressure, and their slopes. */

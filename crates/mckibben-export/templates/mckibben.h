@@ -255,7 +255,7 @@ static inline mckibben_real mckibben_friction_after(const mckibben_muscle *m, co
 
 /* A pulley (below zero: wound on the other side), or, where its radius is 0, a straight line between a point of the fixed link and one of the moving link. */
 typedef struct {
-    mckibben_real radius, origin[2], insertion[2]; /* m; x and y from the axis at the neutral angle */
+    mckibben_real radius, origin_x, origin_y, insertion_x, insertion_y; /* m, from the axis at the neutral angle */
 } mckibben_path;
 
 typedef struct {
@@ -271,7 +271,8 @@ typedef struct {
 /* Length of a path, m (of a pulley from that at the neutral angle), its arm -d length/d angle, and the slope of the arm. */
 static inline mckibben_real mckibben_path_length(const mckibben_path *path, mckibben_real angle, mckibben_real *arm, mckibben_real *slope)
 {
-    const mckibben_real s = MCKIBBEN_MATH(sin)(angle), c = MCKIBBEN_MATH(cos)(angle), *a = path->origin, *b = path->insertion;
+    const mckibben_real s = MCKIBBEN_MATH(sin)(angle), c = MCKIBBEN_MATH(cos)(angle);
+    const mckibben_real a[2] = {path->origin_x, path->origin_y}, b[2] = {path->insertion_x, path->insertion_y};
     const mckibben_real x = c * b[0] - s * b[1], y = s * b[0] + c * b[1];
     const mckibben_real length = MCKIBBEN_MATH(sqrt)((a[0] - x) * (a[0] - x) + (a[1] - y) * (a[1] - y));
     *arm = path->radius;

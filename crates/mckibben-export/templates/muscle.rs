@@ -8,7 +8,6 @@ pub static @{ID}: Muscle<'static> = Muscle {
 @{lines}
     ],
     volume_m3: @{v},
-    friction_n: @{hysteresis},
-    presliding_m: @{presliding},
+    friction: @{friction},
     beyond: false,
 };

@@ -56,25 +56,8 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
 /// The joint, and the numbers of its muscles.
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let mut values = joint.values(SQUARE, number);
-    let path = |p: &[f64]| {
-        let (origin, insertion) = (
-            list(&p[1..3], SQUARE, number),
-            list(&p[3..5], SQUARE, number),
-        );
-        format!(
-            "Path {{ radius_m: {}, origin_m: {origin}, insertion_m: {insertion} }}",
-            number(p[0])
-        )
-    };
-    let paths = Vec::from_iter(joint.numbers()[..15].chunks_exact(5).map(path));
-    let held =
-        joint.muscles.iter().zip(&paths).map(|(muscle, path)| {
-            format!("(&{}, {path})", muscle.identifier().to_ascii_uppercase())
-        });
-    values.extend([
-        ("muscles", joined(held, ", ")),
-        ("rope_path", paths[2].clone()),
-    ]);
+    let name = |muscle: &ExportedMuscle| format!("&{}", muscle.identifier().to_ascii_uppercase());
+    values.push(("muscles", joined(joint.muscles.iter().map(name), ", ")));
     let muscles = joint
         .muscles
         .iter()
@@ -123,8 +106,6 @@ fn places(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
         ("low", number(form.contraction_low)),
         ("high", number(form.contraction_high)),
         ("lines", joined(form.nodes().iter().map(node), "\n")),
-        ("hysteresis", list(&form.friction_n, SQUARE, number)),
-        ("presliding", number(form.presliding_m)),
         ("tested", tested.len().to_string()),
         ("points", lists(&tested, SQUARE, number)),
     ]);

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     Artefact, ExportTarget, ExportedJoint, ExportedMuscle, File, Result, form::NODES,
-    joint::JOINT_NUMBERS, template::render,
+    template::render,
 };
 use variables::{Variable, description, settings};
 
@@ -239,13 +239,15 @@ fn resource(
     let begun = numbers.len();
     numbers.extend(muscles.iter().flat_map(of_muscle));
     numbers.resize(begun + 2 * of_muscle(muscle).len(), 0.0);
-    let of_joint = joint.map_or_else(|| vec![0.0; JOINT_NUMBERS], ExportedJoint::numbers);
-    out.extend(
-        numbers
-            .into_iter()
-            .chain(of_joint)
-            .flat_map(f64::to_le_bytes),
-    );
+    match joint.map(ExportedJoint::numbers) {
+        Some((paths, others)) => {
+            numbers.extend(paths.concat());
+            numbers.extend(others.map(|pair| pair.1).concat());
+        }
+        // Three paths of five numbers, and four pairs.
+        None => numbers.extend([0.0; 23]),
+    }
+    out.extend(numbers.into_iter().flat_map(f64::to_le_bytes));
     out
 }
 
