@@ -13,7 +13,7 @@ pub const TARGET: ExportTarget = ExportTarget {
     about: "MuJoCo: a plugin in C with the pressure or a valve as control and sensors of pressure, \
         pull and contraction; a part of any model, and a scene",
     needs: "MuJoCo 3.3.1 or later with its headers (the Python package has them), and a C compiler",
-    loses: "of a valve its lag, and hoses",
+    loses: "of a valve its lag, and hoses; MJX and MuJoCo Warp run no plugins",
     make,
     joint,
 };
