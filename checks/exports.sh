@@ -21,7 +21,6 @@ rustup target add thumbv7em-none-eabihf >/dev/null 2>&1 || echo "thumbv7em-none-
 venv=${CARGO_TARGET_DIR:-target}/venv-exports
 test -x "$venv/bin/python" || python3 -m venv "$venv"
 "$venv/bin/python" -m pip install --quiet numpy scipy jax mujoco fmpy unicorn
-"$venv/bin/python" -c "import mujoco_warp" 2>/dev/null || "$venv/bin/python" -m pip install --quiet mujoco-warp || echo "mujoco-warp could not be installed: its part is left out"
 bash checks/fmu-binaries.sh --check
 "$venv/bin/python" checks/exports.py "$1"
 "$venv/bin/python" checks/exports_fmu.py "$1"

@@ -14,7 +14,7 @@ zig() { "$python" -m ziglang "$@"; }
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-sources=({air.c,fmu2.c,fmu3.c,mckibben.c,mckibben.h,mckibben_joint.h,mckibben_memory.h})
+sources=({air.c,fmu2.c,fmu3.c,mckibben.c,mckibben.h})
 cp "${sources[@]/#/$crate/templates/}" "$work"
 out=$(realpath $crate/binaries)
 if [ "${1:-}" = --check ]; then out=$work/binaries && mkdir "$out"; fi

@@ -65,6 +65,18 @@ pub fn usual_mpa(found: &Burst, muscle: &Muscle) -> f64 {
     })
 }
 
+/// The pressure in MPa up to which a muscle is used where none is given: that of the supply of its
+/// job, else that of the paper; the allowed one where that is lower.
+pub fn supply_mpa(found: &Burst, muscle: &Muscle) -> f64 {
+    let allowed_mpa = found.allowed().map(|allowed| allowed.mpa);
+    let Some(job) = muscle.job() else {
+        return usual_mpa(found, muscle);
+    };
+    let supply_mpa = job.supply.map(f64::from).or(allowed_mpa);
+    let supply_mpa = supply_mpa.unwrap_or_else(|| job.pressure.into());
+    allowed_mpa.map_or(supply_mpa, |allowed_mpa| supply_mpa.min(allowed_mpa))
+}
+
 /// What is handed out for a pressure that is not allowed is refused.
 pub fn borne(found: &Burst, pressure_mpa: f64) -> Result<(), Problem> {
     let allowed = found.allowed().map(|allowed| allowed.mpa);

@@ -1,43 +1,64 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
 use crate::{
-    BuiltFile, Contraction, JointFields, ModelFields, MuscleFields, MuscleSummary, Problem,
-    ProblemKind, Result, TextFile, above_zero, borne, burst_of, finite,
+    BuiltFile, Contraction, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem,
+    AskFields, ProblemKind, Result, TextFile, above_zero, borne, burst_of, finite,
     flags::{self, Args},
     print::{Csv, Page, Show},
     units::Units,
-    usual_mpa,
+    supply_mpa,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation, Options},
+    built::BuiltMedian,
     model::{ForceModel, Workspace},
+    muscle::Muscle,
     units::typed::{Length, Pressure},
     warning::Warning,
 };
-use mckibben_export::{BoxRequest, ExportTarget, ExportedJoint, ExportedMuscle};
+use mckibben_export::{
+    BoxRequest, ExportTarget, ExportedJoint, ExportedMuscle, Known, KnownPoint,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as
-/// files for a target.
-#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
+/// What the export of a muscle and that of a joint have in common.
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
-pub struct ExportRequest {
+pub struct ExportFields {
     /// Target; `--list` describes them
     #[arg(long = "as", value_name = "TARGET", value_parser = flags::targets())]
     pub target: Option<String>,
-    /// Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is
-    /// lower]
+    /// Supply pressure, the upper end of the range [of a muscle with a job that of its supply, else
+    /// 2.5bar; the allowed pressure where that is lower]
     #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
     /// pressure
     #[arg(long)]
     pub overpressure: bool,
-    /// Lower end of the range of contractions [-0.05, a muscle that is stretched by 5 %]
+    /// Name in the files [that of the muscle or joint file]
+    #[arg(long)]
+    pub name: Option<String>,
+    /// The model.
+    #[serde(deserialize_with = "ModelFields::or_name")]
+    #[command(flatten)]
+    pub model: ModelFields,
+}
+
+/// A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as
+/// files for a target.
+#[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
+#[serde(default)]
+pub struct ExportRequest {
+    /// Target, supply pressure, name and model.
+    #[serde(flatten)]
+    #[command(flatten)]
+    pub common: ExportFields,
+    /// Lower end of the range of contractions [0, or where the job of the muscle begins]
     ///
-    /// Or nearer to 0 where the model ends or the form misses it.
+    /// Below 0, where strands lock, the form is less accurate.
     #[arg(long, value_name = "CONTRACTION", allow_hyphen_values = true)]
     pub contraction_low: Option<Contraction>,
     /// Upper end of the range of contractions [free contraction at the supply pressure]
@@ -48,17 +69,10 @@ pub struct ExportRequest {
     /// Lengths of the files are those of both.
     #[arg(long, default_value = "0mm", hide_default_value = true)]
     pub cord_mm: Length,
-    /// Name of the muscle in the files [that of the muscle file]
-    #[arg(long)]
-    pub name: Option<String>,
     /// The muscle.
     #[serde(deserialize_with = "MuscleFields::or_name")]
     #[command(flatten)]
     pub muscle: MuscleFields,
-    /// The model.
-    #[serde(deserialize_with = "ModelFields::or_name")]
-    #[command(flatten)]
-    pub model: ModelFields,
 }
 
 /// A muscle as files for a target.
@@ -123,24 +137,114 @@ pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
     })
 }
 
+/// Models of muscles that bear a supply pressure, and what is said of it.
+struct Supplied {
+    models: Vec<Box<dyn ForceModel>>,
+    known: Vec<Known>,
+    supply_mpa: f64,
+    warnings: Vec<Warning>,
+}
+
+impl ExportFields {
+    fn supplied(&self, choice: &Model, muscles: &[&Muscle]) -> Result<Supplied> {
+        let models = muscles.iter().map(|muscle| choice.bound(muscle));
+        let models = models.collect::<Result<Vec<_>, _>>()?;
+        let burst = |model: &Box<dyn ForceModel>| {
+            Ok(Burst {
+                overpressure: self.overpressure,
+                ..burst_of(choice, &**model)?
+            })
+        };
+        let bursts = models.iter().map(burst).collect::<Result<Vec<_>>>()?;
+        let usual = bursts.iter().zip(muscles);
+        let usual = usual.map(|(burst, muscle)| supply_mpa(burst, muscle));
+        let least = usual.fold(f64::INFINITY, f64::min);
+        let supply_mpa = self.pressure_mpa.map_or(least, f64::from);
+        above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
+        for (burst, model) in bursts.iter().zip(&models) {
+            borne(burst, supply_mpa)?;
+            Evaluation::new(&**model, &mut Workspace::new(), Options::default())
+                .check_range(supply_mpa, 0.0)?;
+        }
+        let of_bursts = bursts.iter().flat_map(|b| b.warnings(supply_mpa));
+        let of_muscles = muscles.iter().flat_map(|muscle| {
+            let said = muscle.warnings().into_iter().map(Warning::from);
+            said.chain(Warning::not_measured(muscle, supply_mpa))
+        });
+        let warnings = of_bursts.chain(of_muscles).collect();
+        let known = models.iter().zip(&bursts);
+        let known = known.map(|(model, burst)| known_of(&**model, burst, supply_mpa));
+        let known = known.collect::<Result<Vec<_>>>()?;
+        let models = models.into_iter().zip(&known);
+        let models = models.map(|(model, known)| match known.point {
+            Some(_) => Box::new(BuiltMedian(model)) as Box<dyn ForceModel>,
+            None => model,
+        });
+        Ok(Supplied {
+            models: models.collect(),
+            known,
+            supply_mpa,
+            warnings,
+        })
+    }
+
+    fn target(&self) -> Result<ExportTarget> {
+        let missing = || {
+            let message = "`target` is missing: what the muscle is exported for";
+            let hint = format!("one of {}", ExportTarget::names());
+            Problem::usage(message, hint).in_field("target")
+        };
+        ExportTarget::named(self.target.as_deref().ok_or_else(missing)?)
+            .map_err(|e| Problem::from(e).in_field("target"))
+    }
+
+    /// The name that is given, or that of the file.
+    fn name_or(&self, file: Option<&TextFile>, otherwise: &str) -> String {
+        let stem = file.and_then(|file| Path::new(&file.name).file_stem());
+        let stem = stem.map_or(otherwise.into(), |stem| stem.to_string_lossy());
+        self.name.clone().unwrap_or_else(|| stem.into_owned())
+    }
+}
+
+/// What is known of a muscle, at the point of its job, else blocked at the supply.
+fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Known> {
+    let muscle = model.muscle();
+    let of_job = muscle.job().and_then(|job| {
+        let pressure_mpa = f64::from(job.pressure);
+        let point = job.points.first().filter(|_| pressure_mpa <= supply_mpa)?;
+        Some((pressure_mpa, f64::from(point.contraction)))
+    });
+    let (pressure_mpa, contraction) = of_job.unwrap_or((supply_mpa, 0.0));
+    let options = AskFields::default().options(muscle)?;
+    let mut workspace = Workspace::new();
+    let answer = Evaluation::new(model, &mut workspace, options).point(pressure_mpa, contraction)?;
+    Ok(Known {
+        limits: burst.into(),
+        point: answer.built.map(|built| KnownPoint {
+            pressure_mpa,
+            contraction,
+            force_n: answer.response.force_n,
+            built,
+        }),
+    })
+}
+
+/// Warnings of the fits and those of the muscles, each once.
+fn warnings_of(fits: &[ExportedMuscle], others: Vec<Warning>) -> Vec<Warning> {
+    let of_fits = fits.iter().flat_map(ExportedMuscle::warnings);
+    let mut warnings = Vec::from_iter(of_fits.map(Warning::from).chain(others));
+    let mut known = std::collections::BTreeSet::new();
+    warnings.retain(|warning| known.insert(warning.to_string()));
+    warnings
+}
+
 /// A muscle as files.
 pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
-    let target = target_of(request.target.as_deref())?;
-    let choice = request.model.choose()?;
+    let common = &request.common;
+    let target = common.target()?;
+    let choice = common.model.choose()?;
     let muscle = request.muscle.resolve_for(&choice)?;
-    let model = choice.bound(&muscle)?;
-    let model = &*model;
-    let burst = Burst {
-        overpressure: request.overpressure,
-        ..burst_of(&choice, model)?
-    };
-    let supply_mpa = request
-        .pressure_mpa
-        .map_or_else(|| usual_mpa(&burst, &muscle), f64::from);
-    borne(&burst, supply_mpa)?;
-    above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
-    Evaluation::new(model, &mut Workspace::new(), Options::default())
-        .check_range(supply_mpa, 0.0)?;
+    let supplied = common.supplied(&choice, &[&muscle])?;
     let end = |field, contraction: &Option<Contraction>| {
         contraction
             .as_ref()
@@ -148,51 +252,27 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
             .transpose()
             .map_err(|problem| problem.in_field(field))
     };
-    let name = name_of(request.name.as_ref(), request.muscle.file(), "muscle");
+    let job = muscle.job().into_iter().flat_map(|job| &job.points);
+    let of_job = job.fold(0.0, |low: f64, point| low.min(point.contraction.0));
     let wanted = BoxRequest {
-        supply_mpa,
-        contraction_low: end("contraction_low", &request.contraction_low)?,
+        supply_mpa: supplied.supply_mpa,
+        contraction_low: end("contraction_low", &request.contraction_low)?.unwrap_or(of_job),
         contraction_high: end("contraction_high", &request.contraction_high)?,
     };
-    let mut exported = ExportedMuscle::fit(model, &name, wanted)?;
+    let name = common.name_or(request.muscle.file(), "muscle");
+    let mut exported = ExportedMuscle::fit(&*supplied.models[0], &name, wanted)?;
+    exported.known = supplied.known[0];
     exported.cord_m = 1e-3 * finite("cord_mm", request.cord_mm)?;
     let artefact = exported.to(target)?;
-    let of_fit = exported.warnings().into_iter().map(Warning::from);
-    let others = artefact.notes.into_iter().chain(muscle.warnings());
-    let warnings = of_fit
-        .chain(burst.warnings(supply_mpa))
-        .chain(others.map(Warning::from));
     Ok(ExportAnswer {
         target: target.name.into(),
         muscle: (&muscle).into(),
         needs: target.needs.into(),
         loses: target.loses.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
-        warnings: warnings.collect(),
+        warnings: warnings_of(std::slice::from_ref(&exported), supplied.warnings),
         exported,
     })
-}
-
-fn target_of(target: Option<&str>) -> Result<ExportTarget> {
-    let missing = || {
-        let message = "`target` is missing: what the muscle is exported for";
-        let hint = format!("one of {}", ExportTarget::names());
-        Problem::usage(message, hint).in_field("target")
-    };
-    ExportTarget::named(target.ok_or_else(missing)?)
-        .map_err(|e| Problem::from(e).in_field("target"))
-}
-
-/// The name that is given, or that of the file.
-fn name_of(given: Option<&String>, file: Option<&TextFile>, otherwise: &str) -> String {
-    let stem = file.and_then(|file| Path::new(&file.name).file_stem());
-    let stem = || {
-        stem.map_or_else(
-            || otherwise.to_owned(),
-            |stem| stem.to_string_lossy().into_owned(),
-        )
-    };
-    given.cloned().unwrap_or_else(stem)
 }
 
 /// A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms
@@ -204,23 +284,10 @@ pub struct ExportJointRequest {
     #[serde(flatten)]
     #[arg(skip)]
     pub joint: JointFields,
-    /// The model.
-    #[serde(deserialize_with = "ModelFields::or_name")]
+    /// Target, supply pressure of each muscle, name and model.
+    #[serde(flatten)]
     #[command(flatten)]
-    pub model: ModelFields,
-    /// The target: `c`, `rust`, `python`, `mjcf` or `fmu`.
-    #[arg(long = "as")]
-    pub target: Option<String>,
-    /// Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower]
-    #[arg(long)]
-    pub pressure_mpa: Option<Pressure>,
-    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
-    /// pressure.
-    #[arg(long)]
-    pub overpressure: bool,
-    /// Name of the joint in the files [that of the joint file]
-    #[arg(long)]
-    pub name: Option<String>,
+    pub common: ExportFields,
 }
 
 /// A joint as files for a target.
@@ -249,54 +316,23 @@ impl Show for ExportJointAnswer {
 }
 
 pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
-    let target = target_of(request.target.as_deref())?;
+    let common = &request.common;
+    let target = common.target()?;
     let joint = request.joint.resolve()?;
-    let choice = request.model.choose()?;
-    let models = joint
-        .muscles()
-        .iter()
-        .map(|m| choice.bound(&m.muscle))
-        .collect::<Result<Vec<_>, _>>()?;
-    let models: Vec<&dyn ForceModel> = models.iter().map(|model| &**model).collect();
-    let bursts = models
-        .iter()
-        .map(|model| {
-            Ok(Burst {
-                overpressure: request.overpressure,
-                ..burst_of(&choice, *model)?
-            })
-        })
-        .collect::<Result<Vec<_>>>()?;
-    let of_each = bursts.iter().zip(joint.muscles());
-    let usual = of_each.map(|(burst, m)| usual_mpa(burst, &m.muscle));
-    let usual = usual.fold(f64::INFINITY, f64::min);
-    let supply_mpa = request.pressure_mpa.map_or(usual, f64::from);
-    above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
-    for (burst, model) in bursts.iter().zip(&models) {
-        borne(burst, supply_mpa)?;
-        Evaluation::new(*model, &mut Workspace::new(), Options::default())
-            .check_range(supply_mpa, 0.0)?;
+    let choice = common.model.choose()?;
+    let muscles = Vec::from_iter(joint.muscles().iter().map(|m| &m.muscle));
+    let supplied = common.supplied(&choice, &muscles)?;
+    let models = Vec::from_iter(supplied.models.iter().map(|model| &**model));
+    let name = common.name_or(request.joint.joint.as_ref(), "joint");
+    let mut exported = ExportedJoint::fit(&joint, &models, &name, supplied.supply_mpa)?;
+    for (muscle, known) in exported.muscles.iter_mut().zip(&supplied.known) {
+        muscle.known = *known;
     }
-    let name = name_of(request.name.as_ref(), request.joint.joint.as_ref(), "joint");
-    let exported = ExportedJoint::fit(&joint, &models, &name, supply_mpa)?;
     let artefact = exported.to(target)?;
-    let of_fits = exported.muscles.iter().flat_map(ExportedMuscle::warnings);
-    let of_bursts = bursts
-        .iter()
-        .flat_map(|b| b.warnings(supply_mpa));
-    let of_muscles = joint.muscles().iter().flat_map(|m| m.muscle.warnings());
-    let others = artefact.notes.into_iter().chain(of_muscles);
-    let mut warnings: Vec<Warning> = of_fits
-        .map(Warning::from)
-        .chain(of_bursts)
-        .chain(others.map(Warning::from))
-        .collect();
-    let mut known = std::collections::BTreeSet::new();
-    warnings.retain(|warning| known.insert(warning.to_string()));
     Ok(ExportJointAnswer {
         target: target.name.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
+        warnings: warnings_of(&exported.muscles, supplied.warnings),
         exported,
-        warnings,
     })
 }

@@ -195,11 +195,7 @@ impl ExportRequest {
         )?;
         Ok(ExportJointRequest {
             joint: JointFields::read(path)?,
-            model: self.model.clone(),
-            target: self.target.clone(),
-            pressure_mpa: self.pressure_mpa,
-            overpressure: self.overpressure,
-            name: self.name.clone(),
+            common: self.common.clone(),
         })
     }
 }

@@ -7,14 +7,14 @@
 //! other points, with slack as 0 N.
 
 use crate::{
-    ExportError, Form, HostError, Result,
+    ExportError, Form, Point, Result,
     form::{FUNCTIONS, functions},
 };
 use mckibben_core::{
     analysis::{Evaluation, Options, bisect},
     cancel,
     extremes::{even, peak},
-    model::{ForceModel, Workspace},
+    model::{ForceModel, Response, Workspace},
     muscle::Direction,
     threads,
 };
@@ -26,17 +26,11 @@ use serde::Serialize;
 pub struct BoxRequest {
     /// Supply pressure, MPa.
     pub supply_mpa: f64,
-    /// Lower end in ε; `None`: [`BoxRequest::LOW`], or nearer to 0 where the model ends before or
-    /// the form would miss it.
-    pub contraction_low: Option<f64>,
+    /// Lower end in ε, zero or negative: below 0 strands lock, and the form is less accurate.
+    pub contraction_low: f64,
     /// Upper end in ε; `None`: the free contraction at the supply, or the end of the range of a
     /// model that pulls up to there.
     pub contraction_high: Option<f64>,
-}
-
-impl BoxRequest {
-    /// The lower end of ε where none is given: 5 % longer than at rest.
-    pub const LOW: f64 = -0.05;
 }
 
 /// Errors of the form against its model at points that it was not fitted to.
@@ -49,6 +43,15 @@ pub struct FormErrors {
     /// Largest error of the pull: share of the blocked force, 1.5 times the largest at the points,
     /// and 0.0002.
     pub force_worst_ratio: f64,
+    /// Error of ∂F/∂L at the points where the muscle pulls by more than 2 % of its blocked force:
+    /// rms, share of the form's own at the supply and at rest.
+    pub stiffness_rms: f64,
+    /// Largest error of ∂F/∂L there: the same share, 1.5 times the largest at the points.
+    pub stiffness_worst_ratio: f64,
+    /// Error of ∂F/∂P there: rms, share of the form's own at the supply and at rest.
+    pub force_per_pressure_rms: f64,
+    /// Largest error of ∂F/∂P there: the same share, 1.5 times the largest at the points.
+    pub force_per_pressure_worst_ratio: f64,
     /// Error of the volume at the points: rms, share of the largest volume.
     pub volume_rms: f64,
     /// Largest error of the volume: share of the largest volume, twice the largest at the points,
@@ -56,23 +59,27 @@ pub struct FormErrors {
     pub volume_worst_ratio: f64,
 }
 
-/// A sampled point of the model: q, ε, pull over the blocked force, volume in m³. A pull that is
-/// negative, or that the model cannot find behind the free contraction, is slack.
-#[derive(Debug, Clone, Copy)]
-pub struct Sample {
-    pub q: f64,
-    pub contraction: f64,
-    pub pull: Option<f64>,
-    pub volume_m3: Option<f64>,
+/// A sampled point of the model: q, ε, pull over the blocked force, volume in m³; ∂F/∂L in N/m and
+/// ∂F/∂P in m², where the muscle pulls by more than [`TAUT`]. A pull that is negative, or that the
+/// model cannot find behind the free contraction, is slack.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sample {
+    q: f64,
+    contraction: f64,
+    pull: Option<f64>,
+    volume_m3: Option<f64>,
+    slopes: Option<[f64; 2]>,
 }
 
-/// The form, its errors, the blocked force and the samples that the errors are from.
+/// The form, its errors and the blocked force.
 pub struct Fitted {
     pub form: Form,
     pub errors: FormErrors,
     pub blocked_n: f64,
-    pub held_out: Vec<Sample>,
 }
+
+/// Share of the blocked force from which on slopes are compared: they jump where it becomes slack.
+pub const TAUT: f64 = 0.02;
 
 /// Halvings towards the end of a pull.
 const EDGE: usize = 8;
@@ -102,23 +109,26 @@ fn nodes(low: f64, high: f64) -> Vec<f64> {
     stretched.into_iter().chain(shortened).collect()
 }
 
-pub fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitted> {
-    let supply = wanted.supply_mpa;
+/// The contraction up to which a muscle pulls at the supply, within the range of its model: the
+/// range of a formula may end before it stops to pull.
+pub fn free_contraction(model: &dyn ForceModel, w: &mut Workspace, supply: f64) -> Result<f64> {
+    let end = model.info().range.contraction.1;
+    match Evaluation::new(model, w, Options::extrapolating()).free_contraction(supply) {
+        Err(_) if end < 0.5 => Ok(end),
+        free => Ok(free?.min(end)),
+    }
+}
+
+pub fn fit(model: &dyn ForceModel, wanted: BoxRequest) -> Result<Fitted> {
+    let (supply, low) = (wanted.supply_mpa, wanted.contraction_low);
     let w = &mut Workspace::new();
-    let mut evaluation = Evaluation::new(model, w, Options::extrapolating());
     model.muscle().check_contracts()?;
-    let blocked_n = evaluation.force_n(supply, 0.0)?;
     let high = match wanted.contraction_high {
         Some(high) => high,
-        // The range of a formula may end before it stops to pull.
-        None => match (
-            evaluation.free_contraction(supply),
-            model.info().range.contraction.1,
-        ) {
-            (Err(_), end) if end < 0.5 => end,
-            (free, end) => free?.min(end),
-        },
+        None => free_contraction(model, w, supply)?,
     };
+    let mut evaluation = Evaluation::new(model, w, Options::extrapolating());
+    let blocked_n = evaluation.force_n(supply, 0.0)?;
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
         return Err(ExportError::NoPull(supply));
     }
@@ -168,7 +178,6 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest, low: f64) -> Result<Fitte
         errors: errors(&form, &held_out, &ends, blocked_n),
         form,
         blocked_n,
-        held_out,
     })
 }
 
@@ -188,8 +197,7 @@ fn sample(
             let mut point = Sample {
                 q,
                 contraction,
-                pull: None,
-                volume_m3: None,
+                ..Sample::default()
             };
             if !slack {
                 cancel::check()?;
@@ -198,6 +206,9 @@ fn sample(
                         slack = response.force_n < -1e-3 * blocked_n;
                         point.pull = Some(response.force_n / blocked_n);
                         point.volume_m3 = response.volume_mm3.map(|v| 1e-9 * v);
+                        if response.force_n > TAUT * blocked_n {
+                            point.slopes = Some(slopes(model, w, &response)?);
+                        }
                     }
                     // What has no equilibrium without pressure, and is not stretched, has
                     // collapsed.
@@ -210,6 +221,15 @@ fn sample(
         Ok(row)
     });
     Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
+}
+
+/// ∂F/∂L in N/m and ∂F/∂P in m² of a model.
+fn slopes(model: &dyn ForceModel, w: &mut Workspace, response: &Response) -> Result<[f64; 2]> {
+    let mut evaluation = Evaluation::new(model, w, Options::extrapolating());
+    Ok([
+        1e3 * evaluation.stiffness_n_per_mm(response)?,
+        1e-6 * evaluation.force_per_pressure_mm2(response)?,
+    ])
 }
 
 /// The last points of each pressure at which the muscle pulls: there the form misses its volume by
@@ -395,7 +415,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
 }
 
 /// The solution with the least squares by Householder's QR; `None` where it is not finite.
-pub fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
+fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
     let qr = matrix.qr();
     qr.r()
         .solve_upper_triangular(&(qr.q().transpose() * values))
@@ -470,7 +490,7 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
         .filter_map(|p| {
             Some((
                 p.q,
-                p.volume_m3? - form.potential_volume_m3(p.q, p.contraction),
+                p.volume_m3? - form.point_at(p.q * form.supply_pa, p.contraction).volume_m3,
             ))
         })
         .collect();
@@ -485,6 +505,14 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
     Ok(())
 }
 
+fn rms(errors: &[f64]) -> f64 {
+    (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt()
+}
+
+fn slopes_of(point: &Point) -> [f64; 2] {
+    [point.stiffness_n_per_m, point.force_per_pressure_m2]
+}
+
 fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> FormErrors {
     let largest = peak(held_out.iter().filter_map(|p| p.volume_m3));
     let here = |p: &Sample| form.point_at(p.q * form.supply_pa, p.contraction);
@@ -495,29 +523,58 @@ fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> 
             .filter(|_| p.pull.is_some_and(|pull| pull > 0.0))?;
         Some((here(p).volume_m3 - volume_m3).abs() / largest)
     };
+    let at_rest = slopes_of(&form.point_at(form.supply_pa, 0.0));
+    let slope = |i: usize| {
+        let error = |p: &Sample| {
+            Some((slopes_of(&here(p))[i] / at_rest[i] - p.slopes?[i] / at_rest[i]).abs())
+        };
+        Vec::from_iter(held_out.iter().filter_map(error))
+    };
     let mut forces = Vec::from_iter(held_out.iter().map(force));
     forces.sort_by(f64::total_cmp);
-    let volumes = HostError::from_errors(&Vec::from_iter(held_out.iter().filter_map(volume)));
+    let volumes = Vec::from_iter(held_out.iter().filter_map(volume));
+    let [stiffness, by_pressure] = [0, 1].map(slope);
     let all = || held_out.iter().chain(ends);
     FormErrors {
-        force_rms: HostError::from_errors(&forces).rms,
+        force_rms: rms(&forces),
         force_95_ratio: forces
             .get((0.95 * forces.len() as f64) as usize)
             .copied()
             .unwrap_or(0.0),
         force_worst_ratio: BETWEEN[0] * peak(all().map(force)) + BESIDE,
-        volume_rms: volumes.rms,
+        stiffness_rms: rms(&stiffness),
+        stiffness_worst_ratio: BETWEEN[0] * peak(stiffness),
+        force_per_pressure_rms: rms(&by_pressure),
+        force_per_pressure_worst_ratio: BETWEEN[0] * peak(by_pressure),
+        volume_rms: rms(&volumes),
         volume_worst_ratio: BETWEEN[1] * peak(all().filter_map(volume)) + BESIDE,
     }
 }
 
-/// h0 √q + h1 q of the friction that the muscle states, at a quarter of the free contraction.
-fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -> [f64; 2] {
-    let mut half =
-        |q: f64| Evaluation::new(model, w, Direction::Mean).half_width_n(q * supply, 0.25 * high);
-    // Both numbers from the half-widths at a quarter of the supply and at the supply.
-    match (half(0.25), half(1.0)) {
-        (Ok(quarter), Ok(whole)) => [4.0 * quarter - whole, 2.0 * whole - 4.0 * quarter],
-        _ => [0.0; 2],
-    }
+/// Half the hysteresis, exact at a quarter of the supply and at the supply, at three contractions
+/// at which the muscle pulls.
+fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -> [f64; 6] {
+    let mut half = |q: f64, e: f64| {
+        let stated = model.friction_half_n(w, q * supply, e);
+        let of_law = |w| Evaluation::new(model, w, Direction::Mean).half_width_n(q * supply, e);
+        stated.unwrap_or_else(|| of_law(w)).ok()
+    };
+    // Powers of ε through 0, h and 2 h.
+    let h = 0.3 * high;
+    let mut powers = |q: f64| {
+        let [a, b, c] = [half(q, 0.0)?, half(q, h)?, half(q, 2.0 * h)?];
+        let bend = (c - 2.0 * b + a) / (2.0 * h * h);
+        Some([a, (b - a) / h - bend * h, bend])
+    };
+    let (Some(quarter), Some(whole)) = (powers(0.25), powers(1.0)) else {
+        return [0.0; 6];
+    };
+    std::array::from_fn(|i| {
+        let (quarter, whole) = (quarter[i % 3], whole[i % 3]);
+        if i < 3 {
+            4.0 * quarter - whole
+        } else {
+            2.0 * whole - 4.0 * quarter
+        }
+    })
 }

@@ -20,23 +20,23 @@
 //! point, with a status. For simulators each function of q and each function of ε continues along
 //! its tangent ([`Form::beyond`]): value, slope and potential are continuous there. Where F would
 //! be negative the muscle is slack: F = 0, and V is that at its free contraction.
+//!
+//! What is computed here is the exported file of Rust, `templates/mckibben.rs`.
 
 use serde::Serialize;
 
-/// Functions of the pressure: 1, q, φ0, φ1 and φ2.
-pub const FUNCTIONS: usize = 5;
-/// κ: where the functions of second degree begin, shares of the supply.
-pub const PRESSURE_KNOTS: [f64; 3] = [0.0, 0.15, 0.45];
+#[rustfmt::skip]
+#[path = "../templates/mckibben.rs"]
+mod functions;
+
+use functions::Muscle;
+pub(crate) use functions::functions;
+pub use functions::{CONTRACTION_OUTSIDE, FUNCTIONS, Node, PRESSURE_OUTSIDE, SLACK};
+
 /// Largest number of nodes in ε.
 pub const NODES: usize = 10;
 /// The point lies inside of the box, and the muscle pulls.
 pub const OK: u32 = 0;
-/// The muscle would have to push, and is slack.
-pub const SLACK: u32 = 1;
-/// The pressure lies outside of the box.
-pub const PRESSURE_OUTSIDE: u32 = 2;
-/// The contraction lies outside of the box.
-pub const CONTRACTION_OUTSIDE: u32 = 4;
 
 /// Pull and volume of a muscle in closed form. Units: Pa, m, N, m³.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -48,7 +48,7 @@ pub struct Form {
     /// Supply pressure, the upper end of the box, Pa.
     #[schemars(extend("x-unit" = "Pa"))]
     pub supply_pa: f64,
-    /// Lower end of the box in ε, negative.
+    /// Lower end of the box in ε, zero or negative.
     pub contraction_low: f64,
     /// Upper end of the box in ε: the free contraction at the supply.
     pub contraction_high: f64,
@@ -63,9 +63,9 @@ pub struct Form {
     /// v0 to v4, m³.
     #[schemars(extend("x-unit" = "m³"))]
     pub v: [f64; FUNCTIONS],
-    /// Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its
-    /// friction.
-    pub friction_n: [f64; 2],
+    /// Half-width of the hysteresis, N: (h0 + h1 ε + h2 ε²) √q + (h3 + h4 ε + h5 ε²) q; zeros where
+    /// no friction is known.
+    pub friction_n: [f64; 6],
     /// Way over which it builds up after a reversal, m; 0 where the muscle does not state its
     /// friction.
     #[schemars(extend("x-unit" = "m"))]
@@ -87,152 +87,59 @@ pub struct Point {
     pub status: u32,
 }
 
-/// c, dc/dε and C at a contraction, for each function of the pressure.
-#[derive(Default)]
-struct Coefficients {
-    c: [f64; FUNCTIONS],
-    slope: [f64; FUNCTIONS],
-    integral: [f64; FUNCTIONS],
-}
-
-/// The functions of the pressure at q, and their slopes.
-pub fn functions(q: f64) -> ([f64; FUNCTIONS], [f64; FUNCTIONS]) {
-    let mut value = [0.0; FUNCTIONS];
-    let mut slope = [0.0; FUNCTIONS];
-    (value[0], value[1], slope[1]) = (1.0, q, 1.0);
-    for (k, knot) in PRESSURE_KNOTS.into_iter().enumerate() {
-        let t = (q - knot).clamp(0.0, 1.0 - knot);
-        value[k + 2] = t * (t + 2.0 * (q - 1.0).max(0.0));
-        slope[k + 2] = 2.0 * t;
-    }
-    (value, slope)
-}
-
-fn sum(c: &[f64; FUNCTIONS], functions: &[f64; FUNCTIONS]) -> f64 {
-    c.iter().zip(functions).map(|(c, f)| c * f).sum()
-}
-
 impl Form {
-    fn coefficients(&self, contraction: f64) -> Coefficients {
-        let nodes = &self.contractions;
-        let inside = contraction
-            .max(self.contraction_low)
-            .min(self.contraction_high);
-        let beyond = contraction - inside;
-        let n = nodes
-            .partition_point(|node| *node <= inside)
-            .clamp(1, nodes.len() - 1)
-            - 1;
-        let h = nodes[n + 1] - nodes[n];
-        let t = (inside - nodes[n]) / h;
-        let s = 1.0 - t;
-        // Hermite's cubic polynomials, their slopes and their integrals: value and slope at the one
-        // end, value and slope at the other.
-        let value = [
-            (1.0 + 2.0 * t) * s * s,
-            h * t * s * s,
-            t * t * (3.0 - 2.0 * t),
-            -h * t * t * s,
-        ];
-        let slope = [
-            -6.0 * t * s / h,
-            s * (1.0 - 3.0 * t),
-            6.0 * t * s / h,
-            t * (3.0 * t - 2.0),
-        ];
-        let cube = t * t * t;
-        let fourth = t * t * t * t;
-        let integral = [
-            h * (t - cube + 0.5 * fourth),
-            h * h * (0.5 * t * t - 2.0 / 3.0 * cube + 0.25 * fourth),
-            h * (cube - 0.5 * fourth),
-            h * h * (0.25 * fourth - cube / 3.0),
-        ];
-        let mut out = Coefficients::default();
-        for i in 0..FUNCTIONS {
-            let a = &self.a[i];
-            let b = &self.b[i];
-            let here = |w: &[f64; 4]| w[0] * a[n] + w[1] * b[n] + w[2] * a[n + 1] + w[3] * b[n + 1];
-            let c = here(&value);
-            let by_contraction = here(&slope);
-            let before: f64 = (0..n)
-                .map(|k| {
-                    let g = nodes[k + 1] - nodes[k];
-                    0.5 * g * (a[k] + a[k + 1] + g / 6.0 * (b[k] - b[k + 1]))
-                })
-                .sum();
-            out.integral[i] =
-                before + here(&integral) + beyond * (c + 0.5 * by_contraction * beyond);
-            out.c[i] = c + by_contraction * beyond;
-            out.slope[i] = by_contraction;
+    /// The values and slopes of c0 to c4 at each node.
+    pub(crate) fn nodes(&self) -> Vec<Node> {
+        let node = |(k, &contraction)| Node {
+            contraction,
+            value_n: std::array::from_fn(|i| self.a[i][k]),
+            slope_n: std::array::from_fn(|i| self.b[i][k]),
+        };
+        self.contractions.iter().enumerate().map(node).collect()
+    }
+
+    fn muscle<'n>(&self, nodes: &'n [Node], beyond: bool) -> Muscle<'n> {
+        Muscle {
+            length_m: self.length_m,
+            cord_m: 0.0,
+            supply_pa: self.supply_pa,
+            nodes,
+            volume_m3: self.v,
+            friction: [0.0; 7],
+            beyond,
         }
-        out
     }
 
     /// The pull that the form gives, negative where the muscle would have to push, and its slope in
     /// ε; pressure in Pa.
     pub fn two_sided_n(&self, pressure_pa: f64, contraction: f64) -> (f64, f64) {
-        let (k, (phi, _)) = (
-            self.coefficients(contraction),
-            functions(pressure_pa / self.supply_pa),
-        );
-        (sum(&k.c, &phi), sum(&k.slope, &phi))
-    }
-
-    fn two_sided_volume_m3(&self, pressure_pa: f64, contraction: f64) -> f64 {
-        let q = pressure_pa / self.supply_pa;
-        sum(&self.v, &functions(q).0) + self.potential_volume_m3(q, contraction)
-    }
-
-    /// The part of the potential of the pull in the volume of the muscle at rest length, m³.
-    pub(crate) fn potential_volume_m3(&self, q: f64, contraction: f64) -> f64 {
-        self.length_m / self.supply_pa
-            * sum(&self.coefficients(contraction).integral, &functions(q).1)
-    }
-
-    fn outside(&self, pressure_pa: f64, contraction: f64) -> u32 {
-        let pressure = if (0.0..=self.supply_pa).contains(&pressure_pa) {
-            OK
-        } else {
-            PRESSURE_OUTSIDE
-        };
-        let inside = (self.contraction_low..=self.contraction_high).contains(&contraction);
-        pressure | if inside { OK } else { CONTRACTION_OUTSIDE }
+        let nodes = self.nodes();
+        let state = self.muscle(&nodes, true).state(pressure_pa, contraction);
+        (state.pull, state.slope_in_contraction())
     }
 
     /// Everything at the point of the box that is nearest to a pressure in Pa and a contraction.
     pub fn point_at(&self, pressure_pa: f64, contraction: f64) -> Point {
-        let inside = contraction.clamp(self.contraction_low, self.contraction_high);
-        let point = self.beyond(pressure_pa.clamp(0.0, self.supply_pa), inside);
-        Point {
-            status: point.status | self.outside(pressure_pa, contraction),
-            ..point
-        }
+        self.point(false, pressure_pa, contraction)
     }
 
     /// The same, along the tangents outside of the box.
     pub fn beyond(&self, pressure_pa: f64, contraction: f64) -> Point {
-        let (k, (phi, slope)) = (
-            self.coefficients(contraction),
-            functions(pressure_pa / self.supply_pa),
-        );
-        let force_n = sum(&k.c, &phi);
-        let status = self.outside(pressure_pa, contraction);
-        if force_n <= 0.0 {
-            let free = self.contraction(0.0, pressure_pa);
-            return Point {
-                volume_m3: self.two_sided_volume_m3(pressure_pa, free),
-                status: status | SLACK,
-                ..Point::default()
-            };
-        }
+        self.point(true, pressure_pa, contraction)
+    }
+
+    fn point(&self, beyond: bool, pressure_pa: f64, contraction: f64) -> Point {
+        let nodes = self.nodes();
+        let muscle = self.muscle(&nodes, beyond);
+        let state = muscle.state(pressure_pa, contraction);
+        let is_taut = state.pull > 0.0;
+        let taut = |value: f64| if is_taut { value } else { 0.0 };
         Point {
-            force_n,
-            stiffness_n_per_m: -sum(&k.slope, &phi) / self.length_m,
-            force_per_pressure_m2: sum(&k.c, &slope) / self.supply_pa,
-            volume_m3: sum(&self.v, &phi)
-                + self.length_m / self.supply_pa * sum(&k.integral, &slope),
-            status,
+            force_n: taut(state.pull),
+            stiffness_n_per_m: taut(-state.slope_in_contraction() / self.length_m),
+            force_per_pressure_m2: taut(state.slope_in_q() / self.supply_pa),
+            volume_m3: muscle.volume_of(&state, pressure_pa),
+            status: state.status,
         }
     }
 
@@ -260,44 +167,19 @@ impl Form {
         (0..=40).flat_map(line).collect()
     }
 
-    /// The contraction at which the pull is `force_n` at a pressure in Pa: Newton's method between
-    /// bounds, the tangent outside of the box.
+    /// Half of the hysteresis at a pressure in Pa and a contraction of the box, N.
+    pub fn friction_half_n(&self, pressure_pa: f64, contraction: f64) -> f64 {
+        let q = pressure_pa / self.supply_pa;
+        let [r0, r1, r2, q0, q1, q2] = self.friction_n;
+        let e = contraction;
+        ((r0 + e * (r1 + e * r2)) * q.sqrt() + (q0 + e * (q1 + e * q2)) * q).max(0.0)
+    }
+
+    /// The contraction at which the pull is `force_n` at a pressure in Pa; along the tangent outside
+    /// of the box.
     pub fn contraction(&self, force_n: f64, pressure_pa: f64) -> f64 {
-        let mut low = self.contraction_low;
-        let mut high = self.contraction_high;
-        for end in [low, high] {
-            let (pull, slope) = self.two_sided_n(pressure_pa, end);
-            let beyond = if end == low {
-                force_n >= pull
-            } else {
-                force_n <= pull
-            };
-            if beyond {
-                return if slope < 0.0 {
-                    end + (force_n - pull) / slope
-                } else {
-                    end
-                };
-            }
-        }
-        let mut at = 0.5 * (low + high);
-        for _ in 0..60 {
-            let (pull, slope) = self.two_sided_n(pressure_pa, at);
-            let miss = pull - force_n;
-            if miss > 0.0 {
-                low = at;
-            } else {
-                high = at;
-            }
-            let mut next = at - miss / slope;
-            if !(next > low && next < high) {
-                next = 0.5 * (low + high);
-            }
-            if (next - at).abs() <= 1e-14 {
-                return next;
-            }
-            at = next;
-        }
-        at
+        let nodes = self.nodes();
+        let muscle = self.muscle(&nodes, true);
+        muscle.contraction_and_status(force_n, pressure_pa).0
     }
 }

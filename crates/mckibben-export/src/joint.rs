@@ -2,25 +2,24 @@
 //! joint.
 
 use crate::{
-    Artefact, BoxRequest, ExportError, ExportTarget, ExportedMuscle, MARK, Result, muscle::plain,
-    template::list,
+    Artefact, BoxRequest, ExportError, ExportTarget, ExportedMuscle, MARK, Result,
+    fit::{TAUT, free_contraction},
+    muscle::plain,
+    template::{list, lists},
 };
 use mckibben_core::{
-    analysis::{Evaluation, Options},
-    by_number::ByNumber,
-    extremes::{even, peak},
-    joint::{Joint, JointSpring, Path},
+    extremes::{ends, even, peak},
+    joint::{Joint, JointSpring, Path, Shortening},
     model::{ForceModel, Workspace},
 };
 use serde::Serialize;
 
-/// Angles and pressures at which the stiffness is compared.
-const STATES: [u32; 2] = [24, 8];
-/// The same where a host has other pulls than the form.
-const HOST_STATES: [u32; 2] = [240, 120];
-/// How many numbers a joint has beside its muscles.
-pub const JOINT_NUMBERS: usize = 23;
-
+/// Angles of the range at which contractions and arms are looked at.
+const ANGLES: u32 = 96;
+/// By so much the box of a muscle is wider than its contractions in the range of the joint.
+const BESIDE: f64 = 1e-3;
+/// The least upper end of a box.
+const LEAST_HIGH: f64 = 0.01;
 /// A joint whose muscles are fitted for export.
 #[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
 pub struct ExportedJoint {
@@ -35,7 +34,7 @@ pub struct ExportedJoint {
     /// pulls on their largest arms.
     pub torque_error_nm: f64,
     /// The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of
-    /// its blocked force: 1.5 times the largest at 200 states.
+    /// its blocked force: those of pulls and slopes on their largest arms.
     pub stiffness_error_nm_per_rad: f64,
     #[serde(skip)]
     pub(crate) joint: Joint,
@@ -53,67 +52,22 @@ impl ExportedJoint {
         name: &str,
         supply_mpa: f64,
     ) -> Result<Self> {
-        let angles = angles(joint, STATES[0]);
         let mut muscles = Vec::<ExportedMuscle>::new();
-        let mut torque = 0.0;
-        let mut stiffness = 0.0;
-        let mut boxes: Vec<BoxRequest> = vec![];
+        let (mut torque, mut stiffness) = (0.0, 0.0);
         for (i, (&model, held)) in models.iter().zip(joint.muscles()).enumerate() {
-            let all = angles
-                .iter()
-                .filter_map(|&angle| joint.contraction(i, angle));
-            let at = |&angle: &f64| Some((joint.contraction(i, angle)?.0, angle));
-            let shortest = angles.iter().filter_map(at).min_by_number(|a| a.0);
-            let (least, angle) = shortest.unwrap_or_default();
-            let reaches = |why: String| {
-                ExportError::Host(format!(
-                    "muscle {}: at {:.1} deg its contraction is {:.1} %, and {why}; a narrower [joint] \
-                     range or a larger contraction_at_neutral keeps it shorter",
-                    i + 1,
-                    angle.to_degrees(),
-                    100.0 * least
-                ))
-            };
-            let contraction_low = (least < BoxRequest::LOW).then_some(least - 1e-3);
-            let wanted = BoxRequest {
-                supply_mpa,
-                contraction_low,
-                contraction_high: None,
-            };
-            // Opposed muscles are often alike: one fit serves both.
-            let is_same = |other: &dyn ForceModel| {
-                other.muscle() == model.muscle() && other.info().name == model.info().name
-            };
-            let known = boxes
-                .iter()
-                .zip(models)
-                .position(|(of, other)| *of == wanted && is_same(*other));
+            let states = Vec::from_iter(states(joint, i));
             // Short enough that what tells the muscles apart stays in their identifiers.
             let name = format!("{name:.36}_{}", i + 1);
-            let mut muscle = match known.and_then(|k| muscles.get(k)) {
-                Some(known) => ExportedMuscle {
-                    name,
-                    ..known.clone()
-                },
-                None => match ExportedMuscle::fit(model, &name, wanted) {
-                    Err(ExportError::Model(error)) if contraction_low.is_some() => {
-                        return Err(reaches(format!("its model has no answer there: {error}")));
-                    }
-                    fitted => fitted?,
-                },
-            };
-            boxes.push(wanted);
-            if muscle.form.contraction_low > least {
-                return Err(reaches(format!(
-                    "its form is accurate from {:.1} %",
-                    100.0 * muscle.form.contraction_low
-                )));
-            }
+            let mut muscle = fit_muscle(model, &name, supply_mpa, &states)?;
             let neutral_m = muscle.form.length_m * (1.0 - held.contraction_at_neutral);
             muscle.cord_m = 1e-3 * held.path.length_mm(0.0) - neutral_m;
-            let arm_m = peak(all.map(|(_, s)| 1e-3 * s.arm_mm.abs()));
-            torque += arm_m * muscle.errors.force_worst_ratio * muscle.blocked_force_n;
-            stiffness += 1.5 * stiffness_error(joint, i, model, &muscle);
+            let arm_m = peak(states.iter().map(|s| 1e-3 * s.1.arm_mm.abs()));
+            let arm_by_angle_m = peak(states.iter().map(|s| 1e-3 * s.1.arm_by_angle_mm.abs()));
+            let force_n = muscle.errors.force_worst_ratio * muscle.blocked_force_n;
+            let at_rest = muscle.form.point_at(muscle.form.supply_pa, 0.0);
+            let n_per_m = muscle.errors.stiffness_worst_ratio * at_rest.stiffness_n_per_m.abs();
+            torque += arm_m * force_n;
+            stiffness += arm_m * arm_m * n_per_m + arm_by_angle_m * force_n;
             muscles.push(muscle);
         }
         let hashes: String = muscles.iter().map(|muscle| muscle.hash.as_str()).collect();
@@ -149,14 +103,19 @@ impl ExportedJoint {
             ),
             format!(
                 "Against the joint of the program: torque {:.3} N m at most; stiffness {:.3} N \
-                 m/rad where each muscle is slack or pulls by more than 2 %.",
-                self.torque_error_nm, self.stiffness_error_nm_per_rad
+                 m/rad where each muscle is slack or pulls by more than {} %.",
+                self.torque_error_nm,
+                self.stiffness_error_nm_per_rad,
+                100.0 * TAUT
             ),
         ];
         facts.extend(
             self.muscles
                 .iter()
-                .flat_map(|muscle| muscle.facts().into_iter().take(3)),
+                .flat_map(|muscle| {
+                    let facts = muscle.facts();
+                    facts.into_iter().filter(|fact| !fact.contains("against"))
+                }),
         );
         facts
     }
@@ -168,27 +127,6 @@ impl ExportedJoint {
             word
         } else {
             format!("joint_{word}")
-        }
-    }
-
-    /// The same joint where its muscles have other pulls (N, and their slopes in the length in N/m, at
-    /// q and L/L0): its errors are those of the form and the largest differences of its muscles from the
-    /// form.
-    pub(crate) fn with_pulls(&self, pulls: impl Fn(usize, f64, f64) -> (f64, f64)) -> Self {
-        let mut largest = [0.0_f64; 2];
-        for angle in angles(&self.joint, HOST_STATES[0]) {
-            let mut both = [0.0; 2];
-            for (i, muscle) in self.muscles.iter().enumerate() {
-                let at = |q, contraction| Some(pulls(i, q, 1.0 - contraction));
-                let off = differences(&self.joint, i, muscle, (angle, HOST_STATES[1]), at);
-                both = [both[0] + off[0], both[1] + off[1]];
-            }
-            largest = [largest[0].max(both[0]), largest[1].max(both[1])];
-        }
-        Self {
-            torque_error_nm: self.torque_error_nm + largest[0],
-            stiffness_error_nm_per_rad: self.stiffness_error_nm_per_rad + largest[1],
-            ..self.clone()
         }
     }
 
@@ -232,110 +170,82 @@ impl ExportedJoint {
     }
 
     /// The ways, springs, weight and range, as C has them, in SI units.
-    pub(crate) fn numbers(&self) -> Vec<f64> {
-        let path = |path: Path| match path {
-            Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],
-            Path::Points {
-                origin_mm: [x, y],
-                insertion_mm: [u, v],
-            } => [0.0, x, y, u, v],
-        };
-        let mut numbers =
-            Vec::from_iter(self.paths().into_iter().flat_map(path).map(|mm| 1e-3 * mm));
+    pub(crate) fn numbers(&self) -> ([Vec<f64>; 3], [(&'static str, [f64; 2]); 4]) {
+        let paths = self.paths().map(|path| {
+            let mm = match path {
+                Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],
+                Path::Points {
+                    origin_mm: [x, y],
+                    insertion_mm: [u, v],
+                } => [0.0, x, y, u, v],
+            };
+            mm.map(|mm| 1e-3 * mm).to_vec()
+        });
         let inclination = self.joint.link().inclination_deg.to_radians();
         let (torsion, rope) = self.springs();
         let weight = [-self.joint.link().weight_nm(-inclination).0, inclination];
-        numbers.extend([rope, torsion, weight, self.range_rad()].concat());
-        numbers
+        let range = self.range_rad();
+        let others = [
+            ("rope", rope),
+            ("torsion", torsion),
+            ("weight", weight),
+            ("range", range),
+        ];
+        (paths, others)
     }
 
     /// The values for templates whose lists are between these brackets.
     pub(crate) fn values(
         &self,
-        [open, close]: [&str; 2],
+        brackets: [&str; 2],
         one: impl Fn(f64) -> String + Copy,
     ) -> Vec<(&'static str, String)> {
-        let numbers = self.numbers();
-        let list = |values: &[f64]| list(values, [open, close], one);
-        let path = |p: &[f64]| {
-            format!(
-                "{open}{}, {}, {}{close}",
-                one(p[0]),
-                list(&p[1..3]),
-                list(&p[3..5])
-            )
-        };
-        let (paths, others) = numbers.split_at(15);
-        let paths: Vec<String> = paths.chunks_exact(5).map(path).collect();
+        let (paths, others) = self.numbers();
         let mut values = vec![
-            ("paths", format!("{open}{}{close}", paths.join(", "))),
+            ("paths", lists(&paths, brackets, one)),
             ("name", plain(&self.name)),
             ("version", env!("CARGO_PKG_VERSION").into()),
             ("ID", self.identifier().to_ascii_uppercase()),
             ("id", self.identifier()),
             ("count", self.muscles.len().to_string()),
         ];
-        values.extend(
-            ["rope", "torsion", "weight", "range"]
-                .into_iter()
-                .zip(others.chunks_exact(2).map(list)),
-        );
+        values.extend(others.map(|(name, pair)| (name, list(&pair, brackets, one))));
         values
     }
 }
 
-/// So many angles and one, even over the range, in rad.
-fn angles(joint: &Joint, parts: u32) -> Vec<f64> {
-    let angles = even(joint.range_deg(), parts);
-    angles.map(f64::to_radians).collect()
+/// The contractions of a muscle over the range, with the arms and the angles in degrees.
+fn states(joint: &Joint, i: usize) -> impl Iterator<Item = (f64, Shortening, f64)> {
+    even(joint.range_deg(), ANGLES).filter_map(move |deg| {
+        let (contraction, s) = joint.contraction(i, deg.to_radians())?;
+        Some((contraction, s, deg))
+    })
 }
 
-/// Largest difference of a muscle's part of the stiffness from its model, N m/rad.
-fn stiffness_error(
-    joint: &Joint,
-    i: usize,
+/// A muscle fitted over its contractions in the range of the joint, as far as it pulls.
+fn fit_muscle(
     model: &dyn ForceModel,
-    muscle: &ExportedMuscle,
-) -> f64 {
-    let w = &mut Workspace::new();
-    let mut evaluation = Evaluation::new(model, w, Options::extrapolating());
-    let mut pulls = |q: f64, contraction| {
-        let pressure_mpa = 1e-6 * muscle.form.supply_pa * q;
-        let r = evaluation.response(pressure_mpa, contraction).ok()?;
-        let n_per_mm = evaluation.stiffness_n_per_mm(&r).ok()?;
-        let is_taut = r.force_n > 0.02 * muscle.blocked_force_n;
-        is_taut.then_some((r.force_n, 1e3 * n_per_mm))
+    name: &str,
+    supply_mpa: f64,
+    states: &[(f64, Shortening, f64)],
+) -> Result<ExportedMuscle> {
+    let (least, most) = ends(states.iter().map(|s| s.0));
+    let free = free_contraction(model, &mut Workspace::new(), supply_mpa)?;
+    let wanted = BoxRequest {
+        supply_mpa,
+        contraction_low: if least < 0.0 { least - BESIDE } else { 0.0 },
+        contraction_high: Some((most + BESIDE).max(LEAST_HIGH).min(free)),
     };
-    let at = |angle| differences(joint, i, muscle, (angle, STATES[1]), &mut pulls)[1];
-    peak(angles(joint, STATES[0]).into_iter().map(at))
-}
-
-/// Largest differences of a muscle's parts of the torque and the stiffness, N m and N m/rad, from
-/// pulls (N, and their slopes in the length in N/m) at q and ε, at an angle and so many pressures; of
-/// the stiffness where it is slack or pulls by more than 2 % of its blocked force.
-fn differences(
-    joint: &Joint,
-    i: usize,
-    muscle: &ExportedMuscle,
-    (angle, pressures): (f64, u32),
-    mut other: impl FnMut(f64, f64) -> Option<(f64, f64)>,
-) -> [f64; 2] {
-    let mut largest = [0.0_f64; 2];
-    let Some((contraction, s)) = joint.contraction(i, angle) else {
-        return largest;
-    };
-    for n in 0..=pressures {
-        let q = f64::from(n) / f64::from(pressures);
-        let form = muscle.form.point_at(q * muscle.form.supply_pa, contraction);
-        let Some((pull, slope)) = other(q, contraction) else {
-            continue;
-        };
-        let more = 1e-3 * (pull - form.force_n);
-        largest[0] = largest[0].max((more * s.arm_mm).abs());
-        if form.force_n == 0.0 || form.force_n > 0.02 * muscle.blocked_force_n {
-            let stiffer = 1e-6 * (slope - form.stiffness_n_per_m) * s.arm_mm * s.arm_mm;
-            largest[1] = largest[1].max((stiffer - more * s.arm_by_angle_mm).abs());
+    ExportedMuscle::fit(model, name, wanted).map_err(|error| match error {
+        ExportError::Model(_) | ExportError::Misses(_) | ExportError::Box(..) => {
+            let at = states.iter().find(|s| s.0 == least);
+            ExportError::Host(format!(
+                "{name}: at {:.1} deg its contraction is {:.1} %; {error}; a narrower [joint] \
+                 range or a larger contraction_at_neutral keeps it shorter",
+                at.map_or(0.0, |s| s.2),
+                100.0 * least
+            ))
         }
-    }
-    largest
+        error => error,
+    })
 }

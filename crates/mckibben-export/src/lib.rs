@@ -20,9 +20,8 @@ pub(crate) use error::Result;
 pub use fit::BoxRequest;
 pub use form::{CONTRACTION_OUTSIDE, OK, PRESSURE_OUTSIDE, SLACK};
 pub use joint::ExportedJoint;
-use mckibben_core::extremes::peak;
 pub use mckibben_io::files::{Content, File};
-pub use muscle::{ExportBox, ExportedMuscle};
+pub use muscle::{ExportBox, ExportedMuscle, Known, KnownPoint};
 pub use targets::ExportTarget;
 #[doc(hidden)]
 pub use {
@@ -38,33 +37,4 @@ const MARK: &str = "exported by mckibben";
 pub struct Artefact {
     /// The files: the one to begin with first.
     pub files: Vec<File>,
-    /// Losses and warnings, in sentences.
-    pub notes: Vec<String>,
-}
-
-/// Root mean square and largest error of the form of a host, shares of the blocked force.
-#[derive(Clone, Copy)]
-pub(crate) struct HostError {
-    pub rms: f64,
-    pub worst: f64,
-}
-
-impl std::fmt::Display for HostError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "{:.2} % rms, {:.2} % worst",
-            100.0 * self.rms,
-            100.0 * self.worst
-        )
-    }
-}
-
-impl HostError {
-    fn from_errors(errors: &[f64]) -> Self {
-        Self {
-            rms: (errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64).sqrt(),
-            worst: peak(errors.iter().map(|e| e.abs())),
-        }
-    }
 }

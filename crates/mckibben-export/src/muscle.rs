@@ -2,13 +2,10 @@
 
 use crate::{
     BoxRequest, ExportError, Form, FormErrors, MARK, Result,
-    fit::{Fitted, Sample, fit},
+    fit::{Fitted, TAUT, fit},
 };
 use mckibben_core::{
-    analysis::Evaluation,
-    hash,
-    model::{ForceModel, Workspace},
-    muscle::{Direction, file::to_toml},
+    analysis::PressureLimits, built::Built, hash, model::ForceModel, muscle::file::to_toml,
 };
 use serde::Serialize;
 
@@ -47,74 +44,113 @@ pub struct ExportedMuscle {
     pub errors: FormErrors,
     /// Blocked force at the supply, N.
     pub blocked_force_n: f64,
-    /// 95 % half-width of the blocked force against a measured muscle, N, where it is known.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub uncertainty_n: Option<f64>,
+    /// What is known of the muscle besides.
+    #[serde(flatten)]
+    pub known: Known,
     /// A rope or rod between the muscle and what it pulls, m: lengths of the hosts are those of
     /// both.
     #[serde(skip)]
     pub cord_m: f64,
-    #[serde(skip)]
-    pub(crate) held_out: Vec<Sample>,
 }
 
-/// The largest error of a form, or of the form of a host, against its model, share of the blocked
-/// force.
-pub const LIMIT: f64 = 0.05;
+/// What is known of an exported muscle beside its form.
+#[derive(Debug, Clone, Copy, Default, serde::Serialize, schemars::JsonSchema)]
+pub struct Known {
+    /// The pressures that it bears.
+    #[serde(flatten)]
+    pub limits: PressureLimits,
+    /// What a muscle that is built pulls at the point of its job, else blocked at the supply; none
+    /// where the form is that of the model alone.
+    #[serde(flatten)]
+    pub point: Option<KnownPoint>,
+}
+
+/// A point at which the interval is stated.
+#[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]
+pub struct KnownPoint {
+    /// Pressure, MPa.
+    pub pressure_mpa: f64,
+    /// Contraction.
+    pub contraction: f64,
+    /// The model's pull there on the branch, N.
+    pub force_n: f64,
+    /// What a muscle that is built pulls there.
+    #[serde(flatten)]
+    pub built: Built,
+}
+
+impl Known {
+    /// The lines of an artefact.
+    fn facts(&self) -> [String; 2] {
+        let pull = self.point.map_or_else(
+            || {
+                "Pull: that of the model alone. How far a muscle that is built lies from it is not \
+                 known."
+                    .to_owned()
+            },
+            |at| {
+                let built = &at.built;
+                format!(
+                    "Pull: the median of what a muscle that is built pulls, of the mean of both \
+                     branches; half the hysteresis less while it shortens, more while it lengthens. \
+                     At {} Pa and a contraction of {:.4} it pulls {:.1} N ({:.1} to {:.1} N in 95 \
+                     %) while {}; the model alone, mean of both branches, {:.1} N.",
+                    (1e6 * at.pressure_mpa).round(),
+                    at.contraction,
+                    built.predicted_n,
+                    built.predicted_low_n,
+                    built.predicted_high_n,
+                    built.predicted_direction.motion(),
+                    built.mean_n
+                )
+            },
+        );
+        let limits = &self.limits;
+        let pascal = |mpa: Option<f64>| mpa.map(|mpa| format!("{} Pa", (1e6 * mpa).floor()));
+        let raised = if limits.overpressure { " (overpressure)" } else { "" };
+        [
+            pull,
+            format!(
+                "Allowed pressure{raised}: {}. Least burst pressure: {}.",
+                pascal(limits.allowed_pressure_mpa).unwrap_or("not known".into()),
+                pascal(limits.burst_pressure_mpa).unwrap_or("not known".into())
+            ),
+        ]
+    }
+}
+
+/// The largest error of a form against its model, per cent of the blocked force.
+const LIMIT_PERCENT: f64 = 5.0;
 /// The goal: 95 % of points within the first, the stated largest error within the second (1 % at
 /// the points), shares of the blocked force.
 const GOAL: [f64; 2] = [0.003, 0.0152];
 
 impl ExportedMuscle {
-    /// Fits the form to a model of the muscle named so. The default of the lower end lies where the
-    /// model still answers and the form is accurate.
+    /// Fits the form to a model of the muscle named so.
+    ///
+    /// # Errors
+    /// [`ExportError`] of a box that is none, and of a model that the form misses.
     pub fn fit(model: &dyn ForceModel, name: &str, wanted: BoxRequest) -> Result<Self> {
-        let begin = BoxRequest::LOW
-            .max(model.info().range.contraction.0)
-            .min(0.0);
-        Self::fit_from(wanted.contraction_low.unwrap_or(begin), model, name, wanted)
-    }
-
-    fn fit_from(low: f64, model: &dyn ForceModel, name: &str, wanted: BoxRequest) -> Result<Self> {
-        let high = wanted.contraction_high;
+        let (low, high) = (wanted.contraction_low, wanted.contraction_high);
         if !((-0.2..=0.0).contains(&low) && high.is_none_or(|high| high > 0.0 && high < 0.5)) {
             return Err(ExportError::Box(low, high.unwrap_or(0.0)));
         }
-        let fitted = fit(model, wanted, low).and_then(|fitted| {
-            let percent = 100.0 * fitted.errors.force_worst_ratio;
-            let limit = 100.0 * LIMIT;
-            match fitted.form.pulls_again().is_empty() {
-                _ if percent > limit => Err(ExportError::Misses(format!(
-                    "the form misses the model by {percent:.1} % of the blocked force at worst, \
-                     and more than {limit:.0} % is not exported"
-                ))),
-                true => Ok(fitted),
-                false => Err(ExportError::Misses(
-                    "behind its free contraction the form pulls again".into(),
-                )),
-            }
-        });
         let Fitted {
             form,
             errors,
             blocked_n,
-            held_out,
-        } = match fitted {
-            Err(ExportError::Misses(_) | ExportError::Model(_))
-                if wanted.contraction_low.is_none() && low < 0.0 =>
-            {
-                return Self::fit_from(
-                    if low < -0.012 { 0.8 * low } else { 0.0 },
-                    model,
-                    name,
-                    wanted,
-                );
-            }
-            fitted => fitted?,
-        };
-        let w = &mut Workspace::new();
-        let half =
-            Evaluation::new(model, w, Direction::Mean).predicted(wanted.supply_mpa, 0.0, blocked_n);
+        } = fit(model, wanted)?;
+        let percent = 100.0 * errors.force_worst_ratio;
+        if percent > LIMIT_PERCENT {
+            return Err(ExportError::Misses(format!(
+                "the form misses the model by {percent:.1} % of the blocked force at worst, and \
+                 more than {LIMIT_PERCENT:.0} % is not exported"
+            )));
+        }
+        if !form.pulls_again().is_empty() {
+            let again = "behind its free contraction the form pulls again";
+            return Err(ExportError::Misses(again.into()));
+        }
         let muscle_file = to_toml(model.muscle());
         let version = env!("CARGO_PKG_VERSION");
         let model = model.info().name.to_string();
@@ -132,9 +168,8 @@ impl ExportedMuscle {
             muscle_file,
             errors,
             blocked_force_n: blocked_n,
-            uncertainty_n: half.map(|(built, _)| built.half_n()),
+            known: Known::default(),
             cord_m: 0.0,
-            held_out,
         })
     }
 
@@ -158,7 +193,7 @@ impl ExportedMuscle {
                 b.contraction_high
             ),
             format!(
-                "Pull against the model: {} rms, {} at 95 % of points, {} worst, of the blocked \
+                "Pull of this form against what it was fitted to: {} rms, {} at 95 % of points, {} worst, of the blocked \
                  force of {:.1} N.",
                 percent(e.force_rms),
                 percent(e.force_95_ratio),
@@ -166,21 +201,22 @@ impl ExportedMuscle {
                 self.blocked_force_n
             ),
             format!(
+                "Its slopes against those, where it pulls by more than {} %, of those at the \
+                 supply and at rest: in the pressure {} rms, {} worst, in the length {} rms, {} \
+                 worst.",
+                100.0 * TAUT,
+                percent(e.force_per_pressure_rms),
+                percent(e.force_per_pressure_worst_ratio),
+                percent(e.stiffness_rms),
+                percent(e.stiffness_worst_ratio)
+            ),
+            format!(
                 "Volume against the model: {} rms, {} worst, of the largest volume.",
                 percent(e.volume_rms),
                 percent(e.volume_worst_ratio)
             ),
-            match self.uncertainty_n {
-                Some(n) => format!(
-                    "Model against a measured muscle: +- {n:.1} N ({:.1} % of the blocked force) \
-                     at 95 %.",
-                    100.0 * n / self.blocked_force_n
-                ),
-                None => {
-                    "Model against a measured muscle: the error of this model is not known.".into()
-                }
-            },
         ];
+        facts.extend(self.known.facts());
         match self.cord_m {
             0.0 => {}
             m if m < 0.0 => facts.push(format!(
@@ -202,8 +238,8 @@ impl ExportedMuscle {
         }
         vec![format!(
             "the form misses the model by {:.2} % of the blocked force at 95 % of points and {:.2} \
-             % at worst; a smaller box, such as a lower end of the contraction nearer to 0, lowers \
-             this",
+             % at worst; a smaller box lowers this: `contraction_low` nearer to 0, or \
+             `contraction_high`; of a joint a narrower range, or a larger contraction_at_neutral",
             100.0 * e.force_95_ratio,
             100.0 * e.force_worst_ratio
         )]

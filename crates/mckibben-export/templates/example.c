@@ -1,5 +1,5 @@
 /* cc -O2 @{id}_example.c mckibben.c -lm -o example && ./example
- * @{facts}
+ * Made by mckibben @{version}.
  */
 #ifndef ARDUINO /* a sketch has its own main */
 #include "@{id}.h"

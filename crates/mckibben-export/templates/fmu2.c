@@ -11,8 +11,6 @@
 #define FMI2_EXPORT __attribute__((visibility("default")))
 #endif
 #include "mckibben.c"
-#include "mckibben_joint.h"
-#include "mckibben_memory.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,24 +98,16 @@ static double length_of(const instance *c, int i)
 
 static int muscles_of(const instance *c) { return c->joint.muscles ? c->joint.muscles : 1; }
 
-/* All coefficients are multiplied, so that pull and volume keep one potential. Until the simulation begins, the air follows from the pressure. */
+/* Until the simulation begins, the air follows from the pressure. */
 static void set_state(instance *c, const state *s)
 {
     c->now = *s;
     for (int n = 0; n < muscles_of(c); n++) {
         mckibben_muscle *m = &c->muscle[n];
-        *m = c->read[n];
+        *m = mckibben_scaled(&c->read[n], s->value[FORCE_FACTOR], s->value[FRICTION_FACTOR]);
         c->joint.muscle[n] = m;
         if (!c->joint.muscles)
             m->cord = s->value[CORD];
-        for (int i = 0; i < MCKIBBEN_FUNCTIONS; i++) {
-            for (int j = 0; j < MCKIBBEN_NODES; j++) {
-                m->a[i][j] *= s->value[FORCE_FACTOR];
-                m->b[i][j] *= s->value[FORCE_FACTOR];
-            }
-        }
-        for (int i = 0; i < 2; i++)
-            m->friction[i] *= s->value[FRICTION_FACTOR];
         if (!(s->begun > 0.0))
             mckibben_rest(&c->now.memory[n], length_of(c, n));
     }
@@ -191,7 +181,7 @@ static FILE *opened(const char *path)
  * muscle they are zeros. */
 typedef struct {
     double length, cord, supply, nodes, node[MCKIBBEN_NODES];
-    double a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], v[MCKIBBEN_FUNCTIONS], friction[3];
+    double a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], b[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES], v[MCKIBBEN_FUNCTIONS], friction[7];
 } numbers;
 typedef struct {
     char mark[8], token[32];
@@ -440,7 +430,7 @@ FMI2_EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2V
     const instance *at = (const instance *)c;
     instance *moved = (instance *)malloc(sizeof(*moved));
     const double p = pressure_of(at);
-    const int analytic = !at->states && !(at->muscle->friction[0] + at->muscle->friction[1] > 0.0);
+    const int analytic = !at->states && !(mckibben_friction_limit(at->muscle, at->muscle->supply, at->muscle->length) > 0.0);
     int known = moved != 0;
     for (size_t i = 0; i < n; i++) {
         out[i] = 0.0;

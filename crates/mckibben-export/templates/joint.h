@@ -4,7 +4,7 @@
 #ifndef MCKIBBEN_NUMBERS_@{ID}_H
 #define MCKIBBEN_NUMBERS_@{ID}_H
 
-#include "mckibben_joint.h"
+#include "mckibben.h"
 @{includes}
 
 static const mckibben_joint @{id} = {

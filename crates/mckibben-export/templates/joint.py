@@ -8,7 +8,7 @@ surroundings together. `pressures` has one of each muscle; arguments are numbers
 @{imports}
 
 MUSCLES = (@{modules},)
-# Of the muscles and of a spring on a rope: the radius of a pulley, or, where it is 0, two points, one of the fixed link and one of the moving one.
+# Of the muscles and of a spring on a rope: the radius of a pulley, or, where it is 0, x and y of a point of the fixed link and of one of the moving one.
 PATHS = @{paths}
 ROPE = @{rope}  # a spring on a rope pulls with ROPE[0] + ROPE[1] length, N and N/m, never below 0
 TORSION = @{torsion}  # a torsion spring turns with -(TORSION[0] + TORSION[1] angle), N m and N m/rad
@@ -21,11 +21,11 @@ _arrays, _stopped, _repeated = MUSCLES[0]._arrays, MUSCLES[0]._stopped, MUSCLES[
 
 def _path(xp, path, angle):
     """Length (of a pulley from that at the neutral angle), arm -d length/d angle, and the slope of the arm."""
-    radius, a, b = path
+    radius, *a, bx, by = path
     if radius:
         return -radius * angle, radius + 0 * angle, 0 * angle
     s, c = xp.sin(angle), xp.cos(angle)
-    x, y = c * b[0] - s * b[1], s * b[0] + c * b[1]
+    x, y = c * bx - s * by, s * bx + c * by
     length = xp.sqrt((a[0] - x) * (a[0] - x) + (a[1] - y) * (a[1] - y))
     arm = (a[1] * x - a[0] * y) / length
     return length, arm, (arm * arm - a[0] * x - a[1] * y) / length
@@ -108,7 +108,7 @@ def _pulled(xp, needed, ends, first):
     return tuple(xp.where(pull > 1e-6 * full, muscle.pressure(xp.where(pull > 0, pull, 1 + 0 * pull), length), 0 * pull) for muscle, pull, (length, _, _, full) in zip(MUSCLES, pulls, ends))
 
 
-def _pressures(xp, torque, angle, stiffness):
+def _pressures(xp, angle, torque, stiffness):
     needed, ends = torque - _passive(xp, angle)[0], _ends(xp, angle)
     _, arm, without, full = ends[0]
     # The pulls of the first muscle at which the second can do the rest.
@@ -179,17 +179,17 @@ def _first(xp, angle, needed, stiffness, ends, low, high):
     return xp.where(between, first - moving, first), between | (near <= enough)
 
 
-def pressures(torque, angle, stiffness=None):
+def pressures(angle, torque, stiffness=None):
     """Pressures from 0 to the supply, one of each muscle, for a torque and a stiffness at an angle: the lowest ones. Where nothing gives what is wanted, those that come near it; see `pressures_status`."""
     if stiffness is None:
-        xp, values = _arrays(torque, angle)
+        xp, values = _arrays(angle, torque)
         return _pressures(xp, *values, None)[0]
-    xp, values = _arrays(torque, angle, stiffness)
+    xp, values = _arrays(angle, torque, stiffness)
     return _pressures(xp, *values)[0]
 
 
-def pressures_status(torque, angle, stiffness=None):
+def pressures_status(angle, torque, stiffness=None):
     """Of pressures: 0, or a sum of ANGLE_OUTSIDE and NO_ANSWER of the muscles (nothing from 0 to the supply gives torque and stiffness)."""
-    xp, values = _arrays(torque, angle, *([] if stiffness is None else [stiffness]))
+    xp, values = _arrays(angle, torque, *([] if stiffness is None else [stiffness]))
     answered = _pressures(xp, *values, *([None] if stiffness is None else []))[1]
-    return MUSCLES[0].NO_ANSWER * (answered == 0) + ANGLE_OUTSIDE * (((values[1] >= RANGE[0]) & (values[1] <= RANGE[1])) == 0)
+    return MUSCLES[0].NO_ANSWER * (answered == 0) + ANGLE_OUTSIDE * (((values[0] >= RANGE[0]) & (values[0] <= RANGE[1])) == 0)

@@ -2,7 +2,7 @@
 /// The joint @{name}.
 pub static @{ID}: Joint<@{count}> = Joint {
     muscles: [@{muscles}],
-    rope_path: @{rope_path},
+    paths: @{paths},
     rope: @{rope},
     torsion: @{torsion},
     weight: @{weight},

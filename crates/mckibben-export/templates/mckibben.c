@@ -30,10 +30,19 @@ typedef struct {
     int n;
 } coefficients;
 
-static void at_contraction(const mckibben_muscle *m, real e, coefficients *k)
+/* The nearest number from `low` to `high`; `low` of what is not a number. */
+static real within(real value, real low, real high) { return value > high ? high : (value >= low ? value : low); }
+
+/* The nearest number of the box; what is finite, where the muscle continues beyond it. */
+static real taken(const mckibben_muscle *m, real value, real low, real high)
+{
+    return m->beyond && value - value <= R(0) ? value : within(value, low, high);
+}
+
+static void at_contraction(const mckibben_muscle *m, real contraction, coefficients *k)
 {
     const real low = m->node[0], high = m->node[m->nodes - 1];
-    const real inside = e < low ? low : (e > high ? high : e);
+    const real e = taken(m, contraction, low, high), inside = within(e, low, high);
     int n = 0;
     while (n < m->nodes - 2 && inside >= m->node[n + 1])
         n++;
@@ -43,7 +52,7 @@ static void at_contraction(const mckibben_muscle *m, real e, coefficients *k)
     k->n = n;
     k->t = t;
     k->h = h;
-    k->beyond = m->beyond ? e - inside : R(0);
+    k->beyond = e - inside;
     for (int i = 0; i < N; i++) {
         const real *a = &m->a[i][n], *b = &m->b[i][n];
         k->slope[i] = d[0] * a[0] + d[1] * b[0] + d[2] * a[1] + d[3] * b[1];
@@ -54,17 +63,14 @@ static void at_contraction(const mckibben_muscle *m, real e, coefficients *k)
 /* The integral of a c from the lower end of the box. */
 static real integral(const mckibben_muscle *m, const coefficients *k, int i)
 {
-    const real *a = m->a[i], *b = m->b[i];
-    const real t = k->t, h = k->h, s3 = t * t * t, s4 = s3 * t;
     real sum = k->beyond * (k->c[i] - R(0.5) * k->slope[i] * k->beyond);
-    for (int n = 0; n < k->n; n++) {
-        const real g = m->node[n + 1] - m->node[n];
-        sum += R(0.5) * g * (a[n] + a[n + 1] + g / R(6) * (b[n] - b[n + 1]));
+    for (int n = 0; n <= k->n; n++) {
+        const real *a = &m->a[i][n], *b = &m->b[i][n];
+        const real t = n < k->n ? R(1) : k->t, h = n < k->n ? m->node[n + 1] - m->node[n] : k->h, s3 = t * t * t, s4 = t * t * t * t;
+        sum += h * (t - s3 + R(0.5) * s4) * a[0] + h * h * (R(0.5) * t * t - R(2) / R(3) * s3 + R(0.25) * s4) * b[0] + h * (s3 - R(0.5) * s4) * a[1]
+             + h * h * (R(0.25) * s4 - s3 / R(3)) * b[1];
     }
-    a += k->n;
-    b += k->n;
-    return sum + h * ((t - s3 + R(0.5) * s4) * a[0] + (s3 - R(0.5) * s4) * a[1]
-        + h * ((R(0.5) * t * t - R(2) / R(3) * s3 + R(0.25) * s4) * b[0] + (R(0.25) * s4 - s3 / R(3)) * b[1]));
+    return sum;
 }
 
 /* The functions of the pressure, and their slopes. */
@@ -100,9 +106,8 @@ static unsigned outside(const mckibben_muscle *m, real pressure, real e)
 /* The pull, negative where the muscle would have to push. */
 static real two_sided(const mckibben_muscle *m, real pressure, real e, coefficients *k, unsigned *status)
 {
-    const real q = pressure / m->supply;
     real pull;
-    functions(m->beyond ? q : (q < R(0) ? R(0) : (q > R(1) ? R(1) : q)), k->phi, k->by_q);
+    functions(taken(m, pressure / m->supply, R(0), R(1)), k->phi, k->by_q);
     at_contraction(m, e, k);
     pull = sum_of(k->c, k->phi);
     if (status)
@@ -202,8 +207,9 @@ real mckibben_pressure(const mckibben_muscle *m, real force, real length, unsign
 real mckibben_friction(const mckibben_muscle *m, real pressure, real length, real velocity, real smoothing, unsigned *status)
 {
     coefficients k;
-    const real pull = two_sided(m, pressure, contraction_of(m, length), &k, status), q = k.phi[1] > R(0) ? k.phi[1] : R(0);
-    const real size = ROOT(velocity * velocity + smoothing * smoothing);
-    const real moving = pull + (size > R(0) ? (m->friction[0] * ROOT(q) + m->friction[1] * q) * velocity / size : R(0));
+    const real pull = two_sided(m, pressure, contraction_of(m, length), &k, status);
+    const real size = ROOT(velocity * velocity + smoothing * smoothing), sign = velocity > R(0) ? R(1) : (velocity < R(0) ? R(-1) : R(0));
+    const real share = size > R(0) && size - size <= R(0) ? velocity / size : sign;
+    const real moving = pull + mckibben_friction_limit(m, pressure, length) * share;
     return (moving > R(0) ? moving : R(0)) - (pull > R(0) ? pull : R(0));
 }

@@ -1,25 +1,3 @@
-@{supply?}//! Pull and volume of the McKibben muscle @{name} in closed form.
-@{count?}//! Torque, stiffness and pressures of the joint @{name}, whose muscles are closed forms.
-//!
-//! @{facts}
-//!
-//! `mod @{id};` in a crate, or this file as a crate of its own: Rust from 1.84, without `std`, heap, `unsafe` and other crates. It does not panic.
-//! Two muscles in one program share these functions where the `static` of the second is copied behind that of the first.
-//!
-//! Units: Pa (gauge), m, N, m³, rad, N m. All numbers are [`Real`]: f32 on an Arm core without an operating system, and with `--cfg mckibben_float`;
-//! otherwise, and with `--cfg mckibben_double`, f64. Of a muscle each answer is that of the exported C file to the last bit.
-@{count?}//! Of the joint it differs by rounding: sine and cosine are those of this file.
-//!
-//! With q = P/supply and ε = 1 − L/L0 the pull is F = c0 + c1 q + c2 φ0(q) + c3 φ1(q) + c4 φ2(q), φk = max(q − κk, 0)²; each c is a cubic spline in ε. The
-//! volume has the same potential: dF/dP = −dV/dL.
-//!
-//! ```ignore
-@{supply?}//! let force_n = @{id}::@{ID}.force_n(0.5 * @{supply}, @{length})?;
-@{count?}//! let pressures_pa = @{id}::@{ID}.pressures_pa(angle_rad, torque_nm, None)?;
-//! ```
-//!
-//! Made by mckibben @{version}.
-
 #![no_std]
 #![allow(dead_code, unused_attributes, unexpected_cfgs)]
 #![allow(clippy::approx_constant, clippy::excessive_precision, clippy::neg_cmp_op_on_partial_ord)]
@@ -33,7 +11,6 @@ mod precision {
     /// Holds the square of a root with one bit more.
     pub type Wide = u64;
     pub const STEP: Real = 1e-7;
-    pub const STRAIGHT: Real = 1e-7;
     /// Parts of π/2: products of the first two with small whole numbers are exact.
     pub const RIGHT_ANGLE: [Real; 3] = [1.5703125, 4.837512969970703125e-4, 7.549789954891882e-8];
 }
@@ -46,14 +23,14 @@ mod precision {
     /// Holds the square of a root with one bit more.
     pub type Wide = u128;
     pub const STEP: Real = 1e-14;
-    pub const STRAIGHT: Real = 1e-12;
     /// Parts of π/2: products of the first two with small whole numbers are exact.
     pub const RIGHT_ANGLE: [Real; 3] = [1.57079632673412561417, 6.07710050630396597660e-11, 2.02226624879595063154e-21];
 }
 
 pub use self::precision::Real;
 
-/// A status is a sum of these: the muscle would have to push, and is slack. This alone is no error.
+/// Outside of the box each answer is that of its nearest point; what is not a number counts as the lower end. A status is a sum of these: the muscle would
+/// have to push, and is slack. This alone is no error.
 pub const SLACK: u32 = 1;
 /// The pressure lies outside of the box, or is not a number.
 pub const PRESSURE_OUTSIDE: u32 = 2;
@@ -123,7 +100,7 @@ pub enum Branch {
 
 /// The numbers of a muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Muscle {
+pub struct Muscle<'a> {
     /// L0, at rest.
     pub length_m: Real,
     /// A rope or rod between the muscle and what it pulls; the length of each function is that of both.
@@ -131,12 +108,10 @@ pub struct Muscle {
     /// Upper end of the box of pressures.
     pub supply_pa: Real,
     /// The first and the last are the ends of the box of contractions.
-    pub nodes: &'static [Node],
+    pub nodes: &'a [Node],
     pub volume_m3: Functions,
-    /// Half the hysteresis is f0 √q + f1 q; zeros where the muscle does not state its friction.
-    pub friction_n: [Real; 2],
-    /// Length over which friction builds up.
-    pub presliding_m: Real,
+    /// Half the hysteresis is (f0 + f1 e + f2 e²) √q + (f3 + f4 e + f5 e²) q in N, e the contraction; it builds up over f6 in m.
+    pub friction: [Real; 7],
     /// For simulators: pull and volume continue outside of the box along their tangents, with one potential.
     pub beyond: bool,
 }
@@ -146,29 +121,40 @@ struct Spline {
     c: Functions,
     slope: Functions,
     part: usize,
-    from: &'static Node,
-    to: &'static Node,
     t: Real,
     h: Real,
     beyond: Real,
 }
 
 /// A muscle at a pressure and a contraction; the pull is negative where it would have to push.
-struct State {
+pub(crate) struct State {
     spline: Spline,
     phi: Functions,
     by_q: Functions,
-    pull: Real,
-    status: u32,
+    pub pull: Real,
+    pub status: u32,
 }
 
+impl State {
+    /// The slope of the pull in the contraction.
+    pub(crate) fn slope_in_contraction(&self) -> Real {
+        sum_of(&self.spline.slope, &self.phi)
+    }
+
+    /// Its slope in the pressure over the supply.
+    pub(crate) fn slope_in_q(&self) -> Real {
+        sum_of(&self.spline.c, &self.by_q)
+    }
+}
+
+/// The nearest number from `low` to `high`; `low` of what is not a number.
 fn within(value: Real, low: Real, high: Real) -> Real {
-    if value < low {
-        low
-    } else if value > high {
+    if value > high {
         high
-    } else {
+    } else if value >= low {
         value
+    } else {
+        low
     }
 }
 
@@ -177,7 +163,7 @@ fn sum_of(c: &Functions, phi: &Functions) -> Real {
 }
 
 /// The functions of the pressure, and their slopes.
-fn functions(q: Real) -> (Functions, Functions) {
+pub(crate) fn functions(q: Real) -> (Functions, Functions) {
     let (mut phi, mut slope) = ([1.0, q, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0]);
     let later = phi.iter_mut().zip(&mut slope).skip(2);
     for ((phi, slope), (knot, _)) in later.zip(PARTS) {
@@ -194,19 +180,20 @@ fn functions(q: Real) -> (Functions, Functions) {
     (phi, slope)
 }
 
-/// Value and slope of each function at the one and at the other end of a part.
-fn ends<'a>(from: &'a Node, to: &'a Node) -> impl Iterator<Item = ((&'a Real, &'a Real), (&'a Real, &'a Real))> {
-    let begin = from.value_n.iter().zip(&from.slope_n);
-    begin.zip(to.value_n.iter().zip(&to.slope_n))
-}
-
 /// Values and slopes at both ends of a part, with these weights.
 fn weighted([v0, v1, v2, v3]: [Real; 4], from: &Node, to: &Node) -> Functions {
     let mut all = [0.0; FUNCTIONS];
-    for (one, ((a0, b0), (a1, b1))) in all.iter_mut().zip(ends(from, to)) {
+    let ends = from.value_n.iter().zip(&from.slope_n).zip(to.value_n.iter().zip(&to.slope_n));
+    for (one, ((a0, b0), (a1, b1))) in all.iter_mut().zip(ends) {
         *one = v0 * a0 + v1 * b0 + v2 * a1 + v3 * b1;
     }
     all
+}
+
+/// The weights of the integral over a share of a part.
+fn areas(t: Real, h: Real) -> [Real; 4] {
+    let (s3, s4) = (t * t * t, t * t * t * t);
+    [h * (t - s3 + 0.5 * s4), h * h * (0.5 * t * t - 2.0 / 3.0 * s3 + 0.25 * s4), h * (s3 - 0.5 * s4), h * h * (0.25 * s4 - s3 / 3.0)]
 }
 
 /// Square root, rounded to the nearest number as IEEE 754 asks (the core library has none).
@@ -228,7 +215,7 @@ fn root(value: Real) -> Real {
     whole as Real * Real::from_bits((power as precision::Bits) << (DIGITS - 1))
 }
 
-impl Muscle {
+impl Muscle<'_> {
     /// Lower end of the box of contractions.
     pub fn contraction_low(&self) -> Real {
         self.nodes.first().map_or(0.0, |node| node.contraction)
@@ -249,8 +236,15 @@ impl Muscle {
         pressure | if is_inside { 0 } else { CONTRACTION_OUTSIDE }
     }
 
+    /// The nearest number of the box; what is finite, where the muscle continues beyond it.
+    fn taken(&self, value: Real, low: Real, high: Real) -> Real {
+        if self.beyond && value.is_finite() { value } else { within(value, low, high) }
+    }
+
     fn spline(&self, contraction: Real) -> Spline {
-        let inside = within(contraction, self.contraction_low(), self.contraction_high());
+        let (low, high) = (self.contraction_low(), self.contraction_high());
+        let taken = self.taken(contraction, low, high);
+        let inside = within(taken, low, high);
         let (mut part, mut from, mut to) = (0, &NONE, &NONE);
         for (n, pair) in self.nodes.windows(2).enumerate() {
             match pair {
@@ -261,7 +255,7 @@ impl Muscle {
         let h = to.contraction - from.contraction;
         let t = (inside - from.contraction) / h;
         let s = 1.0 - t;
-        let beyond = if self.beyond { contraction - inside } else { 0.0 };
+        let beyond = taken - inside;
         let values = [(1.0 + 2.0 * t) * s * s, h * t * s * s, t * t * (3.0 - 2.0 * t), -h * t * t * s];
         let slopes = [-6.0 * t * s / h, s * (1.0 - 3.0 * t), 6.0 * t * s / h, t * (3.0 * t - 2.0)];
         let slope = weighted(slopes, from, to);
@@ -269,7 +263,7 @@ impl Muscle {
         for (c, slope) in c.iter_mut().zip(&slope) {
             *c += slope * beyond;
         }
-        Spline { c, slope, part, from, to, t, h, beyond }
+        Spline { c, slope, part, t, h, beyond }
     }
 
     /// The integrals of the functions of the contraction from the lower end of the box.
@@ -278,26 +272,19 @@ impl Muscle {
         for (sum, (c, slope)) in sums.iter_mut().zip(k.c.iter().zip(&k.slope)) {
             *sum = k.beyond * (c - 0.5 * slope * k.beyond);
         }
-        for pair in self.nodes.windows(2).take(k.part) {
+        for (n, pair) in self.nodes.windows(2).take(k.part + 1).enumerate() {
             if let [from, to] = pair {
-                let g = to.contraction - from.contraction;
-                for (sum, ((a0, b0), (a1, b1))) in sums.iter_mut().zip(ends(from, to)) {
-                    *sum += 0.5 * g * (a0 + a1 + g / 6.0 * (b0 - b1));
+                let (t, h) = if n < k.part { (1.0, to.contraction - from.contraction) } else { (k.t, k.h) };
+                for (sum, more) in sums.iter_mut().zip(weighted(areas(t, h), from, to)) {
+                    *sum += more;
                 }
             }
-        }
-        let (t, h, s3) = (k.t, k.h, k.t * k.t * k.t);
-        let s4 = s3 * t;
-        for (sum, ((a0, b0), (a1, b1))) in sums.iter_mut().zip(ends(k.from, k.to)) {
-            let slopes = (0.5 * t * t - 2.0 / 3.0 * s3 + 0.25 * s4) * b0 + (0.25 * s4 - s3 / 3.0) * b1;
-            *sum += h * ((t - s3 + 0.5 * s4) * a0 + (s3 - 0.5 * s4) * a1 + h * slopes);
         }
         sums
     }
 
-    fn state(&self, pressure_pa: Real, contraction: Real) -> State {
-        let q = pressure_pa / self.supply_pa;
-        let (phi, by_q) = functions(if self.beyond { q } else { within(q, 0.0, 1.0) });
+    pub(crate) fn state(&self, pressure_pa: Real, contraction: Real) -> State {
+        let (phi, by_q) = functions(self.taken(pressure_pa / self.supply_pa, 0.0, 1.0));
         let spline = self.spline(contraction);
         let pull = sum_of(&spline.c, &phi);
         let status = self.outside(pressure_pa, contraction) | if pull <= 0.0 { SLACK } else { 0 };
@@ -323,26 +310,29 @@ impl Muscle {
     /// dF/dL at constant pressure; 0 where the muscle is slack.
     pub fn stiffness_n_per_m(&self, pressure_pa: Real, length_m: Real) -> Answer {
         let state = self.state_at(pressure_pa, length_m);
-        let slope = -sum_of(&state.spline.slope, &state.phi) / self.length_m;
+        let slope = -state.slope_in_contraction() / self.length_m;
         answer((if state.pull <= 0.0 { 0.0 } else { slope }, state.status))
     }
 
     /// dF/dP at constant length; 0 where the muscle is slack.
     pub fn force_per_pressure_m2(&self, pressure_pa: Real, length_m: Real) -> Answer {
         let state = self.state_at(pressure_pa, length_m);
-        let slope = sum_of(&state.spline.c, &state.by_q) / self.supply_pa;
+        let slope = state.slope_in_q() / self.supply_pa;
         answer((if state.pull <= 0.0 { 0.0 } else { slope }, state.status))
     }
 
     /// Volume of the cavity; of a slack muscle that at its free contraction.
     pub fn volume_m3(&self, pressure_pa: Real, length_m: Real) -> Answer {
         let state = self.state_at(pressure_pa, length_m);
+        answer((self.volume_of(&state, pressure_pa), state.status))
+    }
+
+    pub(crate) fn volume_of(&self, state: &State, pressure_pa: Real) -> Real {
         let free = || self.spline(self.contraction_and_status(0.0, pressure_pa).0);
-        let spline = if state.pull <= 0.0 { free() } else { state.spline };
-        let integrals = self.integrals(&spline);
+        let integrals = if state.pull <= 0.0 { self.integrals(&free()) } else { self.integrals(&state.spline) };
         let parts = integrals.iter().zip(&state.by_q).skip(1);
         let sum = parts.fold(0.0, |sum, (integral, by_q)| sum + integral * by_q);
-        answer((sum_of(&self.volume_m3, &state.phi) + self.length_m / self.supply_pa * sum, state.status))
+        sum_of(&self.volume_m3, &state.phi) + self.length_m / self.supply_pa * sum
     }
 
     /// Pressure at which the muscle pulls with `force_n` at a length, in closed form. [`NO_ANSWER`] and 0 where it pulls more without pressure, where it
@@ -414,7 +404,7 @@ impl Muscle {
     }
 
     /// By Newton's method between bounds.
-    fn contraction_and_status(&self, force_n: Real, pressure_pa: Real) -> (Real, u32) {
+    pub(crate) fn contraction_and_status(&self, force_n: Real, pressure_pa: Real) -> (Real, u32) {
         let (mut low, mut high) = (self.contraction_low(), self.contraction_high());
         let mut status = self.outside(pressure_pa, low) | if force_n >= 0.0 { 0 } else { NO_ANSWER };
         let force_n = if force_n < 0.0 { 0.0 } else { force_n };
@@ -424,7 +414,7 @@ impl Muscle {
             at = next;
             let state = self.state(pressure_pa, at);
             miss = state.pull - force_n;
-            slope = sum_of(&state.spline.slope, &state.phi);
+            slope = state.slope_in_contraction();
             if miss > 0.0 {
                 low = at;
             } else {
@@ -455,145 +445,21 @@ impl Muscle {
         let (pull, [_, q, ..]) = (state.pull, state.phi);
         let q = if q > 0.0 { q } else { 0.0 };
         let size = root(velocity_m_per_s * velocity_m_per_s + smoothing_m_per_s * smoothing_m_per_s);
-        let [by_root, by_q] = self.friction_n;
-        let sliding = || (by_root * root(q) + by_q * q) * velocity_m_per_s / size;
-        let moving = pull + if size > 0.0 { sliding() } else { 0.0 };
+        let [r0, r1, r2, q0, q1, q2, _] = self.friction;
+        let e = within(self.contraction_of(length_m), self.contraction_low(), self.contraction_high());
+        let half = (r0 + e * (r1 + e * r2)) * root(q) + (q0 + e * (q1 + e * q2)) * q;
+        let half = if half > 0.0 { half } else { 0.0 };
+        let share = if size > 0.0 && size.is_finite() {
+            velocity_m_per_s / size
+        } else if velocity_m_per_s > 0.0 {
+            1.0
+        } else if velocity_m_per_s < 0.0 {
+            -1.0
+        } else {
+            0.0
+        };
+        let moving = pull + half * share;
         let friction = (if moving > 0.0 { moving } else { 0.0 }) - if pull > 0.0 { pull } else { 0.0 };
         answer((friction, state.status))
-    }
-
-    /// Half the hysteresis at a pressure.
-    fn friction_limit_n(&self, pressure_pa: Real) -> Real {
-        let q = pressure_pa / self.supply_pa;
-        let q = if q > 0.0 { q } else { 0.0 };
-        let q = if q > 1.0 && !self.beyond { 1.0 } else { q };
-        let [by_root, by_q] = self.friction_n;
-        by_root * root(q) + by_q * q
-    }
-}
-
-/// How many ends of straight lines are remembered.
-const ENDS: usize = 32;
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct End {
-    w: Real,
-    s: Real,
-}
-
-/// Friction with memory: elements that stick and slip in parallel, all of one stiffness 2 Fm/f2, their yields spread evenly (Iwan),
-///
-/// friction = integral of s(w) from w = 0 to 1, |s(w)| ≤ 2 w Fc, ds = (2 Fm/f2) dL where an element sticks.
-///
-/// Fc is half the hysteresis at the pressure of now, Fm the largest so far, f2 the length over which friction builds up. An element slips where its limit is
-/// reached, by its way or because Fc falls; its stiffness does not fall. So no closed cycle of length and pressure gives work. Minor loops close, at any
-/// speed. s(w) is a chain of straight lines, whose ends are remembered; of more than 32 that of the least bend is forgotten.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FrictionMemory {
-    length_m: Real,
-    largest_n: Real,
-    line: [End; ENDS + 1],
-    ends: usize,
-}
-
-impl FrictionMemory {
-    /// Begins at a length, with nothing that slides.
-    pub fn at_rest(length_m: Real) -> Self {
-        let mut memory = Self { length_m, largest_n: 0.0, line: [End { w: 0.0, s: 0.0 }; ENDS + 1], ends: 2 };
-        let [_, second, ..] = &mut memory.line;
-        second.w = 1.0;
-        memory
-    }
-
-    fn end(&self, i: usize) -> End {
-        self.line.get(i).copied().unwrap_or(End { w: 0.0, s: 0.0 })
-    }
-
-    /// Twice by how much the friction changes where the end behind this one is left out.
-    fn bend_after(&self, i: usize) -> Real {
-        let (a, b, c) = (self.end(i), self.end(i + 1), self.end(i + 2));
-        let bend = (b.w - a.w) * (c.s - b.s) - (c.w - b.w) * (b.s - a.s);
-        if bend < 0.0 { -bend } else { bend }
-    }
-
-    fn leave_out_after(&mut self, i: usize) {
-        self.ends = self.ends.saturating_sub(1);
-        for k in i + 1..self.ends {
-            let next = self.end(k + 1);
-            if let Some(end) = self.line.get_mut(k) {
-                *end = next;
-            }
-        }
-    }
-
-    /// The next end of a line, within the limits −most w and most w.
-    fn line_to(&mut self, w: Real, s: Real, most: Real) {
-        let s = if s > -most * w { s } else { -most * w };
-        if let Some(end) = self.line.get_mut(self.ends) {
-            *end = End { w, s: if s < most * w { s } else { most * w } };
-            self.ends += 1;
-        }
-        if let Some(before) = self.ends.checked_sub(3) {
-            if self.bend_after(before) <= precision::STRAIGHT * self.largest_n {
-                self.leave_out_after(before);
-            }
-        }
-        if self.ends <= ENDS {
-            return;
-        }
-        let mut least = 0;
-        for i in 1..ENDS - 1 {
-            if self.bend_after(i) < self.bend_after(least) {
-                least = i;
-            }
-        }
-        self.leave_out_after(least);
-    }
-
-    /// After each step: the muscle went to a pressure and a length without a turn on the way, and may turn there. It stays where one is not a number.
-    pub fn moved(&mut self, muscle: &Muscle, pressure_pa: Real, length_m: Real) {
-        if !(pressure_pa.is_finite() && length_m.is_finite()) {
-            return;
-        }
-        let presliding = muscle.presliding_m;
-        let presliding = if presliding > 0.0 { presliding } else { 1e-6 * muscle.length_m };
-        let most = 2.0 * muscle.friction_limit_n(pressure_pa);
-        let mut next = Self { ends: 1, ..Self::at_rest(length_m) };
-        next.largest_n = if 0.5 * most > self.largest_n { 0.5 * most } else { self.largest_n };
-        let stretch = 2.0 * next.largest_n / presliding * (length_m - self.length_m);
-        for pair in self.line.windows(2).take(self.ends.saturating_sub(1)) {
-            let &[from, to] = pair else { continue };
-            let (v, r, w, s) = (from.w, from.s + stretch, to.w, to.s + stretch);
-            // Shares of the line at which it crosses a limit.
-            let crossing = |limit: Real| {
-                let (before, after) = (r - limit * v, s - limit * w);
-                if before * after < 0.0 { before / (before - after) } else { 0.0 }
-            };
-            let (above, below) = (crossing(most), crossing(-most));
-            for share in if above > below { [below, above] } else { [above, below] } {
-                if share > 0.0 {
-                    next.line_to(v + share * (w - v), r + share * (s - r), most);
-                }
-            }
-            next.line_to(w, s, most);
-        }
-        *self = next;
-    }
-
-    /// What friction adds to the pull at a pressure and a length to which the muscle goes without a turn: positive where it has become longer; with it
-    /// the muscle never pushes.
-    pub fn friction_after_n(&self, muscle: &Muscle, pressure_pa: Real, length_m: Real) -> Answer {
-        let limit = muscle.friction_limit_n(pressure_pa);
-        let mut next = self.clone();
-        next.moved(muscle, pressure_pa, length_m);
-        let lines = next.line.windows(2).take(next.ends.saturating_sub(1));
-        let friction = lines.fold(0.0, |sum, pair| match pair {
-            [a, b] => sum + 0.5 * (b.w - a.w) * (b.s + a.s),
-            _ => sum,
-        });
-        // A velocity and a smoothing that make this share.
-        let share = if limit > 0.0 { friction / limit } else { 0.0 };
-        let rest = 1.0 - share * share;
-        muscle.friction_n(pressure_pa, length_m, share, if rest > 0.0 { root(rest) } else { 0.0 })
     }
 }

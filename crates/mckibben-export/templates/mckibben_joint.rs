@@ -4,23 +4,17 @@ pub const ANGLE_OUTSIDE: u32 = 16;
 /// Pulls among which a stiffness is looked for.
 const PULLS: u32 = 24;
 
-/// A pulley (below zero: wound on the other side), or, where its radius is 0, a straight line between a point of the fixed link and one of the moving link.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Path {
-    pub radius_m: Real,
-    /// x and y from the axis, of the fixed link.
-    pub origin_m: [Real; 2],
-    /// The same of the moving link, at the neutral angle.
-    pub insertion_m: [Real; 2],
-}
+/// The radius of a pulley (below zero: wound on the other side), or, where it is 0, a straight line: x and y of a point of the fixed link and of one of
+/// the moving link, in m from the axis at the neutral angle.
+pub type Path = [Real; 5];
 
 /// A joint of one or two muscles. Angles are counterclockwise from the neutral angle. The torque is what muscles, spring and weight exert on the
 /// surroundings together. Pressures of each function lie between 0 and the supply of each muscle, angles in `range_rad`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joint<const N: usize> {
-    pub muscles: [(&'static Muscle, Path); N],
-    /// Of a spring on a rope.
-    pub rope_path: Path,
+    pub muscles: [&'static Muscle<'static>; N],
+    /// Of the muscles, and of a spring on a rope.
+    pub paths: [Path; 3],
     /// A spring on a rope pulls with rope0 + rope1 length, N and N/m, never below 0.
     pub rope: [Real; 2],
     /// A torsion spring turns with −(torsion0 + torsion1 angle), N m and N m/rad.
@@ -118,18 +112,15 @@ impl Held {
     }
 }
 
-impl Path {
-    fn at(&self, angle: Real) -> At {
-        if self.radius_m != 0.0 {
-            return At { length: -self.radius_m * angle, arm: self.radius_m, slope: 0.0 };
-        }
-        let (s, c) = sine_and_cosine(angle);
-        let ([a0, a1], [b0, b1]) = (self.origin_m, self.insertion_m);
-        let (x, y) = (c * b0 - s * b1, s * b0 + c * b1);
-        let length = root((a0 - x) * (a0 - x) + (a1 - y) * (a1 - y));
-        let arm = (a1 * x - a0 * y) / length;
-        At { length, arm, slope: (arm * arm - a0 * x - a1 * y) / length }
+fn path_at([radius, a0, a1, b0, b1]: Path, angle: Real) -> At {
+    if radius != 0.0 {
+        return At { length: -radius * angle, arm: radius, slope: 0.0 };
     }
+    let (s, c) = sine_and_cosine(angle);
+    let (x, y) = (c * b0 - s * b1, s * b0 + c * b1);
+    let length = root((a0 - x) * (a0 - x) + (a1 - y) * (a1 - y));
+    let arm = (a1 * x - a0 * y) / length;
+    At { length, arm, slope: (arm * arm - a0 * x - a1 * y) / length }
 }
 
 impl<const N: usize> Joint<N> {
@@ -140,7 +131,8 @@ impl<const N: usize> Joint<N> {
         let mut torque = -weight * cosine - torsion - rate * angle;
         let mut stiffness = rate - weight * sine;
         let [rope, rope_rate] = self.rope;
-        let at = self.rope_path.at(angle);
+        let [_, _, path] = self.paths;
+        let at = path_at(path, angle);
         let force = rope + rope_rate * at.length;
         if force > 0.0 {
             torque += force * at.arm;
@@ -155,9 +147,9 @@ impl<const N: usize> Joint<N> {
     }
 
     /// Each muscle with its pressure and its path.
-    fn each(&self, pressures_pa: [Real; N], angle: Real) -> impl Iterator<Item = (&'static Muscle, Real, At)> {
-        let muscles = IntoIterator::into_iter(self.muscles).zip(pressures_pa);
-        muscles.map(move |((muscle, path), pressure)| (muscle, pressure, path.at(angle)))
+    fn each(&self, pressures_pa: [Real; N], angle: Real) -> impl Iterator<Item = (&'static Muscle<'static>, Real, At)> {
+        let muscles = IntoIterator::into_iter(self.muscles).zip(IntoIterator::into_iter(self.paths));
+        muscles.zip(pressures_pa).map(move |((muscle, path), pressure)| (muscle, pressure, path_at(path, angle)))
     }
 
     /// 0, or a sum of [`ANGLE_OUTSIDE`] and of those of the muscles.
@@ -219,8 +211,9 @@ impl<const N: usize> Joint<N> {
 
     fn place(&self, angle: Real, torque: Real) -> Place<N> {
         let (own, passive) = self.passive(angle);
-        let held = self.muscles.map(|(muscle, path)| {
-            let at = path.at(angle);
+        let mut paths = self.paths.iter();
+        let held = self.muscles.map(|muscle| {
+            let at = path_at(paths.next().copied().unwrap_or([0.0; 5]), angle);
             let least = nearest(muscle.force_n(0.0, at.length));
             let most = nearest(muscle.force_n(muscle.supply_pa, at.length));
             Held { at, least, most }
@@ -236,7 +229,7 @@ impl<const N: usize> Joint<N> {
         };
         let mut all = Pulled { pressures: [0.0; N], stiffness: place.passive, is_slack: false };
         let muscles = self.muscles.iter().zip(&place.held).zip([first, rest]);
-        for (pressure, (((muscle, _), held), pull)) in all.pressures.iter_mut().zip(muscles) {
+        for (pressure, ((muscle, held), pull)) in all.pressures.iter_mut().zip(muscles) {
             let force = held.pull(pull);
             let at = &held.at;
             if pull > 1e-6 * held.most {

@@ -8,11 +8,11 @@
 
 static const mckibben_muscle @{id} = {
     MCKIBBEN_R(@{length}), MCKIBBEN_R(@{cord}), MCKIBBEN_R(@{supply}), @{count},
-    @{c_nodes},
-    @{c_a},
-    @{c_b},
-    @{c_v},
-    @{c_friction}, 0
+    @{nodes},
+    @{a},
+    @{b},
+    @{v},
+    @{friction}, 0
 };
 
 #endif

@@ -2,7 +2,8 @@
 
 @{facts}
 
-Units: Pa (gauge), m, N, m3. Arguments are numbers or arrays of one library; in double precision where the arrays are.
+Units: Pa (gauge), m, N, m3. Arguments are numbers or arrays of one library; in double precision where the arrays are. Outside of the box each answer
+is that of its nearest point; what is not a number counts as the lower end.
 """
 import math
 import sys
@@ -10,13 +11,13 @@ import sys
 LENGTH = @{length}  # m, at rest
 CORD = @{cord}  # m: a rope or rod between the muscle and what it pulls; the `length` of each function is that of both
 SUPPLY = @{supply}  # Pa, upper end of the box
-NODES = @{py_nodes}  # contractions 1 - L/LENGTH
+NODES = @{nodes}  # contractions 1 - L/LENGTH
 LOW, HIGH = NODES[0], NODES[-1]  # ends of the box
 KNOTS = (0.0, 0.15, 0.45, 1.0)  # where the functions of P/SUPPLY of second degree begin
-A = @{py_a}  # N; functions of the contraction, at the nodes
-B = @{py_b}  # N; their slopes
-V = @{py_v}  # m3
-FRICTION = @{py_friction}  # N; zeros where the muscle does not state its friction
+A = @{a}  # N; functions of the contraction, at the nodes
+B = @{b}  # N; their slopes
+V = @{v}  # m3
+FRICTION = @{friction}  # half the hysteresis is (f0 + f1 e + f2 e^2) sqrt(q) + (f3 + f4 e + f5 e^2) q in N, e the contraction; it builds up over f6 in m
 # What a status says: a sum of these.
 SLACK, PRESSURE_OUTSIDE, CONTRACTION_OUTSIDE, NO_ANSWER = 1, 2, 4, 8
 
@@ -36,6 +37,8 @@ def _arrays(*values):
         return _Numbers, [float(value) for value in values]
     for value in values:
         kind = type(value).__module__.split(".")[0]
+        if hasattr(value, "is_symbolic"):
+            raise TypeError("symbols of CasADi are not supported; the file of target c can be called as an external function")
         if kind == "torch":
             import torch
 
@@ -72,6 +75,12 @@ def _contraction_at(length):
     return 1 - (length - CORD) / LENGTH
 
 
+def _within(xp, value, low, high):
+    """The nearest number from `low` to `high`; `low` of what is not a number."""
+    one = xp.ones_like(value)
+    return xp.where(value > high, high * one, xp.where(value >= low, value, low * one))
+
+
 def _integrals(a, b):
     """The integral from the first node to each node."""
     sums = [0.0]
@@ -86,7 +95,7 @@ _TABLES = [(a, b, _integrals(a, b)) for a, b in zip(A, B)]
 
 def _coefficients(xp, e):
     """c, dc/de and the integral of c at a contraction, for each function of the pressure; outside of the box those of its end."""
-    inside = xp.where(e < LOW, LOW + 0 * e, xp.where(e > HIGH, HIGH + 0 * e, e))
+    inside = _within(xp, e, LOW, HIGH)
     n = sum((inside >= node) * 1 for node in NODES[1:-1])
     like = {key: getattr(e, key) for key in ("dtype", "device")[: 0 if xp is _Numbers else 1 + (xp.__name__ == "torch")]}
 
@@ -111,7 +120,7 @@ def _coefficients(xp, e):
 
 def _functions(xp, q):
     """The functions of the pressure, and their slopes; outside of the box those of its end."""
-    q = xp.where(q < 0, 0 * q, xp.where(q > 1, 1 + 0 * q, q))
+    q = _within(xp, q, 0.0, 1.0)
     t = [xp.where(q > knot, q - knot, 0 * q) for knot in KNOTS[:-1]]
     return [1 + 0 * q, q, *(one * one for one in t)], [0 * q, 1 + 0 * q, *(2 * one for one in t)]
 
@@ -235,7 +244,7 @@ def _contraction(xp, force, pressure):
     c, slope, _ = _coefficients(xp, at)
     miss, slope = _sum(c, phi) - force, _sum(slope, phi)
     # Within a thousandth of the contraction an end of the box has its own pull.
-    answered = (force >= 0) & (pressure == pressure) & (xp.abs(miss) <= -1e-3 * slope)
+    answered = (force >= 0) & (xp.abs(miss) <= -1e-3 * slope)
     return _moved(xp, at, answered, miss, slope, LOW, HIGH), answered
 
 
@@ -259,7 +268,7 @@ def volume(pressure, length):
     slack = _sum(_coefficients(xp, e)[0], phi) <= 0
     # The free contraction is looked for where it is needed; JAX does not say before it runs.
     if xp.__name__ == "jax.numpy" or (slack if xp is _Numbers else slack.any()):
-        e = xp.where(slack, contraction(0 * q, pressure), e)
+        e = xp.where(slack, contraction(0 * xp.ones_like(q), pressure), e)
     integral = _coefficients(xp, e)[2]
     return _sum(V, phi) + LENGTH / SUPPLY * _sum(integral, slope)
 
@@ -268,6 +277,12 @@ def friction(pressure, length, velocity, smoothing=1e-3):
     """What friction adds to the pull while the length changes by a velocity in m/s (positive: longer); smooth at rest. With it the muscle pulls or is slack: it never pushes."""
     xp, (pressure, length, velocity) = _arrays(pressure, length, velocity)
     phi = _functions(xp, pressure / SUPPLY)[0]
-    q, pull = phi[1], _sum(_coefficients(xp, _contraction_at(length))[0], phi)
-    half = FRICTION[0] * xp.sqrt(xp.where(q > 0, q, 1 + 0 * q)) * (q > 0) + FRICTION[1] * q
-    return _above_zero(xp, pull + half * velocity / xp.sqrt(velocity * velocity + smoothing * smoothing)) - _above_zero(xp, pull)
+    e = _within(xp, _contraction_at(length), LOW, HIGH)
+    q, pull = phi[1], _sum(_coefficients(xp, e)[0], phi)
+    by_root, by_q = (FRICTION[i] + e * (FRICTION[i + 1] + e * FRICTION[i + 2]) for i in (0, 3))
+    half = _above_zero(xp, by_root * xp.sqrt(xp.where(q > 0, q, 1 + 0 * q)) * (q > 0) + by_q * q)
+    one = xp.ones_like(velocity)
+    size = xp.sqrt(velocity * velocity + smoothing * smoothing)
+    sign = one * ((velocity > 0) * 1 - (velocity < 0) * 1)
+    share = xp.where((size > 0) & (size - size == 0), velocity / xp.where(size > 0, size, one), sign)
+    return _above_zero(xp, pull + half * share) - _above_zero(xp, pull)

@@ -1,13 +1,12 @@
 /* The muscle @{name} as a plugin of MuJoCo, "mckibben.@{id}": an actuator of a tendon, whose control is the gauge pressure in Pa.
  * M=$(python3 -c "import mujoco, os; print(os.path.dirname(mujoco.__file__))")
  * cc -O2 -shared -fPIC -I$M/include @{id}_plugin.c mckibben.c $M/libmujoco.so* -lm -o @{id}_plugin.so
- * Load it with mujoco.mj_loadPluginLibrary, and then @{id}_plugin.xml.
- * With <config key="sonic_conductance" value="5e-9"/> (m3/(s Pa)) in the actuator the control is the opening of a valve, -1 to 1: above 0 air flows
- * from the supply into the muscle, below 0 into the atmosphere. Other keys: those of `settings`.
- * @{facts}
+ * Load it with mujoco.mj_loadPluginLibrary, and then @{id}.xml. A sensor of the same instance has gauge pressure in Pa, pull in N and contraction.
+ * With <config key="sonic_conductance" value="5e-9"/> (m3/(s Pa)) in the instance the control is the opening of a valve, -1 to 1: above 0 air flows
+ * from the supply into the muscle, below 0 into the atmosphere. Other keys: those of `settings`, as of the FMU.
+ * Made by mckibben @{version}.
  */
 #include "@{id}.h"
-#include "mckibben_memory.h"
 #include <math.h>
 #include <mujoco/mujoco.h>
 #include <stdlib.h>
@@ -16,16 +15,14 @@
 /* The values of mckibben_air.h. Without a valve there is no sonic conductance. */
 enum {
     LENGTH, COMMAND, SUPPLY_PRESSURE, SONIC_CONDUCTANCE, CRITICAL_RATIO, EXHAUST_CONDUCTANCE, EXHAUST_CRITICAL_RATIO, TEMPERATURE, DEAD_VOLUME,
-    POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, AIR, AIR_MASS
+    POLYTROPIC_EXPONENT, HEAT_CONDUCTANCE, INITIAL_PRESSURE, FORCE_FACTOR, FRICTION_FACTOR, CORD, AIR, AIR_MASS, VALUES
 };
-typedef struct {
-    double value[AIR_MASS + 1];
-} values;
 #include "mckibben_air.h"
 
 /* What <config> sets, from SUPPLY_PRESSURE on. */
 static const char *settings[] = {"supply_pressure", "sonic_conductance", "critical_ratio", "exhaust_conductance", "exhaust_critical_ratio", "temperature",
-                                 "dead_volume", "polytropic_exponent", "heat_conductance", "initial_pressure"};
+                                 "dead_volume", "polytropic_exponent", "heat_conductance", "initial_pressure", "force_factor", "friction_factor",
+                                 "cord"};
 #define SETTINGS (int)(sizeof(settings) / sizeof(settings[0]))
 
 /* The state of an actuator: the air and the memory of friction, whose ends are 0 until the first step. */
@@ -33,12 +30,11 @@ typedef struct {
     mjtNum air[2], at, largest, ends, w[MCKIBBEN_ENDS], s[MCKIBBEN_ENDS];
 } state;
 
-static mckibben_muscle simulated(void)
-{
-    mckibben_muscle own = @{id};
-    own.beyond = 1;
-    return own;
-}
+/* What an instance is. */
+typedef struct {
+    mckibben_muscle muscle;
+    double value[VALUES];
+} instance_data;
 
 static int nstate(const mjModel *m, int instance)
 {
@@ -48,24 +44,36 @@ static int nstate(const mjModel *m, int instance)
 
 static int init(const mjModel *m, mjData *d, int instance)
 {
-    values *own = calloc(1, sizeof(*own));
+    instance_data *own = calloc(1, sizeof(*own));
+    double *x = own ? own->value : 0;
     if (!own)
         return -1;
-    own->value[SUPPLY_PRESSURE] = (double)@{id}.supply;
-    own->value[CRITICAL_RATIO] = 0.3;
-    own->value[TEMPERATURE] = 293.15;
-    own->value[POLYTROPIC_EXPONENT] = 1.0;
+    x[SUPPLY_PRESSURE] = (double)@{id}.supply;
+    x[CRITICAL_RATIO] = 0.3;
+    x[TEMPERATURE] = 293.15;
+    x[POLYTROPIC_EXPONENT] = x[FORCE_FACTOR] = x[FRICTION_FACTOR] = 1.0;
+    x[CORD] = (double)@{id}.cord;
     for (int i = 0; i < SETTINGS; i++) {
         const char *text = mj_getPluginConfig(m, instance, settings[i]);
         if (text && *text)
-            own->value[SUPPLY_PRESSURE + i] = atof(text);
+            x[SUPPLY_PRESSURE + i] = atof(text);
     }
-    if (!(own->value[EXHAUST_CONDUCTANCE] > 0.0)) {
-        own->value[EXHAUST_CONDUCTANCE] = own->value[SONIC_CONDUCTANCE];
-        own->value[EXHAUST_CRITICAL_RATIO] = own->value[CRITICAL_RATIO];
+    if (!(x[EXHAUST_CONDUCTANCE] > 0.0)) {
+        x[EXHAUST_CONDUCTANCE] = x[SONIC_CONDUCTANCE];
+        x[EXHAUST_CRITICAL_RATIO] = x[CRITICAL_RATIO];
     }
+    own->muscle = mckibben_scaled(&@{id}, (mckibben_real)x[FORCE_FACTOR], (mckibben_real)x[FRICTION_FACTOR]);
+    own->muscle.cord = (mckibben_real)x[CORD];
+    own->muscle.beyond = 1;
     d->plugin_data[instance] = (uintptr_t)own;
     return 0;
+}
+
+/* A sensor has pressure, pull and contraction. */
+static int nsensordata(const mjModel *m, int instance, int sensor)
+{
+    (void)m; (void)instance; (void)sensor;
+    return 3;
 }
 
 static void destroy(mjData *d, int instance)
@@ -124,40 +132,48 @@ static mckibben_real pressure_of(const mjModel *m, const mjData *d, int i, const
 /* MuJoCo counts a force that makes the tendon longer as positive. */
 static void compute(const mjModel *m, mjData *d, int instance, int capability)
 {
-    const mckibben_muscle own = simulated();
+    instance_data own = *(const instance_data *)d->plugin_data[instance];
     const int i = actuator_of(m, instance);
-    values now = *(values *)d->plugin_data[instance];
     mckibben_memory memory;
-    mckibben_real pressure, length;
-    (void)capability;
+    mckibben_real pressure, length, pull;
     if (i < 0)
         return;
-    length = (mckibben_real)(now.value[LENGTH] = d->actuator_length[i]);
-    read_state((const state *)(d->plugin_state + m->plugin_stateadr[instance]), &own, &memory, now.value);
-    pressure = pressure_of(m, d, i, &own, now.value);
-    d->actuator_force[i] = -(mjtNum)(mckibben_force(&own, pressure, length, 0) + mckibben_friction_after(&own, &memory, pressure, length, 0));
+    length = (mckibben_real)(own.value[LENGTH] = d->actuator_length[i]);
+    read_state((const state *)(d->plugin_state + m->plugin_stateadr[instance]), &own.muscle, &memory, own.value);
+    pressure = pressure_of(m, d, i, &own.muscle, own.value);
+    pull = mckibben_force(&own.muscle, pressure, length, 0) + mckibben_friction_after(&own.muscle, &memory, pressure, length, 0);
+    if (capability == mjPLUGIN_ACTUATOR)
+        d->actuator_force[i] = -(mjtNum)pull;
+    for (int k = 0; capability == mjPLUGIN_SENSOR && k < m->nsensor; k++) {
+        if (m->sensor_type[k] == mjSENS_PLUGIN && m->sensor_plugin[k] == instance) {
+            mjtNum *out = d->sensordata + m->sensor_adr[k];
+            out[0] = pressure;
+            out[1] = pull;
+            out[2] = 1.0 - (length - own.muscle.cord) / own.muscle.length;
+        }
+    }
 }
 
 /* At the end of a step. */
 static void advance(const mjModel *m, mjData *d, int instance)
 {
-    const mckibben_muscle own = simulated();
+    instance_data own = *(const instance_data *)d->plugin_data[instance];
+    double *x = own.value;
     const int i = actuator_of(m, instance);
-    values now = *(values *)d->plugin_data[instance];
     state *s = (state *)(d->plugin_state + m->plugin_stateadr[instance]);
     mckibben_memory memory;
     if (i < 0)
         return;
-    now.value[LENGTH] = d->actuator_length[i];
-    read_state(s, &own, &memory, now.value);
-    mckibben_moved(&own, &memory, pressure_of(m, d, i, &own, now.value), (mckibben_real)now.value[LENGTH], 0);
-    if (now.value[SONIC_CONDUCTANCE] > 0.0) {
-        now.value[COMMAND] = control(m, d, i);
-        if (!air_step(&own, now.value, m->opt.timestep))
+    x[LENGTH] = d->actuator_length[i];
+    read_state(s, &own.muscle, &memory, x);
+    mckibben_moved(&own.muscle, &memory, pressure_of(m, d, i, &own.muscle, x), (mckibben_real)x[LENGTH], 0);
+    if (x[SONIC_CONDUCTANCE] > 0.0) {
+        x[COMMAND] = control(m, d, i);
+        if (!air_step(&own.muscle, x, m->opt.timestep))
             mju_warning("@{id}: the air changes too fast for the step: a smaller sonic conductance or step, or a larger dead volume");
     }
-    s->air[0] = now.value[AIR];
-    s->air[1] = now.value[AIR_MASS];
+    s->air[0] = x[AIR];
+    s->air[1] = x[AIR_MASS];
     s->at = memory.at;
     s->largest = memory.largest;
     s->ends = memory.ends;
@@ -176,7 +192,9 @@ mjPLUGIN_LIB_INIT(@{id})
     mjpPlugin plugin;
     mjp_defaultPlugin(&plugin);
     plugin.name = "mckibben.@{id}";
-    plugin.capabilityflags = mjPLUGIN_ACTUATOR;
+    plugin.capabilityflags = mjPLUGIN_ACTUATOR | mjPLUGIN_SENSOR;
+    plugin.needstage = mjSTAGE_ACC;
+    plugin.nsensordata = nsensordata;
     plugin.nattribute = SETTINGS;
     plugin.attributes = settings;
     plugin.nstate = nstate;

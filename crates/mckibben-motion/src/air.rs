@@ -209,12 +209,3 @@ pub fn normal_litres(mass_g: f64) -> f64 {
         mass_g * GAS_CONSTANT_J_PER_KG_K * 293.15 / ATMOSPHERE_MPA,
     )
 }
-
-/// Specific exergy of supplied air in J/kg (mJ/g): flow exergy against the atmosphere at
-/// `ambient_k`, cp (T − T0) − T0 (cp ln T/T0 − R ln p/p0).
-pub fn exergy_mj_per_g(absolute_mpa: f64, temperature_k: f64, ambient_k: f64) -> f64 {
-    let ratio = temperature_k / ambient_k;
-    CP * (temperature_k - ambient_k)
-        - ambient_k
-            * (CP * ratio.ln() - GAS_CONSTANT_J_PER_KG_K * (absolute_mpa / ATMOSPHERE_MPA).ln())
-}

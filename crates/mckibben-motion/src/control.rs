@@ -29,9 +29,9 @@ pub enum PidOutput {
 pub struct Pid {
     /// k_p, output per unit of position.
     pub proportional: f64,
-    /// k_i in 1/s.
+    /// k_i, output per second and unit of position.
     pub integral_per_s: f64,
-    /// k_d in s.
+    /// k_d, output per unit of speed.
     pub derivative_s: f64,
     /// T_f in s.
     pub filter_s: f64,

@@ -80,7 +80,10 @@ impl System {
             guards.push((Guard::Stop(-1.0), q - low + width));
             guards.push((Guard::Stop(1.0), high - q + width));
             for (i, m) in self.drive.muscles.iter().enumerate() {
-                if let (Some(_), Some(mode)) = (&m.friction, modes.muscles.get(i)) {
+                let acts = m
+                    .friction
+                    .is_some_and(|f| f.coefficient > 0.0 || f.lever_mm > 0.0);
+                if let (true, Some(mode)) = (acts, modes.muscles.get(i)) {
                     let lever = mechanism.lever(i, q).per_coordinate.signum();
                     guards.push((Guard::Reversal(i), mode.sign * lever * v + self.still()));
                 }

@@ -156,6 +156,21 @@ impl Linear {
         Some((fastest.1 / TAU, -fastest.0 / fastest.0.hypot(fastest.1)))
     }
 
+    /// Natural frequencies in Hz without damping: at constant pressures, and with shut valves, whose
+    /// pressures follow the speed alone. `None` where nothing draws it back.
+    ///
+    /// ```text
+    /// ω² = −∂v̇/∂q at constant pressures;  ω² = −∂v̇/∂q − Σ ∂v̇/∂y_k ∂ẏ_k/∂v with shut valves
+    /// ```
+    pub fn natural_frequencies_hz(&self) -> [Option<f64>; 2] {
+        let states = 2..self.a.nrows();
+        let shut: f64 = states.map(|k| self.a[(1, k)] * self.a[(k, 1)]).sum();
+        [0.0, shut].map(|more| {
+            let square = -self.a[(1, 0)] - more;
+            (square > 0.0).then(|| square.sqrt() / TAU)
+        })
+    }
+
     /// H(f) from command to position: gain in position per command, and phase.
     pub fn response(&self, frequency_hz: f64) -> Option<Complex<f64>> {
         let n = self.a.nrows();

@@ -159,7 +159,13 @@ pub fn step_figures(drive: &Drive, motion: &mut Motion, passed: &[Passed]) {
     for (&begin, &end) in starts.iter().zip(ends.iter().skip(1)) {
         let piece = (begin, end);
         let from = positions.value_at(begin);
-        let to = positions.value_at(end);
+        let to = match &drive.target {
+            Commanded::Position { command, .. } => {
+                command.value_within(end, 0.5 * (begin + end))
+                    / drive.mechanism.position_per_coordinate()
+            }
+            _ => positions.value_at(end),
+        };
         let step = to - from;
         if step.abs() > 1e-9 * drive.mechanism.shortening(0.0).recip() {
             // Less than the error of the integration is none.

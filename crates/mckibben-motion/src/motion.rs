@@ -10,7 +10,8 @@ use serde::{Serialize, Serializer};
 pub struct Motion {
     /// What was recorded, lists of one length.
     pub series: MotionSeries,
-    /// 10–90 % of the first step that moved it, s.
+    /// 10–90 % of the first step that moved it, s; of a commanded position this and what follows
+    /// are against the set-point, else against where the step ended.
     #[serialize_always]
     pub rise_time_s: Option<f64>,
     /// Time until it stays within 2 % of its stroke, s.
@@ -47,8 +48,6 @@ pub struct Motion {
     #[serde(rename = "ended_early", serialize_with = "sentence")]
     #[schemars(with = "Option<String>")]
     pub ended: Option<MotionError>,
-    /// Largest power of the muscles, W.
-    pub largest_power_w: f64,
     /// Air from the supply, normal litres (0 °C, 101.325 kPa); 0 with a liquid.
     pub air_normal_litres: f64,
     /// Liquid from the supply, or pushed out of a syringe at the end, mm³ at atmospheric pressure.
@@ -58,15 +57,16 @@ pub struct Motion {
     /// Energies, J.
     #[schemars(with = "serde_json::Value")]
     pub energies: Energies,
-    /// Work of the muscles while they shorten over the exergy of the air, or the work of the pump
-    /// on the liquid; not of a load that is released, nor where what was stored does the work.
-    pub efficiency: Option<f64>,
     /// Of commanded pressures: the poles about the state that the first step reaches (the mean of a
     /// periodic command), real and imaginary part, 1/s. One is 0 where the air's temperature does
     /// not change: that of its mass.
     pub poles_per_s: Vec<(f64, f64)>,
     /// Frequency |Im λ|/2π of the fastest pair of them, Hz.
     pub eigenfrequency_hz: Option<f64>,
+    /// Natural frequency of load and muscle without damping at constant pressure, Hz.
+    pub frequency_constant_pressure_hz: Option<f64>,
+    /// The same with shut valves, Hz; none of a regulator, which has none.
+    pub frequency_shut_hz: Option<f64>,
     /// Of commanded pressures: frequency up to which small changes about the state that the first
     /// step reaches (the mean of a periodic command) are followed (−3 dB), Hz; of two muscles of a
     /// joint, changes against each other. A valve lets air in and out half of the time each.
@@ -131,14 +131,14 @@ pub struct StepFigures {
     pub time_s: f64,
     /// The coordinate there.
     pub from: f64,
-    /// The coordinate at the end of the piece.
+    /// The set-point of a commanded position, else the coordinate at the end of the piece.
     pub to: f64,
     /// From 10 % to 90 % of the way between them, in s.
     pub rise_time_s: Option<f64>,
     /// From the command until it stays within 2 % of the way, in s; `None` where it still moves at
     /// the end.
     pub settling_time_s: Option<f64>,
-    /// Farthest beyond the end, as a share of the way.
+    /// Farthest beyond it, as a share of the way.
     pub overshoot: f64,
 }
 
@@ -181,8 +181,4 @@ pub struct Energies {
     pub kinetic_j: f64,
     /// Work of the muscles while they shorten, ∫ (F v)₊ dt.
     pub work_j: f64,
-    /// Exergy of the air from the supply against the atmosphere at the walls' temperature; of a
-    /// liquid the work of the supply against the gauge pressure: that of the supply with a valve,
-    /// that of the muscle with a pump or a syringe.
-    pub exergy_j: f64,
 }

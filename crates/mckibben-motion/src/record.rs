@@ -2,7 +2,7 @@
 
 use crate::{
     ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError, Result,
-    air::{exergy_mj_per_g, normal_litres},
+    air::normal_litres,
     integrate::Stepper,
     member::Substitute,
     metrics::{Passed, rest, step_figures},
@@ -97,8 +97,6 @@ impl Integration<'_> {
         series.time_s.push(t);
         series.coordinate.push(state.coordinate);
         series.velocity.push(state.velocity);
-        let power: f64 = point.muscles.iter().map(|m| m.pull_n * m.speed).sum();
-        self.motion.largest_power_w = self.motion.largest_power_w.max(1e-3 * power);
         for (series, m) in series.muscles.iter_mut().zip(&point.muscles) {
             let values = [
                 [m.pressure_mpa, m.contraction, m.pull_n.max(0.0), m.mass_g],
@@ -159,10 +157,6 @@ impl Integration<'_> {
         }
         let largest_speed = self.largest_speed.unwrap_or(0.0);
         let mut motion = self.motion;
-        // Of a load that is released, and of work that exceeds the exergy, what was stored did it.
-        let of_air = energies.exergy_j > 0.0 && system.drive.initial_coordinate.is_none();
-        let efficiency = of_air.then(|| energies.work_j / energies.exergy_j);
-        motion.efficiency = efficiency.filter(|share| *share <= 1.0);
         motion.energies = energies;
         motion.mass_defect = missing / flowed.max(f64::MIN_POSITIVE);
         let cycle = self.cycle.filter(|_| ended.is_none());
@@ -211,27 +205,6 @@ impl Integration<'_> {
         };
         let load = |state: &State| drive.mechanism.load_energy_mj(state.coordinate);
         let external = totals.external.unwrap_or(0.0);
-        let ambient = drive
-            .muscles
-            .first()
-            .map_or(293.15, |m| m.fluid.medium().wall_temperature_k());
-        let (supply_mpa, supply_k) = drive.supply.state();
-        let exergy_mj = match self.system.supplied_mm3(&self.state) {
-            None => self.state.supplied_g() * exergy_mj_per_g(supply_mpa, supply_k, ambient),
-            // A valve takes its liquid at the pressure of the supply; pump and syringe have that of
-            // the muscle.
-            Some(mm3)
-                if drive
-                    .muscles
-                    .iter()
-                    .all(|m| matches!(m.actuator, Actuator::LiquidValve(_))) =>
-            {
-                mm3 * drive.supply.pressure_mpa
-            }
-            Some(mm3) => {
-                totals.enthalpy_in - ATMOSPHERE_MPA * mm3 - totals.atmosphere.unwrap_or(0.0)
-            }
-        };
         Energies {
             enthalpy_in_j: 1e-3 * totals.enthalpy_in,
             enthalpy_out_j: 1e-3 * totals.enthalpy_out,
@@ -248,7 +221,6 @@ impl Integration<'_> {
             load_j: 1e-3 * (load(&self.state) - load(&self.first) + external),
             kinetic_j: 1e-3 * (kinetic(&self.state) - kinetic(&self.first)),
             work_j: 1e-3 * totals.positive_work,
-            exergy_j: 1e-3 * exergy_mj,
         }
     }
 }

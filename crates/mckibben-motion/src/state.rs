@@ -45,8 +45,6 @@ pub struct Totals {
     pub damper: f64,
     /// ∫ (F v)₊ dt of the pull
     pub positive_work: f64,
-    /// Work of the atmosphere on pistons that push; none without a syringe.
-    pub atmosphere: Option<f64>,
     /// Work against a force from outside, where there is one.
     pub external: Option<f64>,
 }
@@ -113,7 +111,6 @@ impl State {
             viscoelastic,
             damper,
             positive_work,
-            atmosphere,
             external,
         } = &mut self.totals;
         [
@@ -128,7 +125,6 @@ impl State {
             positive_work,
         ]
         .into_iter()
-        .chain(atmosphere)
         .chain(external)
         .for_each(&mut visit);
         count
@@ -187,7 +183,6 @@ impl Layout {
             controller: matches!(drive.target, Commanded::Position { .. })
                 .then(ControllerState::default),
             totals: Totals {
-                atmosphere: matches!(drive.target, Commanded::Volume(_)).then_some(0.0),
                 external: (drive.external != Command::Constant(0.0)).then_some(0.0),
                 ..Totals::default()
             },

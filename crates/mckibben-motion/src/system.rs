@@ -42,8 +42,6 @@ pub struct Mode {
 pub struct MusclePoint {
     pub pressure_mpa: f64,
     pub contraction: f64,
-    /// L0 ε̇ in mm/s
-    pub speed: f64,
     /// The model's pull; negative where it would push.
     pub model_n: f64,
     pub pull_n: f64,
@@ -174,7 +172,6 @@ impl System {
             ..State::default()
         };
         let totals = &mut rates.totals;
-        totals.atmosphere = state.totals.atmosphere.map(|_| 0.0);
         let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles);
         for (i, ((member, now), mode)) in parts.enumerate() {
             let (muscle, medium) = (&member.muscle, member.muscle.fluid.medium());
@@ -217,7 +214,6 @@ impl System {
             muscles.push(MusclePoint {
                 pressure_mpa: gauge,
                 contraction: lever.contraction,
-                speed,
                 model_n: at.force_n.value,
                 pull_n: pulls.pull_n,
                 volume_mm3: at.volume_mm3.value,
@@ -325,10 +321,6 @@ fn add_flows(totals: &mut Totals, medium: &dyn Medium, fluid: &FluidRates, cavit
     let pushed = fluid.piston_mm3_per_s.max(0.0);
     totals.enthalpy_in += absolute_mpa * pushed;
     totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
-    totals
-        .atmosphere
-        .iter_mut()
-        .for_each(|work| *work += ATMOSPHERE_MPA * pushed);
     totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
     let flows = [fluid.supply, fluid.exhaust];
     totals.heat += medium.heat_mw(fluid.pressure_rate, cavity, &flows);

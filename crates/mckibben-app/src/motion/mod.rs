@@ -210,6 +210,9 @@ fn go(
     };
     if let Some(linear) = linear(0.0) {
         motion.eigenfrequency_hz = linear.oscillation().map(|of| of.0);
+        let [constant, shut] = linear.natural_frequencies_hz();
+        motion.frequency_constant_pressure_hz = constant;
+        motion.frequency_shut_hz = shut.filter(|_| shut != constant);
         motion.poles_per_s = linear.eigenvalues();
         motion.bandwidth_hz = linear.bandwidth_hz();
     }

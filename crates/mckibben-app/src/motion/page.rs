@@ -96,7 +96,10 @@ impl MotionRun {
     fn poles(&self) -> String {
         let poles = self.motion.poles_per_s.iter();
         let poles = poles.filter(|(re, _)| re.abs() > 1e-9);
-        let one = |(re, im): &(f64, f64)| format!("{re:.3} ± {:.3}i", im.abs());
+        let one = |(re, im): &(f64, f64)| match im.abs() {
+            0.0 => format!("{re:.3}"),
+            im => format!("{re:.3} ± {im:.3}i"),
+        };
         let mut poles = Vec::from_iter(poles.map(one));
         poles.dedup();
         poles.join(", ")
@@ -121,7 +124,6 @@ impl MotionRun {
                 &u.speed(),
                 run.largest_velocity_mm_per_s,
             )
-            .quantity("largest power", &Scale::fixed("W"), run.largest_power_w)
             .quantity("liquid pushed in", &u.volume, run.liquid_volume_mm3)
             .quantity("air from the supply", &NORMAL_LITRES, run.air_normal_litres)
             .quantity(
@@ -130,16 +132,16 @@ impl MotionRun {
                 run.air_normal_litres_per_cycle,
             )
             .quantity("work", &JOULES, run.energies.work_j)
-            .quantity(
-                "exergy of the air, or work on the liquid",
-                &JOULES,
-                run.energies.exergy_j,
-            )
-            .quantity("work over exergy", &PERCENT, run.efficiency)
             .quantity("bandwidth (−3 dB)", &HERTZ, run.bandwidth_hz)
             .quantity("while filling", &HERTZ, run.bandwidth_filling_hz)
             .quantity("while venting", &HERTZ, run.bandwidth_venting_hz)
             .quantity("eigenfrequency", &HERTZ, run.eigenfrequency_hz)
+            .quantity(
+                "natural frequency, constant pressure",
+                &HERTZ,
+                run.frequency_constant_pressure_hz,
+            )
+            .quantity("valves shut", &HERTZ, run.frequency_shut_hz)
             .text("poles [1/s]", self.poles())
     }
 

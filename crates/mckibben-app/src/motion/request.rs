@@ -1,21 +1,24 @@
 //! Requests of a drive.
 
 use crate::{
-    JointFields, LoadFields, ModelFields, Problem, ProblemKind, Result, TextFile, Units,
-    above_zero,
+    JointFields, LoadFields, ModelFields, MuscleFields, Problem, ProblemKind, Result, TextFile,
+    Units, above_zero,
     fields::name_or_file,
     finite,
     flags::{self, Args},
     given, no_ratio,
 };
-use mckibben_core::units::{
-    Dimension, parse_quantity,
-    typed::{Damping, Pressure, Time},
+use mckibben_core::{
+    load::GRAVITY_M_PER_S2,
+    units::{
+        Dimension, parse_quantity,
+        typed::{Damping, Pressure, Time},
+    },
 };
-use mckibben_motion::{MotionError, Valve, with_value};
+use mckibben_motion::{MotionError, Valve, valves, with_value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::str::FromStr;
+use std::{path::Path, str::FromStr};
 
 /// A drive: its file, and the files that it names.
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
@@ -63,6 +66,28 @@ pub struct MotionRequest {
 }
 
 impl MotionRequest {
+    /// A drive file to begin with, of a muscle that was designed for a job: its load on a valve.
+    pub fn drive_to_begin(file: &TextFile) -> Option<String> {
+        let muscle = MuscleFields::from_file(file.clone()).resolve().ok()?;
+        let job = muscle.job()?;
+        let force_n = job.points.first()?.force.0;
+        let mass_kg = force_n / GRAVITY_M_PER_S2;
+        // A third of critical, of a stiffness that loses the pull over a tenth of the length.
+        let stiffness_n_per_m = 1e4 * force_n / muscle.length_mm();
+        let damping = 2.0 / 3.0 * (stiffness_n_per_m * mass_kg).sqrt();
+        let pressure_mpa = f64::from(job.pressure);
+        let supply_mpa = job.supply.map_or(pressure_mpa, f64::from);
+        let name = Path::new(&file.name).file_name()?.to_string_lossy();
+        Some(format!(
+            "muscle = {name:?}\n\n[supply]\npressure = \"{supply_mpa} MPa\"\n\n[valve]\nname = \
+             {:?}\n\n[load]\nmass = \"{mass_kg:.3} kg\"\ndamping = \"{damping:.0} N s/m\"\nstops = \
+             \"0..{:.0} mm\"\n\n[command]\npressure = [[\"0 s\", \"0 MPa\"], [\"0.1 s\", \
+             \"{pressure_mpa} MPa\"]]\nuntil = \"2 s\"\n",
+            valves().first()?.name,
+            muscle.length_mm(),
+        ))
+    }
+
     /// Which fields exclude each other, and which ones need others.
     pub(super) fn validate(&self) -> Result<()> {
         let free = [("free", self.log.is_none() && !self.free.is_empty())];

@@ -15,7 +15,8 @@ use std::path::PathBuf;
     "motion --muscle examples/prototype.toml --load 10kg -p 3bar --valve '0.5 L/(s bar)' --damping '200 N s/m'"
 ]))]
 pub struct Motion {
-    /// Drive file; or give a muscle, a load, a valve and a pressure by the flags below
+    /// Drive file; of a muscle that was designed for a job a drive file to begin with is printed;
+    /// or give a muscle, a load, a valve and a pressure by the flags below
     #[arg(
         value_name = "DRIVE.toml",
         required_unless_present = "muscle",
@@ -58,7 +59,12 @@ impl Motion {
             self.request.tables = fields.load_tables;
         }
         if let Some(path) = &self.file {
-            context.take_units(&TextFile::read(path)?.text);
+            let file = TextFile::read(path)?;
+            if let Some(drive) = MotionRequest::drive_to_begin(&file) {
+                context.emit(&drive, self.output.output.as_deref())?;
+                return Ok(0);
+            }
+            context.take_units(&file.text);
             self.request = self.request.with_drive(path)?;
         }
         self.request.figure = self.plot.wanted(context);

@@ -30,6 +30,7 @@
 pub mod learnt;
 mod measure;
 mod measured;
+mod median;
 mod parts;
 mod predictor;
 mod prior;
@@ -39,6 +40,7 @@ pub use parts::UncertaintyParts;
 #[doc(hidden)]
 pub use {
     measure::{Left, Measurement},
+    median::BuiltMedian,
     measured::{MEASURED, NotMeasured, measured_values, not_measured},
     parts::{STIFFNESS_WAY, basis_of, stiffness_uncertainty_n_per_mm},
     predictor::{At, Predictor},
@@ -233,9 +235,19 @@ impl Evaluation<'_> {
     /// # Errors
     /// As those of the model, and where the infinitely long muscle has no equilibrium.
     pub fn built_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
+        let branch = working_direction(self.model.muscle(), self.options.direction);
+        self.built_on_n(pressure_mpa, contraction, branch)
+    }
+
+    /// The median of the mean of both branches, and half of what lies between them, likewise in N.
+    ///
+    /// # Errors
+    /// As those of [`built_n`](Self::built_n).
+    pub fn built_branches_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 2]> {
         let muscle = Arc::clone(&self.model.info().muscle);
         let mean = Options {
             direction: Direction::Mean,
+            two_sided: true,
             ..self.options
         };
         let mean_n = self.with(mean).force_n(pressure_mpa, contraction)?;
@@ -243,26 +255,23 @@ impl Evaluation<'_> {
         let predictor = self.predictor(&muscle);
         let predictor = Option::as_ref(&predictor).ok_or_else(none)?;
         if predictor.learnt.is_some() {
-            let two_sided = Options {
-                two_sided: true,
-                ..mean
-            };
-            let mut model = self.with(two_sided);
+            let mut model = self.with(mean);
             let of = model.predicted_by(predictor, pressure_mpa, contraction, mean_n);
-            return Ok(of.ok_or_else(none)?.0.predicted_n);
+            let built = of.ok_or_else(none)?.0;
+            let friction_n = built.predicted_shift_n.friction;
+            let sign = built.predicted_direction.sign();
+            return Ok([built.predicted_n - friction_n, sign * friction_n]);
         }
         let (weaker_n, strands_n) = predictor
             .weaker_n(pressure_mpa, contraction)
             .ok_or_else(none)?;
-        let branch = working_direction(&muscle, self.options.direction);
-        let friction_n = if muscle.friction().is_some() {
-            self.with(Options::from(branch))
-                .friction_n(pressure_mpa, contraction)?
+        let half_n = if muscle.friction().is_some() {
+            self.half_width_n(pressure_mpa, contraction)?
         } else {
-            branch.sign() * predictor.centre[Constant::Friction as usize] * strands_n
+            predictor.centre[Constant::Friction as usize] * strands_n
         };
         let factor = predictor.centre[Constant::PullFactor as usize].exp();
-        Ok(factor * (mean_n + weaker_n) + friction_n)
+        Ok([factor * (mean_n + weaker_n), half_n])
     }
 
     /// What each measurement leaves of the ± of the pull of a muscle that is built, at a pressure in

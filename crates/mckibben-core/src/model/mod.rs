@@ -206,6 +206,12 @@ pub trait ForceModel: Send + Sync {
         None
     }
 
+    /// Half of the hysteresis in N, where the model states it in place of its muscle.
+    #[doc(hidden)]
+    fn friction_half_n(&self, _workspace: &mut Workspace, _p: f64, _e: f64) -> Option<Result<f64>> {
+        None
+    }
+
     /// A model with nearly the same answers at a fraction of the cost, by which a pull that no
     /// pressure gives is refused at once.
     #[doc(hidden)]

@@ -1,17 +1,17 @@
 //! C99: generic functions and the numbers of a muscle. A compiler for a microcontroller needs
 //! nothing else.
 
-use super::common;
+use super::values;
 use crate::{
     Artefact, ExportTarget, ExportedJoint, ExportedMuscle, File, Result,
-    template::{list, lists, number, render},
+    template::{number, render},
 };
 use mckibben_core::joined;
 
 pub const TARGET: ExportTarget = ExportTarget {
     name: "c",
     about: "C99 header and source, double or float, for controllers and simulators",
-    needs: "a C99 compiler; of its library only sqrt, of a joint sin and cos too",
+    needs: "a C99 compiler; of its library sqrt, of a joint sin and cos too",
     loses: "nothing of the form",
     make,
     joint,
@@ -21,10 +21,10 @@ pub const TARGET: ExportTarget = ExportTarget {
 pub type Source = (&'static str, &'static str, &'static str);
 
 /// The functions, and the numbers of a muscle.
-pub const SOURCES: [Source; 4] = [
+pub const SOURCES: [Source; 3] = [
     (
         "mckibben.h",
-        "the functions, the same for all muscles",
+        "the functions, the same for all muscles and joints",
         include_str!("../../templates/mckibben.h"),
     ),
     (
@@ -33,18 +33,13 @@ pub const SOURCES: [Source; 4] = [
         include_str!("../../templates/mckibben.c"),
     ),
     (
-        "mckibben_memory.h",
-        "friction with memory",
-        include_str!("../../templates/mckibben_memory.h"),
-    ),
-    (
         "@{id}.h",
         "the numbers of the muscle",
         include_str!("../../templates/muscle.h"),
     ),
 ];
 
-const EXAMPLES: [Source; 4] = [
+const EXAMPLES: [Source; 2] = [
     (
         "@{id}_example.c",
         "an example that compiles as its first line says",
@@ -55,32 +50,14 @@ const EXAMPLES: [Source; 4] = [
         "a sketch for Arduino: a closed loop that holds a pull",
         include_str!("../../templates/pressure_loop.ino"),
     ),
-    (
-        "@{id}_observer.c",
-        "an example: length and pull from pressure and air flow by a Kalman filter",
-        include_str!("../../templates/observer.c"),
-    ),
-    (
-        "mckibben_branch.h",
-        "the inverse on a branch of the hysteresis",
-        include_str!("../../templates/mckibben_branch.h"),
-    ),
 ];
 
-/// The functions of joints.
-pub const MCKIBBEN_JOINT: Source = (
-    "mckibben_joint.h",
-    "the functions of joints",
-    include_str!("../../templates/mckibben_joint.h"),
-);
-
-const JOINT: [Source; 3] = [
+const JOINT: [Source; 2] = [
     (
         "@{id}.h",
         "the numbers of the joint",
         include_str!("../../templates/joint.h"),
     ),
-    MCKIBBEN_JOINT,
     (
         "@{id}_example.c",
         "an example that compiles as its first line says",
@@ -88,77 +65,47 @@ const JOINT: [Source; 3] = [
     ),
 ];
 
+fn real(value: f64) -> String {
+    format!("MCKIBBEN_R({})", number(value))
+}
+
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     Ok(Artefact {
-        files: files(muscle, &[&SOURCES[..], &EXAMPLES].concat()),
-        notes: vec![],
+        files: [files(muscle, &SOURCES), files(muscle, &EXAMPLES)].concat(),
     })
 }
 
-/// The files of its muscles, and its own.
+/// Its own files, and those of its muscles.
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
-    let names: Vec<String> = joint
-        .muscles
-        .iter()
-        .map(ExportedMuscle::identifier)
-        .collect();
-    let each = |one: fn(&String) -> String, between: &str| joined(names.iter().map(one), between);
-    let mut values = joint.values(["{", "}"], |v| format!("MCKIBBEN_R({})", number(v)));
-    values.push((
-        "includes",
-        each(|name| format!("#include \"{name}.h\""), "\n"),
-    ));
-    values.push(("addresses", each(|name| format!("&{name}"), ", ")));
-    let own = JOINT.map(|(name, about, template)| {
-        let text = render(template, &joint.facts(), &values);
-        File::text(render(name, &[], &values).trim_end(), about, text)
-    });
+    let names = Vec::from_iter(joint.muscles.iter().map(ExportedMuscle::identifier));
+    let include = |name: &String| format!("#include \"{name}.h\"");
+    let mut values = joint.values(["{", "}"], real);
+    values.extend([
+        ("includes", joined(names.iter().map(include), "\n")),
+        (
+            "addresses",
+            joined(names.iter().map(|name| format!("&{name}")), ", "),
+        ),
+    ]);
+    let own = rendered(&JOINT, &joint.facts(), &values);
     let muscles = joint
         .muscles
         .iter()
         .flat_map(|muscle| files(muscle, &SOURCES));
     Ok(Artefact {
         files: own.into_iter().chain(muscles).collect(),
-        notes: vec![],
     })
 }
 
+/// The files of a muscle.
 pub fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
-    sources
-        .iter()
-        .map(|(name, about, template)| {
-            File::text(
-                rendered(name, muscle).trim_end(),
-                about,
-                rendered(template, muscle),
-            )
-        })
-        .collect()
+    rendered(sources, &muscle.facts(), &values(muscle, ["{", "}"], real))
 }
 
-pub fn rendered(template: &str, muscle: &ExportedMuscle) -> String {
-    let f = &muscle.form;
-    let id = muscle.identifier();
-    let braces = ["{", "}"];
-    let one = |v: f64| format!("MCKIBBEN_R({})", number(v));
-    let mut values = common(muscle);
-    values.extend([
-        ("ID", id.to_ascii_uppercase()),
-        ("id", id),
-        ("wanted", number(0.3 * muscle.blocked_force_n)),
-        ("count", f.contractions.len().to_string()),
-        ("c_nodes", list(&f.contractions, braces, one)),
-        ("c_a", lists(&f.a, braces, one)),
-        ("c_b", lists(&f.b, braces, one)),
-        ("c_v", list(&f.v, braces, one)),
-        (
-            "c_friction",
-            list(
-                &[&f.friction_n[..], &[f.presliding_m]].concat(),
-                braces,
-                one,
-            ),
-        ),
-    ]);
-    render(template, &muscle.facts(), &values)
+fn rendered(sources: &[Source], facts: &[String], values: &[(&str, String)]) -> Vec<File> {
+    let one = |(name, about, template): &Source| {
+        let name = render(name, &[], values);
+        File::text(name.trim_end(), *about, render(template, facts, values))
+    };
+    sources.iter().map(one).collect()
 }

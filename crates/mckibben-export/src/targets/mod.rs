@@ -8,10 +8,10 @@ mod rust;
 mod zip;
 
 use crate::{
-    Artefact, ExportError, ExportedJoint, ExportedMuscle, HostError, Result, fit::least_squares,
-    template::number,
+    Artefact, ExportError, ExportedJoint, ExportedMuscle, Result,
+    muscle::plain,
+    template::{list, lists, number},
 };
-use nalgebra::{DMatrix, DVector};
 
 /// A target of `export`.
 #[derive(Debug, Clone, Copy, serde::Serialize, schemars::JsonSchema)]
@@ -66,62 +66,33 @@ impl ExportedMuscle {
     }
 }
 
-/// The values that templates of all languages have places for.
-pub fn common(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
+/// The values that templates of all languages have places for; lists between brackets, each number by
+/// `one`.
+fn values(
+    muscle: &ExportedMuscle,
+    brackets: [&str; 2],
+    one: impl Fn(f64) -> String + Copy,
+) -> Vec<(&'static str, String)> {
     let form = &muscle.form;
+    let id = muscle.identifier();
+    let limits = &muscle.known.limits;
+    let friction = [&form.friction_n[..], &[form.presliding_m]].concat();
     vec![
-        ("name", crate::muscle::plain(&muscle.name)),
+        ("name", plain(&muscle.name)),
         ("version", muscle.version.into()),
+        ("ID", id.to_ascii_uppercase()),
+        ("id", id),
         ("length", number(form.length_m)),
         ("cord", number(muscle.cord_m)),
         ("supply", number(form.supply_pa)),
+        ("allowed", number(1e6 * limits.allowed_pressure_mpa.unwrap_or(1e-6 * form.supply_pa))),
+        ("burst", number(1e6 * limits.burst_pressure_mpa.unwrap_or(0.0))),
+        ("wanted", number(0.3 * muscle.blocked_force_n)),
+        ("count", form.contractions.len().to_string()),
+        ("nodes", list(&form.contractions, brackets, one)),
+        ("a", lists(&form.a, brackets, one)),
+        ("b", lists(&form.b, brackets, one)),
+        ("v", list(&form.v, brackets, one)),
+        ("friction", list(&friction, brackets, one)),
     ]
-}
-
-/// Coefficients over the blocked force of the functions `row` of q and x = L/L0, and the error of
-/// their sum at all points, where the host makes it slack below zero. Nothing where the points are
-/// too few.
-pub fn fit<const N: usize>(
-    muscle: &ExportedMuscle,
-    row: impl Fn(f64, f64) -> [f64; N],
-) -> Option<([f64; N], HostError)> {
-    let pulling: Vec<(f64, f64, f64)> = muscle
-        .held_out
-        .iter()
-        .filter_map(|p| {
-            Some((p.q, 1.0 - p.contraction, p.pull?)).filter(|p| p.2 >= 0.0 && p.1 <= 1.0)
-        })
-        .collect();
-    if pulling.len() < 2 * N {
-        return None;
-    }
-    // Again with less weight on points that are met: the largest error falls.
-    let mut weight = vec![1.0; pulling.len()];
-    let mut best: Option<([f64; N], HostError)> = None;
-    for _ in 0..30 {
-        let matrix = DMatrix::from_fn(pulling.len(), N, |r, c| {
-            weight[r] * row(pulling[r].0, pulling[r].1)[c]
-        });
-        let values = DVector::from_iterator(
-            pulling.len(),
-            pulling.iter().zip(&weight).map(|(p, w)| w * p.2),
-        );
-        let solution = least_squares(matrix, &values)?;
-        let k: [f64; N] = std::array::from_fn(|i| solution[i]);
-        let at = |q: f64, x: f64| row(q, x).iter().zip(&k).map(|(a, b)| a * b).sum::<f64>();
-        let errors: Vec<f64> = muscle
-            .held_out
-            .iter()
-            .filter(|p| p.contraction >= 0.0)
-            .map(|p| at(p.q, 1.0 - p.contraction).max(0.0) - p.pull.unwrap_or(0.0).max(0.0))
-            .collect();
-        let error = HostError::from_errors(&errors);
-        if best.is_none_or(|(_, b)| error.worst < b.worst) {
-            best = Some((k, error));
-        }
-        for (w, p) in weight.iter_mut().zip(&pulling) {
-            *w *= (0.3 + (at(p.0, p.1) - p.2).abs() / error.worst).sqrt();
-        }
-    }
-    best
 }

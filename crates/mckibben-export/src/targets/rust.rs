@@ -1,8 +1,9 @@
 //! Rust: one file without `std` and other crates, for firmware.
 
-use super::common;
+use super::values;
 use crate::{
     Artefact, ExportTarget, ExportedJoint, ExportedMuscle, File, Result,
+    form::Node,
     template::{list, lists, number, render},
 };
 use mckibben_core::joined;
@@ -16,7 +17,8 @@ pub const TARGET: ExportTarget = ExportTarget {
     joint,
 };
 
-/// Templates: the functions of muscles and of joints, the numbers of each, and a test of a muscle.
+/// Templates: the first lines, the functions of muscles and of joints, the numbers of each, and a test of a muscle.
+const HEAD: &str = include_str!("../../templates/rust_head.txt");
 const FUNCTIONS: &str = include_str!("../../templates/mckibben.rs");
 const MUSCLE: &str = include_str!("../../templates/muscle.rs");
 const MUSCLE_TEST: &str = include_str!("../../templates/muscle_test.rs");
@@ -38,7 +40,6 @@ fn artefact(
     let text = render(&templates.concat(), facts, values);
     Ok(Artefact {
         files: vec![File::text(id + ".rs", about, text)],
-        notes: vec![],
     })
 }
 
@@ -47,60 +48,41 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
     artefact(
         muscle.identifier(),
         about,
-        (&[FUNCTIONS, MUSCLE, MUSCLE_TEST], &muscle.facts()),
-        &values(muscle),
+        (&[HEAD, FUNCTIONS, MUSCLE, MUSCLE_TEST], &muscle.facts()),
+        &places(muscle),
     )
 }
 
 /// The joint, and the numbers of its muscles.
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let mut values = joint.values(SQUARE, number);
-    let path = |p: &[f64]| {
-        let (origin, insertion) = (
-            list(&p[1..3], SQUARE, number),
-            list(&p[3..5], SQUARE, number),
-        );
-        format!(
-            "Path {{ radius_m: {}, origin_m: {origin}, insertion_m: {insertion} }}",
-            number(p[0])
-        )
-    };
-    let paths = Vec::from_iter(joint.numbers()[..15].chunks_exact(5).map(path));
-    let held =
-        joint.muscles.iter().zip(&paths).map(|(muscle, path)| {
-            format!("(&{}, {path})", muscle.identifier().to_ascii_uppercase())
-        });
-    values.extend([
-        ("muscles", joined(held, ", ")),
-        ("rope_path", paths[2].clone()),
-    ]);
+    let name = |muscle: &ExportedMuscle| format!("&{}", muscle.identifier().to_ascii_uppercase());
+    values.push(("muscles", joined(joint.muscles.iter().map(name), ", ")));
     let muscles = joint
         .muscles
         .iter()
-        .map(|muscle| render(MUSCLE, &[], &self::values(muscle)));
+        .map(|muscle| render(MUSCLE, &[], &places(muscle)));
     let muscles = muscles.collect::<String>();
     let about = "functions and numbers of the joint and of its muscles";
     artefact(
         joint.identifier(),
         about,
         (
-            &[FUNCTIONS, JOINT_FUNCTIONS, &muscles, JOINT],
+            &[HEAD, FUNCTIONS, JOINT_FUNCTIONS, &muscles, JOINT],
             &joint.facts(),
         ),
         &values,
     )
 }
 
-fn values(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
+fn places(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
     let form = &muscle.form;
-    let id = muscle.identifier();
-    let node = |(k, contraction): (usize, &f64)| {
-        let at = |rows: &[Vec<f64>; 5]| list(&rows.each_ref().map(|row| row[k]), SQUARE, number);
+    let node = |node: &Node| {
         format!(
             "        Node {{ contraction: {}, value_n: {}, slope_n: {} }},",
-            number(*contraction),
-            at(&form.a),
-            at(&form.b)
+            number(node.contraction),
+            list(&node.value_n, SQUARE, number),
+            list(&node.slope_n, SQUARE, number)
         )
     };
     let tested = TESTED.map(|(q, share)| {
@@ -119,19 +101,11 @@ fn values(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
     // Slopes jump where the muscle becomes slack.
     let pulls = |row: &Vec<f64>| row[2] > 0.01 * muscle.blocked_force_n;
     let tested = Vec::from_iter(tested.into_iter().filter(pulls));
-    let mut values = common(muscle);
+    let mut values = values(muscle, SQUARE, number);
     values.extend([
-        ("ID", id.to_ascii_uppercase()),
-        ("id", id),
         ("low", number(form.contraction_low)),
         ("high", number(form.contraction_high)),
-        (
-            "nodes",
-            joined(form.contractions.iter().enumerate().map(node), "\n"),
-        ),
-        ("volume", list(&form.v, SQUARE, number)),
-        ("friction", list(&form.friction_n, SQUARE, number)),
-        ("presliding", number(form.presliding_m)),
+        ("lines", joined(form.nodes().iter().map(node), "\n")),
         ("tested", tested.len().to_string()),
         ("points", lists(&tested, SQUARE, number)),
     ]);

@@ -68,7 +68,7 @@ fn by_python(folder: &std::path::Path, states: &[[f64; 3]], wanted: &[[f64; 3]])
          p[:len(j.MUSCLES)]\nd = [*j.torque_per_pressure(p, a), 0 * a][:2]\nfor r in \
          zip(j.torque(p, a), j.stiffness(p, a), *d, *j.limits(a), j.status(p, a)): \
          print(*map(float, r))\na, t, k = n.array({wanted:?}).T\nk = None if k[0] == 0 else k\nfor \
-         r in zip(*[*j.pressures(t, a, k), 0 * a][:2], j.pressures_status(t, a, k)): \
+         r in zip(*[*j.pressures(a, t, k), 0 * a][:2], j.pressures_status(a, t, k)): \
          print(*map(float, r))\n"
     );
     let rows = python(folder, "numpy", &script)?;
@@ -296,7 +296,7 @@ fn identity_what_the_inverse_answers_the_joint_does_and_a_jump_is_no_answer() {
         main += "return 0; }\n";
         let script = format!(
             "import numpy as n, joint_elbow as j\na, t, k = n.array({wanted:?}).T\np = \
-             j.pressures(t, a, k)\nfor r in zip(*p, j.pressures_status(t, a, k), j.torque(p, a), \
+             j.pressures(a, t, k)\nfor r in zip(*p, j.pressures_status(a, t, k), j.torque(p, a), \
              j.stiffness(p, a)): print(*map(float, r))\n"
         );
         let mut hosts = vec![];
@@ -358,8 +358,8 @@ fn identity_what_is_not_a_number_gives_no_pressure() {
             v, Some(9.0)); at(0.3, 1.0, Some(v)); }\n}\n";
         let script = "import numpy as n, joint_elbow as j\nfor v in (n.nan, n.inf, -n.inf):\n for a, \
             t, k in ((v, 1., None), (.3, v, None), (.3, v, 9.), (.3, 1., v)):\n  print(*(float(x[0]) \
-            for x in j.pressures(n.array([t]), n.array([a]), k and n.array([k]))), \
-            float(j.pressures_status(n.array([t]), n.array([a]), k and n.array([k]))[0] & 8))\n";
+            for x in j.pressures(n.array([a]), n.array([t]), k and n.array([k]))), \
+            float(j.pressures_status(n.array([a]), n.array([t]), k and n.array([k]))[0] & 8))\n";
         let script = format!("import warnings\nwarnings.simplefilter('ignore')\n{script}");
         let mut hosts = vec![];
         hosts.extend(
@@ -369,62 +369,6 @@ fn identity_what_is_not_a_number_gives_no_pressure() {
         hosts.extend(python(folder, "numpy", &script));
         for rows in hosts {
             assert_eq!(rows, vec![vec![0.0, 0.0, 8.0]; 12]);
-        }
-    });
-}
-
-/// By native actuators of MuJoCo the elbow was measured to miss by 0.469 N m and 2.76 N m/rad, where
-/// its file stated the 0.201 and 0.460 of the form: it states its own largest errors, and at random
-/// states MuJoCo keeps them.
-#[test]
-fn bound_each_file_of_mujoco_states_its_own_largest_errors() {
-    elbow_by_universal(0.3, &["mjcf"], |folder, core| {
-        let stated = |name: &str| -> [f64; 2] {
-            let text = std::fs::read_to_string(folder.join(name)).unwrap();
-            let (_, after) = text.split_once("of the program: torque ").unwrap();
-            let (torque, after) = after.split_once(" N m at most; stiffness ").unwrap();
-            let (stiffness, _) = after.split_once(" N m/rad").unwrap();
-            [torque, stiffness].map(|number| number.trim().parse().unwrap())
-        };
-        let native = stated("joint_elbow.xml");
-        let form = stated("joint_elbow_plugin.xml");
-        assert!(native[0] > 0.469 && native[0] < 1.0, "{native:?} {form:?}");
-        assert!(native[1] > 2.76 && native[1] < 6.0, "{native:?} {form:?}");
-        assert_eq!(form, [0.201, 0.46]);
-        let mut random = Random(15);
-        let states = Vec::from_iter((0..rounds(300)).map(|_| {
-            let p = [0, 1].map(|_| 3e5 * random.between(0.0, 1.0));
-            [random.between(-1.0, 1.0), p[0], p[1]]
-        }));
-        let script = format!(
-            "import mujoco\nm = mujoco.MjModel.from_xml_path('joint_elbow.xml')\nd = \
-             mujoco.MjData(m)\ndef t(a, p, r):\n d.qpos[0], d.qvel[0], d.ctrl[:] = a, 0, [p, p, r, \
-             r]\n mujoco.mj_forward(m, d)\n return float(d.qfrc_actuator[0] + d.qfrc_passive[0] - \
-             d.qfrc_bias[0])\nfor a, p, r in {states:?}: print(t(a, p, r), (t(a - 1e-4, p, r) - t(a \
-             + 1e-4, p, r)) / 2e-4)\n"
-        );
-        let w = &mut core.workspaces();
-        for (row, [angle, first, second]) in python(folder, "mujoco", &script)
-            .unwrap_or_default()
-            .iter()
-            .zip(&states)
-        {
-            let pressures = [1e-6 * first, 1e-6 * second];
-            let here = core
-                .point_at(w, &pressures, angle.to_degrees(), Turning::Mean)
-                .unwrap();
-            assert!(
-                (row[0] - here.torque_nm).abs() <= native[0],
-                "{row:?} {here:?}"
-            );
-            let pulls = |m: &mckibben_core::joint::MuscleState| {
-                m.answer.slack || m.answer.response.force_n > 8.0
-            };
-            let off = (row[1] - here.stiffness_nm_per_rad).abs();
-            assert!(
-                !here.muscles.iter().all(pulls) || off <= native[1],
-                "{off} {row:?} {here:?}"
-            );
         }
     });
 }
@@ -481,13 +425,10 @@ fn joints_of_every_name_compile_for_every_target() {
                         format!("import {module}\nprint({module}.torque((1e5, 1e5), 0.1))");
                     assert!(python(folder, "math", &script).is_none_or(|rows| rows.len() == 1));
                 }
-                if file.starts_with("joint")
-                    && file.ends_with(".xml")
-                    && !file.ends_with("_plugin.xml")
-                {
-                    let script =
-                        format!("import mujoco\nprint(mujoco.MjModel.from_xml_path('{file}').nu)");
-                    assert!(python(folder, "mujoco", &script).is_none_or(|rows| rows[0][0] == 4.0));
+                if file.starts_with("joint") && file.ends_with(".xml") {
+                    let read = "import xml.dom.minidom as x";
+                    let script = format!("{read}\nx.parse('{file}')\nprint(0)");
+                    assert!(python(folder, "math", &script).is_none_or(|rows| rows.len() == 1));
                 }
             }
         });

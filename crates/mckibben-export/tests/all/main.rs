@@ -36,7 +36,7 @@ pub fn exported(muscle: &Muscle, supply_mpa: f64) -> Result<ExportedMuscle, Expo
     let model = fe(muscle);
     let wanted = BoxRequest {
         supply_mpa,
-        contraction_low: None,
+        contraction_low: 0.0,
         contraction_high: None,
     };
     ExportedMuscle::fit(&*model, "prototype", wanted)

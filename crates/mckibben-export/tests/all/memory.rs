@@ -24,11 +24,11 @@ fn friction_with_memory_in_c_is_that_of_a_motion() {
         let way_mm = ((0.618 * f64::from(i * i)).fract() - 0.5) * f64::from(1 + i / 20 % 3);
         let length_m = 0.95 * form.length_m - 1e-3 * way_mm;
         let _ = writeln!(main, "at({length_m:e});");
-        let half_n = form.friction_n[0] * 0.4 + form.friction_n[1] * 0.16;
+        let half_n = form.friction_half_n(pressure_pa, 0.05);
         given.push(-half_n * memory.travel(way_mm));
     }
     let main = format!(
-        "#include \"muscle_prototype.h\"\n#include \"mckibben_memory.h\"\n#include \
+        "#include \"muscle_prototype.h\"\n#include \
          <stdio.h>\nstatic mckibben_memory memory;\nstatic void at(double l) {{ \
          printf(\"%.17g\\n\", mckibben_friction_after(&muscle_prototype, &memory, {pressure_pa:e}, \
          l, 0)); mckibben_moved(&muscle_prototype, &memory, {pressure_pa:e}, l, 0); }}\nint main(void) {{ \
@@ -52,8 +52,7 @@ fn friction_with_memory_in_c_is_that_of_a_motion() {
 
 /// Half the hysteresis of the form at a pressure, in N.
 fn limit_n(muscle: &ExportedMuscle, pressure_pa: f64) -> f64 {
-    let q = pressure_pa / muscle.form.supply_pa;
-    muscle.form.friction_n[0] * q.sqrt() + muscle.form.friction_n[1] * q
+    muscle.form.friction_half_n(pressure_pa, 0.05)
 }
 
 /// Loops in each other.
@@ -104,7 +103,7 @@ fn identity_friction_of_c_is_that_of_the_program_on_paths_of_length_and_pressure
         }
     }
     let main = format!(
-        "#include \"muscle_prototype.h\"\n#include \"mckibben_memory.h\"\n#include \
+        "#include \"muscle_prototype.h\"\n#include \
          <stdio.h>\nstatic mckibben_memory memory;\nstatic void at(mckibben_real p, mckibben_real \
          l) {{ printf(\"%.17g\\n\", (double)mckibben_friction_after(&muscle_prototype, &memory, \
          p, l, 0)); mckibben_moved(&muscle_prototype, &memory, p, l, 0); }}\nint main(void) \
@@ -146,7 +145,6 @@ fn bound_no_cycle_of_length_and_pressure_in_c_gives_work() {
         let _ = writeln!(main, "cycles({stroke_m:e}, {swing:e}, {phase:e}, {times});");
     }
     let functions = r#"#include "muscle_prototype.h"
-#include "mckibben_memory.h"
 #include <stdio.h>
 static double at(mckibben_memory *memory, double pressure, double length) {
     const double friction = mckibben_friction_after(&muscle_prototype, memory, pressure, length, 0);
@@ -193,27 +191,27 @@ fn identity_what_is_not_a_number_leaves_the_memory_in_c() {
     let (muscle, folder) = (with_friction(), tempfile::tempdir().unwrap());
     write(&muscle, "c", folder.path());
     let main = r#"#include "muscle_prototype.h"
-#include "mckibben_memory.h"
 #include <stdio.h>
 int main(void) {
     const mckibben_muscle *m = &muscle_prototype;
     const double bad[][2] = {{NAN, 0.0}, {0.0, NAN}, {INFINITY, 0.0}, {0.0, -INFINITY}, {NAN, NAN}};
     mckibben_memory memory;
     unsigned status = 99u;
-    mckibben_rest(&memory, m->length);
-    mckibben_moved(m, &memory, 0.5 * m->supply, m->length + 2e-4, &status);
-    printf("%u %.17g\n", status, mckibben_friction_after(m, &memory, 0.4 * m->supply, m->length, 0));
+    mckibben_rest(&memory, 0.98 * m->length);
+    mckibben_moved(m, &memory, 0.5 * m->supply, 0.98 * m->length + 2e-4, &status);
+    printf("%u %.17g\n", status, mckibben_friction_after(m, &memory, 0.4 * m->supply, 0.98 * m->length, 0));
     for (int i = 0; i < 5; i++) {
-        mckibben_moved(m, &memory, 0.5 * m->supply + bad[i][0], m->length + bad[i][1], &status);
-        printf("%u %.17g\n", status, mckibben_friction_after(m, &memory, 0.4 * m->supply, m->length, 0));
+        mckibben_moved(m, &memory, 0.5 * m->supply + bad[i][0], 0.98 * m->length + bad[i][1], &status);
+        printf("%u %.17g\n", status, mckibben_friction_after(m, &memory, 0.4 * m->supply, 0.98 * m->length, 0));
     }
     return 0;
 }
 "#;
     let rows = numbers(&compiled_and_run(folder.path(), main, &["mckibben.c"]));
-    // 2: the pressure is outside or not a number; 4: the length; 1: so short a muscle is slack.
+    // 2: the pressure is outside or not a number, and counts as 0; 4: the length, and counts as that
+    // at rest; 1: it is slack there.
     let said = Vec::from_iter(rows.iter().map(|row| row[0]));
-    assert_eq!(said, [0.0, 2.0, 4.0, 2.0, 5.0, 6.0], "{rows:?}");
+    assert_eq!(said, [0.0, 3.0, 4.0, 2.0, 5.0, 7.0], "{rows:?}");
     assert!(
         rows.len() == 6 && rows[0][1] != 0.0 && rows.iter().all(|row| row[1] == rows[0][1]),
         "{rows:?}"
@@ -244,7 +242,7 @@ fn identity_friction_of_the_fmu_is_that_of_the_program_and_its_state_is_restored
     go(&path[..60], &mut given);
     go(&path[60..], &mut given);
     let (before, after) = main.split_at(main.match_indices('\n').nth(59).unwrap().0);
-    let main = r#"#include "fmu3.c"
+    let main = r#"#include "fmu2.c"
 static int at(void *c, double p, double l) {
     const unsigned set[] = {PRESSURE, LENGTH}, out = FORCE;
     const double in[] = {p, l};

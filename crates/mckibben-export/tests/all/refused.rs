@@ -29,7 +29,7 @@ fn refused(change: fn(&mut Response), wanted: BoxRequest) -> ExportError {
 
 const WANTED: BoxRequest = BoxRequest {
     supply_mpa: 0.25,
-    contraction_low: None,
+    contraction_low: 0.0,
     contraction_high: None,
 };
 
@@ -77,7 +77,7 @@ fn a_box_that_is_none() {
         let error = refused(
             |_| (),
             BoxRequest {
-                contraction_low: Some(contraction_low),
+                contraction_low,
                 contraction_high,
                 ..WANTED
             },

@@ -174,7 +174,7 @@ fn say(answer: Answer) {
 "#;
 
 /// Programs of C and of Rust that print each function of a muscle at places of pressure, length,
-/// pull and velocity, and the friction with memory on the way through all places.
+/// pull and velocity.
 fn mains(muscle: &ExportedMuscle, places: &[[f64; 4]]) -> [String; 2] {
     let id = muscle.identifier();
     let mut table = [String::new(), String::new()];
@@ -191,32 +191,28 @@ fn mains(muscle: &ExportedMuscle, places: &[[f64; 4]]) -> [String; 2] {
     let count = places.len();
     // Slack alone is no error in Rust.
     let c = format!(
-        "#include \"{id}.h\"\n#include \"mckibben_memory.h\"\n#include \
-         \"mckibben_branch.h\"\n{C_SAYS}#define SAY(call) do {{ const mckibben_real found = (call); s = \
+        "#include \"{id}.h\"\n{C_SAYS}#define SAY(call) do {{ const mckibben_real found = (call); s = \
          s == 1u ? 0u : s; say(found); }} while (0)\nint main(void) {{\nstatic const mckibben_real \
          places[{count}][4] = {{\n{}}};\nfor (int beyond = 0; beyond < 2; beyond++) \
-         {{\nmckibben_muscle own = {id};\nmckibben_memory memory;\nconst mckibben_muscle *m = \
-         &own;\nown.beyond = beyond;\nmckibben_rest(&memory, m->length);\nfor (int i = 0; i < \
-         {count}; i++) {{\nconst mckibben_real p = places[i][0], l = places[i][1], f = places[i][2], \
-         v = places[i][3];\nSAY(mckibben_force(m, p, l, &s)); SAY(mckibben_stiffness(m, p, l, &s)); \
-         SAY(mckibben_force_per_pressure(m, p, l, &s)); SAY(mckibben_volume(m, p, l, &s)); \
-         SAY(mckibben_pressure(m, f, l, &s)); SAY(mckibben_contraction(m, f, p, &s)); \
-         SAY(mckibben_friction(m, p, l, v, MCKIBBEN_R(0.001), &s)); SAY(mckibben_pressure_on(m, f, \
-         l, -1, &s)); SAY(mckibben_pressure_on(m, f, l, 0, &s)); SAY(mckibben_pressure_on(m, f, l, \
-         1, &s)); SAY(mckibben_friction_after(m, &memory, p, l, &s)); mckibben_moved(m, &memory, p, \
-         l, 0);\n}}\n}}\nreturn 0;\n}}\n",
+         {{\nmckibben_muscle own = {id};\nconst mckibben_muscle *m = &own;\nown.beyond = \
+         beyond;\nfor (int i = 0; i < {count}; i++) {{\nconst mckibben_real p = places[i][0], l = \
+         places[i][1], f = places[i][2], v = places[i][3];\nSAY(mckibben_force(m, p, l, &s)); \
+         SAY(mckibben_stiffness(m, p, l, &s)); SAY(mckibben_force_per_pressure(m, p, l, &s)); \
+         SAY(mckibben_volume(m, p, l, &s)); SAY(mckibben_pressure(m, f, l, &s)); \
+         SAY(mckibben_contraction(m, f, p, &s)); SAY(mckibben_friction(m, p, l, v, \
+         MCKIBBEN_R(0.001), &s)); SAY(mckibben_pressure_on(m, f, l, -1, &s)); \
+         SAY(mckibben_pressure_on(m, f, l, 0, &s)); SAY(mckibben_pressure_on(m, f, l, 1, \
+         &s));\n}}\n}}\nreturn 0;\n}}\n",
         table[0]
     );
     let rust = format!(
         "mod {id};\nuse {id}::*;\n{RUST_SAYS}static PLACES: [[Real; 4]; {count}] = [\n{}];\nfn \
-         main() {{\nfor beyond in [false, true] {{\nlet m = &Muscle {{ beyond, ..{} }};\nlet mut \
-         memory = FrictionMemory::at_rest(m.length_m);\nfor [p, l, f, v] in PLACES \
-         {{\nsay(m.force_n(p, l)); say(m.stiffness_n_per_m(p, l)); say(m.force_per_pressure_m2(p, \
-         l)); say(m.volume_m3(p, l)); say(m.pressure_pa(f, l)); say(m.contraction(f, p)); \
-         say(m.friction_n(p, l, v, 0.001)); say(m.pressure_on_branch_pa(f, l, Branch::Shortening)); \
-         say(m.pressure_on_branch_pa(f, l, Branch::Mean)); say(m.pressure_on_branch_pa(f, l, \
-         Branch::Lengthening)); say(memory.friction_after_n(m, p, l)); memory.moved(m, p, \
-         l);\n}}\n}}\n}}\n",
+         main() {{\nfor beyond in [false, true] {{\nlet m = &Muscle {{ beyond, ..{} }};\nfor [p, l, \
+         f, v] in PLACES {{\nsay(m.force_n(p, l)); say(m.stiffness_n_per_m(p, l)); \
+         say(m.force_per_pressure_m2(p, l)); say(m.volume_m3(p, l)); say(m.pressure_pa(f, l)); \
+         say(m.contraction(f, p)); say(m.friction_n(p, l, v, 0.001)); \
+         say(m.pressure_on_branch_pa(f, l, Branch::Shortening)); say(m.pressure_on_branch_pa(f, l, \
+         Branch::Mean)); say(m.pressure_on_branch_pa(f, l, Branch::Lengthening));\n}}\n}}\n}}\n",
         table[1],
         id.to_ascii_uppercase()
     );
@@ -264,14 +260,14 @@ fn identity_rust_has_the_bits_of_c() {
         ];
         let by_c = compiled_and_run(folder.path(), &c, &arguments);
         let by_rust = printed(folder.path(), &rust, precision);
-        assert_eq!(by_c.lines().count(), 22 * places.len());
+        assert_eq!(by_c.lines().count(), 20 * places.len());
         for (i, (wanted, found)) in by_c.lines().zip(by_rust.lines()).enumerate() {
-            let place = places[i / 11 % places.len()];
+            let place = places[i / 10 % places.len()];
             assert_eq!(
                 found,
                 wanted,
                 "{precision}: function {} at {place:?}",
-                i % 11
+                i % 10
             );
         }
         assert_eq!(by_c.len(), by_rust.len());
@@ -380,8 +376,8 @@ fn identity_joints_of_rust_are_those_of_c() {
             ),
             (
                 "joint_elbow.rs",
-                "friction_n: [0e0, 0e0]",
-                "friction_n: [30.0, 5.0]",
+                "friction: [0e0, 0e0, 0e0, 0e0, 0e0, 0e0, 0e0]",
+                "friction: [30.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0]",
             ),
         ] {
             let text = std::fs::read_to_string(folder.join(name)).unwrap();

@@ -264,10 +264,10 @@ pub struct OfController {
     /// Gain in MPa (or opening) per contraction of 1, or per radian of a joint, whose commands are
     /// in degrees
     pub proportional: f64,
-    /// Integral gain, 1/s
+    /// Integral gain in MPa/s (or opening/s), likewise
     #[serde(default)]
     pub integral: f64,
-    /// Derivative gain, s
+    /// Derivative gain in MPa s (or opening s), likewise
     #[serde(default)]
     pub derivative: f64,
     /// Time constant of the filter of the derivative

@@ -220,27 +220,3 @@ fn identity_a_valve_is_sized_by_the_rise_time_that_is_printed() {
         );
     }
 }
-
-/// A load that is released at a held pressure gets its work from what was stored: no share of the
-/// air's exergy is stated (191 % and 7613 % were), nor any above 1.
-#[test]
-fn bound_work_over_exergy_is_of_air_alone() {
-    let model: Arc<dyn ForceModel> = ModelKind::Universal
-        .build(&Muscle::prototype())
-        .unwrap()
-        .into();
-    let load = damped(&*model, 10.0, 50.0, (-1e3, 1e3));
-    let muscle = || vec![Actuated::new(model.clone(), valve())];
-    let mut released = Drive::new(load.clone(), muscle(), steps(&[(0.0, 0.2)]), 1.0);
-    released.initial_coordinate = Some(5.0);
-    let motion = ran(&released);
-    assert!(motion.energies.work_j > 0.0 && motion.efficiency.is_none());
-    let filled = Drive::new(
-        load.clone(),
-        muscle(),
-        steps(&[(0.0, 0.15), (0.1, 0.3)]),
-        2.0,
-    );
-    let share = ran(&filled).efficiency.unwrap();
-    assert!(share > 0.0 && share < 1.0, "{share}");
-}

@@ -9,12 +9,12 @@
 mod variables;
 
 use super::{
-    c::{MCKIBBEN_JOINT, SOURCES, Source, files},
+    c::{SOURCES, Source, files},
     zip::zip,
 };
 use crate::{
     Artefact, ExportTarget, ExportedJoint, ExportedMuscle, File, Result, form::NODES,
-    joint::JOINT_NUMBERS, template::render,
+    template::render,
 };
 use variables::{Variable, description, settings};
 
@@ -97,10 +97,7 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         units(muscle, Kind::Valve, None)?,
     ]
     .concat();
-    Ok(Artefact {
-        files,
-        notes: vec![],
-    })
+    Ok(Artefact { files })
 }
 
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
@@ -112,17 +109,15 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         .transpose()?;
     Ok(Artefact {
         files: files.into_iter().flatten().collect(),
-        notes: vec![],
     })
 }
 
 /// A file of a unit: its path, and its content.
 type Entry = (String, Vec<u8>);
 
-/// What all units have beside the functions of target C.
-const OF_UNIT: [Source; 4] = [
+/// What units have beside the functions of target C; the last one those of FMI 3.0 alone.
+const OF_UNIT: [Source; 3] = [
     ("air.c", "", include_str!("../../../templates/air.c")),
-    MCKIBBEN_JOINT,
     ("fmu2.c", "", include_str!("../../../templates/fmu2.c")),
     ("fmu3.c", "", include_str!("../../../templates/fmu3.c")),
 ];
@@ -158,49 +153,41 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         ("units", units.trim_end().into()),
         ("events", variables::events(&variables).to_string()),
     ];
-    let mut common = vec![(
-        "resources/muscle.bin".to_owned(),
-        resource(muscle, joint, &token, &variables),
-    )];
-    // Without the numbers of the muscle.
-    let functions = &SOURCES[..3];
-    common.extend(
-        files(muscle, &[&OF_UNIT[..], functions].concat())
-            .into_iter()
-            .map(|file| {
-                let name = format!("sources/{}", file.name);
-                (name, file.content.bytes().to_vec())
-            }),
-    );
+    let resource = resource(muscle, joint, &token, &variables);
+    let sources = |of_unit: &[Source]| {
+        // Without the numbers of the muscle.
+        let all = [of_unit, &SOURCES[..2]].concat();
+        let entry = |file: File| {
+            let name = format!("sources/{}", file.name);
+            (name, file.content.bytes().to_vec())
+        };
+        Vec::from_iter(files(muscle, &all).into_iter().map(entry))
+    };
     let unit = |version, template: &str, files: Vec<Entry>| {
         let (list, structure) = description(&variables, version);
-        let places = [
-            &values[..],
-            &[("variables", list), ("structure", structure)],
-        ]
-        .concat();
-        let description = render(template, &facts, &places).into_bytes();
-        let all = std::iter::once(("modelDescription.xml".to_owned(), description)).chain(files);
-        zip(all.chain(common.iter().cloned()))
+        let own = [("variables", list), ("structure", structure)];
+        let text = render(template, &facts, &[&values[..], &own].concat());
+        let first = [
+            ("modelDescription.xml".to_owned(), text.into_bytes()),
+            ("resources/muscle.bin".to_owned(), resource.clone()),
+        ];
+        zip(first.into_iter().chain(files))
     };
-    let build = render(
-        include_str!("../../../templates/fmu3_build.xml"),
-        &facts,
-        &values,
-    )
-    .into_bytes();
-    let (second, of_third) = libraries(&id);
-    let build = ("sources/buildDescription.xml".to_owned(), build);
-    let third = [vec![build], of_third].concat();
+    let (of_second, of_third) = libraries(&id);
+    let build = include_str!("../../../templates/fmu3_build.xml");
+    let build = (
+        "sources/buildDescription.xml".to_owned(),
+        render(build, &facts, &values).into_bytes(),
+    );
     let second = unit(
         Version::Second,
         include_str!("../../../templates/fmu2.xml"),
-        second,
+        [of_second, sources(&OF_UNIT[..2])].concat(),
     )?;
     let third = unit(
         Version::Third,
         include_str!("../../../templates/fmu3.xml"),
-        third,
+        [vec![build], of_third, sources(&OF_UNIT)].concat(),
     )?;
     Ok([
         File::bytes(id.clone() + second_ending, what, second),
@@ -252,13 +239,15 @@ fn resource(
     let begun = numbers.len();
     numbers.extend(muscles.iter().flat_map(of_muscle));
     numbers.resize(begun + 2 * of_muscle(muscle).len(), 0.0);
-    let of_joint = joint.map_or_else(|| vec![0.0; JOINT_NUMBERS], ExportedJoint::numbers);
-    out.extend(
-        numbers
-            .into_iter()
-            .chain(of_joint)
-            .flat_map(f64::to_le_bytes),
-    );
+    match joint.map(ExportedJoint::numbers) {
+        Some((paths, others)) => {
+            numbers.extend(paths.concat());
+            numbers.extend(others.map(|pair| pair.1).concat());
+        }
+        // Three paths of five numbers, and four pairs.
+        None => numbers.extend([0.0; 23]),
+    }
+    out.extend(numbers.into_iter().flat_map(f64::to_le_bytes));
     out
 }
 

@@ -2,63 +2,28 @@
 
 use super::{Kind, Version};
 use crate::{ExportedMuscle, template::number};
-use Role::{Event, Fixed, Input, Local, Output, State, Status, Tunable};
 use mckibben_core::joined;
 use std::fmt::Write as _;
 
-#[derive(Clone, Copy, PartialEq)]
-enum Role {
-    Input,
-    Fixed,
-    Tunable,
-    State,
-    Local,
-    /// The indicator of an event.
-    Event,
-    Output,
-    /// The only integer.
-    Status,
+/// What the role of a variable is in a description.
+fn nature(role: &str) -> &'static str {
+    match role {
+        "input" => "causality=\"input\" variability=\"continuous\"",
+        "fixed" => "causality=\"parameter\" variability=\"fixed\" initial=\"exact\"",
+        "tunable" => "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"",
+        "output" => "causality=\"output\" variability=\"continuous\" initial=\"calculated\"",
+        // The only integer.
+        "status" => "causality=\"output\" variability=\"discrete\" initial=\"calculated\"",
+        // A state, a derivative, the indicator of an event.
+        _ => "causality=\"local\" variability=\"continuous\" initial=\"calculated\"",
+    }
 }
-
-/// The word of each role in the table, and its attributes in a description.
-const LOCAL: &str = "causality=\"local\" variability=\"continuous\" initial=\"calculated\"";
-
-const ROLES: [(&str, Role, &str); 8] = [
-    (
-        "input",
-        Input,
-        "causality=\"input\" variability=\"continuous\"",
-    ),
-    (
-        "fixed",
-        Fixed,
-        "causality=\"parameter\" variability=\"fixed\" initial=\"exact\"",
-    ),
-    (
-        "tunable",
-        Tunable,
-        "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"",
-    ),
-    ("state", State, LOCAL),
-    ("local", Local, LOCAL),
-    ("event", Event, LOCAL),
-    (
-        "output",
-        Output,
-        "causality=\"output\" variability=\"continuous\" initial=\"calculated\"",
-    ),
-    (
-        "status",
-        Status,
-        "causality=\"output\" variability=\"discrete\" initial=\"calculated\"",
-    ),
-];
 
 /// One variable; its value reference is the place of its name in the list at the beginning of
 /// fmu2.c.
 pub struct Variable {
     name: &'static str,
-    role: Role,
+    role: &'static str,
     unit: &'static str,
     about: &'static str,
     start: f64,
@@ -100,7 +65,7 @@ pub fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
         let &[
             kind,
             name,
-            word,
+            role,
             state,
             unit,
             on,
@@ -113,7 +78,6 @@ pub fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
         else {
             return None;
         };
-        let role = ROLES.iter().find(|role| role.0 == word)?.1;
         let on = if on == "held" { held } else { on };
         Some(Variable {
             name,
@@ -170,17 +134,9 @@ fn attribute(name: &str, value: Option<String>) -> String {
 }
 
 impl Variable {
-    /// Its causality and variability.
-    fn nature(&self) -> &'static str {
-        ROLES
-            .iter()
-            .find(|role| role.1 == self.role)
-            .map_or("", |role| role.2)
-    }
-
     /// Its start, unit, range and nominal value.
     fn values(&self) -> String {
-        if self.role == Status {
+        if self.role == "status" {
             return String::new();
         }
         let finite = |v: f64| (v.is_finite() && v.abs() < f64::MAX).then(|| number(v));
@@ -196,11 +152,15 @@ impl Variable {
     }
 
     pub fn is_state(&self) -> bool {
-        self.role == State
+        self.role == "state"
+    }
+
+    fn is_output(&self) -> bool {
+        matches!(self.role, "output" | "status")
     }
 
     fn is_unknown_at_the_start(&self) -> bool {
-        self.is_state() || matches!(self.role, Output | Status) || self.derivative_of.is_some()
+        self.is_state() || self.is_output() || self.derivative_of.is_some()
     }
 }
 
@@ -209,12 +169,7 @@ impl Variable {
 type Unknowns = (&'static str, &'static str, fn(&Variable) -> bool, bool);
 
 const UNKNOWNS: [Unknowns; 4] = [
-    (
-        "Outputs",
-        "Output",
-        |v| matches!(v.role, Output | Status),
-        true,
-    ),
+    ("Outputs", "Output", Variable::is_output, true),
     (
         "Derivatives",
         "ContinuousStateDerivative",
@@ -227,7 +182,7 @@ const UNKNOWNS: [Unknowns; 4] = [
         Variable::is_unknown_at_the_start,
         false,
     ),
-    ("", "EventIndicator", |v| v.role == Event, true),
+    ("", "EventIndicator", |v| v.role == "event", true),
 ];
 
 /// `ModelVariables` and `ModelStructure`. FMI 2.0 names a variable by its place, from 1, and FMI
@@ -257,11 +212,11 @@ pub fn description(variables: &[Variable], version: Version) -> (String, String)
             "name=\"{}\" valueReference=\"{}\" {}",
             v.name,
             reference(v.name),
-            v.nature()
+            nature(v.role)
         );
         let values = v.values() + &attribute("derivative", v.derivative_of.map(key));
         let about = v.about;
-        let is_status = v.role == Status;
+        let is_status = v.role == "status";
         let _ = if is_third {
             let element = if is_status { "Int32" } else { "Float64" };
             writeln!(
@@ -308,5 +263,5 @@ pub fn description(variables: &[Variable], version: Version) -> (String, String)
 
 /// How many of them indicate events.
 pub fn events(variables: &[Variable]) -> usize {
-    variables.iter().filter(|v| v.role == Event).count()
+    variables.iter().filter(|v| v.role == "event").count()
 }

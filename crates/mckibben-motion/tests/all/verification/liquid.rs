@@ -14,8 +14,8 @@ use mckibben_core::{
     muscle::Muscle,
 };
 use mckibben_motion::{
-    Actuated, Actuator, Command, Commanded, Drive, Fluid, Linear, LiquidFill, LiquidValve, Motion,
-    Pump, Restriction, SingleMuscle, Syringe, ValveKind,
+    ATMOSPHERE_MPA, Actuated, Actuator, Command, Commanded, Drive, Fluid, Linear, LiquidFill,
+    LiquidValve, Motion, Pump, Restriction, SingleMuscle, Syringe, ValveKind,
 };
 use std::f64::consts::TAU;
 
@@ -179,7 +179,9 @@ fn compared() -> Option<[(f64, f64); 5]> {
         // damped, so that the piston's work has more.
         (
             filled.pump_work_j,
-            e.exergy_j - (e.damper_j + e.kinetic_j + e.impacts_j),
+            e.enthalpy_in_j
+                - 1e-3 * ATMOSPHERE_MPA * pushed.liquid_volume_mm3?
+                - (e.damper_j + e.kinetic_j + e.impacts_j),
         ),
         (
             (1e3 * filled.shut_stiffness_n_per_mm / 10.0).sqrt() / TAU,
