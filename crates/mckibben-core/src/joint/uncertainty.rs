@@ -53,20 +53,37 @@ impl BoundJoint {
 
 impl JointPoint {
     /// With the torque that a joint which is built will give: each muscle pulls as the median of one
-    /// that is built; between both branches without its friction.
+    /// that is built, on its branch. The joint turns to where its muscles turn it: those that pull
+    /// there shorten, the others lengthen. Where they hold each other it is at rest, and friction
+    /// counts by the share of Σ Δ′F in Σ |Δ′F|.
     pub(super) fn with_built_torque(self) -> Self {
-        let more_nm = |m: &MuscleState| {
+        // Torque of the mean of both branches and half of what lies between them, N m, and the
+        // model's.
+        let torques = |m: &MuscleState| {
             let built = m.answer.built?;
-            let friction_n = if m.answer.direction.is_mean() {
-                built.predicted_shift_n.friction
+            let friction_n = built.predicted_shift_n.friction;
+            let half_n = if m.answer.direction.is_mean() {
+                friction_n.abs()
             } else {
                 0.0
             };
-            let pull_n = (built.predicted_n - friction_n).max(0.0);
-            Some(1e-3 * m.arm_mm * (pull_n - m.answer.response.force_n))
+            let mean_n = if m.answer.direction.is_mean() {
+                built.predicted_n - friction_n
+            } else {
+                built.predicted_n
+            };
+            let arm_m = 1e-3 * m.arm_mm;
+            let half_n = half_n.min(mean_n.max(0.0));
+            let pulls = [mean_n.max(0.0), half_n, m.answer.response.force_n];
+            Some(pulls.map(|n| arm_m * n))
         };
-        let more_nm: Option<f64> = self.muscles.iter().map(more_nm).sum();
-        let predicted_nm = more_nm.map(|more| self.torque_nm + more);
+        let torques: Option<Vec<[f64; 3]>> = self.muscles.iter().map(torques).collect();
+        let predicted_nm = torques.map(|torques| {
+            let sum = |of: &dyn Fn(&[f64; 3]) -> f64| torques.iter().map(of).sum::<f64>();
+            let (turns, all) = (sum(&|t| t[0]), sum(&|t| t[0].abs()));
+            let share = if all > 0.0 { turns / all } else { 0.0 };
+            self.torque_nm + sum(&|t| t[0] - t[2]) - share * sum(&|t| t[1].abs())
+        });
         Self {
             predicted_nm,
             predicted_low_nm: predicted_nm.zip(self.uncertainty_nm).map(|(t, u)| t - u),
