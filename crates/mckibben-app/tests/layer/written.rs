@@ -1,7 +1,7 @@
 //! Files that the program writes are files that it reads.
 
 use crate::{reply, root};
-use mckibben_app::ask;
+use mckibben_app::{ModelFields, MotionRequest, TextFile, ask, motion};
 use mckibben_core::progress::Silent;
 use serde_json::{Value, json};
 
@@ -170,4 +170,41 @@ fn the_softening_of_a_rubber_stands_in_its_muscle_file() {
         panic!("{rubber:?}")
     };
     assert!((law.mu_mpa / mu - 1.0).abs() < 1e-9, "{law:?}");
+}
+
+/// A muscle that was designed for 10 kg has a drive file to begin with; there its load is lifted and
+/// rests within 1 % of its stroke of the equilibrium of the model, well damped.
+#[test]
+fn a_designed_muscle_has_a_drive_file_to_begin_with() {
+    let text = std::fs::read_to_string(root().join("examples/biceps.toml")).unwrap()
+        + "\n[job]\npressure = '3 bar'\nsupply = '6 bar'\npoints = [{ force = '98.0665 N', contraction = 0.1 }]\n";
+    let file = |name: &str, text: &str| TextFile {
+        name: name.into(),
+        text: text.into(),
+    };
+    let muscle = file("muscle.toml", &text);
+    let drive = MotionRequest::drive_to_begin(&muscle).unwrap();
+    assert!(drive.contains("mass = \"10.000 kg\""), "{drive}");
+    assert!(drive.contains("pressure = \"0.6"), "{drive}");
+    let request = MotionRequest {
+        drive: Some(file("drive.toml", &drive)),
+        muscle: Some(muscle),
+        model: ModelFields::named("thick-wall"),
+        ..MotionRequest::default()
+    };
+    let motion = motion(&request, &Silent).unwrap().motion.motion;
+    let contraction = &motion.series.muscles[0].contraction;
+    let end = contraction.last().unwrap();
+    let still = motion.equilibrium_contraction.unwrap();
+    assert!(
+        still > 0.1 && (end - still).abs() < 0.01 * still,
+        "{end} {still}"
+    );
+    let most = contraction.iter().copied().fold(0.0, f64::max);
+    assert!(most < 1.5 * still, "{most} {still}");
+    // A drive file is no muscle, and a muscle without a job has none.
+    let plain = file("muscle.toml", text.split("[job]").next().unwrap());
+    for other in [file("drive.toml", &drive), plain] {
+        assert!(MotionRequest::drive_to_begin(&other).is_none());
+    }
 }

@@ -45,47 +45,30 @@ enum Kind {
     Joint(usize),
 }
 
-/// A system: its folder in FMI 2.0 and in FMI 3.0, the ending of a library, and the library.
-struct System {
-    second: Option<&'static str>,
-    third: &'static str,
-    ending: &'static str,
-    library: &'static [u8],
-}
-
-const SYSTEMS: [System; 5] = [
-    System {
-        second: Some("linux64"),
-        third: "x86_64-linux",
-        ending: "so",
-        library: include_bytes!("../../../binaries/x86_64-linux"),
-    },
-    System {
-        second: None,
-        third: "aarch64-linux",
-        ending: "so",
-        library: include_bytes!("../../../binaries/aarch64-linux"),
-    },
-    System {
-        second: Some("win64"),
-        third: "x86_64-windows",
-        ending: "dll",
-        library: include_bytes!("../../../binaries/x86_64-windows"),
-    },
-    System {
-        second: None,
-        third: "x86_64-darwin",
-        ending: "dylib",
-        library: MACOS[0],
-    },
-    System {
-        second: None,
-        third: "aarch64-darwin",
-        ending: "dylib",
-        library: MACOS[1],
-    },
+/// The systems: folder in FMI 2.0 and in FMI 3.0, ending of a library, and the library. FMI 2.0 has
+/// one folder for both processors of macOS.
+const SYSTEMS: [(&str, &str, &str, &[u8]); 5] = [
+    (
+        "linux64",
+        "x86_64-linux",
+        "so",
+        include_bytes!("../../../binaries/x86_64-linux"),
+    ),
+    (
+        "",
+        "aarch64-linux",
+        "so",
+        include_bytes!("../../../binaries/aarch64-linux"),
+    ),
+    (
+        "win64",
+        "x86_64-windows",
+        "dll",
+        include_bytes!("../../../binaries/x86_64-windows"),
+    ),
+    ("", "x86_64-darwin", "dylib", MACOS[0]),
+    ("", "aarch64-darwin", "dylib", MACOS[1]),
 ];
-/// FMI 2.0 has one folder for both processors.
 const MACOS: [&[u8]; 2] = [
     include_bytes!("../../../binaries/x86_64-darwin"),
     include_bytes!("../../../binaries/aarch64-darwin"),
@@ -197,22 +180,15 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
 
 /// The libraries of all systems in FMI 2.0 and in FMI 3.0.
 fn libraries(id: &str) -> (Vec<Entry>, Vec<Entry>) {
-    let library = |folder: &str, ending: &str| format!("binaries/{folder}/{id}.{ending}");
-    let mut second = vec![];
-    let mut third = vec![];
-    for system in SYSTEMS {
-        third.push((
-            library(system.third, system.ending),
-            system.library.to_vec(),
-        ));
-        second.extend(
-            system
-                .second
-                .map(|folder| (library(folder, system.ending), system.library.to_vec())),
-        );
-    }
-    second.push((library("darwin64", "dylib"), universal(&MACOS)));
-    (second, third)
+    let entry = |folder: &str, ending: &str, library: &[u8]| {
+        let path = format!("binaries/{folder}/{id}.{ending}");
+        (path, library.to_vec())
+    };
+    let third = SYSTEMS.map(|(_, folder, ending, library)| entry(folder, ending, library));
+    let in_second = SYSTEMS.iter().filter(|system| !system.0.is_empty());
+    let second = in_second.map(|(folder, _, ending, library)| entry(folder, ending, library));
+    let macos = entry("darwin64", "dylib", &universal(&MACOS));
+    (second.chain([macos]).collect(), third.to_vec())
 }
 
 /// `muscle.bin`, as fmu2.c reads it.
