@@ -147,7 +147,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         long("campaign-forecast", campaign_forecast),
         short("campaign-show", campaign_show),
         short("campaign-merge", campaign_merge),
-        short("campaign-status", campaign_status),
     ];
     always.into_iter().chain(whole).chain(files).collect()
 });

@@ -22,7 +22,7 @@ pub use plan::{Plan, PlanBuilder, Sampling, SamplingMethod, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{
-    CampaignOutcome, CampaignStatus, Forecast, RunOptions, forecast, read, rows, run, status,
+    CampaignOutcome, Forecast, RunOptions, forecast, read, rows, run,
 };
 #[cfg(feature = "store")]
 #[doc(hidden)]

@@ -1,8 +1,6 @@
 //! Formulas from tables: the paper's seven steps, one least-squares problem, and the ends of
 //! muscles of every make.
 
-#[doc(hidden)]
-pub mod constants;
 pub mod data;
 mod error;
 #[doc(hidden)]
@@ -13,8 +11,6 @@ mod least_squares;
 mod make;
 #[doc(hidden)]
 pub mod paper_method;
-#[doc(hidden)]
-pub mod results;
 #[doc(hidden)]
 pub mod signs;
 #[doc(hidden)]
@@ -28,5 +24,5 @@ pub use make::{FittedFormula, FormulaRequest, MakeOfRows, Method, make};
 pub use {
     global::{GlobalFit, global},
     make::{fitted, refitted},
-    paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method},
+    paper_method::{PaperMethod, paper_method},
 };

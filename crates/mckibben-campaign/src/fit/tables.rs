@@ -58,16 +58,14 @@ fn cells(row: Value) -> Vec<Value> {
 /// Steps 1–2, 3, 4–5, 6–7, and the signs.
 pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let curves = m.curves.iter().map(|c| {
-        let abc = [0, 1, 2].map(|k| c.abc.map(|f| f.coefficients[k]));
-        let r2 = c.abc.map(|f| f.r2);
+        let abc = c.abc.coefficients;
         json!([
             c.outer_diameter_mm,
             c.wall_mm,
             c.pressure_mpa,
             abc,
-            r2,
-            c.points.len(),
-            c.rule
+            c.abc.r2,
+            c.points.len()
         ])
     });
     let lines = m.lines.iter().map(|l| {
@@ -103,7 +101,7 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
     vec![
         table(
             "steps_1_2_abc",
-            "outer_diameter_mm wall_mm pressure_mpa a_n b_n c_n r2 points rule",
+            "outer_diameter_mm wall_mm pressure_mpa a_n b_n c_n r2 points",
             curves,
         ),
         table(
