@@ -129,7 +129,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         long("compare", compare),
         long("identify", identify),
         long("fit", fit),
-        long("fit-report", fit_report),
         long("plan", plan),
         short("check-formula", check_formula),
         short("parts-show", part_show),

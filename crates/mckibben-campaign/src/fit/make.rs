@@ -11,11 +11,13 @@ use crate::{columns::PointRow, hash};
 use mckibben_core::{
     extremes::ends,
     formula::{
-        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut,
-        Made, MadeBraid, MadeRubber, NamedBraid, Provenance,
+        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made,
+        MadeBraid, MadeRubber, NamedBraid, Provenance,
     },
-    muscle::Muscle,
+    muscle::{Muscle, NEUTRAL_ANGLE_DEG},
 };
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::collections::BTreeSet;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -292,13 +294,13 @@ fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= TOLERANCE * a.abs().max(b.abs())
 }
 
-/// Rubber and braid of a table's muscles, row after row; length and angle are those of its first
-/// row.
+/// What a table's muscles have in common, row after row.
 #[derive(Debug, Clone)]
 pub struct MakeOfRows {
     made: Made,
     /// The descriptions of the braid that hold for every row so far, the simplest first.
     braids: Vec<MadeBraid>,
+    last_muscle: Option<u64>,
 }
 
 fn rubber_of(row: &PointRow) -> MadeRubber {
@@ -325,16 +327,32 @@ impl MakeOfRows {
             angle_deg: first.angle_deg,
             rubber: rubber_of(first),
             braid: MadeBraid::Named(NamedBraid::Inextensible),
+            strands: None,
         };
-        Self { made, braids }
+        Self {
+            made,
+            braids,
+            last_muscle: None,
+        }
     }
 
     /// A further row.
     ///
     /// # Errors
-    /// [`FitError::Refused`] where it has another rubber or braid, or where a measure varies that
-    /// no formula has.
+    /// [`FitError::Refused`] where it has another length, angle, rubber or braid, or where a
+    /// measure varies that no formula has.
     pub fn add(&mut self, row: &PointRow) -> Result<()> {
+        if self.last_muscle.replace(row.muscle) == Some(row.muscle) {
+            return Ok(());
+        }
+        for (part, made, row) in [
+            ("length_mm", self.made.length_mm, row.length_mm),
+            ("angle_deg", self.made.angle_deg, row.angle_deg),
+        ] {
+            if !same(made, row) {
+                return Err(FitError::mixed_make(&format!("{part} ({made} and {row})")));
+            }
+        }
         if !rubber_of(row).is_like(&self.made.rubber, TOLERANCE) {
             return Err(FitError::mixed_make("rubber"));
         }
@@ -360,6 +378,52 @@ impl MakeOfRows {
         Made {
             braid: braid.unwrap_or(MadeBraid::Named(NamedBraid::Inextensible)),
             ..self.made
+        }
+    }
+}
+
+/// The method that a table is fit for, or why none is.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
+pub struct Fits {
+    /// `global` for muscles of one make, `universal` for several.
+    pub fit_method: Option<&'static str>,
+    /// Why no method suits.
+    pub no_fit: Option<String>,
+}
+
+/// What methods need, row after row.
+#[derive(Debug, Clone, Default)]
+pub struct Fittable {
+    make: Option<MakeOfRows>,
+    /// Whether its muscles are of several makes.
+    several: bool,
+    /// Whether a muscle is inflated at contraction 0.
+    blocked: bool,
+    /// Why the rows make no formula.
+    refused: Option<FitError>,
+}
+
+impl Fittable {
+    pub fn add(&mut self, row: &PointRow) {
+        self.blocked |= row.contraction == 0.0 && row.pressure_mpa > 0.0;
+        if let Some((column, _)) = row.measures.first() {
+            self.refused = Some(FitError::varies(column));
+        } else if row.angle_deg >= NEUTRAL_ANGLE_DEG {
+            self.refused = Some(FitError::extends(row.angle_deg));
+        }
+        let make = self.make.get_or_insert_with(|| MakeOfRows::new(row));
+        self.several |= make.add(row).is_err();
+    }
+
+    pub fn fits(&self) -> Fits {
+        let method = if self.several { "universal" } else { "global" };
+        let refused = match &self.refused {
+            None if !self.blocked => Some(FitError::no_blocked()),
+            refused => refused.clone(),
+        };
+        Fits {
+            fit_method: refused.is_none().then_some(method),
+            no_fit: refused.map(|error| error.to_string()),
         }
     }
 }

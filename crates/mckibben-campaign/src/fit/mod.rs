@@ -19,7 +19,8 @@ pub mod tables;
 pub mod universal;
 
 pub use error::FitError;
-pub use make::{FittedFormula, FormulaRequest, MakeOfRows, Method, make};
+pub(crate) use make::Fittable;
+pub use make::{Fits, FittedFormula, FormulaRequest, MakeOfRows, Method, make};
 #[doc(hidden)]
 pub use {
     global::{GlobalFit, global},

@@ -162,7 +162,8 @@ fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
     enough("pressure_mpa", curves.len(), 2, place)?;
     let line = |k: usize| {
         let point = |c: &CurveFit| (c.pressure_mpa, c.abc.coefficients[k]);
-        fit::<2>(&Vec::from_iter(curves.iter().map(point))).ok_or_else(|| FitError::singular(place()))
+        fit::<2>(&Vec::from_iter(curves.iter().map(point)))
+            .ok_or_else(|| FitError::singular(place()))
     };
     Ok(LineFit {
         outer_diameter_mm: d,

@@ -9,6 +9,7 @@
 //!    cent; its largest error is stated, so that the sixth power is minimised.
 //! 3. Both held, (11): n.
 
+use mckibben_campaign::fit::Method;
 use mckibben_campaign::fit::{
     data::{
         CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, Grid, PRESSURES, WALLS, pressure_steps,
@@ -17,7 +18,6 @@ use mckibben_campaign::fit::{
     errors::{ForceScales, errors},
     fitted,
 };
-use mckibben_campaign::fit::Method;
 use mckibben_core::{
     formula::Coefficients,
     model::{ForceModel, ModelError, Workspace},
@@ -255,10 +255,9 @@ fn the_constants_and_the_published_formula_come_out() {
     let ratio = ours.family_stiffness_n_per_mm().unwrap() / k;
     assert!((ratio - 1.0).abs() < 0.03, "{constants:?}");
     type Make<'a> = &'a (dyn Fn(f64, f64) -> Option<Muscle> + Sync);
-    let makes: [Make<'_>; 2] = [
-        &|d, s| constants.muscle(d, s),
-        &|d, s| shipped.with_section(d, s).ok(),
-    ];
+    let makes: [Make<'_>; 2] = [&|d, s| constants.muscle(d, s), &|d, s| {
+        shipped.with_section(d, s).ok()
+    }];
     for make in makes {
         let [campaign, held] = [Grid::PAPER, Grid::HELD_OUT].map(|grid| grid.compute(make));
         let of_table = |p: &&FitPoint| (p.outer_diameter_mm, p.wall_mm) == TABLE_1_SECTION;
@@ -303,7 +302,9 @@ fn the_goals_of_the_global_method_are_met() {
         walls: &walls,
         ..finer
     };
-    let formula = fitted(&finer.points(&base), Method::Global, &[]).unwrap().formula;
+    let formula = fitted(&finer.points(&base), Method::Global, &[])
+        .unwrap()
+        .formula;
     let off = largest(between.points(&base).iter(), |p| p.difference_n(&formula));
     assert!(off <= 0.004, "{off}");
 }

@@ -349,7 +349,10 @@ fn the_law_of_a_large_plan_is_that_of_all_its_muscles() {
     assert_eq!(plan.muscles(), 2000);
     let widest = "[tube]\nrubber = \"dragon-skin-30\"\n[braid]\nangle = 16\n";
     let widest = mckibben_core::muscle::file::parse_muscle(widest).unwrap();
-    assert_eq!(plan.base().unwrap().tube().rubber.law, widest.tube().rubber.law);
+    assert_eq!(
+        plan.base().unwrap().tube().rubber.law,
+        widest.tube().rubber.law
+    );
 }
 
 /// Every measure of the muscle varies, and each muscle is the base with that value: an identity

@@ -14,6 +14,7 @@ use crate::{
         warnings::Warned,
     },
     columns::{PointRow, Role},
+    fit::{Fits, Fittable},
 };
 use mckibben_core::{joined, status::Status};
 use mckibben_io::files::ReadError;
@@ -49,7 +50,7 @@ pub struct Extent {
 }
 
 /// Contents of a campaign.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Serialize, JsonSchema)]
 pub struct Summary {
     /// Muscles that are there.
     pub muscles: u64,
@@ -80,9 +81,14 @@ pub struct Summary {
     /// Parts that are damaged, or of another plan or version, with what shows it; they count as
     /// missing.
     pub damaged: Vec<String>,
+    /// What can be fitted to it.
+    #[serde(flatten)]
+    pub fits: Fits,
     /// Where it comes from.
     #[serde(flatten)]
     pub provenance: Provenance,
+    #[serde(skip)]
+    fittable: Fittable,
 }
 
 impl Summary {
@@ -106,6 +112,7 @@ impl Summary {
 
     fn add_row(&mut self, mut row: PointRow, fields: &[Field]) {
         self.points += 1;
+        self.fittable.add(&row);
         if row.status.is_ok() {
             self.answered += 1;
         } else {
@@ -167,6 +174,7 @@ impl Summary {
         // Columns that no row has.
         self.ranges.retain(|r| r.smallest <= r.largest);
         self.complete = self.points == self.points_wanted;
+        self.fits = self.fittable.fits();
         self
     }
 }

@@ -451,7 +451,10 @@ fn the_summary_names_parts_of_another_plan() {
     };
     assert_eq!((shard.state, shard.parts), (ShardState::Missing, 10));
     for (said, number) in seen.damaged.iter().zip([2, 5]) {
-        assert!(said.contains(&part(&store, number).display().to_string()), "{said}");
+        assert!(
+            said.contains(&part(&store, number).display().to_string()),
+            "{said}"
+        );
     }
     assert_eq!(seen.damaged.len(), 2);
 }

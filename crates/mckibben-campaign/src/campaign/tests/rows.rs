@@ -83,7 +83,10 @@ fn identity_a_row_of_a_named_sleeve_is_the_muscle_of_a_file() {
                 Ok(plan) => plan,
                 // Its seller does not state its strands.
                 Err(error) => {
-                    assert!(error.to_string().contains("does not state"), "{name}: {error}");
+                    assert!(
+                        error.to_string().contains("does not state"),
+                        "{name}: {error}"
+                    );
                     continue;
                 }
             };
