@@ -212,7 +212,7 @@ PARTS = {
         [
             "cargo clippy --manifest-path studies/Cargo.toml --target-dir target/studies --all-targets --locked -- -D warnings",
             "cargo study peers_figure -- target/peers.svg && cmp target/peers.svg docs/figures/peers.svg",
-            "cargo study universal_figure -- target/universal.svg 150 && cmp target/universal.svg docs/figures/universal.svg",
+            "cargo study universal_errors -- 150 7 target/universal.svg && cmp target/universal.svg docs/figures/universal.svg",
             "cargo test --release --manifest-path studies/Cargo.toml --target-dir target/studies --bins --locked",
             "cargo study validation -- --check",
             "cargo study validation -- --plot target/measured.svg && cmp target/measured.svg docs/figures/measured.svg",

@@ -110,8 +110,8 @@ kill_one() { kill -9 "$(running)"; }
 until_true 60 kill_one
 status=0; wait "$lines" || status=$?
 [ "$status" = 2 ] && grep -q "parts are missing" killed.txt || fail "exit code $status: $(cat killed.txt)"
-status=0; mckibben campaign status parts > status.txt || status=$?
-[ "$status" = 1 ] && grep -q "missing" status.txt || fail "status $status: $(cat status.txt)"
+status=0; mckibben campaign show parts > status.txt || status=$?
+[ "$status" = 1 ] && grep -q "missing" status.txt || fail "show $status: $(cat status.txt)"
 bash recipe.sh
 same "a shard was killed"
 

@@ -40,7 +40,7 @@ COMMANDS: dict[str, dict[str, str]] = {
     },
     "JointCommands": {"joint": "", "export-joint": "target"},
     "DriveCommands": {"motion": ""},
-    "CampaignCommands": {"campaign": "", "campaign-status": "", "campaign-show": ""},
+    "CampaignCommands": {"campaign": "", "campaign-show": ""},
     "": {
         "design": "",
         "identify": "muscle! data!",
@@ -57,7 +57,6 @@ CALLED = {
     "joint": "solve",
     "export-joint": "export",
     "campaign": "_run",
-    "campaign-status": "status",
     "campaign-show": "summary",
     "rubber": "fit_rubber",
     "parts-list": "parts",

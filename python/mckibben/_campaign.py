@@ -70,11 +70,7 @@ class Campaign(_api.CampaignCommands):
     def _files(self, command: str) -> dict[str, Any]:
         if command == "campaign-show":
             return {"campaign": self._table}
-        return (
-            {"output": self._parts}
-            if command == "campaign-status"
-            else {"plan": self.plan, "output": self.output}
-        )
+        return {"plan": self.plan, "output": self.output}
 
     def __fspath__(self) -> str:
         return self._table

@@ -73,7 +73,7 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "fill": lambda root: THIN.fill(20_000, load="mass:5kg", model="thick-wall"),
     "simulate": lambda root: THIN.simulate(pressures_mpa=[0.2], contractions=[0.1]),
     "design": lambda root: mk.design(**SPEC),
-    "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", tables=True),
+    "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", method="paper", figures=True),
     "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(),
     "identify": lambda root: mk.identify(
         root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"
@@ -534,7 +534,7 @@ def test_what_python_raises_itself_goes_through(tmp_path: Path) -> None:
             model="ideal",
         ).step(raising)
     with pytest.raises(TypeError):
-        mk.ask("fit-report", progress=lambda: None)  # type: ignore[arg-type, misc]
+        mk.ask("plan", {"plan": PLAN}, progress=lambda: None)  # type: ignore[arg-type, misc]
     (tmp_path / "a.toml").write_bytes(b"\xff\xfe\x00")
     for path in [
         tmp_path,
@@ -721,7 +721,6 @@ def test_a_number_that_is_not_finite_is_named(wrong: float) -> None:
 @pytest.mark.parametrize(
     "command, table",
     [
-        ("fit-report", "findings"),
         ("export-list", "targets"),
     ],
 )

@@ -95,11 +95,12 @@ def test_a_killed_pool_is_joined_again(tmp_path: Path, expected: bytes) -> None:
                 shards=10,
                 progress=once_begun(tmp_path, "parts/part-*", kill),
             )
-    before = mk.Campaign(out).status()
-    assert 0 < before.parts < before.parts_wanted and not before.complete
+    before = mk.Campaign(out).summary()
+    assert 0 < before.muscles < 200 and before.missing_parts and not before.complete
     with ProcessPoolExecutor(2) as pool:
         campaign = mk.campaign(PLAN, out, executor=pool, shards=10)
-    assert campaign.status().complete and campaign.status().shards_done == 10
+    after = campaign.summary()
+    assert after.complete and [shard.state for shard in after.shards] == ["done"] * 10
     request = {"folders": [str(out)], "output": str(tmp_path / "merged.parquet")}
     mk.ask("campaign-merge", request)
     assert (tmp_path / "merged.parquet").read_bytes() == expected
@@ -121,7 +122,7 @@ def test_a_cancelled_campaign_is_joined_again(tmp_path: Path, expected: bytes) -
                 progress=once_begun(tmp_path, "c.parquet.parts/part-*", leave),
             )
         assert not out.exists() and not list(tmp_path.glob("c.parquet.parts/.stop*"))
-        assert mk.Campaign(tmp_path / "c.parquet.parts").status().parts < 100
+        assert mk.Campaign(tmp_path / "c.parquet.parts").summary().muscles < 200
         mk.campaign(PLAN, out, executor=pool, shards=4)
     assert out.read_bytes() == expected
 

@@ -6,6 +6,9 @@ use mckibben_fem::solver::{
     newton::Interrupted,
     trail::{Along, Trail},
 };
+use std::{error::Error, fs, path::Path};
+
+pub type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 
 /// Goes on to a pressure in MPa and a displacement of the terminal in mm in one increment,
 /// predicted from those before it (the trail); in smaller ones where that does not lead to an
@@ -18,7 +21,7 @@ pub fn increment<B: Body>(
     trail: &mut Trail,
     pressure: f64,
     terminal: f64,
-) -> Result<(), Interrupted> {
+) -> std::result::Result<(), Interrupted> {
     let now = c.body.state();
     let (along, value) = if now.terminal == terminal {
         (Along::Pressure, pressure)
@@ -40,4 +43,34 @@ pub fn increment<B: Body>(
         c.body.state_mut().copy_from(last);
     }
     c.walk(pressure, terminal, 0.5)
+}
+
+const END: &str = "<!-- end -->";
+
+/// A page with each text between `<!-- study NAME -->` and `<!-- end -->`.
+pub fn with_texts(page: &str, texts: &[(&str, String)]) -> Result<String> {
+    let mut made = page.to_owned();
+    for (name, text) in texts {
+        let mark = format!("<!-- study {name} -->\n");
+        let Some((before, rest)) = made.split_once(&mark) else {
+            continue;
+        };
+        let (_, behind) = rest
+            .split_once(END)
+            .ok_or_else(|| format!("nothing ends `study {name}`"))?;
+        made = format!("{before}{mark}\n{text}\n{END}{behind}");
+    }
+    Ok(made)
+}
+
+/// Writes a file, or compares it; whether it is as it was.
+pub fn keep(path: &Path, made: &str, check: bool) -> Result<bool> {
+    let is_same = fs::read_to_string(path).is_ok_and(|kept| kept == made);
+    if !is_same {
+        println!("{}: changed", path.display());
+        if !check {
+            fs::write(path, made)?;
+        }
+    }
+    Ok(is_same)
 }

@@ -102,7 +102,7 @@ fn figures(check: bool) -> Done {
 }
 
 /// Flags with the file or folder that a command writes.
-const WRITTEN: [&str; 4] = ["-o", "--plot", "--plots", "--tables"];
+const WRITTEN: [&str; 3] = ["-o", "--plot", "--figures"];
 
 fn writes(line: &str) -> bool {
     line.split_whitespace().any(|word| WRITTEN.contains(&word))

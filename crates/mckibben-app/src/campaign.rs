@@ -1,5 +1,4 @@
-//! `campaign`, `campaign show`, `campaign merge` and `campaign status`: many finite-element tests
-//! from a plan, on disk.
+//! `campaign`, `campaign show` and `campaign merge`: many finite-element tests from a plan, on disk.
 
 use crate::{
     Count, Problem, ProblemKind, Result, TextFile, Units,
@@ -8,7 +7,7 @@ use crate::{
     print::{Csv, Page, Show},
 };
 use mckibben_campaign::campaign::{
-    self, CampaignOutcome, CampaignStatus, Forecast, Merged, RunOptions, Shard, Summary,
+    self, CampaignOutcome, Forecast, Merged, RunOptions, Shard, Summary,
 };
 use mckibben_core::progress::Progress;
 use schemars::JsonSchema;
@@ -118,20 +117,6 @@ pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged> {
     )?)
 }
 
-/// A campaign whose shards are looked at.
-#[derive(Debug, Default, Deserialize, JsonSchema, Args)]
-#[serde(default)]
-pub struct CampaignStatusRequest {
-    /// The folder of parts
-    #[arg(id = "folder", value_name = "DIR")]
-    pub output: PathBuf,
-}
-
-/// How far a campaign is, shard by shard.
-pub fn campaign_status(request: &CampaignStatusRequest) -> Result<CampaignStatus> {
-    Ok(campaign::status(&request.output)?)
-}
-
 impl Show for Forecast {}
 
 impl Show for Merged {}
@@ -139,27 +124,13 @@ impl Show for Merged {}
 impl Show for Summary {
     fn page(&self, u: &Units) -> Page {
         let mut page = Page::of(self, u, &[]);
-        if self.missing_parts > 0 {
-            page.paragraph("Incomplete: run the campaign again to continue.");
+        if self.is_stopped() {
+            page.paragraph("Incomplete, and no process computes the rest: run it again.");
         }
         page
     }
 
     fn csv(&self) -> Csv {
         Csv::rows(&self.ranges)
-    }
-}
-
-impl Show for CampaignStatus {
-    fn page(&self, u: &Units) -> Page {
-        let mut page = Page::of(self, u, &[]);
-        if self.shards_missing > 0 {
-            page.paragraph("Something is missing that nothing computes: run the shards again.");
-        }
-        page
-    }
-
-    fn csv(&self) -> Csv {
-        Csv::rows(&self.shards)
     }
 }

@@ -129,7 +129,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         long("compare", compare),
         long("identify", identify),
         long("fit", fit),
-        long("fit-report", fit_report),
         long("plan", plan),
         short("check-formula", check_formula),
         short("parts-show", part_show),
@@ -147,7 +146,6 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         long("campaign-forecast", campaign_forecast),
         short("campaign-show", campaign_show),
         short("campaign-merge", campaign_merge),
-        short("campaign-status", campaign_status),
     ];
     always.into_iter().chain(whole).chain(files).collect()
 });

@@ -7,35 +7,32 @@ pub use coefficients::{CoefficientRow, is_of_the_paper};
 use coefficients::{rows_of, to_latex};
 
 use crate::{
-    Model, MuscleFields, NameOrFile, Problem, ProblemKind, Result, Stiffness, TextFile, figure,
+    Model, MuscleFields, Problem, ProblemKind, Result, TextFile, figure,
     flags::{self, Args},
     words::in_a_row,
 };
 use mckibben_campaign::{
     PointRow,
     fit::{
-        FitError, FittedFormula, FormulaRequest, MakeOfRows, Method, Rules, SlackRule, ThinRule,
+        FitError, FittedFormula, FormulaRequest, MakeOfRows, Method,
         data::{FitPoint, distinct, point, same},
         make, refitted,
-        results::{Results, results},
         tables::{Table, tables},
         universal::{self, Samples, UniversalRequest},
     },
 };
 use mckibben_core::{
-    formula::{Body, Document, GlobalTerms, Made, Provenance, UniversalFormula},
+    formula::{Document, Made, Provenance, UniversalFormula, powers},
     model::ModelKind,
+    muscle::file::parse_muscle,
     progress::Progress,
-    units::typed::{Length, List, Ratio},
+    units::typed::{Choice, Length, Ratio},
 };
 use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::{
-    collections::BTreeSet,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 /// A table of points, and how the formula is made.
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
@@ -48,62 +45,41 @@ pub struct FitRequest {
     /// A campaign on disk in place of the table: its file, or its folder of parts.
     #[arg(skip)]
     pub campaign: Option<PathBuf>,
-    /// Fitting method
-    #[arg(long, value_parser = flags::word::<FitMethod>(), default_value = "paper")]
-    pub method: FitMethod,
-    /// Diameters D0 to leave out of the fit, to test it
-    #[arg(long, value_name = "RANGE")]
-    pub hold_out_mm: Option<List<Length>>,
-    /// Share of the muscles to leave out of the fit, evenly in the order of D0 and wall
-    #[arg(long, value_name = "SHARE")]
+    /// Fitting method [global for muscles of one make, universal for several makes]
+    #[arg(long, value_parser = flags::word::<FitMethod>())]
+    pub method: Option<FitMethod>,
+    /// Diameters D0 to leave out of the fit, to test it: some, or all between two.
+    #[arg(skip)]
+    pub hold_out_mm: Option<Choice<Length>>,
+    /// In their place a share of the muscles, evenly in the order of D0 and wall.
+    #[arg(skip)]
     pub hold_out_share: Option<Ratio>,
     /// Name of the formula in answers [that of the method]
     #[arg(long)]
     pub name: Option<String>,
-    /// Rubber of the muscles, if the table does not state it [paper]
-    #[arg(long, value_name = "NAME", value_parser = flags::rubbers(), hide_possible_values = true, help_heading = "Muscle")]
-    pub rubber: Option<String>,
-    /// Braid of the muscles, if the table does not state it [paper]
-    #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness, help_heading = "Muscle")]
-    pub stiffness: Option<Stiffness>,
-    /// Muscle file with the rubber and the braid
-    #[arg(long, value_name = "FILE", value_parser = flags::muscle_file, help_heading = "Muscle")]
+    /// Muscle file with the rubber and braid of a CSV table, which states neither [paper]
+    #[arg(long, value_name = "FILE", value_parser = flags::muscle_file)]
     pub muscle: Option<TextFile>,
-    /// Formula of the kind global whose terms are fitted [terms chosen one by one]
-    #[arg(long, value_name = "FORMULA.json", value_parser = flags::file, help_heading = "Advanced")]
+    /// Terms of the method global in place of chosen ones: a list of powers of wall ratio, pressure,
+    /// contraction and D0, `[[0, 1, 0, 0], [0, 1, 1, 0]]`, or a formula of this kind
+    #[arg(long, value_name = "FILE.json", value_parser = flags::file)]
     pub terms: Option<TextFile>,
-    /// Treatment of thick walls of thin muscles at low pressure, in the paper's method
-    #[arg(long, value_parser = flags::word::<ThinRule>(), default_value = "leave-out", help_heading = "Advanced")]
-    pub thin_rule: ThinRule,
-    /// Treatment of points where the muscle would have to push, in the paper's method
-    #[arg(long, value_parser = flags::word::<SlackRule>(), default_value = "two-sided", help_heading = "Advanced")]
-    pub slack_rule: SlackRule,
-    /// Diameter and wall of the table that figures 5 to 8 show, such as 40x2; 12 too has the
-    /// diameter, unless one is left out [30x3, or the first]
-    #[arg(long, value_name = "D0xWALL", value_parser = flags::section, help_heading = "Output")]
-    pub at_mm: Option<(f64, f64)>,
-    /// Add the intermediate tables of the paper's method to the answer.
-    #[arg(skip)]
-    pub tables: bool,
-    /// Add figures to the answer: figures 5 to 12 of the paper, or with `global` figure 12.
+    /// Add figures to the answer, of the method paper figures 5 to 12 of the paper and the tables of
+    /// its steps.
     #[arg(skip)]
     pub figures: bool,
 }
 
-/// The diameter and wall in mm that figures of one muscle show: the prototype's.
-const SHOWN: (f64, f64) = (30.0, 3.0);
-
 /// How a formula is made.
-#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FitMethod {
-    /// The paper's seven steps, to the 48 coefficients of its Table 2.
-    #[default]
-    Paper,
     /// One least-squares problem on terms chosen one by one, at most 48.
     Global,
     /// Ends of muscles of every make, from a campaign over them: the built-in model `universal`.
     Universal,
+    /// The seven steps of Antonelli 2018, to the 48 coefficients of its Table 2.
+    Paper,
 }
 
 /// A formula with its data, as in its file.
@@ -146,57 +122,42 @@ impl FitAnswer {
 
 /// From a table of points to a formula with its errors and where it holds.
 pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
-    match request.method {
+    request.check_name()?;
+    match request.chosen()? {
+        FitMethod::Global => section(request, Method::Global),
+        FitMethod::Universal => universal(request, progress),
         FitMethod::Paper => {
             let why = "`method` paper has its own 48 terms";
             Problem::refuse_unused(&[("terms", request.terms.is_some())], why)?;
-            let rules = Rules {
-                thin: request.thin_rule,
-                slack: request.slack_rule,
-            };
-            section(request, Method::Paper(rules))
+            section(request, Method::Paper)
         }
-        FitMethod::Global => {
-            request.check_rules("global")?;
-            let why = "`method` global has no intermediate tables";
-            Problem::refuse_unused(&[("tables", request.tables)], why)?;
-            section(request, Method::Global)
-        }
-        FitMethod::Universal => universal(request, progress),
     }
 }
 
 /// A formula for muscles of one make.
 fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
-    request.check_name()?;
     let Points {
         points,
         failed,
         made_for,
         origin,
     } = request.points()?;
-    let there = distinct(points.iter().map(|p| p.outer_diameter_mm));
-    let is_there = |d: f64| there.iter().any(|&known| same(known, d));
-    if let Some(d) = request.hold_out().iter().find(|d| !is_there(**d)) {
-        let there = in_a_row(there.iter().map(f64::to_string));
-        let message = format!("D0 {d} mm is not in {}, but {there}", origin.name);
-        return Err(ProblemKind::Usage.problem(message).in_field("hold_out_mm"));
-    }
+    let (hold_out, hold_out_share) = request.held_out(&points, &origin.name)?;
+    let terms = request.powers()?;
     let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
     let fitted = make(FormulaRequest {
         points,
         made_for,
         method,
-        terms: request.own_terms()?.as_ref(),
-        hold_out: request.hold_out(),
-        hold_out_share: request.hold_out_share.map_or(0.0, f64::from),
+        terms: terms.as_deref(),
+        hold_out: &hold_out,
+        hold_out_share,
         name: request.name.clone().unwrap_or_else(|| method.name().into()),
         from: origin.from,
     })
     .map_err(|e| no_fit(&origin.name, e))?;
-    let shown = request.shown(&fitted.points)?;
     let figures = if request.figures {
-        figure::fitted(&fitted, shown)
+        figure::fitted(&fitted)
     } else {
         vec![]
     };
@@ -205,8 +166,10 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
         tables: fitted
             .paper
             .as_ref()
-            .filter(|_| request.tables)
-            .map_or_else(Vec::new, tables),
+            .filter(|_| request.figures)
+            .map_or_else(Vec::new, |steps| {
+                tables(steps, is_of_the_paper(&fitted.formula))
+            }),
         figures,
         failed,
         fitted: Some(fitted),
@@ -216,7 +179,6 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
 /// A formula for muscles of every make.
 fn universal(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
     request.check_foreign()?;
-    request.check_name()?;
     let Some(path) = &request.campaign else {
         let name = request.table.as_ref().map_or("nothing", |t| &t.name);
         let message = format!("{name}: the method universal takes a campaign in Parquet");
@@ -247,16 +209,6 @@ fn universal(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer>
     })
 }
 
-/// The paper's campaign computed anew.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct FitReportRequest {}
-
-/// Computes the paper's campaign, the formulas of it, and their errors.
-pub fn fit_report(_: &FitReportRequest, progress: &dyn Progress) -> Result<Results> {
-    Ok(results(progress)?)
-}
-
 /// Why a table gives no formula.
 fn no_fit(name: &str, error: FitError) -> Problem {
     match error {
@@ -280,70 +232,65 @@ impl FitRequest {
         Err(Problem::usage(why, "take another name").in_field("name"))
     }
 
-    /// Refuses rules of the paper's method where another one is taken.
-    fn check_rules(&self, method: &str) -> Result<()> {
-        let rules = [
-            ("thin_rule", self.thin_rule != ThinRule::default()),
-            ("slack_rule", self.slack_rule != SlackRule::default()),
-        ];
-        Problem::refuse_unused(
-            &rules,
-            format!("it is a rule of `method` paper, and {method} is taken"),
-        )
+    /// The method: the one that is stated; else by the terms, or by the makes of the muscles.
+    fn chosen(&self) -> Result<FitMethod> {
+        Ok(match (self.method, &self.campaign) {
+            (Some(method), _) => method,
+            (None, Some(path)) if self.terms.is_none() && !is_of_one_make(path)? => {
+                FitMethod::Universal
+            }
+            _ => FitMethod::Global,
+        })
     }
 
     /// Refuses what the universal method does not know.
     fn check_foreign(&self) -> Result<()> {
         let foreign = [
-            ("hold_out_mm", self.hold_out_mm.is_some()),
-            ("hold_out_share", self.hold_out_share.is_some()),
+            ("hold_out", self.hold_out_mm.is_some()),
+            ("hold_out", self.hold_out_share.is_some()),
             ("terms", self.terms.is_some()),
-            ("tables", self.tables),
             ("figures", self.figures),
-            ("rubber", self.rubber.is_some()),
-            ("stiffness", self.stiffness.is_some()),
             ("muscle", self.muscle.is_some()),
         ];
-        self.check_rules("universal")?;
         Problem::refuse_unused(
             &foreign,
             "`method` universal takes all data of its muscles from the campaign",
         )
     }
 
-    /// The terms of a formula that are fitted anew.
-    fn own_terms(&self) -> Result<Option<GlobalTerms>> {
-        let Some(TextFile { name, text }) = &self.terms else {
-            return Ok(None);
+    /// The powers of the terms that are fitted in place of chosen ones.
+    fn powers(&self) -> Result<Option<Vec<[u8; 4]>>> {
+        let read = |TextFile { name, text }: &TextFile| {
+            powers(text).map_err(|e| Problem::from(e.in_file(Path::new(name))))
         };
-        let formula = Document::parse(text).map_err(|e| e.in_file(Path::new(name)))?;
-        if let Document::Section(formula) = formula
-            && let Body::Global(terms) = formula.body
-        {
-            return Ok(Some(terms));
-        }
-        let message = format!("{name} is no formula of the kind global");
-        Err(ProblemKind::Usage.problem(message).in_field("terms"))
+        self.terms.as_ref().map(read).transpose()
     }
 
-    /// Diameters that are left out of the fit.
-    fn hold_out(&self) -> &[f64] {
-        self.hold_out_mm.as_deref().unwrap_or_default()
-    }
-
-    /// The muscle that figures show: the one that is asked for, or the prototype, or the first.
-    fn shown(&self, points: &[FitPoint]) -> Result<(f64, f64)> {
-        let sections = points.iter().map(|p| (p.outer_diameter_mm, p.wall_mm));
-        let fitted = sections.filter(|at| !self.hold_out().contains(&at.0));
-        let wanted = self.at_mm.unwrap_or(SHOWN);
-        match fitted.clone().next() {
-            _ if fitted.clone().any(|at| at == wanted) => Ok(wanted),
-            Some(first) if self.at_mm.is_none() => Ok(first),
-            _ => {
-                let text = |(d, s)| format!("{d}x{s}");
-                let there: BTreeSet<_> = fitted.map(text).collect();
-                let message = format!("{} is not fitted, but {}", text(wanted), in_a_row(there));
-                Err(ProblemKind::Usage.problem(message).in_field("at_mm"))
+    /// Diameters in mm that are left out of the fit, or the share of the muscles.
+    fn held_out(&self, points: &[FitPoint], table: &str) -> Result<(Vec<f64>, f64)> {
+        let wrong = |message: String| Err(ProblemKind::Usage.problem(message).in_field("hold_out"));
+        let there = distinct(points.iter().map(|p| p.outer_diameter_mm));
+        let is_there = |d: &f64| there.iter().any(|known| same(*known, *d));
+        let share = self.hold_out_share.map_or(0.0, f64::from);
+        let held: Vec<f64> = match &self.hold_out_mm {
+            None if (0.0..1.0).contains(&share) => return Ok((vec![], share)),
+            None => return wrong(format!("a share of {} % leaves no muscle", 100.0 * share)),
+            Some(_) if share != 0.0 => {
+                return wrong("diameters and a share are given: leave one out".into());
+            }
+            Some(Choice::One(d)) => vec![f64::from(*d)],
+            Some(Choice::Several(list)) => list.iter().map(|d| f64::from(*d)).collect(),
+            Some(Choice::Between { low, high }) => {
+                let ends = f64::from(*low)..=f64::from(*high);
+                there.iter().copied().filter(|d| ends.contains(d)).collect()
+            }
+        };
+        match held.iter().find(|d| !is_there(d)) {
+            None if !held.is_empty() => Ok((held, 0.0)),
+            wanted => {
+                let wanted = wanted.map_or_else(|| "of this range".into(), |d| format!("{d} mm"));
+                let there = in_a_row(there.iter().map(f64::to_string));
+                wrong(format!("D0 {wanted} is not in {table}, but {there}"))
             }
         }
     }
@@ -352,8 +299,6 @@ impl FitRequest {
     fn made_for(&self) -> Result<Made> {
         let fields = MuscleFields {
             file: self.muscle.clone(),
-            rubber: self.rubber.clone().map(NameOrFile::Name),
-            stiffness: self.stiffness,
             ..MuscleFields::default()
         };
         Ok(Made::from_muscle(&fields.resolve()?))
@@ -406,8 +351,7 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
             Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?
         }
         (None, Some("paper")) => {
-            let method = Method::Paper(Rules::default());
-            let fitted = refitted(method).map_err(|e| no_fit("paper", e))?;
+            let fitted = refitted(Method::Paper).map_err(|e| no_fit("paper", e))?;
             coefficients = rows_of(&fitted.formula);
             Document::Section(fitted.published().into())
         }
@@ -456,6 +400,8 @@ struct Origin {
     name: String,
     /// Its name, hash and seed of its plan, where they are known, for the formula.
     from: Provenance,
+    /// The muscle that is varied, as a muscle file.
+    muscle: String,
 }
 
 /// What every row says of its muscle and its point, in this order.
@@ -488,8 +434,12 @@ fn rows(path: &Path) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)>
         seed: table.provenance.seed,
         ..Provenance::default()
     };
-    let name = path.display().to_string();
-    Ok((table.map(|row| Ok(row?)), Origin { name, from }))
+    let origin = Origin {
+        name: path.display().to_string(),
+        from,
+        muscle: table.provenance.muscle.clone(),
+    };
+    Ok((table.map(|row| Ok(row?)), origin))
 }
 
 /// Where there is no file system there are no campaigns on disk.
@@ -497,6 +447,19 @@ fn rows(path: &Path) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)>
 fn rows(_: &Path) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
     let message = "this build of the program cannot read campaigns from disk";
     Err(ProblemKind::Usage.problem(message).in_field("campaign"))
+}
+
+/// Whether all muscles of a campaign are of one make.
+fn is_of_one_make(path: &Path) -> Result<bool> {
+    let mut made: Option<MakeOfRows> = None;
+    for row in rows(path)?.0 {
+        let row = row?;
+        let made = made.get_or_insert_with(|| MakeOfRows::new(&row));
+        if made.add(&row).is_err() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 fn of_campaign(path: &Path) -> Result<Points> {
@@ -511,10 +474,15 @@ fn of_campaign(path: &Path) -> Result<Points> {
         points.extend(point(&row));
         all += 1;
     }
+    let made_for = made_for.map(MakeOfRows::made_for);
+    let varied = parse_muscle(&origin.muscle);
     Ok(Points {
         failed: all - points.len(),
         points,
-        made_for: made_for.map(MakeOfRows::made_for),
+        made_for: match varied {
+            Ok(muscle) => made_for.map(|made| made.with_strands_of(&muscle)),
+            Err(_) => made_for,
+        },
         origin,
     })
 }
@@ -547,6 +515,7 @@ fn of_csv(file: &TextFile) -> Result<Points> {
     let origin = Origin {
         name: file.name.clone(),
         from,
+        muscle: String::new(),
     };
     Ok(Points {
         points,

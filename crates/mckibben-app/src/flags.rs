@@ -202,17 +202,6 @@ pub fn table(path: &str) -> Result<TextFile, Problem> {
     TextFile::table(Path::new(path))
 }
 
-/// A diameter and a wall in mm: `40x2`.
-pub fn section(text: &str) -> Result<(f64, f64), Problem> {
-    let length = |text: &str| text.parse::<Length>().ok();
-    text.split_once('x')
-        .and_then(|(d, s)| Some((length(d)?.0, length(s)?.0)))
-        .ok_or_else(|| {
-            let message = format!("{text}: expected D0 and wall, such as 40x2");
-            ProblemKind::Quantity.problem(message)
-        })
-}
-
 /// A volume. Users think of mL, and the unit inside is a thousandth of it.
 pub fn volume(text: &str) -> Result<Volume, Problem> {
     let text = text.trim();

@@ -83,6 +83,7 @@ impl MuscleFields {
             sleeve: self.braid.as_deref().map(sleeve).transpose()?,
             stiffness: self.stiffness,
             strand_diameter_mm: self.strand_diameter_mm.map(f64::from),
+            ..Stated::default()
         })
     }
 

@@ -77,7 +77,7 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
     println!("{}", fitted.formula.equation());
 
     // The formula is a model like any other. `fitted.formula.to_json()` is a file for `--model`.
-    let muscle = plan.base.with_section(26.0, 1.75)?;
+    let muscle = plan.inputs(0).muscle()?.with_section(26.0, 1.75)?;
     let formula = FormulaModel::between_ends(&fitted.formula, &muscle);
     let fe = Axisymmetric::between_ends(&muscle)?;
     let workspace = &mut Workspace::new();

@@ -81,7 +81,8 @@ fn main() -> ExitCode {
 /// clap's own words.
 fn unparsed(error: &clap::Error, context: &Context) -> ExitCode {
     let gone = || problem::of_gone_flag(error, context).or_else(|| problem::of_gone_command(error));
-    if let Some(problem) = problem::of_value(error).or_else(gone) {
+    let status = problem::of_gone_status();
+    if let Some(problem) = status.or_else(|| problem::of_value(error)).or_else(gone) {
         return report(problem, context);
     }
     if error.use_stderr() && context.format == Format::Json {

@@ -44,8 +44,12 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
     })
 }
 
+const FIGURES: &str = "`--figures DIR` writes figures and tables";
+const RULES: &str = "`cargo study paper_rules` compares the readings of the paper's method";
+const MUSCLE: &str = "`--muscle FILE` states rubber and braid of a CSV table";
+
 /// Flags that a command had, by its name, with what is typed in their place.
-const GONE: [(&str, &str, &str); 3] = [
+const GONE: [(&str, &str, &str); 13] = [
     (
         "compare",
         "--fit",
@@ -61,6 +65,20 @@ const GONE: [(&str, &str, &str); 3] = [
         "--loss",
         "take outliers out of the table, or give their rows a smaller `weight`",
     ),
+    ("fit", "--report", RULES),
+    ("fit", "--thin-rule", RULES),
+    ("fit", "--slack-rule", RULES),
+    ("fit", "--tables", FIGURES),
+    ("fit", "--plots", FIGURES),
+    ("fit", "--plots-format", "`--figures DIR` writes SVG"),
+    (
+        "fit",
+        "--at",
+        "`--figures DIR` shows D0 30 mm and wall 3 mm, or the first muscle",
+    ),
+    ("fit", "--hold-out-share", "`--hold-out 20%` takes a share"),
+    ("fit", "--rubber", MUSCLE),
+    ("fit", "--stiffness", MUSCLE),
 ];
 
 /// A flag that a command does not have, and what to type in its place.
@@ -104,6 +122,14 @@ pub fn of_gone_command(error: &clap::Error) -> Option<Problem> {
     };
     let is_gone = word == "validate";
     is_gone.then(|| Problem::usage("`validate` is now a study", "cargo study validation"))
+}
+
+/// `campaign status`, which is read as a plan.
+pub fn of_gone_status() -> Option<Problem> {
+    let words: Vec<_> = std::env::args_os().skip(1).take(2).collect();
+    let message = "`mckibben campaign` has no status any more";
+    let hint = "`mckibben campaign show DIR` has the shards, the rate and the summary";
+    (words == ["campaign", "status"]).then(|| Problem::usage(message, hint))
 }
 
 /// A command line that clap refuses.

@@ -1,7 +1,8 @@
 //! Errors of the models on random muscles that no fit has seen, in % of each muscle's blocked force
 //! where it pulls.
 //!
-//! `cargo study universal_errors -- 500 7` takes the number of muscles and a seed.
+//! `cargo study universal_errors -- 150 7 docs/figures/universal.svg` takes the number of muscles, a
+//! seed, and a file for the share of points within an error.
 
 use mckibben_core::{
     analysis::bisect,
@@ -12,48 +13,69 @@ use mckibben_campaign::fit::universal::{
     HeldOutRow, Sample, drawn, held_out, held_out_samples, shares, summary,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_report::{Axis, Figure, Panel, Series};
+use mckibben_studies::Result;
+use std::path::Path;
 
-fn main() {
-    let number = |i: usize, usual: u64| {
-        std::env::args()
-            .nth(i)
-            .and_then(|n| n.parse().ok())
-            .unwrap_or(usual)
-    };
-    let count = number(1, 500) as usize;
-    let seed = number(2, 7);
+fn main() -> Result<()> {
+    let mut words = std::env::args().skip(1);
+    let count = words.next().map_or(Ok(500), |n| n.parse())?;
+    let seed = words.next().map_or(Ok(7), |n| n.parse())?;
     let samples = held_out_samples(count, seed);
+    if let Some(file) = words.next() {
+        std::fs::write(&file, figure(&samples)?.bytes(Path::new(&file))?)?;
+    }
     let mut rows: Vec<HeldOutRow> = held_out(&samples);
     rows.extend(rubber_laws(count / 5, seed + 1));
-    println!(
-        "{:<42} {:>7} {:>8} {:>7} {:>7} {:>7} {:>7}",
-        "model", "points", "muscles", "rms", "95 %", "99 %", "worst"
-    );
+    println!("% of the blocked force: rms, 95 %, 99 %, worst");
     for HeldOutRow { model, errors: e } in rows {
         let [rms, p95, p99, max] = [e.rms, e.p95, e.p99, e.max].map(|v| 100.0 * v);
-        println!(
-            "{model:<42} {:>7} {:>8} {rms:>7.3} {p95:>7.3} {p99:>7.3} {max:>7.2}",
-            e.points, e.muscles
-        );
+        println!("{model:<42} {rms:>7.3} {p95:>7.3} {p99:>7.3} {max:>7.2}");
     }
     small_pressures(&samples[..samples.len().min(count / 5)]);
     for kind in [ModelKind::ThickWall, ModelKind::Universal] {
-        let mut list: Vec<f64> = vec![];
+        let mut list = vec![];
         for s in &samples {
-            let Ok(model) = kind.build(&s.muscle) else {
-                continue;
-            };
+            let model = kind.build(&s.muscle)?;
             for p in &s.points {
-                let volume = model
-                    .response(&mut Workspace::new(), p.pressure_mpa, p.contraction)
-                    .ok()
-                    .and_then(|r| r.volume_mm3);
-                list.extend(p.volume_mm3.zip(volume).map(|(fe, v)| (v / fe - 1.0).abs()));
+                let r = model.response(&mut Workspace::new(), p.pressure_mpa, p.contraction)?;
+                list.extend(r.volume_mm3.zip(p.volume_mm3).map(|(v, fe)| (v / fe - 1.0).abs()));
             }
         }
         let [rms, p99, max] = of(&[list]);
         println!("volume of {kind}, in % of it: rms {rms:.3}, 99 % {p99:.3}, worst {max:.2}");
     }
+    Ok(())
+}
+
+/// How errors are spread: the share of points within an error.
+fn figure(samples: &[Sample]) -> Result<Figure> {
+    /// Points of a curve, as steps of its share.
+    const STEPS: usize = 200;
+    let points: usize = samples.iter().map(|s| s.points.len()).sum();
+    let mut panel = Panel::new(
+        Axis::new("|error| in % of the blocked force, log10").range(-4.0, 2.0),
+        Axis::new("share of points within it, %").range(0.0, 100.0),
+    );
+    for kind in [ModelKind::Universal, ModelKind::ThickWall, ModelKind::Ideal] {
+        let shares = shares(samples, |s| kind.build(&s.muscle).ok(), |_, _| true).concat();
+        let mut errors: Vec<f64> = shares.iter().map(|e| (100.0 * e).abs().max(1e-9)).collect();
+        errors.sort_by(f64::total_cmp);
+        let at = |step: usize| {
+            let place = (step * errors.len() / STEPS).min(errors.len().saturating_sub(1));
+            (errors[place].log10(), 100.0 * step as f64 / STEPS as f64)
+        };
+        panel = panel.series(Series::line(
+            kind.name(),
+            (1..=STEPS).map(at).collect::<Vec<_>>(),
+        ));
+    }
+    let title = "Errors against finite elements";
+    let caption = format!(
+        "{points} points of {} random muscles that no fit has seen, where they pull",
+        samples.len()
+    );
+    Ok(Figure::new(title).caption(caption).panel(panel))
 }
 
 /// `universal` on random muscles of other rubber laws with the same moduli.
@@ -93,55 +115,39 @@ fn of(errors: &[Vec<f64>]) -> [f64; 3] {
 /// 1.
 fn small_pressures(samples: &[Sample]) {
     println!(
-        "small pressures: P/mu, points, % of the blocked force there (rms, 99 %, worst), % of that \
-         at P/mu 1 (worst), worst in N"
+        "small pressures: P/mu, % of the blocked force there (rms, 99 %, worst), % of that at P/mu 1"
     );
     for ratio in [0.001, 0.003, 0.01, 0.02, 0.05, 0.1] {
         let mut here = vec![];
         let mut at_modulus = 0.0_f64;
-        let mut newtons = 0.0_f64;
         for s in samples {
             let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
-            let (Ok(fe), Ok(model)) = (
-                Axisymmetric::between_ends(&s.muscle),
-                ModelKind::Universal.build(&s.muscle),
-            ) else {
+            let (Ok(fe), Ok(model)) =
+                (Axisymmetric::between_ends(&s.muscle), ModelKind::Universal.build(&s.muscle))
+            else {
                 continue;
+            };
+            let force = |model: &dyn ForceModel, p: f64, e: f64| {
+                model.force_n(&mut Workspace::new(), p, e).ok()
             };
             let p = ratio * mu;
-            let (Ok(blocked), Ok(usual)) = (
-                fe.force_n(&mut Workspace::new(), p, 0.0),
-                model.force_n(&mut Workspace::new(), mu, 0.0),
-            ) else {
+            let (Some(blocked), Some(usual)) = (force(&fe, p, 0.0), force(&*model, mu, 0.0)) else {
                 continue;
             };
-            let largest = s.muscle.max_ideal_contraction();
-            let (farthest, _) = bisect(0.0, largest, 30, |e| {
-                model
-                    .force_n(&mut Workspace::new(), p, e)
-                    .is_ok_and(|f| f > 0.0)
-            });
+            let pulls = |e: f64| force(&*model, p, e).is_some_and(|f| f > 0.0);
+            let (farthest, _) = bisect(0.0, s.muscle.max_ideal_contraction(), 30, pulls);
             for i in 0..10 {
-                let contraction = farthest * f64::from(i) / 10.0;
-                let (Ok(exact), Ok(force)) = (
-                    fe.force_n(&mut Workspace::new(), p, contraction),
-                    model.force_n(&mut Workspace::new(), p, contraction),
-                ) else {
+                let e = farthest * f64::from(i) / 10.0;
+                let pull = force(&fe, p, e).filter(|f| *f > 0.0);
+                let Some((exact, force)) = pull.zip(force(&*model, p, e)) else {
                     continue;
                 };
                 let off = (force - exact).abs();
-                if exact > 0.0 {
-                    here.push(off / blocked);
-                    at_modulus = at_modulus.max(100.0 * off / usual);
-                    newtons = newtons.max(off);
-                }
+                here.push(off / blocked);
+                at_modulus = at_modulus.max(100.0 * off / usual);
             }
         }
-        let points = here.len();
         let [rms, p99, max] = of(&[here]);
-        println!(
-            "{ratio:<6} {points:>6} {rms:>8.3} {p99:>8.3} {max:>8.2} {at_modulus:>9.4} \
-             {newtons:>9.4}"
-        );
+        println!("{ratio:<6} {rms:>8.3} {p99:>8.3} {max:>8.2} {at_modulus:>9.4}");
     }
 }

@@ -40,9 +40,21 @@ fn pair(
     )
 }
 
-/// Figures 5 to 11 where the paper's method was used, and 12, with names for their files; of a
-/// diameter and a wall in mm.
-pub fn fitted(f: &FittedFormula, at: (f64, f64)) -> Vec<NamedFigure> {
+/// The diameter and wall in mm that figures of one muscle show, where it is fitted: the
+/// prototype's.
+const SHOWN: (f64, f64) = (30.0, 3.0);
+
+/// Figures 5 to 11 where the paper's method was used, and 12, with names for their files; of the
+/// prototype, or the first muscle.
+pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
+    let fitted = &f.points[..f.formula.provenance.points];
+    let mut sections = fitted.iter().map(|p| (p.outer_diameter_mm, p.wall_mm));
+    let first = sections.clone().next().unwrap_or(SHOWN);
+    let at = if sections.any(|at| at == SHOWN) {
+        SHOWN
+    } else {
+        first
+    };
     let last = ("figure_12_formula_and_points", against_points(f, at.0));
     let all = f
         .paper
@@ -100,8 +112,8 @@ impl Section<'_> {
     ) -> Panel {
         let mut panel = Panel::new(contraction(), pull()).title(title);
         let curves = self.method.curves.iter().filter(|c| drawn(c));
-        for (n, (c, f)) in curves.filter_map(|c| c.abc.map(|f| (c, f))).enumerate() {
-            panel = pair(panel, &label(c), n, c.points.clone(), |e| f.at(e));
+        for (n, c) in curves.enumerate() {
+            panel = pair(panel, &label(c), n, c.points.clone(), |e| c.abc.at(e));
         }
         panel
     }
@@ -176,7 +188,7 @@ impl Section<'_> {
                     .curves
                     .iter()
                     .filter(|c| same(c.outer_diameter_mm, self.d) && same(c.wall_mm, l.wall_mm))
-                    .filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients[k])))
+                    .map(|c| (c.pressure_mpa, c.abc.coefficients[k]))
                     .collect();
                 let label = format!("s {}", number(l.wall_mm, 3));
                 panel = pair(panel, &label, n, points, |p| l.lines[k].at(p));

@@ -143,7 +143,6 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                 json!({ "table": long, "method": "paper" }),
             ]
         }
-        "fit-report" => vec![json!({})],
         "plan" | "campaign-forecast" => vec![json!({ "plan": plan })],
         "campaign" => vec![json!({ "plan": plan, "output": folder.join("c.parquet") })],
         "build" => vec![json!({ "muscle": { "length_mm": 30000 }, "report": true })],
@@ -191,7 +190,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             vec![json!({ "joint": joint, "muscles": [muscle], "target": "c", "model": { "mesh": "8x400" } })]
         }
         "export-list" | "check" | "check-formula" | "campaign-show" | "campaign-merge"
-        | "campaign-status" | "measures" | "parts-list" | "parts-show" | "quantities" | "units" => {
+        | "measures" | "parts-list" | "parts-show" | "quantities" | "units" => {
             vec![]
         }
         other => panic!("say what a dear request of {other} is, or that there is none"),

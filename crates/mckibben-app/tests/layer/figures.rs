@@ -268,8 +268,11 @@ fn of_a_fit(request: Value) -> impl Fn(usize) -> Figure {
 #[test]
 fn figures_of_a_fit_say_what_they_show() {
     let paper = of_a_fit(json!({ "table": campaign("28", |_| true), "figures": true,
-        "hold_out_mm": [35] }));
-    let own = of_a_fit(json!({ "table": campaign("24", |d| d > 35.0), "figures": true }));
+        "method": "paper", "hold_out_mm": [35] }));
+    let own = of_a_fit(
+        json!({ "table": campaign("24", |d| d > 35.0), "figures": true,
+        "method": "paper" }),
+    );
     let legend = |figure: &Figure| -> Vec<Vec<(Style, String)>> {
         let named = |p: &Panel| {
             let named = p.series.iter().filter(|s| !s.label.is_empty());
@@ -307,18 +310,19 @@ fn figures_of_a_fit_say_what_they_show() {
 
 #[test]
 fn muscles_that_are_not_in_the_table_are_refused_with_those_that_are() {
-    for (field, more, parts) in [
-        ("at_mm", json!({ "at_mm": [33, 3] }), ["33x3", "30x1, 30x2"]),
-        ("at_mm", json!({ "at_mm": [30, 7] }), ["30x7", "50x4, 50x5"]),
+    for (more, parts) in [
         (
-            "at_mm",
-            json!({ "at_mm": [35, 3], "hold_out_mm": [35] }),
-            ["35x3", "30x5, 40x1"],
-        ),
-        (
-            "hold_out_mm",
             json!({ "hold_out_mm": [35, 33] }),
             ["D0 33 mm", "30, 35, 40, 45, 50"],
+        ),
+        (
+            json!({ "hold_out_mm": "31..34" }),
+            ["of this range", "30, 35, 40, 45, 50"],
+        ),
+        (json!({ "hold_out_share": 1.2 }), ["120 %", "no muscle"]),
+        (
+            json!({ "hold_out_mm": 35, "hold_out_share": 0.2 }),
+            ["diameters and a share", "leave one out"],
         ),
     ] {
         let mut request = json!({ "table": text_file("data/campaign/paper.csv") });
@@ -327,9 +331,34 @@ fn muscles_that_are_not_in_the_table_are_refused_with_those_that_are() {
             .unwrap()
             .extend(more.as_object().unwrap().clone());
         let problem = refusal("fit", request);
-        assert_eq!(problem.field.as_deref(), Some(field));
+        assert_eq!(problem.field.as_deref(), Some("hold_out"));
         for part in parts {
             assert!(problem.message.contains(part), "{}", problem.message);
         }
     }
+}
+
+/// An identity: a range leaves out the diameters of the table in it, and a list of powers gives the
+/// formula of those terms.
+#[test]
+fn a_range_of_diameters_is_left_out_and_a_list_of_powers_is_a_sum() {
+    let table = text_file("data/campaign/paper.csv");
+    let fit = |more: Value| {
+        let mut request = json!({ "table": table });
+        request
+            .as_object_mut()
+            .unwrap()
+            .extend(more.as_object().unwrap().clone());
+        reply("fit", request)
+    };
+    let range = fit(json!({ "hold_out_mm": "32..42" }));
+    assert_eq!(range, fit(json!({ "hold_out_mm": [35, 40] })));
+    assert_eq!(range["kind"], "global");
+    let held = &range["errors"]["held_out"]["outer_diameters_mm"];
+    assert_eq!(held, &json!([35.0, 40.0]));
+    let powers = json!({ "name": "powers.json", "text": "[[0,1,0,0],[0,1,1,0]]" });
+    let own = fit(json!({ "terms": powers }));
+    assert_eq!(own["terms"].as_array().unwrap().len(), 2);
+    let formula = json!({ "name": "own.json", "text": own.to_string() });
+    assert_eq!(fit(json!({ "terms": formula }))["terms"], own["terms"]);
 }

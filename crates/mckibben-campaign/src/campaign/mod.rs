@@ -21,9 +21,7 @@ pub use error::CampaignError;
 pub use plan::{Plan, PlanBuilder, Sampling, SamplingMethod, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
-pub use store::{
-    CampaignOutcome, CampaignStatus, Forecast, RunOptions, forecast, read, rows, run, status,
-};
+pub use store::{CampaignOutcome, Forecast, RunOptions, forecast, read, rows, run};
 #[cfg(feature = "store")]
 #[doc(hidden)]
 pub use store::{

@@ -84,7 +84,7 @@ fn largest(inputs: &Inputs) -> f64 {
 }
 
 /// A row without an answer.
-fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> PointRow {
+pub fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> PointRow {
     let tube = &inputs.parts.tube;
     let law = &tube.rubber.law;
     PointRow {

@@ -63,13 +63,19 @@ impl ForceScales {
                 *at = (p.pressure_mpa, p.force_n);
             }
         }
-        let Some((&(d, s), _)) = out.blocked.iter().find(|(_, blocked)| blocked.1 <= 0.0) else {
+        let without = |(_, blocked): &(&Section, &(f64, f64))| blocked.1 <= 0.0;
+        let Some((&(d, s), &(pressure_mpa, force_n))) = out.blocked.iter().find(without) else {
             return Ok(out);
         };
         let [outer_diameter_mm, wall_mm] = [d, s].map(|bits| bits as f64 / BITS);
+        let what = if pressure_mpa == f64::MIN {
+            "has no point at contraction 0".to_owned()
+        } else {
+            format!("does not pull at contraction 0 ({force_n:.4} N at {pressure_mpa} MPa)")
+        };
         Err(FitError::Refused(format!(
-            "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, \
-             so that its errors cannot be stated as shares of its blocked force"
+            "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm {what}, so that its errors \
+             cannot be stated as shares of its blocked force"
         )))
     }
 

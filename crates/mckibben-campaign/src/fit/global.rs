@@ -62,7 +62,7 @@ pub struct GlobalFit {
 }
 
 /// Fits given terms, or at most [`MOST_TERMS`] chosen ones.
-pub fn global(points: &[FitPoint], own: Option<&GlobalTerms>) -> Result<GlobalFit> {
+pub fn global(points: &[FitPoint], own: Option<&[[u8; 4]]>) -> Result<GlobalFit> {
     let forces = ForceScales::new(points)?;
     let used = || points.iter().filter(|p| p.force_n > 0.0);
     if used().next().is_none() {
@@ -89,7 +89,7 @@ pub fn global(points: &[FitPoint], own: Option<&GlobalTerms>) -> Result<GlobalFi
         diameters.len().saturating_sub(1),
     ];
     let candidates = match own {
-        Some(own) => own.terms.iter().map(|term| term.powers).collect(),
+        Some(own) => own.to_vec(),
         None => candidates(counts),
     };
     // D0² xᵃ pᵇ eᶜ dᵈ/F_blocked | F/F_blocked

@@ -5,23 +5,25 @@ use super::{
     error::{FitError, Result},
     errors::{Compared, ForceScales, Section, errors, regions, section},
     global::{GlobalFit, MOST_TERMS, global},
-    paper_method::{CurveFit, PaperMethod, Rules, SlackRule, paper_method},
+    paper_method::{PaperMethod, is_left_out, paper_method},
 };
 use crate::{columns::PointRow, hash};
 use mckibben_core::{
     extremes::ends,
     formula::{
-        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms,
-        HeldOut, Made, MadeBraid, MadeRubber, NamedBraid, Provenance,
+        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made,
+        MadeBraid, MadeRubber, NamedBraid, Provenance,
     },
-    muscle::Muscle,
+    muscle::{Muscle, NEUTRAL_ANGLE_DEG},
 };
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::collections::BTreeSet;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// The paper's seven steps.
-    Paper(Rules),
+    Paper,
     /// One least-squares problem with at most as many terms as the paper has coefficients.
     Global,
 }
@@ -30,24 +32,18 @@ impl Method {
     /// The usual name of a formula by it.
     pub fn name(self) -> &'static str {
         match self {
-            Method::Paper(_) => "paper-method",
+            Method::Paper => "paper-method",
             Method::Global => "global",
         }
     }
 
-    /// The method in words, with the rules that were applied to some curves.
-    fn text(self, curves: &[CurveFit], has_terms: bool) -> String {
+    /// The method in words, with the rule that left curves out.
+    fn text(self, leaves_out: bool, has_terms: bool) -> String {
         match self {
-            Method::Paper(rules) => {
-                let applied: BTreeSet<&str> = curves.iter().map(|c| c.rule).collect();
-                let applied = applied.into_iter().filter(|rule| !rule.is_empty());
-                let applied: String = applied.map(|rule| format!("{rule}; ")).collect();
-                let slack = match rules.slack {
-                    SlackRule::TwoSided => "two-sided (negative forces count)",
-                    SlackRule::PullOnly => "only where the muscle pulls",
-                    SlackRule::Zero => "zero where the muscle would push",
-                };
-                format!("paper (seven steps; {applied}force {slack})")
+            Method::Paper => {
+                let rule = "left out: D0 < 35, s > 3 at 0.05 MPa; ";
+                let rule = if leaves_out { rule } else { "" };
+                format!("paper (seven steps; {rule}force two-sided (negative forces count))")
             }
             Method::Global if has_terms => {
                 "global (given terms; points where the muscle pulls)".into()
@@ -66,8 +62,9 @@ pub struct FormulaRequest<'a> {
     /// The make of their muscles; length and angle are those of the points.
     pub made_for: Made,
     pub method: Method,
-    /// Terms that the global method fits in place of those that it chooses.
-    pub terms: Option<&'a GlobalTerms>,
+    /// Powers of x, p, e, d of the terms that the global method fits in place of those that it
+    /// chooses.
+    pub terms: Option<&'a [[u8; 4]]>,
     /// Diameters in mm that are kept out of the fit, to test it.
     pub hold_out: &'a [f64],
     /// Share of the muscles that is kept out, evenly in the order of their diameters and walls.
@@ -169,9 +166,11 @@ pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
     points.sort_by_key(held);
     let parts = points.split_at(points.partition_point(|p| !held(p)));
     let fitted = parts.0;
+    let kept = fitted.iter().filter(|p| !is_left_out(p));
+    let leaves_out = kept.clone().count() < fitted.len();
     let (body, paper, global) = match request.method {
-        Method::Paper(rules) => {
-            let steps = paper_method(fitted, rules)?;
+        Method::Paper => {
+            let steps = paper_method(&Vec::from_iter(kept.copied()))?;
             (Body::Paper(Box::new(steps.coefficients)), Some(steps), None)
         }
         Method::Global => {
@@ -190,10 +189,7 @@ pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
         range: range(fitted),
         errors: FormulaErrors::default(),
         provenance: Provenance {
-            method: request.method.text(
-                paper.as_ref().map_or(&[], |m| &m.curves),
-                request.terms.is_some(),
-            ),
+            method: request.method.text(leaves_out, request.terms.is_some()),
             points: fitted.len(),
             data_hash: hash::numbers(numbers(fitted)),
             ..request.from.clone()
@@ -219,7 +215,7 @@ fn keep_pressures(points: &mut Vec<FitPoint>, method: Method) {
     let pressures = distinct(points.iter().map(|p| p.pressure_mpa));
     let has = |v: &f64| pressures.iter().any(|p| same(*p, *v));
     let top = PRESSURES[PRESSURES.len() - 1];
-    let papers = matches!(method, Method::Paper(_))
+    let papers = method == Method::Paper
         && PRESSURES.iter().all(has)
         && pressures.iter().all(|p| *p <= top + 1e-9);
     let is_used = |p: f64| {
@@ -298,13 +294,13 @@ fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= TOLERANCE * a.abs().max(b.abs())
 }
 
-/// Rubber and braid of a table's muscles, row after row; length and angle are those of its first
-/// row.
+/// What a table's muscles have in common, row after row.
 #[derive(Debug, Clone)]
 pub struct MakeOfRows {
     made: Made,
     /// The descriptions of the braid that hold for every row so far, the simplest first.
     braids: Vec<MadeBraid>,
+    last_muscle: Option<u64>,
 }
 
 fn rubber_of(row: &PointRow) -> MadeRubber {
@@ -331,16 +327,32 @@ impl MakeOfRows {
             angle_deg: first.angle_deg,
             rubber: rubber_of(first),
             braid: MadeBraid::Named(NamedBraid::Inextensible),
+            strands: None,
         };
-        Self { made, braids }
+        Self {
+            made,
+            braids,
+            last_muscle: None,
+        }
     }
 
     /// A further row.
     ///
     /// # Errors
-    /// [`FitError::Refused`] where it has another rubber or braid, or where a measure varies that
-    /// no formula has.
+    /// [`FitError::Refused`] where it has another length, angle, rubber or braid, or where a
+    /// measure varies that no formula has.
     pub fn add(&mut self, row: &PointRow) -> Result<()> {
+        if self.last_muscle.replace(row.muscle) == Some(row.muscle) {
+            return Ok(());
+        }
+        for (part, made, row) in [
+            ("length_mm", self.made.length_mm, row.length_mm),
+            ("angle_deg", self.made.angle_deg, row.angle_deg),
+        ] {
+            if !same(made, row) {
+                return Err(FitError::mixed_make(&format!("{part} ({made} and {row})")));
+            }
+        }
         if !rubber_of(row).is_like(&self.made.rubber, TOLERANCE) {
             return Err(FitError::mixed_make("rubber"));
         }
@@ -366,6 +378,52 @@ impl MakeOfRows {
         Made {
             braid: braid.unwrap_or(MadeBraid::Named(NamedBraid::Inextensible)),
             ..self.made
+        }
+    }
+}
+
+/// The method that a table is fit for, or why none is.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
+pub struct Fits {
+    /// `global` for muscles of one make, `universal` for several.
+    pub fit_method: Option<&'static str>,
+    /// Why no method suits.
+    pub no_fit: Option<String>,
+}
+
+/// What methods need, row after row.
+#[derive(Debug, Clone, Default)]
+pub struct Fittable {
+    make: Option<MakeOfRows>,
+    /// Whether its muscles are of several makes.
+    several: bool,
+    /// Whether a muscle is inflated at contraction 0.
+    blocked: bool,
+    /// Why the rows make no formula.
+    refused: Option<FitError>,
+}
+
+impl Fittable {
+    pub fn add(&mut self, row: &PointRow) {
+        self.blocked |= row.contraction == 0.0 && row.pressure_mpa > 0.0;
+        if let Some((column, _)) = row.measures.first() {
+            self.refused = Some(FitError::varies(column));
+        } else if row.angle_deg >= NEUTRAL_ANGLE_DEG {
+            self.refused = Some(FitError::extends(row.angle_deg));
+        }
+        let make = self.make.get_or_insert_with(|| MakeOfRows::new(row));
+        self.several |= make.add(row).is_err();
+    }
+
+    pub fn fits(&self) -> Fits {
+        let method = if self.several { "universal" } else { "global" };
+        let refused = match &self.refused {
+            None if !self.blocked => Some(FitError::no_blocked()),
+            refused => refused.clone(),
+        };
+        Fits {
+            fit_method: refused.is_none().then_some(method),
+            no_fit: refused.map(|error| error.to_string()),
         }
     }
 }

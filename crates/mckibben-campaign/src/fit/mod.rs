@@ -1,8 +1,6 @@
 //! Formulas from tables: the paper's seven steps, one least-squares problem, and the ends of
 //! muscles of every make.
 
-#[doc(hidden)]
-pub mod constants;
 pub mod data;
 mod error;
 #[doc(hidden)]
@@ -14,8 +12,6 @@ mod make;
 #[doc(hidden)]
 pub mod paper_method;
 #[doc(hidden)]
-pub mod results;
-#[doc(hidden)]
 pub mod signs;
 #[doc(hidden)]
 pub mod tables;
@@ -23,10 +19,11 @@ pub mod tables;
 pub mod universal;
 
 pub use error::FitError;
-pub use make::{FittedFormula, FormulaRequest, MakeOfRows, Method, make};
+pub(crate) use make::Fittable;
+pub use make::{Fits, FittedFormula, FormulaRequest, MakeOfRows, Method, make};
 #[doc(hidden)]
 pub use {
     global::{GlobalFit, global},
     make::{fitted, refitted},
-    paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method},
+    paper_method::{PaperMethod, paper_method},
 };

@@ -14,48 +14,6 @@ use super::{
 };
 use mckibben_core::{extremes::peak, formula::Coefficients};
 use nalgebra::{DMatrix, DVector};
-use serde::{Deserialize, Serialize};
-
-/// Treatment of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε
-/// ≤ .05 alone: two of its five contractions, too few for a quadratic, and the paper does not say
-/// how it went on.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
-#[serde(rename_all = "kebab-case")]
-pub enum ThinRule {
-    /// They are left out: the fit over pressure has one less.
-    #[default]
-    LeaveOut,
-    /// A straight line through their points at ε ≤ 0.05 (a = 0).
-    Line,
-    /// They are used like all others.
-    Whole,
-}
-
-/// Treatment of points where the muscle would have to push.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
-#[serde(rename_all = "kebab-case")]
-pub enum SlackRule {
-    /// Their negative force counts.
-    #[default]
-    TwoSided,
-    /// They are left out; a curve with fewer than three other points is left out whole.
-    PullOnly,
-    /// They count as zero force.
-    Zero,
-}
-
-/// How the method is applied.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Rules {
-    /// Thick walls of thin muscles at low pressure.
-    pub thin: ThinRule,
-    /// Points where the muscle would push.
-    pub slack: SlackRule,
-}
 
 /// Steps 1–2: one isobaric curve (a row of the paper's Table 1).
 #[derive(Debug, Clone, PartialEq)]
@@ -66,12 +24,10 @@ pub struct CurveFit {
     pub wall_mm: f64,
     /// P in MPa.
     pub pressure_mpa: f64,
-    /// a, b, c in N, with R²; `None` where a rule leaves the curve out.
-    pub abc: Option<PolynomialFit<3>>,
-    /// (ε, F) as used.
+    /// a, b, c in N, with R².
+    pub abc: PolynomialFit<3>,
+    /// (ε, F)
     pub points: Vec<(f64, f64)>,
-    /// The rule that was applied to it, in words; empty where none was.
-    pub rule: &'static str,
 }
 
 /// Step 3: a, b, c over P for one (D0, s).
@@ -120,13 +76,15 @@ pub struct PaperMethod {
     pub coefficients: Coefficients,
 }
 
-/// D0 below which the exception of thick walls holds, s above which it does, and its pressure.
-const THIN: (f64, f64, f64) = (35.0, 3.0, 0.05);
-/// The contractions that the exception leaves.
-const THIN_CONTRACTION: f64 = 0.05;
+/// Whether a point is of a thick wall of a thin muscle at low pressure (D0 < 35, s > 3 at .05 MPa).
+/// The paper takes two of the five contractions of such a curve, too few for a quadratic, and does
+/// not say how it went on; here the curve is left out.
+pub fn is_left_out(p: &FitPoint) -> bool {
+    p.outer_diameter_mm < 35.0 && p.wall_mm > 3.0 && same(p.pressure_mpa, 0.05)
+}
 
-/// The seven steps. All points count: choose pressures and diameters before.
-pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod> {
+/// The seven steps. All points count: choose curves, pressures and diameters before.
+pub fn paper_method(points: &[FitPoint]) -> Result<PaperMethod> {
     if points.is_empty() {
         return Err(FitError::empty(" at the method's pressures"));
     }
@@ -152,13 +110,8 @@ pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod> {
             let first = curves.len();
             for p in distinct(of_wall.iter().map(|q| q.pressure_mpa)) {
                 let isobar = of_wall.iter().filter(|q| same(q.pressure_mpa, p));
-                curves.push(curve(
-                    d,
-                    s,
-                    p,
-                    isobar.map(|q| (q.contraction, q.force_n)).collect(),
-                    rules,
-                )?);
+                let isobar = isobar.map(|q| (q.contraction, q.force_n));
+                curves.push(curve(d, s, p, isobar.collect())?);
             }
             lines.push(line(d, s, &curves[first..])?);
         }
@@ -190,67 +143,33 @@ fn enough(
 }
 
 /// Step 1.
-fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<CurveFit> {
+fn curve(d: f64, s: f64, p: f64, points: Vec<(f64, f64)>) -> Result<CurveFit> {
     let place = || format!("the curve of D0 {d}, s {s} mm at {p} MPa");
-    let singular = || FitError::singular(place());
-    let thin = d < THIN.0 && s > THIN.1 && same(p, THIN.2);
-    let mut curve = CurveFit {
+    let count = distinct(points.iter().map(|q| q.0)).len();
+    enough("contraction", count, 3, place)?;
+    Ok(CurveFit {
         outer_diameter_mm: d,
         wall_mm: s,
         pressure_mpa: p,
-        abc: None,
-        points: all,
-        rule: "",
-    };
-    match rules.slack {
-        SlackRule::TwoSided => {}
-        SlackRule::PullOnly => curve.points.retain(|q| q.1 > 0.0),
-        SlackRule::Zero => curve.points.iter_mut().for_each(|q| q.1 = q.1.max(0.0)),
-    }
-    if rules.slack == SlackRule::PullOnly && curve.points.len() < 3 {
-        curve.rule = "left out: it pulls at fewer than three contractions";
-        return Ok(curve);
-    }
-    if thin && rules.thin != ThinRule::Whole {
-        curve.points.retain(|q| q.0 <= THIN_CONTRACTION + 1e-9);
-        if rules.thin == ThinRule::LeaveOut {
-            curve.rule = "left out: D0 < 35, s > 3 at 0.05 MPa";
-            return Ok(curve);
-        }
-        curve.rule = "straight line over ε ≤ 0.05: D0 < 35, s > 3 at 0.05 MPa";
-        let PolynomialFit {
-            coefficients: [b, c],
-            r2,
-        } = fit::<2>(&curve.points).ok_or_else(singular)?;
-        curve.abc = Some(PolynomialFit {
-            coefficients: [0.0, b, c],
-            r2,
-        });
-        return Ok(curve);
-    }
-    let count = distinct(curve.points.iter().map(|q| q.0)).len();
-    enough("contraction", count, 3, place)?;
-    curve.abc = Some(fit::<3>(&curve.points).ok_or_else(singular)?);
-    Ok(curve)
+        abc: fit::<3>(&points).ok_or_else(|| FitError::singular(place()))?,
+        points,
+    })
 }
 
 /// Step 3.
 fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
     let place = || format!("the muscle D0 {d}, s {s} mm");
-    let used: Vec<(f64, [f64; 3])> = curves
-        .iter()
-        .filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients)))
-        .collect();
-    enough("pressure_mpa", used.len(), 2, place)?;
+    enough("pressure_mpa", curves.len(), 2, place)?;
     let line = |k: usize| {
-        let points: Vec<(f64, f64)> = used.iter().map(|(p, abc)| (*p, abc[k])).collect();
-        fit::<2>(&points).ok_or_else(|| FitError::singular(place()))
+        let point = |c: &CurveFit| (c.pressure_mpa, c.abc.coefficients[k]);
+        fit::<2>(&Vec::from_iter(curves.iter().map(point)))
+            .ok_or_else(|| FitError::singular(place()))
     };
     Ok(LineFit {
         outer_diameter_mm: d,
         wall_mm: s,
         lines: [line(0)?, line(1)?, line(2)?],
-        pressures: used.len(),
+        pressures: curves.len(),
     })
 }
 

@@ -45,7 +45,7 @@ pub fn signs(method: &PaperMethod) -> Vec<Sign> {
                 for c in curves() {
                     let (s, p) = (c.wall_mm, c.pressure_mpa);
                     let at = if with == "P" { [s, p] } else { [p, s] };
-                    values.extend(c.abc.map(|f| (at, f.coefficients[k])));
+                    values.push((at, c.abc.coefficients[k]));
                 }
                 values.sort_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal));
                 let rises = coefficient == "a" && d >= 35.0 || (coefficient, with) == ("c", "P");

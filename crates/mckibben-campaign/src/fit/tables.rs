@@ -3,7 +3,7 @@
 use super::{paper_method::PaperMethod, signs::signs};
 use mckibben_core::{formula::Coefficients, joined};
 use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// A table with its name; cells are numbers, texts, or empty (null).
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -30,19 +30,6 @@ impl Table {
         }
         out
     }
-
-    /// As a list of objects.
-    pub fn to_value(&self) -> Value {
-        let object = |row: &Vec<Value>| {
-            let pairs = self.header.iter().zip(row);
-            Value::Object(
-                pairs
-                    .map(|(k, v)| ((*k).to_owned(), v.clone()))
-                    .collect::<Map<_, _>>(),
-            )
-        };
-        self.rows.iter().map(object).collect()
-    }
 }
 
 const FAMILIES: [&str; 3] = ["A", "B", "C"];
@@ -55,19 +42,17 @@ fn cells(row: Value) -> Vec<Value> {
     }
 }
 
-/// Steps 1–2, 3, 4–5, 6–7, and the signs.
-pub fn tables(m: &PaperMethod) -> Vec<Table> {
+/// Steps 1–2, 3, 4–5, 6–7, and the signs; of the paper's muscles with its Table 2.
+pub fn tables(m: &PaperMethod, of_the_paper: bool) -> Vec<Table> {
     let curves = m.curves.iter().map(|c| {
-        let abc = [0, 1, 2].map(|k| c.abc.map(|f| f.coefficients[k]));
-        let r2 = c.abc.map(|f| f.r2);
+        let abc = c.abc.coefficients;
         json!([
             c.outer_diameter_mm,
             c.wall_mm,
             c.pressure_mpa,
             abc,
-            r2,
-            c.points.len(),
-            c.rule
+            c.abc.r2,
+            c.points.len()
         ])
     });
     let lines = m.lines.iter().map(|l| {
@@ -81,11 +66,13 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
         };
         [0, 1, 2].map(row)
     });
-    let Coefficients { a, b, c } = &m.coefficients;
-    let families = FAMILIES.iter().zip([a, b, c]).zip(&m.r2);
-    let diameters = families.flat_map(|((family, block), r2)| {
-        let rows = (1..).zip(block).zip(r2);
-        rows.map(move |((k, x), r2)| json!([family, k, x, r2]))
+    let blocks = |c: &Coefficients| [c.a, c.b, c.c];
+    let (ours, published) = (blocks(&m.coefficients), blocks(Coefficients::published()));
+    let diameters = (0..18).map(|i| {
+        let (family, k) = (i / 6, i % 6);
+        let published = published[family][k].map(|x| of_the_paper.then_some(x));
+        let (fitted, r2) = (ours[family][k], m.r2[family][k]);
+        json!([FAMILIES[family], k + 1, fitted, r2, published])
     });
     let signs = signs(m).into_iter().map(|s| {
         let way = if s.rises { "rises" } else { "falls" };
@@ -103,7 +90,7 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
     vec![
         table(
             "steps_1_2_abc",
-            "outer_diameter_mm wall_mm pressure_mpa a_n b_n c_n r2 points rule",
+            "outer_diameter_mm wall_mm pressure_mpa a_n b_n c_n r2 points",
             curves,
         ),
         table(
@@ -117,7 +104,11 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
             "outer_diameter_mm family x1 x2 x3 x4 x5 x6 r2_m r2_q",
             walls,
         ),
-        table("steps_6_7_table2", "family row d2 d1 d0 r2", diameters),
+        table(
+            "steps_6_7_table2",
+            "family row d2 d1 d0 r2 published_d2 published_d1 published_d0",
+            diameters,
+        ),
         table(
             "signs",
             "outer_diameter_mm coefficient with paper_says holding pairs verdict",

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod constants;
 mod formulas;
 mod universal;
 mod verification;

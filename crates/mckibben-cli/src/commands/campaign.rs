@@ -1,4 +1,4 @@
-//! `campaign`, `campaign run|show|merge|status`.
+//! `campaign`, `campaign show|merge`.
 
 use crate::{
     Bar, Context, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean,
@@ -9,8 +9,8 @@ use crate::{
 };
 use clap::Subcommand;
 use mckibben_app::{
-    CampaignMergeRequest, CampaignRequest, CampaignShowRequest, CampaignStatusRequest,
-    campaign_forecast, campaign_merge, campaign_show, campaign_status, words::number,
+    CampaignMergeRequest, CampaignRequest, CampaignShowRequest, campaign_forecast, campaign_merge,
+    campaign_show, words::number,
 };
 use mckibben_campaign::campaign::CampaignOutcome;
 use mckibben_core::progress::{Progress, Silent};
@@ -54,7 +54,9 @@ pub struct Campaign {
 /// What is asked of a campaign.
 #[derive(Subcommand)]
 enum About {
-    /// Summary of a campaign: muscles, points, failures by cause, ranges, origin
+    /// Progress and summary of a campaign: shards, muscles, points, failures by cause, ranges, origin
+    ///
+    /// Exit code 1 where a part is missing that no process computes.
     #[command(after_long_help = examples(&[
     "campaign plans/paper.toml -o campaign.parquet",
     "campaign show campaign.parquet"
@@ -75,36 +77,17 @@ enum About {
         #[command(flatten)]
         request: CampaignMergeRequest,
     },
-    /// How far a folder of parts is, shard by shard: done, running, missing; exit code 1 where a
-    /// shard is missing
-    #[command(after_long_help = examples(&[
-    "campaign plans/paper.toml -o parts/ --shard 1/1",
-    "campaign status parts/"
-]))]
-    Status {
-        #[command(flatten)]
-        request: CampaignStatusRequest,
-        #[command(flatten)]
-        output: Output,
-    },
 }
 
 impl Campaign {
     pub fn run(self, context: &Context) -> Result<u8, Problem> {
         match self.about {
             Some(About::Show { request, output }) => {
-                output.print(context, &campaign_show(&request)?)
+                let summary = campaign_show(&request)?;
+                output.print(context, &summary)?;
+                Ok(if summary.is_stopped() { NO_ANSWER } else { 0 })
             }
             Some(About::Merge { request }) => merge(request, context),
-            Some(About::Status { request, output }) => {
-                let status = campaign_status(&request)?;
-                output.print(context, &status)?;
-                Ok(if status.shards_missing > 0 {
-                    NO_ANSWER
-                } else {
-                    0
-                })
-            }
             None if self.dry_run => {
                 no_csv(context)?;
                 let bar = Bar::new("muscles");

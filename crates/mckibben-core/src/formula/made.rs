@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     joined,
-    muscle::{Braid, BraidStiffness, Bulk, Muscle, MuscleError, Rubber, Terminals, Tube},
+    muscle::{Braid, BraidStiffness, Bulk, Muscle, MuscleError, Rubber, Strands, Terminals, Tube},
     rubber::{Law, library},
 };
 use indexmap::IndexMap;
@@ -37,6 +37,23 @@ pub enum NamedBraid {
     Inextensible,
 }
 
+/// Strands by which a braid is described.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(expecting = "an object")]
+pub struct MadeStrands {
+    /// Their number, both families together.
+    pub count: u32,
+    /// Cross-section of one in mm².
+    #[serde(deserialize_with = "positive")]
+    pub area_mm2: f64,
+    /// Young's modulus in MPa.
+    #[serde(deserialize_with = "positive")]
+    pub modulus_mpa: f64,
+    /// Force at which one breaks in N, where it is known.
+    #[serde(default, deserialize_with = "maybe_positive")]
+    pub strength_n: Option<f64>,
+}
+
 /// What a formula's muscles have in common.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(expecting = "an object")]
@@ -51,6 +68,9 @@ pub struct Made {
     pub rubber: MadeRubber,
     /// The braid.
     pub braid: MadeBraid,
+    /// Its strands, where they state its stiffness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strands: Option<MadeStrands>,
 }
 
 /// The rubber of a formula's muscles.
@@ -101,12 +121,36 @@ impl Made {
             angle_deg: muscle.braid().angle_deg,
             rubber: rubber.into(),
             braid,
+            strands: muscle.braid().strands.and_then(|s| {
+                Some(MadeStrands {
+                    count: s.count,
+                    area_mm2: s.area_mm2?,
+                    modulus_mpa: s.modulus_mpa?,
+                    strength_n: s.strength_n,
+                })
+            }),
+        }
+    }
+
+    /// The same with the strands of a muscle, where these give its stiffness.
+    pub fn with_strands_of(self, muscle: &Muscle) -> Self {
+        let theirs = Self::from_muscle(muscle);
+        match (self.braid, theirs.braid) {
+            (MadeBraid::TimesDiameter(a), MadeBraid::TimesDiameter(b))
+                if alike(Some(a), Some(b), 1e-6) =>
+            {
+                Self {
+                    strands: theirs.strands,
+                    ..self
+                }
+            }
+            _ => self,
         }
     }
 
     /// A muscle of this make: diameter and wall are the prototype's where the formula holds for
-    /// them, else in the middle of its range. A braid whose strands are counted is not known from
-    /// its stiffness: it stays that of the prototype.
+    /// them, else in the middle of its range. Strands that the formula does not state have their
+    /// stiffness on this diameter.
     pub fn muscle(&self, range: &FormulaRange) -> Result<Muscle, MuscleError> {
         let near = |value: f64, (low, high): (f64, f64)| {
             if (low..=high).contains(&value) {
@@ -135,13 +179,21 @@ impl Made {
             rubber,
             ..prototype
         };
+        let strands = self
+            .strands
+            .map(|s| Strands::new(s.count, Some((s.area_mm2, s.modulus_mpa)), s.strength_n));
         let braid = Braid {
             angle_deg: self.angle_deg,
             stiffness: match self.braid {
                 MadeBraid::Named(NamedBraid::Inextensible) => BraidStiffness::Inextensible,
+                MadeBraid::Named(NamedBraid::Paper) => BraidStiffness::Paper,
                 MadeBraid::Stiffness(k) => BraidStiffness::NewtonPerMm(k),
-                _ => BraidStiffness::Paper,
+                MadeBraid::TimesDiameter(_) if strands.is_some() => BraidStiffness::OfStrands,
+                MadeBraid::TimesDiameter(k) => {
+                    BraidStiffness::NewtonPerMm(k / tube.outer_diameter_mm)
+                }
             },
+            strands,
             ..Braid::paper()
         };
         Muscle::new(tube, braid, Terminals::default(), None)

@@ -27,7 +27,8 @@ pub use universal::UniversalFormula;
 #[doc(hidden)]
 pub use {
     errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors},
-    made::{Made, MadeBraid, MadeRubber, NamedBraid},
+    file::powers,
+    made::{Made, MadeBraid, MadeRubber, MadeStrands, NamedBraid},
     paper::Section,
     terms::{GlobalSection, GlobalTerms, Scales, Term, paper_terms},
     universal::{UniversalErrors, UniversalRange, UniversalSummary, UniversalTerm},

@@ -2,7 +2,7 @@
 //! has.
 
 use super::{
-    Braid, BraidStiffness, Measure, Muscle, Parts, Rubber, Strands,
+    Braid, BraidStiffness, EndFactor, EndsMade, Measure, Muscle, Parts, Rubber, Strands, Terminals,
     braid::NEEDS_STRANDS,
     error::{MuscleError, positive},
     measures::{
@@ -27,6 +27,14 @@ pub struct Stated {
     pub stiffness: Option<BraidStiffness>,
     /// Diameter of a round strand in mm, in place of its cross-section.
     pub strand_diameter_mm: Option<f64>,
+    /// Whether the strands carry compression.
+    pub compression: Option<bool>,
+    /// Whether they lie inside of the rubber.
+    pub in_rubber: Option<bool>,
+    /// How the ends hold the braid.
+    pub ends: Option<EndsMade>,
+    /// End factor of the model tondu-lopez.
+    pub end_factor: Option<EndFactor>,
 }
 
 impl Stated {
@@ -41,7 +49,30 @@ impl Stated {
         }
         parts.tube.rubber = self.rubber.clone().unwrap_or(parts.tube.rubber);
         parts.braid = self.braid_on(parts.tube.outer_diameter_mm, base)?;
+        let Terminals {
+            made, end_factor, ..
+        } = &mut parts.terminals;
+        *made = self.ends.or(*made);
+        *end_factor = self.end_factor.or(*end_factor);
         Ok(parts)
+    }
+
+    /// The same where they make no muscle, as far as they are known: a sleeve that does not fit has
+    /// its angle on the nearest diameter that it fits.
+    pub fn written_over(&self, base: &Muscle) -> Parts {
+        let mut parts = base.parts().clone();
+        for (measure, value) in self.measures.iter() {
+            (measure.set)(&mut parts, value);
+        }
+        parts.tube.rubber = self.rubber.clone().unwrap_or(parts.tube.rubber);
+        parts.braid.stiffness = self.stiffness.unwrap_or(parts.braid.stiffness);
+        if let Some(Sleeve { shape, .. }) = &self.sleeve {
+            let (least, largest) = (shape.least_mm, shape.largest_mm);
+            let nearest_mm = parts.tube.outer_diameter_mm.max(least).min(largest);
+            let angle = shape.angle_deg_on(nearest_mm);
+            parts.braid.angle_deg = angle.unwrap_or(parts.braid.angle_deg);
+        }
+        parts
     }
 
     /// Puts the measures of a table of the muscle file into the parts; the angle follows from the
@@ -93,6 +124,8 @@ impl Stated {
                 `strand_diameter`) and `strand_modulus`; both are given";
             return Err(MuscleError::new(["braid.stiffness"], message));
         }
+        parts.braid.compression = self.compression.unwrap_or(parts.braid.compression);
+        parts.braid.in_rubber = self.in_rubber.unwrap_or(parts.braid.in_rubber);
         // Beside a stiffness the area says what openings the strands leave.
         let is_described = has_modulus || area.is_some() && self.stiffness.is_none();
         let braid = parts.braid;

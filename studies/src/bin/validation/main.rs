@@ -18,7 +18,6 @@ mod figure;
 mod fit;
 mod left_out;
 mod left_out_families;
-mod pages;
 mod population;
 mod pulses;
 mod report;
@@ -39,7 +38,7 @@ use report::{Fitted, report};
 use rubber::FittedRubber;
 use std::{error::Error, path::Path, process::ExitCode};
 
-pub type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
+pub use mckibben_studies::Result;
 
 /// Pages with tables of the study.
 const PAGES: [&str; 4] = [

@@ -1,10 +1,9 @@
 //! The quantities that can vary, and the measures of a muscle that follow.
 
 use mckibben_core::{
-    muscle::Rubber,
     muscle::{
-        BraidStiffness, Measure, Muscle, MuscleError,
-        measures::{MEASURES, Parts},
+        BraidStiffness, Measure, Muscle, MuscleError, Rubber, Stated, Tube,
+        measures::{LENGTH, MEASURES, OUTER_DIAMETER, Parts, STIFFNESS, WALL},
     },
     rubber::Law,
     units::{Dimension, Values},
@@ -184,6 +183,8 @@ pub fn rounded(v: f64) -> f64 {
 pub struct Inputs {
     /// Its parts; they need not make a muscle.
     pub parts: Parts,
+    /// Why what is stated makes no parts.
+    refused: Option<MuscleError>,
     /// The columns and values of the axes that have no column in every table.
     pub measures: Vec<(String, f64)>,
     /// The stretch up to which the constants of its rubber have data.
@@ -191,20 +192,19 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// The base with a value on each axis.
+    /// What a plan states of every muscle, with a value on each axis; its parts are made as those
+    /// of a muscle file.
     pub(super) fn new(
-        base: &Muscle,
+        stated: &Stated,
         rubbers: &[PlanRubber],
         axes: &[Axis],
         values: &[f64],
     ) -> Self {
-        let mut parts = base.parts().clone();
+        let mut stated = stated.clone();
         let number = axes.iter().position(|axis| axis.key == RUBBER);
         let number = number.map_or(0.0, |axis| values[axis]);
         let of_plan = rubbers.get(number as usize);
-        if let Some(of_plan) = of_plan {
-            parts.tube.rubber = of_plan.rubber.clone();
-        }
+        let mut rubber = of_plan.map_or_else(Rubber::paper, |of_plan| of_plan.rubber.clone());
         let mut pairs: Vec<(&Axis, f64)> = axes.iter().zip(values.iter().copied()).collect();
         let measures = pairs
             .iter()
@@ -215,18 +215,28 @@ impl Inputs {
         pairs.sort_by_key(|(axis, _)| (axis.measure().is_none(), axis.key == SCALE));
         for (axis, value) in pairs {
             match axis.measure() {
-                Some(measure) => (measure.set)(&mut parts, value),
+                Some(measure) if *measure == STIFFNESS => {
+                    stated.stiffness = Some(BraidStiffness::NewtonPerMm(value));
+                }
+                Some(measure) => stated.measures.set(measure, value),
                 None if axis.key == RUBBER => {}
-                None => set_other(&mut parts, &axis.key, value),
+                None => set_other(&mut stated, &mut rubber.law, &axis.key, value),
             }
         }
         // With other constants it is none of the plan's rubbers.
-        let unchanged = of_plan.filter(|of_plan| of_plan.rubber.law == parts.tube.rubber.law);
+        let unchanged = of_plan.filter(|of_plan| of_plan.rubber.law == rubber.law);
         if unchanged.is_none() {
-            parts.tube.rubber.name = None;
+            rubber.name = None;
         }
+        stated.rubber = Some(rubber);
+        let prototype = Muscle::prototype();
+        let (parts, refused) = match stated.over(&prototype) {
+            Ok(parts) => (parts, None),
+            Err(refused) => (stated.written_over(&prototype), Some(refused)),
+        };
         Self {
             parts,
+            refused,
             measures,
             data_to_stretch: unchanged.and_then(|of_plan| of_plan.data_to_stretch),
         }
@@ -234,13 +244,10 @@ impl Inputs {
 
     /// The muscle made of them.
     pub fn muscle(&self) -> Result<Muscle, MuscleError> {
-        let Parts {
-            tube,
-            braid,
-            terminals,
-            friction,
-        } = self.parts.clone();
-        Muscle::new(tube, braid, terminals, friction)
+        match &self.refused {
+            None => Muscle::from_parts(self.parts.clone()),
+            Some(refused) => Err(refused.clone()),
+        }
     }
 
     /// k of one strand family in N/mm; `None` for inextensible strands.
@@ -250,22 +257,23 @@ impl Inputs {
 }
 
 /// Sets a value that is not a measure: a ratio, or a number of the law.
-fn set_other(Parts { tube, braid, .. }: &mut Parts, key: &str, value: f64) {
-    let times_diameter = rounded(value * tube.outer_diameter_mm);
-    let law = &tube.rubber.law;
+fn set_other(stated: &mut Stated, law: &mut Law, key: &str, value: f64) {
+    let outer_diameter_mm = stated.measures.get(&OUTER_DIAMETER);
+    let outer_diameter_mm = outer_diameter_mm.unwrap_or(Tube::prototype().outer_diameter_mm);
+    let times_diameter = rounded(value * outer_diameter_mm);
     match key {
-        "tube.wall_ratio" => tube.wall_mm = times_diameter,
-        "tube.length_ratio" => tube.length_mm = times_diameter,
+        "tube.wall_ratio" => stated.measures.set(&WALL, times_diameter),
+        "tube.length_ratio" => stated.measures.set(&LENGTH, times_diameter),
         "braid.stiffness_per_diameter" => {
-            braid.stiffness = BraidStiffness::NewtonPerMm(times_diameter)
+            stated.stiffness = Some(BraidStiffness::NewtonPerMm(times_diameter));
         }
-        SCALE => tube.rubber.law = law.scaled(value),
+        SCALE => *law = law.scaled(value),
         constant => {
             let at = law
                 .constants()
                 .iter()
                 .position(|c| constant.strip_prefix(CONSTANT) == Some(&c.name));
-            tube.rubber.law = law.with_constants(|i, old| if Some(i) == at { value } else { old });
+            *law = law.with_constants(|i, old| if Some(i) == at { value } else { old });
         }
     }
 }

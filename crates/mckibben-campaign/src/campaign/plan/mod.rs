@@ -27,7 +27,11 @@ pub use keys::PlanKeys;
 pub use sampling::{Sampling, SamplingMethod};
 
 use axis::CONSTANT;
-use mckibben_core::{muscle::Muscle, rubber::Law, size::TooLarge};
+use mckibben_core::{
+    muscle::{Muscle, Stated},
+    rubber::Law,
+    size::TooLarge,
+};
 use mckibben_fem::{FemError, elements::Elements};
 use sampling::Design;
 
@@ -56,8 +60,8 @@ pub struct Testing {
 pub struct Plan {
     /// Its text, as it was written.
     pub(super) text: String,
-    /// The muscle that is varied.
-    pub base: Muscle,
+    /// What is stated of every muscle.
+    stated: Stated,
     /// The axes; in a factorial plan the first changes slowest.
     pub(super) axes: Vec<Axis>,
     design: Design,
@@ -143,7 +147,14 @@ impl Plan {
         let values: Vec<f64> = (0..self.axes.len())
             .map(|a| self.design.value(&self.axes, a, number))
             .collect();
-        Inputs::new(&self.base, &self.rubbers, &self.axes, &values)
+        Inputs::new(&self.stated, &self.rubbers, &self.axes, &values)
+    }
+
+    /// The muscle that is varied; the first of the plan where what is stated makes none.
+    pub fn base(&self) -> Option<Muscle> {
+        let stated = Inputs::new(&self.stated, &self.rubbers, &[], &[]);
+        let first = || (0..self.muscles()).find_map(|number| self.inputs(number).muscle().ok());
+        stated.muscle().ok().or_else(first)
     }
 
     /// The laws of its rubbers.

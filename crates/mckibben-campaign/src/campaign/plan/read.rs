@@ -4,14 +4,14 @@ use super::{
     Plan, Testing,
     axis::{Axis, PlanRubber, RUBBER},
     keys::{OfSampling, OfTest, PlanKeys},
-    sampling::{Design, MOST_MUSCLES, MOST_STRATA, Sampling, SamplingMethod},
+    sampling::{Design, MOST_MUSCLES, Sampling, SamplingMethod},
     table::{self, OwnSamples},
     vary,
 };
 use mckibben_core::{
     extremes::peak,
     muscle::{
-        Muscle, Rubber, Tube,
+        Rubber,
         file::{FileError, MuscleFile, Source, read_text},
     },
     rubber::library,
@@ -36,8 +36,12 @@ impl Plan {
     fn parse_with(text: &str, table: Option<&str>) -> Result<Self, FileError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Source::parse(text)?;
+        if source.text_at("sampling.method") == Some("latin-hypercube") {
+            let why = "is gone: take \"sobol\", which more samples extend";
+            return Err(source.error("sampling.method", why));
+        }
         let keys: PlanKeys = source.read()?;
-        let base = source.part::<MuscleFile>(keys.muscle)?.muscle(&source)?;
+        let stated = source.part::<MuscleFile>(keys.muscle)?.stated(&source)?;
         let mut sampling = sampling(&keys.sampling, &source)?;
         let mut axes = keys.vary.axes(&source)?;
         let mut values = vec![];
@@ -46,9 +50,10 @@ impl Plan {
             (axes, values) = (own.axes, own.values);
             (sampling.method, sampling.samples) = (SamplingMethod::Table, own.muscles);
         }
-        vary::check_all(&axes, &source, &base, sampling.method)?;
+        let rubber = stated.rubber.clone().unwrap_or_else(Rubber::paper);
+        vary::check_all(&axes, &source, &rubber.law, sampling.method)?;
         let testing = testing(keys.test, &source)?;
-        if base.tube().rubber.is_conditioned() {
+        if rubber.is_conditioned() {
             let why = "is not possible in a campaign, whose muscles are on their first inflation: \
                 leave it out";
             return Err(source.error("tube.material.conditioned", why));
@@ -64,16 +69,16 @@ impl Plan {
             return Err(source.error("vary", why));
         }
         let mut plan = Plan {
-            rubbers: rubbers(&base, &axes).map_err(|why| source.error("vary.tube.rubber", why))?,
+            rubbers: rubbers(rubber, &axes).map_err(|why| source.error("vary.tube.rubber", why))?,
             text: text_with(text, table),
-            base,
+            stated,
             axes,
             design,
             testing,
         };
         plan.take_laws()
             .map_err(|why| source.error("tube.rubber", why))?;
-        some_muscle(&plan).map_err(|why| source.error("vary", why))?;
+        some_muscle(&plan, &source)?;
         Ok(plan)
     }
 
@@ -128,15 +133,6 @@ impl Plan {
                 *of_plan = PlanRubber::of(found);
             }
         }
-        let Some(first) = self.rubbers.first() else {
-            return Ok(());
-        };
-        let tube = Tube {
-            rubber: first.rubber.clone(),
-            ..self.base.tube().clone()
-        };
-        let base = self.base.with_tube(tube);
-        self.base = base.map_err(|error| error.to_string())?;
         Ok(())
     }
 }
@@ -154,8 +150,8 @@ impl PlanRubber {
     }
 }
 
-/// The rubbers of the muscles: those of an axis, or that of the base alone.
-fn rubbers(base: &Muscle, axes: &[Axis]) -> Result<Vec<PlanRubber>, String> {
+/// The rubbers of the muscles: those of an axis, or the stated one alone.
+fn rubbers(stated: Rubber, axes: &[Axis]) -> Result<Vec<PlanRubber>, String> {
     // As the library has it, so that its law may follow the muscles.
     let as_found = |rubber: Rubber| PlanRubber {
         data_to_stretch: rubber.fitted_to_stretch,
@@ -166,7 +162,7 @@ fn rubbers(base: &Muscle, axes: &[Axis]) -> Result<Vec<PlanRubber>, String> {
         Err(error) => Err(error.to_string()),
     };
     match axes.iter().find(|axis| axis.key == RUBBER) {
-        None => Ok(vec![as_found(base.tube().rubber.clone())]),
+        None => Ok(vec![as_found(stated)]),
         Some(axis) => axis.names.iter().map(named).collect(),
     }
 }
@@ -211,11 +207,12 @@ fn follows(error: &FileError, known: &FileError) -> bool {
 }
 
 /// A plan none of whose first thousand muscles is one is a slip, not a campaign.
-fn some_muscle(plan: &Plan) -> Result<(), String> {
+fn some_muscle(plan: &Plan, source: &Source<'_>) -> Result<(), FileError> {
     let mut muscles = (0..plan.muscles().min(1000)).map(|number| plan.inputs(number).muscle());
     match muscles.next() {
+        Some(Err(first)) if plan.axes.is_empty() => Err(source.refused(&first)),
         Some(Err(first)) if !muscles.any(|muscle| muscle.is_ok()) => {
-            Err(format!("makes no muscle; the first: {first}"))
+            Err(source.error("vary", format!("makes no muscle; the first: {first}")))
         }
         _ => Ok(()),
     }
@@ -224,12 +221,8 @@ fn some_muscle(plan: &Plan) -> Result<(), String> {
 fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileError> {
     const SAMPLES: &str = "sampling.samples";
     const SEED: &str = "sampling.seed";
-    let most = match keys.method {
-        SamplingMethod::Sobol => MOST_MUSCLES,
-        _ => MOST_STRATA,
-    };
     for (key, value, most) in [
-        (SAMPLES, keys.samples, most),
+        (SAMPLES, keys.samples, MOST_MUSCLES),
         (SEED, keys.seed, u64::from(u32::MAX)),
     ] {
         if value.is_some_and(|value| value > most) {

@@ -1,17 +1,11 @@
 //! How the axes of a plan are sampled.
 
 use super::axis::Axis;
-use rand_chacha::{
-    ChaCha8Rng,
-    rand_core::{Rng, SeedableRng},
-};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The most muscles of a plan.
 pub const MOST_MUSCLES: u64 = 20_000_000;
-/// The most of a Latin hypercube, whose order is held in memory: 8 MB for each quantity.
-pub const MOST_STRATA: u64 = 1_000_000;
 /// Points of one of Sobol's nets: the library has 16 direction numbers of each dimension.
 const NET: u64 = 1 << 16;
 
@@ -22,9 +16,6 @@ pub enum SamplingMethod {
     /// Every level with every other.
     #[default]
     Factorial,
-    /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979
-    /// \[mckay1979\]).
-    LatinHypercube,
     /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020 \[burley2020\]). Beyond 65,536
     /// points further nets of so many follow, each scrambled independently of the others.
     Sobol,
@@ -50,27 +41,21 @@ pub struct Sampling {
 pub struct Design {
     pub sampling: Sampling,
     pub muscles: u64,
-    /// Axis by axis of all muscles: of a Latin hypercube the shares, of a table the values.
+    /// Of a table the values of all muscles, axis by axis.
     listed: Vec<Vec<f64>>,
 }
 
 impl Design {
     /// Of a table with the values of all muscles, axis by axis.
-    pub fn new(sampling: Sampling, axes: &[Axis], values: Vec<Vec<f64>>) -> Self {
-        let Sampling { samples, seed, .. } = sampling;
-        let strata = |axis: usize| strata(samples, seed.unwrap_or(1), axis as u64);
+    pub fn new(sampling: Sampling, axes: &[Axis], listed: Vec<Vec<f64>>) -> Self {
+        let levels = axes.iter().map(Axis::levels);
         Self {
             sampling,
             muscles: match sampling.method {
-                SamplingMethod::Factorial => axes
-                    .iter()
-                    .fold(1_u64, |all, a| all.saturating_mul(a.levels())),
-                _ => samples,
+                SamplingMethod::Factorial => levels.fold(1, u64::saturating_mul),
+                _ => sampling.samples,
             },
-            listed: match sampling.method {
-                SamplingMethod::LatinHypercube => (0..axes.len()).map(strata).collect(),
-                _ => values,
-            },
+            listed,
         }
     }
 
@@ -81,9 +66,6 @@ impl Design {
                 // The first axis changes slowest.
                 let faster: u64 = axes[axis + 1..].iter().map(Axis::levels).product();
                 axes[axis].level(number / faster % axes[axis].levels())
-            }
-            SamplingMethod::LatinHypercube => {
-                axes[axis].at_share(self.listed[axis][number as usize])
             }
             SamplingMethod::Table => self.listed[axis][number as usize],
             SamplingMethod::Sobol => {
@@ -96,22 +78,4 @@ impl Design {
             }
         }
     }
-}
-
-/// One axis of a Latin hypercube: a share in each of `n` strata, in random order. Each axis has one
-/// stream.
-fn strata(n: u64, seed: u32, axis: u64) -> Vec<f64> {
-    let mut random = ChaCha8Rng::seed_from_u64(u64::from(seed));
-    random.set_stream(axis);
-    let mut order: Vec<u64> = (0..n).collect();
-    for i in (1..order.len()).rev() {
-        // Multiply and shift: uneven by at most n/2⁶⁴.
-        let j = ((u128::from(random.next_u64()) * (i as u128 + 1)) >> 64) as usize;
-        order.swap(i, j);
-    }
-    let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-    order
-        .into_iter()
-        .map(|stratum| ((stratum as f64 + unit()) / n as f64).min(1.0 - f64::EPSILON))
-        .collect()
 }

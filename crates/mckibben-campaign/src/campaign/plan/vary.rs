@@ -7,10 +7,11 @@ use super::{
 use mckibben_core::{
     joined,
     muscle::{
-        Muscle, NEUTRAL_ANGLE_DEG,
+        NEUTRAL_ANGLE_DEG,
         file::{FileError, Source},
         measures::{ANGLE, Bounds},
     },
+    rubber::Law,
     units::Values,
 };
 
@@ -30,7 +31,7 @@ pub fn stated_key(key: &str) -> &str {
 pub fn check_all(
     axes: &[Axis],
     source: &Source<'_>,
-    base: &Muscle,
+    law: &Law,
     method: SamplingMethod,
 ) -> Result<(), FileError> {
     for (i, axis) in axes.iter().enumerate() {
@@ -38,7 +39,7 @@ pub fn check_all(
             SamplingMethod::Table => source.error("samples", format!("{} {why}", axis.key)),
             _ => source.error(&format!("vary.{}", axis.key), why),
         };
-        check(axis, base, method).map_err(wrong)?;
+        check(axis, law, method).map_err(wrong)?;
         let by_rubber = |a: &Axis| a.key == RUBBER;
         if axis.key.starts_with(CONSTANT) && axis.key != SCALE && axes.iter().any(by_rubber) {
             let why = "is a constant of one law, and tube.rubber varies: vary tube.material.scale";
@@ -75,7 +76,7 @@ pub fn distinct(list: &[f64]) -> Result<(), String> {
 }
 
 /// Checks an axis; the error is a sentence behind its key.
-fn check(axis: &Axis, base: &Muscle, method: SamplingMethod) -> Result<(), String> {
+fn check(axis: &Axis, law: &Law, method: SamplingMethod) -> Result<(), String> {
     let interval = matches!(axis.values, Values::Interval(..));
     let (low, high) = axis.values.bounds();
     if axis.key == RUBBER {
@@ -101,7 +102,6 @@ fn check(axis: &Axis, base: &Muscle, method: SamplingMethod) -> Result<(), Strin
         .strip_prefix(CONSTANT)
         .filter(|_| axis.key != SCALE);
     if let Some(name) = constant {
-        let law = &base.tube().rubber.law;
         let constants = law.constants();
         let Some(constant) = constants.iter().find(|c| c.name == name) else {
             return Err(format!(

@@ -9,6 +9,7 @@ use crate::{
         warnings::{Heeded, Warned, highest_mpa},
     },
     columns::PointRow,
+    fit::{Fits, Fittable},
 };
 use mckibben_core::{
     cancel,
@@ -59,6 +60,9 @@ pub struct Forecast {
     pub muscles_impossible: u64,
     /// Warnings among the checked muscles, by their column.
     pub warnings: Vec<Warned>,
+    /// What can be fitted to its table.
+    #[serde(flatten)]
+    pub fits: Fits,
     /// SHA-256 of the plan's text.
     pub plan_sha256: String,
 }
@@ -91,6 +95,7 @@ pub fn forecast(plan: &Plan, options: &RunOptions, progress: &dyn Progress) -> R
         muscles_checked: checked.muscles,
         muscles_impossible: checked.impossible,
         warnings: checked.warnings,
+        fits: checked.fittable.fits(),
         plan_sha256: provenance.plan_sha256,
     })
 }
@@ -140,6 +145,7 @@ struct Checked {
     muscles: u64,
     impossible: u64,
     warnings: Vec<Warned>,
+    fittable: Fittable,
 }
 
 impl Checked {
@@ -148,6 +154,7 @@ impl Checked {
             muscles: 0,
             impossible: 0,
             warnings: Warned::none(),
+            fittable: Fittable::default(),
         };
         for number in numbers {
             cancel::check()?;
@@ -159,6 +166,7 @@ impl Checked {
             };
             for mut row in highest_rows(plan, number, &inputs, &muscle) {
                 Warned::count(&mut out.warnings, &mut row);
+                out.fittable.add(&row);
             }
         }
         Ok(out)
@@ -173,12 +181,8 @@ fn highest_rows(plan: &Plan, number: u64, inputs: &Inputs, muscle: &Muscle) -> V
     let pressure_mpa = highest_mpa(&plan.testing);
     let mut workspace = Workspace::new();
     let row = |contraction: f64| {
-        let row = heeded.at_pressure(PointRow {
-            muscle: number,
-            pressure_mpa,
-            contraction,
-            ..PointRow::default()
-        });
+        let row = solve::blank(number, inputs, pressure_mpa, contraction);
+        let row = heeded.at_pressure(row);
         match model.response(&mut workspace, pressure_mpa, contraction) {
             Ok(response) => heeded.of_answer(row, &response),
             Err(_) => row,

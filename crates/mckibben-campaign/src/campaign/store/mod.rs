@@ -24,5 +24,5 @@ pub use read::{Rows, read, rows};
 pub use resume::Recomputed;
 pub use run::{CampaignOutcome, Counts, RunOptions, run};
 pub use shard::Shard;
-pub use status::{CampaignStatus, ShardState, ShardStatus, status};
+pub use status::{ShardState, ShardStatus};
 pub use summary::{Extent, Failed, Summary, summary};

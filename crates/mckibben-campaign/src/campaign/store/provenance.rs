@@ -66,7 +66,7 @@ impl Provenance {
             version: VERSION.into(),
             plan_sha256: plan.hash(),
             plan: plan.text.clone(),
-            muscle: to_toml(&plan.base),
+            muscle: plan.base().as_ref().map(to_toml).unwrap_or_default(),
             model: plan.testing.elements.name().into(),
             sampling: plan.sampling().method.to_string(),
             seed: plan.sampling().seed.map(u64::from),

@@ -1,17 +1,31 @@
-//! The content of a campaign in a few numbers.
+//! The content of a campaign in a few numbers, and how far it is.
 
-use super::{file::Opened, folder::Folder, layout::Field, provenance::Provenance};
+use super::{
+    file::Opened,
+    folder::Folder,
+    layout::Field,
+    manifest::noted,
+    provenance::Provenance,
+    status::{ShardState, ShardStatus, parts_per_s, shards},
+};
 use crate::{
     campaign::{
         error::{CampaignError, Result},
         warnings::Warned,
     },
     columns::{PointRow, Role},
+    fit::{Fits, Fittable},
 };
-use mckibben_core::status::Status;
+use mckibben_core::{joined, status::Status};
+use mckibben_io::files::ReadError;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::{collections::BTreeMap, path::Path};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    io::ErrorKind,
+    path::{Path, PathBuf},
+    time::SystemTime,
+};
 
 /// Rows that failed in the same way.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, JsonSchema)]
@@ -36,7 +50,7 @@ pub struct Extent {
 }
 
 /// Contents of a campaign.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Default, Serialize, JsonSchema)]
 pub struct Summary {
     /// Muscles that are there.
     pub muscles: u64,
@@ -58,11 +72,23 @@ pub struct Summary {
     pub bytes: u64,
     /// Parts that are missing, of a folder.
     pub missing_parts: u64,
-    /// Damaged files, with their damage.
+    /// Shards of a folder.
+    pub shards: Vec<ShardStatus>,
+    /// Points a second, by the times of the newest parts, of all shards together.
+    pub points_per_s: Option<f64>,
+    /// What is left at this rate in s, where a process computes.
+    pub left_s: Option<f64>,
+    /// Parts that are damaged, or of another plan or version, with what shows it; they count as
+    /// missing.
     pub damaged: Vec<String>,
+    /// What can be fitted to it.
+    #[serde(flatten)]
+    pub fits: Fits,
     /// Where it comes from.
     #[serde(flatten)]
     pub provenance: Provenance,
+    #[serde(skip)]
+    fittable: Fittable,
 }
 
 impl Summary {
@@ -86,6 +112,7 @@ impl Summary {
 
     fn add_row(&mut self, mut row: PointRow, fields: &[Field]) {
         self.points += 1;
+        self.fittable.add(&row);
         if row.status.is_ok() {
             self.answered += 1;
         } else {
@@ -115,11 +142,39 @@ impl Summary {
         Ok(())
     }
 
+    /// How far a folder is, with the numbers of its whole parts and the times of their files.
+    fn progress(
+        &mut self,
+        folder: &Path,
+        whole: &BTreeSet<u64>,
+        written: Vec<SystemTime>,
+    ) -> Result<()> {
+        let parts_wanted = self.provenance.parts();
+        let points_per_part = self.provenance.rows_of(Some(0)) as f64;
+        self.shards = shards(folder, whole, parts_wanted)?;
+        self.missing_parts = parts_wanted.saturating_sub(whole.len() as u64);
+        self.points_per_s = parts_per_s(written).map(|rate| rate * points_per_part);
+        let is_running = self.shards.iter().any(|s| s.state == ShardState::Running);
+        let left = self.missing_parts as f64 * points_per_part;
+        self.left_s = self
+            .points_per_s
+            .filter(|_| is_running)
+            .map(|rate| left / rate);
+        Ok(())
+    }
+
+    /// Whether parts are missing that no process computes.
+    pub fn is_stopped(&self) -> bool {
+        let missing = |shard: &ShardStatus| shard.state == ShardState::Missing;
+        self.shards.iter().any(missing)
+    }
+
     fn finished(mut self) -> Self {
         self.muscles = self.points / self.provenance.points_per_muscle.max(1);
         // Columns that no row has.
         self.ranges.retain(|r| r.smallest <= r.largest);
         self.complete = self.points == self.points_wanted;
+        self.fits = self.fittable.fits();
         self
     }
 }
@@ -144,36 +199,33 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary> {
         summary.add_file(opened, path)?;
         return Ok(summary.finished());
     }
-    let (mut summary, mut damaged, mut whole): (Option<Summary>, _, u64) = (None, vec![], 0);
-    for (number, part) in Folder::parts(path)? {
-        let opened = Opened::file(&part).and_then(|opened| {
-            let first = summary
-                .as_ref()
-                .map_or(&opened.provenance, |s| &s.provenance)
-                .clone();
-            opened.expect(Some(number), &first)
-        });
-        match opened {
+    let parts = Folder::parts(path)?;
+    let whole = |part: &PathBuf| Opened::file(part).ok().map(|opened| opened.provenance);
+    let of_folder = || parts.values().find_map(whole);
+    let Some(provenance) = noted(path).or_else(of_folder) else {
+        let damage = parts.values().filter_map(|part| Opened::file(part).err());
+        let why = joined(damage.map(|error| error.to_string()), "; ");
+        let none = "there is neither a part nor a note of a plan in it";
+        let why = if why.is_empty() { none.into() } else { why };
+        return Err(CampaignError::NoCampaign(path.into(), why));
+    };
+    let mut summary = Summary::new(provenance.clone());
+    let (mut whole, mut written) = (BTreeSet::new(), vec![]);
+    for (number, part) in parts {
+        let opened = Opened::file(&part);
+        match opened.and_then(|opened| opened.expect(Some(number), &provenance)) {
             Ok(opened) => {
-                let new = || Summary::new(opened.provenance.clone());
-                summary.get_or_insert_with(new).add_file(opened, &part)?;
-                whole += 1;
+                summary.add_file(opened, &part)?;
+                whole.insert(number);
+                written.extend(part.metadata().and_then(|m| m.modified()).ok());
             }
-            Err(CampaignError::Damaged(_, why) | CampaignError::NoCampaign(_, why)) => {
-                damaged.push(format!("{}: {why}", part.display()));
-            }
-            Err(error) => return Err(error),
+            // Another process has just replaced or removed it.
+            Err(CampaignError::Read(_, ReadError::System(e)))
+                if e.kind() == ErrorKind::NotFound => {}
+            Err(error @ CampaignError::Read { .. }) => return Err(error),
+            Err(error) => summary.damaged.push(error.to_string()),
         }
     }
-    if let Some(mut summary) = summary {
-        summary.missing_parts = summary.provenance.parts().saturating_sub(whole);
-        summary.damaged = damaged;
-        return Ok(summary.finished());
-    }
-    let why = if damaged.is_empty() {
-        "there is no part in it".into()
-    } else {
-        damaged.join("; ")
-    };
-    Err(CampaignError::NoCampaign(path.into(), why))
+    summary.progress(path, &whole, written)?;
+    Ok(summary.finished())
 }

@@ -434,9 +434,9 @@ fn a_plan_is_not_replaced_while_a_shard_of_it_runs() {
     assert!(matches!(error, CampaignError::OtherPlan(_)), "{error}");
 }
 
-/// Row B39 of the trials: `status` called a folder complete that `merge` refuses.
+/// Row B39 of the trials: a folder was called complete that `merge` refuses.
 #[test]
-fn the_status_names_parts_of_another_plan() {
+fn the_summary_names_parts_of_another_plan() {
     let dir = folder();
     let store = dir.path().join("store");
     run_to(&store);
@@ -444,12 +444,19 @@ fn the_status_names_parts_of_another_plan() {
     let forged = encode(&Provenance::for_plan(&other), 5, table_of(&other, 5)).unwrap();
     std::fs::write(part(&store, 5), forged).unwrap();
     std::fs::copy(part(&store, 1), part(&store, 2)).unwrap();
-    let seen = status(&store).unwrap();
-    assert_eq!(
-        (seen.complete, seen.parts, seen.shards_missing),
-        (false, 10, 1)
-    );
-    assert_eq!(seen.damaged, [part(&store, 2), part(&store, 5)]);
+    let seen = summary(&store).unwrap();
+    assert_eq!((seen.complete, seen.missing_parts), (false, 2));
+    let [shard] = &seen.shards[..] else {
+        panic!("{:?}", seen.shards)
+    };
+    assert_eq!((shard.state, shard.parts), (ShardState::Missing, 10));
+    for (said, number) in seen.damaged.iter().zip([2, 5]) {
+        assert!(
+            said.contains(&part(&store, number).display().to_string()),
+            "{said}"
+        );
+    }
+    assert_eq!(seen.damaged.len(), 2);
 }
 
 /// Row B40 of the trials: a misspelt folder was made, with those above it.

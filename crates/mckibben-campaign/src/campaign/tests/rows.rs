@@ -1,7 +1,7 @@
 //! What is in the rows.
 
 use super::*;
-use crate::PointRow;
+use crate::{PointRow, campaign::plan::rounded};
 use mckibben_core::model::Workspace;
 use mckibben_fem::simulation::Given;
 
@@ -56,6 +56,87 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
             ("mooney-rivlin", ("c10_mpa".into(), 0.112))
         );
     }
+}
+
+/// Row A14 of the trials: a named sleeve took its angle once, on the default tube. The muscle of a
+/// row is that of a file with its values, of every sleeve and on every tube that it fits; a tube
+/// that it does not fit is no muscle.
+#[test]
+fn identity_a_row_of_a_named_sleeve_is_the_muscle_of_a_file() {
+    let test = "[test]\ncontractions = \"0,5%\"\npressures = \"0.2\"\nmesh = \"3\"\n";
+    let mut compared = 0;
+    for entry in mckibben_core::sleeve::library::entries().unwrap() {
+        let name = entry.sleeve.name();
+        let (least, largest) = entry.sleeve.diameters();
+        let sizes = [0.3, 0.6, 1.2].map(|share| least + share * (largest - least));
+        let table: String = sizes.map(|d| format!("{d},{}\n", 0.1 * d)).concat();
+        let table = format!("outer_diameter_mm,wall_mm\n{table}");
+        let varied = format!("{},{},{}", sizes[0], sizes[1], sizes[2]);
+        let base = format!("[tube]\nlength = \"200 mm\"\n[braid]\nname = \"{name}\"\n");
+        let vary = format!("[vary]\ntube.outer_diameter = \"{varied}\"\ntube.wall_ratio = 0.1\n");
+        let plans = [
+            Plan::parse(&format!("{base}{vary}{test}")),
+            Plan::check(&format!("{base}{test}"), Some(&table)).map_err(|mut e| e.remove(0)),
+        ];
+        for plan in plans {
+            let plan = match plan {
+                Ok(plan) => plan,
+                // Its seller does not state its strands.
+                Err(error) => {
+                    assert!(
+                        error.to_string().contains("does not state"),
+                        "{name}: {error}"
+                    );
+                    continue;
+                }
+            };
+            let rows = compute(&plan, &Silent).unwrap();
+            for (d, pair) in sizes.into_iter().zip(rows.chunks(2)) {
+                let file = format!(
+                    "[tube]\nouter_diameter = {d}\nwall_thickness = {}\nlength = \"200 mm\"\n\
+                     [braid]\nname = \"{name}\"\n",
+                    rounded(0.1 * d)
+                );
+                let muscle = match mckibben_core::muscle::file::parse_muscle(&file) {
+                    Ok(muscle) => muscle,
+                    Err(_) => {
+                        assert_eq!(pair[0].status, Status::NoMuscle, "{name} {d}");
+                        continue;
+                    }
+                };
+                let model = plan.testing.elements.build(&muscle).unwrap();
+                for row in pair {
+                    assert_eq!(row.angle_deg, muscle.braid().angle_deg, "{name} {d}");
+                    let force_n = model.force_n(&mut Workspace::new(), 0.2, row.contraction);
+                    let Some(of_row) = row.force_n else {
+                        assert!(force_n.is_err(), "{name} {d}: {}", row.cause);
+                        continue;
+                    };
+                    let difference = of_row / force_n.unwrap() - 1.0;
+                    assert!(difference.abs() < 1e-9, "{name} {d}: {difference}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 100, "{compared}");
+}
+
+/// By `force` on a muscle file, in N: the three tubes of row A14.
+#[test]
+fn a_sleeve_has_another_angle_on_each_tube() {
+    let rows = run_plan(
+        "[tube]\nwall_thickness = \"1.5 mm\"\n[braid]\nname = \"flexo-overexpanded-0.38in\"\n\
+         [vary]\ntube.outer_diameter = \"11,14,18 mm\"\n\
+         [test]\ncontractions = 0\npressures = \"0.2 MPa\"\n",
+    );
+    for (row, angle_deg) in rows.iter().zip([16.27, 20.88, 27.28]) {
+        assert!((row.angle_deg - angle_deg).abs() < 0.005, "{row:?}");
+    }
+    let own = "[braid]\nname = \"pet:6..18mm\"\n[vary]\ntube.outer_diameter = \"8,12,20 mm\"\n\
+        tube.wall_ratio = \"10%\"\n[test]\ncontractions = 0\npressures = \"0.2 MPa\"\n";
+    let statuses: Vec<_> = run_plan(own).iter().map(|row| row.status).collect();
+    assert_eq!(statuses, [Status::Ok, Status::Ok, Status::NoMuscle]);
 }
 
 #[test]
@@ -132,7 +213,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
         table::Table,
     };
     let plan = Plan::parse(
-        "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 700\n[vary]\ntube.length \
+        "[sampling]\nmethod = \"sobol\"\nsamples = 700\n[vary]\ntube.length \
          = \"100..200\"\n\
          [test]\ncontractions = \"0..0.5:0.05\"\npressures = \"0..0.09:0.01\"\n",
     )

@@ -99,6 +99,7 @@ fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
         number: number as u64,
         muscle: muscle.clone(),
         points: (0..=STEPS).map_while(point).collect(),
+        reached: (pressure_mpa, muscle.max_ideal_contraction()),
     })
 }
 

@@ -21,7 +21,7 @@ use super::{
 use crate::hash;
 pub use held_out::{HeldOutRow, drawn, held_out, held_out_samples};
 use mckibben_core::{
-    extremes::ends,
+    extremes::{ends, peak},
     formula::{
         Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
         UniversalTerm,
@@ -84,6 +84,7 @@ pub fn universal(
         progress.check()
     };
     let products = products();
+    check_makes(samples)?;
     let empty = UniversalFormula {
         name: request.name.clone(),
         terms: vec![],
@@ -152,6 +153,33 @@ fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> boo
         && p.pressure_mpa <= range.highest_pressure_mpa(m) * (1.0 + margin)
 }
 
+/// Refuses muscles of one angle or of one share of the wall, from which their effect is not known.
+fn check_makes(samples: &[Sample]) -> Result<()> {
+    let varies = |value: fn(&Muscle) -> f64| {
+        let (least, most) = ends(samples.iter().map(|s| value(&s.muscle)));
+        most > least * (1.0 + 1e-6)
+    };
+    for (quantity, is_varied) in [
+        ("angle", varies(|m| m.braid().angle_deg)),
+        (
+            "wall over diameter",
+            varies(|m| m.wall_mm() / m.outer_diameter_mm()),
+        ),
+        (
+            "modulus",
+            varies(|m| m.tube().rubber.law.shear_modulus_mpa()),
+        ),
+    ] {
+        if !is_varied {
+            return Err(FitError::Refused(format!(
+                "the method universal needs muscles of many makes, and these are of one {quantity}: \
+                 vary it in the plan, or take the method global"
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// The box, cut to what the muscles fill.
 fn range(samples: &[Sample]) -> UniversalRange {
     let cut = |(low, high): (f64, f64), value: fn(&Muscle) -> f64| {
@@ -161,12 +189,28 @@ fn range(samples: &[Sample]) -> UniversalRange {
     let length_ratio = cut(RANGE.length_ratio, |m| {
         m.length_mm() / m.outer_diameter_mm()
     });
+    // Contractions of a table have ten digits.
+    let up_to = |high: f64, value: fn(&Sample) -> f64| {
+        let most = peak(samples.iter().map(value));
+        if most > high * (1.0 - 1e-8) {
+            high
+        } else {
+            most
+        }
+    };
+    let per_modulus = |s: &Sample| s.reached.0 / s.muscle.tube().rubber.law.shear_modulus_mpa();
+    let strain = |s: &Sample| s.reached.0 * UniversalRange::strain_per_mpa(&s.muscle);
+    let of_ideal = |s: &Sample| s.reached.1 / s.muscle.max_ideal_contraction();
+    let c01_share = |s: &Sample| UniversalRange::c01_share_of(&s.muscle);
     UniversalRange {
+        pressure_per_modulus: (0.0, up_to(RANGE.pressure_per_modulus.1, per_modulus)),
+        strand_strain: up_to(RANGE.strand_strain, strain).max(f64::MIN_POSITIVE),
+        contraction_of_ideal: (0.0, up_to(RANGE.contraction_of_ideal.1, of_ideal)),
+        c01_share: (0.0, up_to(RANGE.c01_share.1, c01_share)),
         wall_ratio: cut(RANGE.wall_ratio, |m| m.wall_mm() / m.outer_diameter_mm()),
         // A longer muscle has the same ends.
         length_ratio: (length_ratio.0, RANGE.length_ratio.1),
         angle_deg: cut(RANGE.angle_deg, |m| m.braid().angle_deg),
-        ..RANGE
     }
 }
 

@@ -5,6 +5,7 @@ use crate::{
     fit::error::{FitError, Result},
 };
 use mckibben_core::{
+    extremes::peak,
     formula::UniversalSummary,
     model::{ForceModel, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
@@ -34,6 +35,8 @@ pub struct Sample {
     pub number: u64,
     pub muscle: Muscle,
     pub points: Vec<PullPoint>,
+    /// Highest pressure in MPa and largest contraction with an answer, whether it pulls or not.
+    pub reached: (f64, f64),
 }
 
 fn muscle(row: &PointRow) -> Option<Muscle> {
@@ -115,10 +118,15 @@ fn sample(rows: &[PointRow]) -> Option<Sample> {
             volume_mm3: r.volume_mm3,
         })
     };
+    let answered = || rows.iter().filter(|r| r.status.is_ok());
     Some(Sample {
         number: first.muscle,
         muscle: muscle(first)?,
         points: rows.iter().filter_map(point).collect(),
+        reached: (
+            peak(answered().map(|r| r.pressure_mpa)),
+            peak(answered().map(|r| r.contraction)),
+        ),
     })
     .filter(|sample| !sample.points.is_empty())
 }

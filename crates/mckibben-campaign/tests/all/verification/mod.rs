@@ -5,7 +5,7 @@
 #[path = "../../../../mckibben-core/tests/all/verification/rows.rs"]
 mod rows;
 
-use mckibben_campaign::fit::{Method, Rules, refitted};
+use mckibben_campaign::fit::{Method, refitted};
 use rows::Rows;
 
 rows::cases! {
@@ -15,7 +15,7 @@ rows::cases! {
 /// The formulas by both methods, fitted without D0 35, and the published one.
 fn held_out(rows: &mut Rows) {
     let global = refitted(Method::Global).unwrap().formula;
-    let paper = refitted(Method::Paper(Rules::default())).unwrap();
+    let paper = refitted(Method::Paper).unwrap();
     let published = paper.published();
     for (name, tolerance, formula) in [
         ("global formula", 0.004, global),

@@ -5,6 +5,8 @@ mod head;
 mod section;
 mod universal;
 
+pub use section::powers;
+
 use super::{Body, Document, Formula, UniversalFormula, error::FormulaError};
 use crate::hash;
 use head::{Kind, Read, kind};

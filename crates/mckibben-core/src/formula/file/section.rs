@@ -187,6 +187,17 @@ fn place_of_coefficient(name: &str) -> Option<(usize, usize, usize)> {
     ((1..=6).contains(&k) && column < 3).then(|| (family, k - 1, column))
 }
 
+/// The powers of the terms of a `global` formula: a list of them, or those of a formula's file.
+pub fn powers(text: &str) -> Read<Vec<[u8; 4]>> {
+    if text.trim_start().starts_with('[') {
+        return read(text);
+    }
+    match global(text)?.body {
+        Body::Global(sum) => Ok(sum.terms.iter().map(|term| term.powers).collect()),
+        Body::Paper(_) => Err(FormulaError::new("is no formula of the kind global")),
+    }
+}
+
 pub fn global(text: &str) -> Read<Formula> {
     let file: SectionFile<GlobalTerm> = read(text)?;
     let scales = file.scales.ok_or_else(|| FormulaError::missing("scales"))?;

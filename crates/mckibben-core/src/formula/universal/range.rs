@@ -3,7 +3,7 @@
 use crate::{
     formula::file::check::{interval, open_interval, positive},
     muscle::Muscle,
-    rubber::RubberLaw,
+    rubber::{Law, RubberLaw},
 };
 use serde::{Deserialize, Serialize};
 
@@ -41,6 +41,21 @@ fn c01_share() -> (f64, f64) {
 }
 
 impl UniversalRange {
+    /// C01/(C10 + C01); 0 of a law without it.
+    pub fn c01_share_of(muscle: &Muscle) -> f64 {
+        match &muscle.rubber().law {
+            Law::MooneyRivlin(m) => m.c01_mpa / (m.c10_mpa + m.c01_mpa),
+            _ => 0.0,
+        }
+    }
+
+    /// P D0/(4 sin²θ0 k) for a pressure of 1 MPa; 0 of strands that do not stretch.
+    pub fn strain_per_mpa(muscle: &Muscle) -> f64 {
+        let sin = muscle.braid().angle_rad().sin();
+        let k = muscle.family_stiffness_n_per_mm();
+        k.map_or(0.0, |k| muscle.outer_diameter_mm() / (4.0 * sin * sin * k))
+    }
+
     /// Highest pressure of a muscle in MPa: by P/μ, and by the strain P D0/(4 sin²θ0 k) of its
     /// strands.
     pub fn highest_pressure_mpa(&self, muscle: &Muscle) -> f64 {

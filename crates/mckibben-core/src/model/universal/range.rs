@@ -4,16 +4,8 @@ use crate::{
     formula::UniversalRange,
     model::{Interval, ModelRange, Quantity},
     muscle::Muscle,
-    rubber::{Law, RubberLaw},
+    rubber::RubberLaw,
 };
-
-/// C01/(C10 + C01); 0 of a law without it.
-fn c01_share(law: &Law) -> f64 {
-    match law {
-        Law::MooneyRivlin(m) => m.c01_mpa / (m.c10_mpa + m.c01_mpa),
-        _ => 0.0,
-    }
-}
 
 /// The box of a muscle.
 pub fn model_range(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
@@ -44,7 +36,7 @@ pub fn model_range(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
         ),
         (
             Interval::new(Quantity::C01_SHARE, range.c01_share),
-            c01_share(&muscle.rubber().law),
+            UniversalRange::c01_share_of(muscle),
         ),
     ])
 }

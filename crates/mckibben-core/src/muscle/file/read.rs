@@ -130,24 +130,51 @@ impl MuscleFile {
     ///
     /// # Errors
     /// [`FileError`], as [`parse_muscle`].
-    pub fn muscle(self, source: &Source<'_>) -> Result<Muscle, FileError> {
-        let located = |error: MuscleError| source.refused(&error);
+    pub fn muscle(mut self, source: &Source<'_>) -> Result<Muscle, FileError> {
+        let (bench, job) = (self.identified.take(), self.job.take());
+        let parts = self.stated(source)?.over(&Muscle::prototype());
+        let muscle = parts.and_then(Muscle::from_parts);
+        let mut muscle = muscle.map_err(|error| source.refused(&error))?;
+        if let Some(bench) = bench {
+            bench::check(&bench, source)?;
+            muscle = muscle.with_bench(bench);
+        }
+        if let Some(job) = job {
+            muscle = muscle.with_job(job);
+        }
+        Ok(muscle)
+    }
+
+    /// What the file states of a muscle.
+    ///
+    /// # Errors
+    /// [`FileError`] of what contradicts itself, whatever the muscle.
+    pub fn stated(self, source: &Source<'_>) -> Result<Stated, FileError> {
         let Self {
             tube,
             braid,
             terminals,
             friction,
             model,
-            identified,
-            job,
             ..
         } = self;
-        let sleeve = braid.sleeve(source)?;
+        let sleeve = braid.sleeve(source)?.transpose();
+        // What models of their own say of the ends; in the table of the terminals are their keys
+        // of before.
+        let (new, old) = ("model.tondu-lopez.end_factor", "terminals.end_factor");
+        if source.has(new) && source.has(old) {
+            let said = format!("is also given at {new}: leave one of them out");
+            return Err(source.error(old, said));
+        }
         let mut stated = Stated {
             rubber: Some(material::rubber(source, tube.rubber, tube.material)?),
-            sleeve: sleeve.transpose().map_err(located)?,
+            sleeve: sleeve.map_err(|error| source.refused(&error))?,
             stiffness: braid.stiffness,
             strand_diameter_mm: braid.strand_diameter.map(f64::from),
+            compression: braid.compression,
+            in_rubber: braid.in_rubber,
+            ends: terminals.made,
+            end_factor: model.tondu_lopez.end_factor.or(terminals.end_factor),
             ..Stated::default()
         };
         tube.measures.read(source, &mut stated.measures)?;
@@ -158,32 +185,7 @@ impl MuscleFile {
             inner_diameter(inner.into(), &mut stated.measures)
                 .map_err(|problem| source.error("tube.inner_diameter", problem))?;
         }
-        let mut parts = stated.over(&Muscle::prototype()).map_err(located)?;
-        // What models of their own say of the ends; in the table of the terminals are their keys
-        // of before.
-        let (new, old) = ("model.tondu-lopez.end_factor", "terminals.end_factor");
-        if source.has(new) && source.has(old) {
-            let said = format!("is also given at {new}: leave one of them out");
-            return Err(source.error(old, said));
-        }
-        let of_model = model.tondu_lopez.end_factor;
-        parts.terminals.end_factor = of_model.or(terminals.end_factor);
-        parts.terminals.made = terminals.made;
-        if let Some(compression) = braid.compression {
-            parts.braid.compression = compression;
-        }
-        parts.braid.in_rubber = braid.in_rubber.unwrap_or(false);
-        if let Some(bench) = &identified {
-            bench::check(bench, source)?;
-        }
-        let mut muscle = Muscle::from_parts(parts).map_err(located)?;
-        if let Some(bench) = identified {
-            muscle = muscle.with_bench(bench);
-        }
-        if let Some(job) = job {
-            muscle = muscle.with_job(job);
-        }
-        Ok(muscle)
+        Ok(stated)
     }
 }
 

@@ -210,7 +210,7 @@ impl<'t> Source<'t> {
     }
 
     /// The error of the muscle, at the line of the key that caused it.
-    pub(super) fn refused(&self, error: &MuscleError) -> FileError {
+    pub fn refused(&self, error: &MuscleError) -> FileError {
         // A constant of a law is a key of the rubber's table.
         let full = |key: &&'static str| {
             if key.contains('.') {
