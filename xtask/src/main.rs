@@ -29,7 +29,7 @@ const TASKS: [Task; 4] = [
     ),
     (
         "golds",
-        "tables and formulas that the program computes itself; --check compares",
+        "tables and formulas that the program computes itself, and its messages; --check compares",
         golds,
     ),
     (
@@ -124,6 +124,7 @@ fn into_folder(line: &str, folder: &Path) -> Vec<PathBuf> {
 }
 
 fn golds(check: bool) -> Done {
+    run(&mut test("layer", "every_message_is_kept", check))?;
     let program = program()?;
     let made = made("golds")?;
     let campaign = made.join("universal.parquet");

@@ -32,12 +32,6 @@ fn file_kinds() -> impl Iterator<Item = &'static str> {
 
 /// The JSON Schema (draft 7, which TOML editors read) of a kind of file: `muscle`, `joint`, `drive`
 /// or `plan`.
-///
-/// ```
-/// let schema = mckibben_app::file_schema("muscle")?;
-/// assert_eq!(schema["properties"]["tube"]["properties"]["wall_thickness"]["x-unit"], "mm");
-/// # Ok::<(), mckibben_app::Problem>(())
-/// ```
 pub fn file_schema(kind: &str) -> Result<Value, Problem> {
     let Some((name, schema)) = KINDS.iter().find(|known| known.0 == kind) else {
         let hint = nearest(kind, file_kinds())

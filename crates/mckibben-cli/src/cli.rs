@@ -272,10 +272,4 @@ fn first_example(all: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    /// What flags exclude and require exists, and no two have one name.
-    #[test]
-    fn flags_agree_with_each_other() {
-        super::command().debug_assert();
-    }
-}
+mod tests;

@@ -45,13 +45,6 @@ impl NamedUnit {
     }
 
     /// The unit that a field has by its name; none where it is a plain number, or no number.
-    ///
-    /// ```
-    /// use mckibben_units::NamedUnit;
-    /// assert_eq!(NamedUnit::of_field("slip_mm_per_n").map(|u| u.unit), Some("mm/N"));
-    /// assert_eq!(NamedUnit::of_field("force_per_pressure_n_per_mpa").map(|u| u.unit), Some("N/MPa"));
-    /// assert!(NamedUnit::of_field("turns").is_none());
-    /// ```
     pub fn of_field(name: &str) -> Option<Self> {
         let typed = Dimension::all().filter_map(|d| Some((d.end_of_name()?, Self::inside(d))));
         let answered = ANSWERED.iter().map(|&(end, unit)| {

@@ -191,10 +191,6 @@ fn too_many(text: &str, points: f64) -> RangeError {
 mod tests {
     use super::*;
 
-    fn said(text: &str, dimension: Dimension) -> String {
-        parse_values(text, dimension).unwrap_err().to_string()
-    }
-
     fn is_list(text: &str, dimension: Dimension, list: &[f64]) {
         assert_eq!(
             parse_values(text, dimension),
@@ -222,10 +218,8 @@ mod tests {
             Ok(Values::Interval(0.1, 0.25))
         );
         for mixed in ["1bar,2,3bar", "1bar,2", "0..2bar:1"] {
-            assert!(
-                said(mixed, Dimension::Pressure).contains("some values carry a unit"),
-                "{mixed}"
-            );
+            let refused = parse_values(mixed, Dimension::Pressure);
+            assert!(matches!(refused, Err(RangeError::Form(_))), "{refused:?}");
         }
     }
 
@@ -239,10 +233,10 @@ mod tests {
 
     #[test]
     fn ranges_that_make_no_sense_are_refused() {
-        assert!(said("5..1", Dimension::Length).contains("is reversed"));
-        assert!(said("1..5:0", Dimension::Length).contains("must be above zero"));
-        assert!(said("0..1:1e-9", Dimension::Length).contains("take a larger step"));
-        assert!(said("3:1", Dimension::Length).contains("no range"));
+        for text in ["5..1", "1..5:0", "0..1:1e-9", "3:1"] {
+            let refused = parse_values(text, Dimension::Length);
+            assert!(matches!(refused, Err(RangeError::Form(_))), "{refused:?}");
+        }
         for text in ["..", "1,,2", "1..2..3"] {
             assert!(parse_values(text, Dimension::Length).is_err(), "{text}");
         }

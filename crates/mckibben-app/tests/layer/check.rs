@@ -29,13 +29,13 @@ fn each_kind_of_finding_is_found_on_a_muscle_that_has_it() {
     let texts = |answer: &CheckAnswer, kind| answer.sentences(kind, &Units::default()).join("\n");
     assert!(texts(&answer, FindingKind::Unknown).contains("`pull_off`"));
     // The prototype has 30 mm; the widest measured muscle is the DMSP-20.
-    assert!(texts(&answer, FindingKind::Outside).contains("the outer diameter is 30 mm"));
-    assert!(texts(&answer, FindingKind::Measure).contains("free contraction by a ruler (about 5"));
+    assert!(texts(&answer, FindingKind::Outside).contains("30 mm"));
+    assert!(texts(&answer, FindingKind::Measure).contains("(about 5"));
     let short = checked(CheckRequest {
         question: MuscleFields::from([(&LENGTH, 100.0)]).into(),
         ..CheckRequest::default()
     });
-    assert!(texts(&short, FindingKind::Implausible).contains("3.33 outer diameters"));
+    assert!(texts(&short, FindingKind::Implausible).contains("3.33 "));
 }
 
 /// What is implausible is named by its reason: broken strands pull nothing, and a muscle that

@@ -146,18 +146,9 @@ fn typed_texts_are_quantities_or_say_why_not() {
         (&json!(38.1), &json!(0.15))
     );
     assert_eq!(readings[3]["values"], json!([0.0, 0.1, 0.2]));
-    assert!(
-        readings[4]["problem"]["message"]
-            .as_str()
-            .unwrap()
-            .contains("is a pressure; expected a length")
-    );
-    assert!(
-        readings[5]["problem"]["message"]
-            .as_str()
-            .unwrap()
-            .contains("finite")
-    );
+    for reading in &readings[4..6] {
+        assert_eq!(reading["problem"]["kind"], "quantity", "{reading}");
+    }
     // An interval without a step has its ends too; a range with one has none.
     assert_eq!(
         (&readings[6]["interval"], &readings[3]["interval"]),

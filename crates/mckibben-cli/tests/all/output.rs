@@ -1,21 +1,16 @@
 //! What an answer looks like: formats, units, columns, widths, figures, documents.
 
 use crate::common::{
-    Ran, assert_close, command, copy, folder, json, json_in, mckibben, names, number, ran, root,
-    run_in,
+    Ran, assert_close, command, folder, json, json_in, mckibben, names, number, ran, root, run_in,
 };
 use serde_json::Value;
 
 #[test]
-fn bare_numbers_and_units_mean_the_same() {
+fn units_are_read_and_change_what_people_see_and_nothing_else() {
     let bare = mckibben("force -D 40 -s 2 -L 285 --angle 28 -p 0.2 -e 0.1 --format json").ok();
     let units =
         mckibben("force -D 4cm -s 2mm -L 0.285m --angle 28deg -p 2bar -e 10% --format json").ok();
     assert_eq!(bare, units);
-}
-
-#[test]
-fn units_change_what_people_see_and_nothing_else() {
     for line in [
         "force -p 0.2 -e 0.1",
         "curve isobaric -p 0.1,0.2",
@@ -33,6 +28,7 @@ fn units_change_what_people_see_and_nothing_else() {
     }
 }
 
+/// The columns of a table are keys of the answer, and the table is data for another command.
 #[test]
 fn csv_columns_are_the_json_keys() {
     for line in [
@@ -69,45 +65,18 @@ fn csv_columns_are_the_json_keys() {
             );
         }
     }
-}
-
-#[test]
-fn points_without_answer_say_why() {
-    let curve = json("curve isobaric -p 0.2,0.3 -e 0,0.1 --model paper");
-    let points = curve["points"].as_array().unwrap();
-    let status: Vec<&str> = points
-        .iter()
-        .map(|p| p["status"].as_str().unwrap())
-        .collect();
-    assert_eq!(status, ["ok", "ok", "out_of_range", "out_of_range"]);
-    assert!(
-        points[2]["cause"].as_str().unwrap().contains("0.25") && points[2].get("force_n").is_none()
-    );
-    let pressure = mckibben("pressure -F 9999 -e 0.1 --model paper --format json");
-    assert_eq!(
-        (pressure.code, &pressure.error()["kind"]),
-        (1, &"no_answer".into())
-    );
-    assert_close(
-        number(&pressure.error()["nearest"], "pressure_mpa"),
-        0.25,
-        1e-9,
-    );
-}
-
-/// What was sought stands with what it is of a muscle that is built, in its unit.
-#[test]
-fn the_text_of_an_inverse_has_its_interval_at_the_computed_quantity() {
-    for (line, unit) in [
-        ("pressure -F 500N -e 10% --units bar", "bar"),
-        ("contraction -F 200N -p 2.5bar", "%"),
-        ("force -p 2.5bar -e 10%", "N"),
-    ] {
-        let ran = mckibben(&format!("{line} --model thick-wall")).ok();
-        let row = ran.text().lines().find(|l| l.contains("as built")).unwrap();
-        let interval = row.split('(').nth(1).unwrap();
-        assert!(interval.contains(&format!("{unit} to ")), "{row}");
-    }
+    let dir = folder();
+    let ask = |line: &str| json_in(dir.path(), line);
+    let line = "curve isobaric -D 40 -s 2 -p 0.1..0.2:0.05 -e 0..0.15:0.05 -o curve.csv";
+    run_in(dir.path(), line).ok();
+    let same = ask("compare -D 40 -s 2 --models fe,ideal --data curve.csv");
+    assert_eq!(same["reference"], "measured");
+    let rms_n = |i: usize| number(&same["models"][i], "rms_n");
+    assert!(rms_n(0) < 1e-6 && rms_n(1) > 1.0, "{same}");
+    // Points without answer are left out.
+    let line = "curve isobaric -p 0.2,0.3 --model paper -o some.csv";
+    run_in(dir.path(), line).ok();
+    assert_eq!(ask("compare --models paper --data some.csv")["points"], 21);
 }
 
 /// A result goes to a file whole, in the format of its ending; what fails leaves an older file as
@@ -152,7 +121,8 @@ fn a_file_is_written_in_the_format_of_its_ending() {
     assert_eq!(names(dir.path()), ["out.txt", "x.csv", "x.json"]);
 }
 
-/// 88 mm are 249.45 points.
+/// 88 mm are 249.45 points. Figures in a folder whose name is that of a muscle: the muscle answers by
+/// its name as before.
 #[test]
 fn figures_are_whole() {
     let dir = folder();
@@ -190,53 +160,22 @@ fn figures_are_whole() {
         ["f.pdf", "f.png", "f.svg"],
         "no temporary files"
     );
-}
-
-/// The data of the view that a reader can rotate are not counted.
-#[test]
-fn a_report_has_a_title_block_and_at_most_300_kb() {
-    let dir = copy();
-    let line = "build examples/bench.toml -p 2bar --number MK-012 --revision B --project 'Arm <2>' \
-        --report";
-    run_in(dir.path(), &format!("{line} r.html")).ok();
-    let html = std::fs::read_to_string(dir.path().join("r.html")).unwrap();
-    for field in [
-        "<dt>document no.</dt><dd>MK-012</dd>",
-        "<dt>revision</dt><dd>B</dd>",
-        "<dt>project</dt><dd>Arm &lt;2&gt;</dd>",
-        "<dt>date</dt><dd></dd>",
-        "counter(pages)",
-        "class=\"drawing\"",
-    ] {
-        assert!(html.contains(field), "{field}");
-    }
-    let begin = html.find("<script type=\"application/json\">").unwrap();
-    let view = html[begin..].find("</script>").unwrap();
-    assert!(html.len() - view < 300_000, "{}", html.len());
-    run_in(dir.path(), &format!("{line} r.pdf")).ok();
-    let pdf = std::fs::read(dir.path().join("r.pdf")).unwrap();
-    assert!(pdf.starts_with(b"%PDF-"));
-}
-
-#[test]
-fn the_schema_of_a_file_is_written_and_named() {
-    let dir = folder();
-    run_in(dir.path(), "schema --file muscle -o muscle.schema.json").ok();
-    let text = std::fs::read_to_string(dir.path().join("muscle.schema.json")).unwrap();
-    let schema: Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(
-        schema["properties"]["tube"]["properties"]["outer_diameter"]["exclusiveMinimum"],
-        0.0
-    );
-    json_in(
+    let named = || json_in(dir.path(), "force paper -p 2bar -e 10%");
+    let before = named();
+    let table = root().join("data/campaign/paper.csv");
+    let fit = format!("fit {} --method paper --at 40x2", table.display());
+    run_in(
         dir.path(),
-        "design -F 40N -e 10% -p 2.5bar --tube latex-1/4x3/8in -o m.toml",
-    );
-    let muscle = std::fs::read_to_string(dir.path().join("m.toml")).unwrap();
-    assert_eq!(muscle.lines().nth(2), Some("#:schema muscle.schema.json"));
-    // Of all commands, into a folder that is made for them.
-    run_in(dir.path(), "schema -o new/schemas").ok();
-    assert!(dir.path().join("new/schemas/design.json").is_file());
+        &format!("{fit} --plots paper --plots-format svg,png,pdf"),
+    )
+    .ok();
+    assert_eq!(named(), before);
+    let folder = dir.path().join("paper");
+    assert_eq!(names(&folder).len(), 3 * 8);
+    for (ending, start) in [("png", &b"\x89PNG"[..]), ("pdf", b"%PDF"), ("svg", b"<svg")] {
+        let file = folder.join(format!("figure_5_isobaric_curves.{ending}"));
+        assert!(std::fs::read(file).unwrap().starts_with(start), "{ending}");
+    }
 }
 
 fn with_columns(words: &str, columns: Option<&str>) -> Ran {

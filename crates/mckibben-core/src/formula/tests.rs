@@ -113,7 +113,7 @@ fn a_flipped_bit_of_a_file_is_refused_or_harmless() {
     assert!(refused * 20 > tries * 19, "{refused} of {tries}");
     let edited = text.replace("1.1", "1.2");
     let error = Document::parse(&edited).unwrap_err().to_string();
-    assert!(error.contains("leave out its `digest`"), "{error}");
+    assert!(error.contains("`digest`"), "{error}");
     let lines: Vec<&str> = edited.lines().filter(|l| !l.contains("digest")).collect();
     let without = lines.join("\n").replace("},\n}", "}\n}");
     assert!(Document::parse(&without).is_ok());
@@ -352,11 +352,8 @@ fn wrong_files_are_named_with_their_key() {
         assert!(error.contains(part), "{name}: {error}");
     }
     let path = Path::new("no/such/formula.json");
-    let error = read_text(path).unwrap_err().in_file(path).to_string();
-    assert!(
-        error.starts_with("no/such/formula.json: cannot be read"),
-        "{error}"
-    );
+    let error = read_text(path).unwrap_err().in_file(path);
+    assert_eq!(error.file.as_deref(), Some(path));
 }
 
 #[test]

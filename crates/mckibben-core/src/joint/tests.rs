@@ -471,8 +471,8 @@ fn what_the_joint_cannot_do_is_said_with_what_it_can() {
         torque_nm: 0.0,
         ..stiff
     };
-    let error = model.pressures(w, idle, 1e-3).unwrap_err().to_string();
-    assert!(error.contains("reaches no N m/rad"), "{error}");
+    let error = model.pressures(w, idle, 1e-3).unwrap_err();
+    assert!(matches!(error, JointError::OutOfReach { .. }), "{error}");
     // The lowest pressures that hold a torque leave the other muscle alone.
     let low = model
         .pressures(
@@ -562,12 +562,8 @@ fn a_map_goes_on_beside_pressures_without_a_state() {
         !map.gaps.is_empty() && map.gaps.len() + map.points.iter().flatten().count() == 4,
         "{map:?}"
     );
-    assert!(
-        map.gaps
-            .iter()
-            .all(|gap| gap.reason.contains("muscle 1: no equilibrium")),
-        "{map:?}"
-    );
+    let is_first = |reason: &str| reason.starts_with("muscle 1: ");
+    assert!(map.gaps.iter().all(|gap| is_first(&gap.reason)), "{map:?}");
     for point in map.points.iter().flatten() {
         let w = &mut [Workspace::new()][..];
         let here = model
@@ -623,12 +619,7 @@ fn geometry_that_cannot_be_built_is_refused() {
         0.1,
     )];
     let error = Joint::new(near, None, Link::default(), (-60.0, 60.0)).unwrap_err();
-    assert!(
-        error
-            .to_string()
-            .contains("muscle 1: its attachment points are"),
-        "{error}"
-    );
+    assert!(matches!(error, JointError::Refused(_)), "{error}");
     let meeting = vec![muscle(
         Path::Points {
             origin_mm: [0.0, 300.0],
@@ -637,10 +628,7 @@ fn geometry_that_cannot_be_built_is_refused() {
         0.1,
     )];
     let error = Joint::new(meeting, None, Link::default(), (-90.0, 90.0)).unwrap_err();
-    assert!(
-        error.to_string().contains("attachment points meet"),
-        "{error}"
-    );
+    assert!(matches!(error, JointError::Refused(_)), "{error}");
     assert!(Joint::new(vec![], None, Link::default(), (-60.0, 60.0)).is_err());
     let one = vec![muscle(Path::Pulley { radius_mm: 20.0 }, 0.1)];
     assert!(Joint::new(one, None, Link::default(), (60.0, -60.0)).is_err());
@@ -846,11 +834,8 @@ fn what_is_not_of_the_joint_is_refused() {
             model.pressures(w, wanted, 0.6).map(|_| ()),
         ];
         for answer in all {
-            let said = answer.unwrap_err().to_string();
-            assert!(
-                said.contains(&format!("workspaces; {few} were given")),
-                "{said}"
-            );
+            let error = answer.unwrap_err();
+            assert!(matches!(error, JointError::Refused(_)), "{error}");
         }
     }
     let w = &mut model.workspaces();
@@ -865,18 +850,14 @@ fn what_is_not_of_the_joint_is_refused() {
             torque_nm,
             stiffness_nm_per_rad: stiffness,
         };
-        let said = model.pressures(w, wanted, supply).unwrap_err().to_string();
-        assert!(said.contains("finite"), "{said}");
+        let error = model.pressures(w, wanted, supply).unwrap_err();
+        assert!(matches!(error, JointError::Refused(_)), "{error}");
     }
     assert!(model.rests(w, &[0.2, 0.1], f64::NAN).is_err());
     let wide = Muscle::prototype().with_section(30.0, 1.5).unwrap();
     let other = ModelKind::Universal.build(&wide).unwrap();
     let wrong = BoundJoint::new(joint.clone(), vec![both[0].clone(), other.into()], true);
-    let said = wrong.err().map(|error| error.to_string()).unwrap();
-    assert!(
-        said.starts_with("muscle 2: its model is that of another"),
-        "{said}"
-    );
+    assert!(matches!(wrong.err(), Some(JointError::Refused(_))));
     let rope = |radius_mm: f64, rate_n_per_mm: f64, preload_n: f64| JointSpring::Rope {
         path: Path::Pulley { radius_mm },
         rate_n_per_mm,
@@ -955,7 +936,7 @@ fn a_muscle_on_the_wrong_side_and_unlikely_sizes_are_named() {
     assert!(doubts(vec![on(30.0), on(-30.0)], 1.0).is_empty());
     let said = doubts(vec![on(-30.0), on(30.0)], 1.0);
     assert!(
-        said.len() == 2 && said[0].starts_with("muscle 1 turns the joint to \u{2212}"),
+        said.len() == 2 && said[0].contains('\u{2212}') && !said[1].contains('\u{2212}'),
         "{said:?}"
     );
     let said = doubts(vec![muscle(Path::Pulley { radius_mm: 0.03 }, 0.12)], 800.0);
@@ -979,9 +960,9 @@ fn a_rest_beside_angles_without_a_state_is_answered_and_the_angle_named() {
     let model = bound(&joint, &models);
     let w = &mut model.workspaces();
     let (rests, gap) = model.rests_and_gap(w, &[0.25, 0.0], 0.0).unwrap();
-    let gap = gap.unwrap().to_string();
+    let gap = gap.unwrap();
     assert!(
-        gap.contains("60.0 deg of the joint's range muscle") && gap.contains("no equilibrium"),
+        matches!(gap, JointError::At { angle_deg, .. } if (angle_deg.abs() - 60.0).abs() < 0.05),
         "{gap}"
     );
     let [rest] = rests[..] else {

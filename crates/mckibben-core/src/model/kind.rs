@@ -139,7 +139,7 @@ mod tests {
         }
         let error = "idael".parse::<ModelKind>().unwrap_err().to_string();
         assert!(
-            error.contains("idael` (did you mean ideal?)") && error.contains("universal"),
+            error.contains("`idael`") && error.contains("ideal?") && error.contains("universal"),
             "{error}"
         );
     }

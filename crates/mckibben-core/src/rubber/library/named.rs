@@ -19,13 +19,6 @@ pub const COVERING: f64 = 1.05;
 ///
 /// # Errors
 /// [`LibraryError`] with the nearest name, or the laws the rubber has.
-///
-/// ```
-/// use mckibben_core::rubber::library::find;
-/// assert_eq!(find("dragon-skin-30")?.law.name(), "yeoh");
-/// assert!(find("dragon-skin-3").unwrap_err().to_string().contains("did you mean dragon-skin-30?"));
-/// # Ok::<(), mckibben_core::rubber::LibraryError>(())
-/// ```
 pub fn find(name: &str) -> Result<Rubber, LibraryError> {
     find_for(name, USUAL_REACH)
 }

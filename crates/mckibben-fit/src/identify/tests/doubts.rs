@@ -80,10 +80,9 @@ fn identity_a_constant_on_its_bound_is_one_that_is_fixed_there() {
         bounds: &[(none, (10.0, 20.0))],
         ..free
     });
-    let message = refused.unwrap_err().to_string();
     assert!(
-        message.contains("tube.outer_diameter has bounds"),
-        "{message}"
+        matches!(refused, Err(IdentifyError::Refused(_))),
+        "{refused:?}"
     );
 }
 
@@ -104,19 +103,23 @@ fn outliers_are_named() {
 #[test]
 fn data_that_cannot_be_right_get_a_sentence() {
     let m = soft();
-    let message = |change: &dyn Fn(&mut DataPoint)| {
+    let changes: [fn(&mut DataPoint); 6] = [
+        |p| p.at.force_n *= 1000.0,
+        |p| p.at.force_n /= 1000.0,
+        |p| p.at.force_n /= 9.81,
+        |p| p.at.pressure_mpa *= 10.0,
+        |p| p.at.pressure_mpa *= 1000.0,
+        |p| p.at.pressure_mpa /= 10.0,
+    ];
+    for change in changes {
         let mut points = bench(&m, 0.0);
         points.iter_mut().for_each(change);
-        identified(&m, &["mu"], &points).unwrap_err().to_string()
-    };
-    assert!(message(&|p| p.at.force_n *= 1000.0).contains("is force_n in mN"));
-    assert!(message(&|p| p.at.force_n /= 1000.0).contains("is force_n in kN"));
-    assert!(message(&|p| p.at.force_n /= 9.81).contains("kgf"));
-    assert!(message(&|p| p.at.pressure_mpa *= 10.0).contains("name the column pressure_bar"));
-    assert!(message(&|p| p.at.pressure_mpa *= 1000.0).contains("name the column pressure_kpa"));
-    assert!(
-        message(&|p| p.at.pressure_mpa /= 10.0).contains("the highest pressure is 0.0400\u{a0}MPa")
-    );
+        let refused = identified(&m, &["mu"], &points);
+        assert!(
+            matches!(refused, Err(IdentifyError::Implausible(_))),
+            "{refused:?}"
+        );
+    }
     // An angle that may be wrong is no reason to refuse.
     let mut points = bench(&m, 0.0);
     points.iter_mut().for_each(|p| p.at.force_n *= 4.0);
@@ -138,11 +141,9 @@ fn too_few_slack_and_contradicting_points_get_a_sentence() {
         panic!("{slack}")
     };
     some[1].at.force_n = 0.0;
-    let slack = identified(&m, &["mu"], &some).unwrap_err().to_string();
-    assert!(
-        slack.contains("(2 more points without a measured force were left out)"),
-        "{slack}"
-    );
+    let slack = identified(&m, &["mu"], &some).unwrap_err();
+    let two = IdentifyError::Data(DataError::NoPull { slack: 2 });
+    assert_eq!(slack, two);
     let mut slack = points.clone();
     slack[2].at.force_n = 0.0;
     let fit = identified(&m, &["mu"], &slack).unwrap();
@@ -293,12 +294,8 @@ fn flipped_signs_are_named_and_no_modulus_comes_out() {
         (3., 0., 700.),
         (3., 0.1, 900.),
     ];
-    let said = error(&rises).to_string();
-    assert!(matches!(error(&rises), IdentifyError::Flipped(_)));
-    assert!(
-        said.contains("sign of the contraction flipped, or") && said.contains("lines 2, 3"),
-        "{said}"
-    );
+    let is_flipped = |error: IdentifyError| matches!(error, IdentifyError::Flipped(_));
+    assert!(is_flipped(error(&rises)));
     let right = [
         (1., 0., 247.),
         (1., 0.05, 150.),
@@ -308,17 +305,9 @@ fn flipped_signs_are_named_and_no_modulus_comes_out() {
         (3., 0.1, 300.),
     ];
     let negative = right.map(|(p, e, f)| (p, e, -f));
-    let said = error(&negative).to_string();
-    assert!(
-        said.contains("6 of the 6 points") && said.contains("sign of the force flipped?"),
-        "{said}"
-    );
+    assert!(is_flipped(error(&negative)));
     let shortened = right.map(|(p, e, f)| (p, -e, f));
-    let said = error(&shortened).to_string();
-    assert!(
-        said.contains("sign of the contraction flipped? None"),
-        "{said}"
-    );
+    assert!(is_flipped(error(&shortened)));
     // One of them alone is left to the user, with its line.
     let exact = bench(&m, 0.0);
     assert!(
@@ -454,19 +443,40 @@ fn the_bench_stands_in_the_muscle_file() {
         parse_muscle(&text.replace("diameter = \"20 mm\"", "diameter = \"21 mm\"")).unwrap();
     assert_eq!(wider.bench(), None);
     assert!(!to_toml(&wider).contains("[identified]"));
-    let wrong = |from: &str, to: &str| {
+    for (from, to, key) in [
+        ("points = 15", "points = -1", "identified.points"),
+        (
+            "branches = [\"mean\"]",
+            "branches = [\"up\"]",
+            "identified.branches",
+        ),
+        (
+            "pressure = [",
+            "pressure = [\"9 MPa\", ",
+            "identified.pressure",
+        ),
+        (
+            "pull_factor = ",
+            "pull_factor = -",
+            "identified.pull_factor",
+        ),
+        (
+            "constants = [",
+            "constants = [\"angle\", ",
+            "identified.constants",
+        ),
+        (
+            "own_points = [[",
+            "own_points = [[-1, 0, 0, 0], [",
+            "own_points",
+        ),
+        ("points = 15", "", "identified.points"),
+        ("[identified]", "[identified]\nnonsense = 1", "nonsense"),
+    ] {
         assert!(text.contains(from), "{text}");
-        parse_muscle(&text.replacen(from, to, 1))
-            .unwrap_err()
-            .to_string()
-    };
-    assert!(wrong("points = 15", "points = -1").contains("identified.points"));
-    assert!(wrong("branches = [\"mean\"]", "branches = [\"up\"]").contains("identified.branches"));
-    assert!(wrong("pressure = [", "pressure = [\"9 MPa\", ").contains("identified.pressure"));
-    assert!(wrong("pull_factor = ", "pull_factor = -").contains("identified.pull_factor"));
-    assert!(wrong("constants = [", "constants = [\"angle\", ").contains("identified.constants"));
-    assert!(wrong("own_points = [[", "own_points = [[-1, 0, 0, 0], [").contains("own_points"));
-    assert!(wrong("points = 15", "").contains("identified.points is missing"));
+        let wrong = parse_muscle(&text.replacen(from, to, 1)).unwrap_err();
+        assert!(wrong.to_string().contains(key), "{key}: {wrong}");
+    }
     // c₁₁ c₂₂ < c₁₂²: no covariance.
     let (one, rest) = text
         .split_once("covariance = [[")
@@ -477,13 +487,8 @@ fn the_bench_stands_in_the_muscle_file() {
         1e-3 * one.parse::<f64>().unwrap()
     );
     let not_one = format!("{}{smaller}", text.split_once("covariance = [[").unwrap().0);
-    assert!(
-        parse_muscle(&not_one)
-            .unwrap_err()
-            .to_string()
-            .contains("a variance below zero")
-    );
-    assert!(wrong("[identified]", "[identified]\nnonsense = 1").contains("unknown key"));
+    let wrong = parse_muscle(&not_one).unwrap_err();
+    assert!(wrong.to_string().contains("covariance"), "{wrong}");
 }
 
 /// Whatever digit is changed by hand, the branch or the model: the ± is that of a muscle without

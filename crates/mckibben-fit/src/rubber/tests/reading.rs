@@ -71,12 +71,3 @@ fn modes_are_understood() {
     use Mode::{Equibiaxial, Planar, Uniaxial};
     assert_eq!(modes, [Uniaxial, Planar, Planar, Equibiaxial, Equibiaxial]);
 }
-
-#[test]
-fn errors_name_line_and_column_and_what_to_do() {
-    for line in include_str!("refused.tsv").lines().skip(1) {
-        let (text, fragment) = line.split_once('\t').unwrap();
-        let message = read(&text.replace("\\n", "\n")).unwrap_err().to_string();
-        assert!(message.contains(fragment), "{text}: {message}");
-    }
-}
