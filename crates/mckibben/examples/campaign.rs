@@ -47,7 +47,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     println!("{} points: {}", rows.len(), fitted.formula.equation());
 
     // On a muscle between those of the campaign it is a model like any other.
-    let muscle = plan.base.with_section(26.0, 1.75)?;
+    let muscle = plan.base().ok_or("no muscle")?.with_section(26.0, 1.75)?;
     let formula = Model::Formula(Arc::new(fitted.formula));
     let ours = formula.of(&muscle)?.force_n(0.18, 0.12)?;
     let mut fe = Model::FE.of(&muscle)?;

@@ -34,6 +34,7 @@ mod security;
 mod sizes;
 mod slack;
 mod uncertainty;
+mod truth;
 mod units;
 mod words;
 mod written;

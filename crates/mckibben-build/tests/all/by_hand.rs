@@ -5,7 +5,6 @@ use mckibben_build::{
     ends::{Clamped, Press, bolted_n},
     energy_j,
     mould::{CASTABLE, castable, sinks_min},
-    proof_mpa,
 };
 use mckibben_core::{analysis::SAFETY, muscle::EndsMade};
 
@@ -85,9 +84,19 @@ fn the_energy_of_air_is_that_of_an_isothermal_expansion() {
 
 #[test]
 fn a_proof_is_half_of_the_burst_where_the_working_pressure_is_a_quarter_of_it() {
-    assert_eq!(proof_mpa(1.0 / SAFETY, Some(1.0)), 0.5);
+    let burst = |strained: FailurePressure| Burst {
+        mesh: FailurePressure::at(1.0),
+        strained,
+        ..Burst::unknown(NoBurst::NO_ANSWER)
+    };
+    let free = burst(FailurePressure::None);
+    assert_eq!(free.proof_mpa(1.0 / SAFETY), Some(0.5));
     // A tube may work at half of its burst pressure, and is not proved at all of it.
-    assert_eq!(proof_mpa(0.5, Some(1.0)), 0.75);
+    assert_eq!(free.proof_mpa(0.5), Some(0.75));
+    // Between both a relief valve has room: a tenth.
+    assert_eq!(free.proof_mpa(0.69), None);
+    assert_eq!(burst(FailurePressure::at(0.6)).proof_mpa(0.5), Some(0.6));
+    assert_eq!(burst(FailurePressure::at(0.6)).proof_mpa(0.55), None);
 }
 
 /// By hand: 20 Pa s of 1080 kg/m³ over 513 mm and a gap of 2.5 mm: 12 · 20 · 0.513/(1080 ·

@@ -17,6 +17,8 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
         model: "test".into(),
         pressure_mpa,
         blocked_force_n: 6.0 * pressure_mpa * d0 * d0,
+        held_n: 6.0 * pressure_mpa * d0 * d0,
+        branch: Direction::Mean,
         free_contraction: 0.2,
         bulged_diameter_mm: 1.5 * d0,
         volume_mm3: 1.5 * muscle.rest_volume_mm3(),
@@ -26,9 +28,12 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
             volume_mm3: 1.5 * muscle.rest_volume_mm3(),
         },
         contour_mm: vec![[0.0, 0.75 * d0], [0.8 * half, 0.75 * d0], [half, 0.5 * d0]],
-        burst: Some((1.2, FailureMode::Mesh)),
-        least_burst_mpa: None,
-        allowed_mpa: Some(0.3),
+        limits: PressureLimits {
+            burst_pressure_mpa: Some(1.2),
+            burst_by: Some(FailureMode::Mesh),
+            allowed_pressure_mpa: Some(0.3),
+            ..PressureLimits::default()
+        },
         pulls: vec![PullAt {
             pressure_mpa,
             contraction: 0.1,

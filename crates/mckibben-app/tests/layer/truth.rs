@@ -1,0 +1,235 @@
+//! One muscle, one truth: every output of a muscle at a pressure carries the same pull, interval,
+//! limits and warnings. What `force` answers is the expected fact; the rows of OUTPUTS read it from
+//! all others. A new command that takes a muscle and is not in the table fails the last test.
+
+use crate::{
+    given::{file, number},
+    reply,
+};
+use mckibben_app::{COMMANDS, ask_value};
+use mckibben_core::progress::Silent;
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+
+/// A muscle file, the pressure in MPa and the contraction at which it is asked.
+struct Case {
+    name: &'static str,
+    text: String,
+    pressure_mpa: f64,
+    contraction: f64,
+}
+
+const JOB: &str = "[job]\npressure = \"1.8 bar\"\nsupply = \"2 bar\"\nbranch = \"contraction\"\n\
+    points = [{ force = \"50 N\", contraction = \"7.5%\" }]\n";
+
+fn cases() -> Vec<Case> {
+    let tube = |d: &str, s: &str, l: &str, rubber: &str| {
+        format!(
+            "[tube]\nouter_diameter = \"{d}\"\nwall_thickness = \"{s}\"\nlength = \"{l}\"\n\
+             rubber = \"{rubber}\"\n"
+        )
+    };
+    let sleeve = |name: &str| format!("[braid]\nname = \"{name}\"\n");
+    let plain = |angle: &str, k: &str| format!("[braid]\nangle = \"{angle}\"\nstiffness = \"{k}\"\n");
+    let thin = tube("13 mm", "1.5 mm", "160 mm", "dragon-skin-30") + &sleeve("pet-sleeve-15");
+    let own = tube("30 mm", "3 mm", "285 mm", "dragon-skin-30") + &plain("28 deg", "400 N/mm");
+    let mut all = vec![
+        ("of the catalogue, with a job", thin.clone() + JOB, 0.18, 0.075),
+        ("strength of the strands unknown", own.clone(), 0.3, 0.1),
+        ("with friction", own + "[friction]\ncoefficient = 60\nexponent = 0.6\n", 0.3, 0.1),
+        ("slack at its point", thin.clone(), 0.1, 0.3),
+        (
+            "extends",
+            tube("20 mm", "2 mm", "200 mm", "dragon-skin-30") + &plain("65 deg", "300 N/mm"),
+            0.05,
+            -0.02,
+        ),
+        (
+            "outside of the measured muscles",
+            tube("60 mm", "4 mm", "400 mm", "dragon-skin-30") + &plain("25 deg", "900 N/mm"),
+            0.1,
+            0.05,
+        ),
+        ("of water", thin + &JOB.replace("supply", "liquid = \"water\"\nsupply"), 0.18, 0.075),
+    ];
+    let library = mckibben_fit::library::file("dmsp-10-250").unwrap();
+    all.push(("of the library", library.to_owned(), 0.4, 0.1));
+    let case = |(name, text, pressure_mpa, contraction)| Case {
+        name,
+        text,
+        pressure_mpa,
+        contraction,
+    };
+    all.into_iter().map(case).collect()
+}
+
+/// The first value of this name, however deep.
+fn found<'a>(value: &'a Value, key: &str) -> Option<&'a Value> {
+    match value {
+        Value::Object(fields) => fields
+            .get(key)
+            .or_else(|| fields.values().find_map(|value| found(value, key))),
+        Value::Array(list) => list.iter().find_map(|value| found(value, key)),
+        _ => None,
+    }
+}
+
+fn kinds(answer: &Value) -> BTreeSet<String> {
+    const OF_MUSCLE: [&str; 4] = ["burst", "burst_not_checked", "above_allowed", "not_measured"];
+    let all = answer["warnings"].as_array().into_iter().flatten();
+    let kinds = all.filter_map(|w| w["kind"].as_str());
+    let of_muscle = kinds.filter(|kind| OF_MUSCLE.contains(kind));
+    of_muscle.map(str::to_owned).collect()
+}
+
+/// Commands with a muscle beside `force`, and what is asked of them.
+fn outputs(case: &Case) -> Vec<(&'static str, Value)> {
+    let (p, e) = (case.pressure_mpa, case.contraction);
+    let muscle = json!({ "file": file("muscle.toml", &case.text) });
+    vec![
+        ("curve", json!({ "muscle": muscle, "test": "isobaric", "pressures_mpa": [p], "contractions": [e] })),
+        ("check", json!({ "muscle": muscle, "pressure_mpa": p })),
+        ("simulate", json!({ "muscle": muscle, "test": "isobaric", "pressures_mpa": [p], "contractions": [e] })),
+        ("build", json!({ "muscle": muscle, "pressure_mpa": p })),
+        ("export", json!({ "muscle": muscle, "pressure_mpa": p, "target": "c" })),
+    ]
+}
+
+#[test]
+fn identity_every_output_has_the_limits_and_warnings_of_force() {
+    for case in cases() {
+        let muscle = json!({ "file": file("muscle.toml", &case.text) });
+        let (p, e) = (case.pressure_mpa, case.contraction);
+        let force = reply("force", json!({ "muscle": muscle, "pressure_mpa": p, "contraction": e }));
+        for (command, request) in outputs(&case) {
+            let place = format!("{}: {command}", case.name);
+            let answer = match ask_value(command, request, &Silent) {
+                Ok(answer) => answer,
+                // A muscle that extends has no folder and no export; nor one without room.
+                Err(problem) => {
+                    assert!(
+                        ["build", "export"].contains(&command),
+                        "{place}: {problem:?}"
+                    );
+                    continue;
+                }
+            };
+            for key in ["allowed_pressure_mpa", "burst_pressure_mpa", "allowed_by"] {
+                assert_eq!(found(&answer, key), found(&force, key), "{place}: {key}");
+            }
+            assert_eq!(kinds(&answer), kinds(&force), "{place}");
+            for key in ["predicted_n", "predicted_low_n", "predicted_high_n"] {
+                // Where it answers at this very point.
+                let at = |v: &Value| found(v, key).and_then(Value::as_f64);
+                let is_there = matches!(command, "curve")
+                    || command == "export" && case.text.contains("[job]");
+                if is_there && let Some(wanted) = at(&force) {
+                    let (answered, wanted) = (at(&answer).unwrap(), wanted);
+                    assert!(
+                        (answered - wanted).abs() <= 1e-9 * wanted.abs().max(1.0),
+                        "{place}: {key} {answered} {wanted}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// mean + friction + take-up + ends + factor = median (interface, version 4).
+#[test]
+fn identity_the_printed_parts_add_up_to_the_median() {
+    for case in cases() {
+        let muscle = json!({ "file": file("muscle.toml", &case.text) });
+        let request = json!({ "muscle": muscle, "pressure_mpa": case.pressure_mpa,
+            "contraction": case.contraction, "two_sided": true });
+        let force = reply("force", request);
+        let Some(shift) = force["predicted_shift_n"].as_object() else {
+            continue;
+        };
+        let sum: f64 = shift.values().filter_map(Value::as_f64).sum();
+        let [mean, median] = ["mean_n", "predicted_n"].map(|key| number(&force, key));
+        assert!(
+            (mean + sum - median).abs() < 1e-9 * mean.abs().max(1.0),
+            "{}: {mean} {sum} {median}",
+            case.name
+        );
+    }
+}
+
+/// No folder and no export above the allowed pressure, and no proof test without room for a relief
+/// valve: `own` of the trials, 16 bar.
+#[test]
+fn what_is_handed_out_stays_below_the_allowed_pressure() {
+    let own = &cases()[1];
+    let muscle = json!({ "file": file("own.toml", &own.text) });
+    let force = reply("force", json!({ "muscle": muscle, "pressure_mpa": 0.1 }));
+    let allowed_mpa = number(&force, "allowed_pressure_mpa");
+    assert_eq!(force["allowed_by"], "strand_strain");
+    let of = |command: &str, pressure_mpa: f64| {
+        let request = json!({ "muscle": muscle, "pressure_mpa": pressure_mpa });
+        let more = if command == "export" {
+            json!({ "target": "c" })
+        } else {
+            json!({})
+        };
+        ask_value(command, crate::given::with(request, more), &Silent)
+    };
+    for command in ["build", "export"] {
+        for over in [1.001 * allowed_mpa, 1.6, 2.0] {
+            let refused = of(command, over).unwrap_err();
+            assert_eq!(refused.kind, mckibben_app::ProblemKind::OutOfRange);
+            assert_eq!(refused.field.as_deref(), Some("pressure_mpa"));
+        }
+    }
+    let refused = of("build", 0.99 * allowed_mpa).unwrap_err();
+    assert_eq!(refused.field.as_deref(), Some("pressure_mpa"));
+    let built = of("build", 0.6).unwrap();
+    let proof_mpa = number(&built, "proof_pressure_mpa");
+    assert!(proof_mpa <= allowed_mpa && proof_mpa >= 1.1 * 0.6, "{proof_mpa}");
+}
+
+/// Commands of which the table above says nothing, and why.
+const OTHERS: [&str; 26] = [
+    // The expected fact itself, its inverses and what follows from them at other points.
+    "force",
+    "pressure",
+    "contraction",
+    "fill",
+    // Of several muscles, each by the same type: their tests stand beside them.
+    "joint",
+    "motion",
+    "export-joint",
+    "design",
+    "identify",
+    // Models, tables, parts and files.
+    "campaign",
+    "campaign-forecast",
+    "campaign-show",
+    "campaign-merge",
+    "compare",
+    "fit",
+    "check-formula",
+    "rubber",
+    "parts-list",
+    "parts-show",
+    "export-list",
+    "shape",
+    "study",
+    "units",
+    "measures",
+    "plan",
+    "quantities",
+];
+
+#[test]
+fn no_command_is_missing_from_the_table() {
+    let known: Vec<&str> = cases().first().map_or(vec![], |case| {
+        outputs(case).into_iter().map(|(command, _)| command).collect()
+    });
+    let missing: Vec<&str> = COMMANDS
+        .iter()
+        .map(|command| command.name)
+        .filter(|name| !known.contains(name) && !OTHERS.contains(name))
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
