@@ -33,16 +33,9 @@ typedef struct {
 /* The nearest number from `low` to `high`; `low` of what is not a number. */
 static real within(real value, real low, real high) { return value > high ? high : (value >= low ? value : low); }
 
-/* The nearest number of the box; what is finite, where the muscle continues beyond it. */
-static real taken(const mckibben_muscle *m, real value, real low, real high)
+static void at_contraction(const mckibben_muscle *m, real e, coefficients *k)
 {
-    return m->beyond && value - value <= R(0) ? value : within(value, low, high);
-}
-
-static void at_contraction(const mckibben_muscle *m, real contraction, coefficients *k)
-{
-    const real low = m->node[0], high = m->node[m->nodes - 1];
-    const real e = taken(m, contraction, low, high), inside = within(e, low, high);
+    const real inside = within(e, m->node[0], m->node[m->nodes - 1]);
     int n = 0;
     while (n < m->nodes - 2 && inside >= m->node[n + 1])
         n++;
@@ -52,7 +45,7 @@ static void at_contraction(const mckibben_muscle *m, real contraction, coefficie
     k->n = n;
     k->t = t;
     k->h = h;
-    k->beyond = e - inside;
+    k->beyond = m->beyond && e - e <= R(0) ? e - inside : R(0);
     for (int i = 0; i < N; i++) {
         const real *a = &m->a[i][n], *b = &m->b[i][n];
         k->slope[i] = d[0] * a[0] + d[1] * b[0] + d[2] * a[1] + d[3] * b[1];
@@ -106,8 +99,9 @@ static unsigned outside(const mckibben_muscle *m, real pressure, real e)
 /* The pull, negative where the muscle would have to push. */
 static real two_sided(const mckibben_muscle *m, real pressure, real e, coefficients *k, unsigned *status)
 {
+    const real q = pressure / m->supply;
     real pull;
-    functions(taken(m, pressure / m->supply, R(0), R(1)), k->phi, k->by_q);
+    functions(m->beyond && q - q <= R(0) ? q : within(q, R(0), R(1)), k->phi, k->by_q);
     at_contraction(m, e, k);
     pull = sum_of(k->c, k->phi);
     if (status)
@@ -208,8 +202,8 @@ real mckibben_friction(const mckibben_muscle *m, real pressure, real length, rea
 {
     coefficients k;
     const real pull = two_sided(m, pressure, contraction_of(m, length), &k, status);
-    const real size = ROOT(velocity * velocity + smoothing * smoothing), sign = velocity > R(0) ? R(1) : (velocity < R(0) ? R(-1) : R(0));
-    const real share = size > R(0) && size - size <= R(0) ? velocity / size : sign;
+    const real size = ROOT(velocity * velocity + smoothing * smoothing);
+    const real share = size > R(0) && size - size <= R(0) ? velocity / size : R(0);
     const real moving = pull + mckibben_friction_limit(m, pressure, length) * share;
     return (moving > R(0) ? moving : R(0)) - (pull > R(0) ? pull : R(0));
 }

@@ -72,7 +72,7 @@ mckibben_real mckibben_volume(const mckibben_muscle *m, mckibben_real pressure, 
 mckibben_real mckibben_pressure(const mckibben_muscle *m, mckibben_real force, mckibben_real length, unsigned *status);
 /* Contraction 1 - L/L0 at which the muscle pulls with `force` at a pressure; the lower end of the box of what is not a number. */
 mckibben_real mckibben_contraction(const mckibben_muscle *m, mckibben_real force, mckibben_real pressure, unsigned *status);
-/* What friction adds to the pull while the length changes by `velocity` in m/s (positive: longer); smooth at rest over `smoothing` in m/s. With it
+/* What friction adds to the pull while the length changes by `velocity` in m/s (positive: longer); smooth at rest over `smoothing` in m/s, 0 at one that is not finite. With it
  * the muscle pulls or is slack: it never pushes. */
 mckibben_real mckibben_friction(const mckibben_muscle *m, mckibben_real pressure, mckibben_real length, mckibben_real velocity, mckibben_real smoothing,
                                 unsigned *status);

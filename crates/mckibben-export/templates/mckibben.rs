@@ -236,15 +236,8 @@ impl Muscle<'_> {
         pressure | if is_inside { 0 } else { CONTRACTION_OUTSIDE }
     }
 
-    /// The nearest number of the box; what is finite, where the muscle continues beyond it.
-    fn taken(&self, value: Real, low: Real, high: Real) -> Real {
-        if self.beyond && value.is_finite() { value } else { within(value, low, high) }
-    }
-
     fn spline(&self, contraction: Real) -> Spline {
-        let (low, high) = (self.contraction_low(), self.contraction_high());
-        let taken = self.taken(contraction, low, high);
-        let inside = within(taken, low, high);
+        let inside = within(contraction, self.contraction_low(), self.contraction_high());
         let (mut part, mut from, mut to) = (0, &NONE, &NONE);
         for (n, pair) in self.nodes.windows(2).enumerate() {
             match pair {
@@ -255,7 +248,7 @@ impl Muscle<'_> {
         let h = to.contraction - from.contraction;
         let t = (inside - from.contraction) / h;
         let s = 1.0 - t;
-        let beyond = taken - inside;
+        let beyond = if self.beyond && contraction.is_finite() { contraction - inside } else { 0.0 };
         let values = [(1.0 + 2.0 * t) * s * s, h * t * s * s, t * t * (3.0 - 2.0 * t), -h * t * t * s];
         let slopes = [-6.0 * t * s / h, s * (1.0 - 3.0 * t), 6.0 * t * s / h, t * (3.0 * t - 2.0)];
         let slope = weighted(slopes, from, to);
@@ -284,7 +277,8 @@ impl Muscle<'_> {
     }
 
     pub(crate) fn state(&self, pressure_pa: Real, contraction: Real) -> State {
-        let (phi, by_q) = functions(self.taken(pressure_pa / self.supply_pa, 0.0, 1.0));
+        let q = pressure_pa / self.supply_pa;
+        let (phi, by_q) = functions(if self.beyond && q.is_finite() { q } else { within(q, 0.0, 1.0) });
         let spline = self.spline(contraction);
         let pull = sum_of(&spline.c, &phi);
         let status = self.outside(pressure_pa, contraction) | if pull <= 0.0 { SLACK } else { 0 };
@@ -438,7 +432,7 @@ impl Muscle<'_> {
         (next, status)
     }
 
-    /// What friction adds to the pull while the length changes by a velocity (positive: longer); smooth at rest over `smoothing_m_per_s`. With it the
+    /// What friction adds to the pull while the length changes by a velocity (positive: longer); smooth at rest over `smoothing_m_per_s`; 0 at a velocity that is not finite. With it the
     /// muscle pulls or is slack: it never pushes.
     pub fn friction_n(&self, pressure_pa: Real, length_m: Real, velocity_m_per_s: Real, smoothing_m_per_s: Real) -> Answer {
         let state = self.state_at(pressure_pa, length_m);
@@ -449,15 +443,7 @@ impl Muscle<'_> {
         let e = within(self.contraction_of(length_m), self.contraction_low(), self.contraction_high());
         let half = (r0 + e * (r1 + e * r2)) * root(q) + (q0 + e * (q1 + e * q2)) * q;
         let half = if half > 0.0 { half } else { 0.0 };
-        let share = if size > 0.0 && size.is_finite() {
-            velocity_m_per_s / size
-        } else if velocity_m_per_s > 0.0 {
-            1.0
-        } else if velocity_m_per_s < 0.0 {
-            -1.0
-        } else {
-            0.0
-        };
+        let share = if size > 0.0 && size.is_finite() { velocity_m_per_s / size } else { 0.0 };
         let moving = pull + half * share;
         let friction = (if moving > 0.0 { moving } else { 0.0 }) - if pull > 0.0 { pull } else { 0.0 };
         answer((friction, state.status))

@@ -283,6 +283,5 @@ def friction(pressure, length, velocity, smoothing=1e-3):
     half = _above_zero(xp, by_root * xp.sqrt(xp.where(q > 0, q, 1 + 0 * q)) * (q > 0) + by_q * q)
     one = xp.ones_like(velocity)
     size = xp.sqrt(velocity * velocity + smoothing * smoothing)
-    sign = one * ((velocity > 0) * 1 - (velocity < 0) * 1)
-    share = xp.where((size > 0) & (size - size == 0), velocity / xp.where(size > 0, size, one), sign)
+    share = xp.where((size > 0) & (size - size == 0), velocity / xp.where(size > 0, size, one), 0 * one)
     return _above_zero(xp, pull + half * share) - _above_zero(xp, pull)

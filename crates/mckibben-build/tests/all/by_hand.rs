@@ -6,7 +6,10 @@ use mckibben_build::{
     energy_j,
     mould::{CASTABLE, castable, sinks_min},
 };
-use mckibben_core::{analysis::SAFETY, muscle::EndsMade};
+use mckibben_core::{
+    analysis::{Burst, FailurePressure, NoBurst, SAFETY},
+    muscle::EndsMade,
+};
 
 /// By hand: two ties of 4.8 mm hold 2 · 2π · 0.3 · 180/3 = 226 N, a quarter of it is 56.5 N. A
 /// clamp of 9 mm on 26 mm over 3 mm of μ 0.4 MPa: 0.3 π 26 · 9 · 4 · 0.4 · 0.25 = 88.2 N, bonded

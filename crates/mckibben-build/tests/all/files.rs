@@ -4,9 +4,9 @@ use mckibben_build::{
     Content, Operating, Plan, Proof, PullAt, TestPoint, ToMeasure, Wishes, drawings, files, papers,
 };
 use mckibben_core::{
-    analysis::FailureMode,
+    analysis::{FailureMode, PressureLimits},
     built::{Left, Measurement},
-    muscle::{EndsMade, Muscle, file::parse_muscle},
+    muscle::{Direction, EndsMade, Muscle, file::parse_muscle},
     units::Dimension,
 };
 
