@@ -487,10 +487,10 @@ fn a_campaign_becomes_a_formula() {
     for part in ["outer diameters 35 mm", "left out: D0 < 35"] {
         assert!(shown.clone().ok().text().contains(part), "{part}");
     }
-    // Five tables and Figures 5 to 12.
+    // Four tables and Figures 5 to 12.
     let written = names(&dir.path().join("t/x"));
     let of = |ending: &str| written.iter().filter(|name| name.ends_with(ending)).count();
-    assert_eq!((of(".csv"), of(".svg")), (5, 8));
+    assert_eq!((of(".csv"), of(".svg")), (4, 8));
     let [a, b] = ["c.json", "f.json"].map(|name| {
         number(
             &json_in(
