@@ -76,10 +76,12 @@ class Campaign(_api.CampaignCommands):
         return self._table
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The table as a ``pandas.DataFrame`` (by pyarrow or fastparquet)."""
+        """The table as a ``pandas.DataFrame`` (by pyarrow); warnings that are not known are ``pandas.NA``."""
         import pandas as pd
 
-        return pd.read_parquet(self._table)
+        table = pd.read_parquet(self._table)
+        flags = [name for name in table if name.startswith("warning_")]
+        return table.astype(dict.fromkeys(flags, "boolean"))
 
     def __repr__(self) -> str:
         return f"Campaign({self.output!r}, {self.plan!r})"
@@ -178,8 +180,9 @@ def campaign(
     Examples
     --------
     >>> from concurrent.futures import ProcessPoolExecutor
-    >>> with ProcessPoolExecutor() as pool:                                            # doctest: +SKIP
-    ...     mk.campaign("plans/paper.toml", "campaign.parquet", executor=pool).to_pandas()
+    >>> if __name__ == "__main__":                                                     # doctest: +SKIP
+    ...     with ProcessPoolExecutor() as pool:
+    ...         mk.campaign("plans/paper.toml", "campaign.parquet", executor=pool).to_pandas()
     """
     made = Campaign(output, plan)
     if executor is not None and not os.path.isfile(made.output):

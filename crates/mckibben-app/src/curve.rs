@@ -247,7 +247,7 @@ pub fn check_test(test: Test, contractions: bool, forces: bool) -> Result<()> {
         ),
         _ => (
             ("forces_n", forces),
-            "contractions (`contractions`) and computes pulls",
+            "contractions (`contractions`) and computes pulls; `test` isotonic takes pulls",
         ),
     };
     Problem::refuse_unused(&[unused], format!("`test` {} needs {needs}", test.name()))

@@ -136,70 +136,52 @@ pub fn descriptions<'a>(columns: impl Iterator<Item = (&'a str, &'static Column)
     columns.map(about).collect()
 }
 
-const fn column(role: Role, name: &'static str, slot: fn(&mut PointRow) -> Slot<'_>) -> Column {
-    Column { name, role, slot }
+/// Columns with the field of their name: `Question Number wall_mm`; a group has an example of its
+/// names before it.
+macro_rules! columns {
+    ($($role:ident $slot:ident $($example:literal)? $field:ident),* $(,)?) => {
+        [$(Column {
+            name: columns!(@ $($example)? $field),
+            role: Role::$role,
+            slot: |row| Slot::$slot(&mut row.$field),
+        }),*]
+    };
+    (@ $example:literal $field:ident) => { $example };
+    (@ $field:ident) => { stringify!($field) };
 }
 
 /// All columns in their order.
-pub static COLUMNS: [Column; 29] = {
-    use Role::{Answer, Note, Question, Warning};
-    use Slot::{Constants, Count, Flag, Measures, Number, Optional, Sensitivities, Text, Whole};
-    [
-        column(Note, "muscle", |r| Whole(&mut r.muscle)),
-        column(Question, "outer_diameter_mm", |r| {
-            Number(&mut r.outer_diameter_mm)
-        }),
-        column(Question, "wall_mm", |r| Number(&mut r.wall_mm)),
-        column(Question, "length_mm", |r| Number(&mut r.length_mm)),
-        column(Question, "angle_deg", |r| Number(&mut r.angle_deg)),
-        column(Note, "rubber", |r| Text(&mut r.rubber)),
-        column(Note, "law", |r| Text(&mut r.law)),
-        column(Question, "c10_mpa", |r| Constants(&mut r.constants)),
-        column(Question, "braid_stiffness_n_per_mm", |r| {
-            Optional(&mut r.braid_stiffness_n_per_mm)
-        }),
-        column(Question, "seating_mm", |r| Measures(&mut r.measures)),
-        column(Question, "pressure_mpa", |r| Number(&mut r.pressure_mpa)),
-        column(Question, "contraction", |r| Number(&mut r.contraction)),
-        column(Answer, "force_n", |r| Optional(&mut r.force_n)),
-        column(Answer, "volume_mm3", |r| Optional(&mut r.volume_mm3)),
-        column(Answer, "stiffness_n_per_mm", |r| {
-            Optional(&mut r.stiffness_n_per_mm)
-        }),
-        column(Answer, "force_per_pressure_n_per_mpa", |r| {
-            Optional(&mut r.force_per_pressure_n_per_mpa)
-        }),
-        column(Answer, "braid_tension_n", |r| {
-            Optional(&mut r.braid_tension_n)
-        }),
-        column(Answer, "strand_tension_n", |r| {
-            Optional(&mut r.strand_tension_n)
-        }),
-        column(Answer, "bulged_diameter_mm", |r| {
-            Optional(&mut r.bulged_diameter_mm)
-        }),
-        column(Answer, "max_stretch", |r| Optional(&mut r.max_stretch)),
-        column(Answer, "d_force_d_tube_outer_diameter", |r| {
-            Sensitivities(&mut r.sensitivities)
-        }),
-        column(Warning, "warning_burst", |r| Flag(&mut r.warning_burst)),
-        column(Warning, "warning_allowed_pressure", |r| {
-            Flag(&mut r.warning_allowed_pressure)
-        }),
-        column(Warning, "warning_strand_strain", |r| {
-            Flag(&mut r.warning_strand_strain)
-        }),
-        column(Warning, "warning_rubber_stretch", |r| {
-            Flag(&mut r.warning_rubber_stretch)
-        }),
-        column(Warning, "warning_not_measured", |r| {
-            Flag(&mut r.warning_not_measured)
-        }),
-        column(Note, "status", |r| Slot::Status(&mut r.status)),
-        column(Note, "cause", |r| Text(&mut r.cause)),
-        column(Note, "iterations", |r| Count(&mut r.iterations)),
-    ]
-};
+pub static COLUMNS: [Column; 29] = columns![
+    Note Whole muscle,
+    Question Number outer_diameter_mm,
+    Question Number wall_mm,
+    Question Number length_mm,
+    Question Number angle_deg,
+    Note Text rubber,
+    Note Text law,
+    Question Constants "c10_mpa" constants,
+    Question Optional braid_stiffness_n_per_mm,
+    Question Measures "seating_mm" measures,
+    Question Number pressure_mpa,
+    Question Number contraction,
+    Answer Optional force_n,
+    Answer Optional volume_mm3,
+    Answer Optional stiffness_n_per_mm,
+    Answer Optional force_per_pressure_n_per_mpa,
+    Answer Optional braid_tension_n,
+    Answer Optional strand_tension_n,
+    Answer Optional bulged_diameter_mm,
+    Answer Optional max_stretch,
+    Answer Sensitivities "d_force_d_tube_outer_diameter" sensitivities,
+    Warning Flag warning_burst,
+    Warning Flag warning_allowed_pressure,
+    Warning Flag warning_strand_strain,
+    Warning Flag warning_rubber_stretch,
+    Warning Flag warning_not_measured,
+    Note Status status,
+    Note Text cause,
+    Note Count iterations,
+];
 
 #[cfg(test)]
 mod tests {

@@ -44,41 +44,43 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
     })
 }
 
-const FIGURES: &str = "`--figures DIR` writes figures and tables";
-const RULES: &str = "`cargo study paper_rules` compares the readings of the paper's method";
-const MUSCLE: &str = "`--muscle FILE` states rubber and braid of a CSV table";
-
 /// Flags that a command had, by its name, with what is typed in their place.
-const GONE: [(&str, &str, &str); 13] = [
+const GONE: [(&str, &[&str], &str); 7] = [
     (
         "compare",
-        "--fit",
+        &["--fit"],
         "`mckibben identify` finds constants from points, and `compare` takes its muscle file",
     ),
     (
         "identify",
-        "--laws",
+        &["--laws"],
         "`--rubber NAME:LAW` takes a law of a rubber",
     ),
     (
         "identify",
-        "--loss",
+        &["--loss"],
         "take outliers out of the table, or give their rows a smaller `weight`",
     ),
-    ("fit", "--report", RULES),
-    ("fit", "--thin-rule", RULES),
-    ("fit", "--slack-rule", RULES),
-    ("fit", "--tables", FIGURES),
-    ("fit", "--plots", FIGURES),
-    ("fit", "--plots-format", "`--figures DIR` writes SVG"),
     (
         "fit",
-        "--at",
-        "`--figures DIR` shows D0 30 mm and wall 3 mm, or the first muscle",
+        &["--report", "--thin-rule", "--slack-rule"],
+        "`cargo study paper_rules` compares the readings of the paper's method",
     ),
-    ("fit", "--hold-out-share", "`--hold-out 20%` takes a share"),
-    ("fit", "--rubber", MUSCLE),
-    ("fit", "--stiffness", MUSCLE),
+    (
+        "fit",
+        &["--tables", "--plots", "--plots-format", "--at"],
+        "`--figures DIR` writes tables, and figures of D0 30 mm or the first muscle as SVG",
+    ),
+    (
+        "fit",
+        &["--hold-out-share"],
+        "`--hold-out 20%` takes a share",
+    ),
+    (
+        "fit",
+        &["--rubber", "--stiffness"],
+        "`--muscle FILE` states rubber and braid of a CSV table",
+    ),
 ];
 
 /// A flag that a command does not have, and what to type in its place.
@@ -90,7 +92,8 @@ pub fn of_gone_flag(error: &clap::Error, context: &Context) -> Option<Problem> {
         return None;
     }
     let command = std::env::args_os().nth(1).unwrap_or_default();
-    if let Some((name, _, hint)) = GONE.iter().find(|g| command == g.0 && flag == g.1) {
+    let is_gone = |gone: &&(&str, &[&str], &str)| command == gone.0 && gone.1.contains(&&**flag);
+    if let Some((name, _, hint)) = GONE.iter().find(is_gone) {
         let message = format!("`mckibben {name}` has no {flag} any more");
         return Some(Problem::usage(message, *hint));
     }

@@ -169,13 +169,14 @@ fn ended(path: &FemError) -> String {
     } else {
         String::new()
     };
-    // No sleeve contracts further.
-    let stiffer = if *contraction < 0.4 {
-        ", or take stiffer strands"
-    } else {
-        ""
+    let advice = match status {
+        // Pressure holds the wall out.
+        Status::Collapsed => "raise the pressure, or lower the contraction",
+        // No sleeve contracts further.
+        _ if *contraction >= 0.4 => "lower the pressure or the contraction",
+        _ => "lower the pressure or the contraction, or take stiffer strands",
     };
-    format!("{begins}{because}{followed}; lower the pressure or the contraction{stiffer}")
+    format!("{begins}{because}{followed}; {advice}")
 }
 
 fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {

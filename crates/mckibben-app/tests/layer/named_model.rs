@@ -154,3 +154,59 @@ fn where_no_friction_is_known_a_built_muscle_is_that_of_the_model() {
     let [built, wanted] = ["predicted_n", "force_n"].map(|key| point[key].as_f64().unwrap());
     assert!((built / wanted - 1.0).abs() < 1e-6, "{point}");
 }
+
+/// Row 3 of the issue: of a braid by its strands k falls with 1/D0, and the formula of such a table
+/// was refused on its own muscles. It brings its strands; finite elements of its muscle agree.
+#[test]
+fn a_formula_of_counted_strands_brings_its_muscle() {
+    let folder = std::env::temp_dir().join(format!("mckibben-strands-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let table = folder.join("strands.parquet");
+    let braid = "angle = \"24 deg\"\nstrands = 96\nstrand_area = \"0.05 mm2\"\n\
+        strand_modulus = \"8 GPa\"\n";
+    let text = format!(
+        "[tube]\nlength = \"200 mm\"\n[braid]\n{braid}[vary]\n\
+         tube.outer_diameter = \"20..35:5 mm\"\ntube.wall_thickness = \"1..3:1 mm\"\n[test]\n\
+         contractions = \"0..0.20:0.05\"\npressures = \"0..2.5:0.5 bar\"\n"
+    );
+    let request = CampaignRequest {
+        plan: Some(TextFile {
+            name: "plan.toml".into(),
+            text,
+        }),
+        output: Some(table.clone()),
+        ..Default::default()
+    };
+    campaign(&request, &Silent).unwrap();
+    let formula = reply("fit", json!({ "campaign": table }));
+    assert_eq!(formula["kind"], "global");
+    assert_eq!(formula["made_for"]["strands"]["count"], 96);
+    let model = json!({ "name": { "name": "strands.json", "text": formula.to_string() } });
+    let largest = formula["errors"]["fit"]["max_of_blocked"].as_f64().unwrap();
+    for d in [20.0, 27.5, 35.0] {
+        let at = |model: &Value, contraction: f64, muscle: Value| {
+            let asked = json!({ "model": model, "pressure_mpa": 0.25, "contraction": contraction,
+                "muscle": muscle });
+            reply("force", asked)["force_n"].as_f64().unwrap()
+        };
+        let file = format!(
+            "[tube]\nouter_diameter = {d}\nwall_thickness = 2\nlength = 200\n[braid]\n{braid}"
+        );
+        let own = || json!({ "file": { "name": "m.toml", "text": file } });
+        let fe = json!({ "name": "fe" });
+        let (blocked_n, fe_n) = (at(&fe, 0.0, own()), at(&fe, 0.1, own()));
+        // By the flags alone, and by a file that states the strands.
+        let flags = json!({ "outer_diameter_mm": d, "wall_mm": 2 });
+        for muscle in [flags, own()] {
+            let error = (at(&model, 0.1, muscle) - fe_n).abs() / blocked_n;
+            assert!(error < 2.0 * largest + 0.002, "{d}: {error} of {largest}");
+        }
+    }
+    let best = winner(
+        model.clone(),
+        json!({ "force_n": 300, "contraction": 0.15 }),
+    );
+    assert_eq!([&best["length_mm"], &best["angle_deg"]], [200.0, 24.0]);
+    reply("export", json!({ "target": "c", "model": model }));
+    std::fs::remove_dir_all(&folder).unwrap();
+}

@@ -42,6 +42,13 @@ impl FitError {
         ))
     }
 
+    pub(crate) fn of_one(quantity: &str) -> Self {
+        Self::Refused(format!(
+            "the method universal needs muscles of many makes, and these are of one {quantity}: \
+             vary it in the plan, or fit muscles of one make by the method global"
+        ))
+    }
+
     pub(crate) fn no_blocked() -> Self {
         let why = "no muscle is inflated at contraction 0, and errors are shares of the blocked \
             force: add contraction 0 to the plan";

@@ -395,8 +395,11 @@ pub struct Fits {
 #[derive(Debug, Clone, Default)]
 pub struct Fittable {
     make: Option<MakeOfRows>,
+    first: PointRow,
     /// Whether its muscles are of several makes.
     several: bool,
+    /// Whether angle, wall over diameter, and rubber vary.
+    varied: [bool; 3],
     /// Whether a muscle is inflated at contraction 0.
     blocked: bool,
     /// Why the rows make no formula.
@@ -406,20 +409,34 @@ pub struct Fittable {
 impl Fittable {
     pub fn add(&mut self, row: &PointRow) {
         self.blocked |= row.contraction == 0.0 && row.pressure_mpa > 0.0;
+        let is_same = |make: &MakeOfRows| make.last_muscle == Some(row.muscle);
+        if self.make.as_ref().is_some_and(is_same) {
+            return;
+        }
         if let Some((column, _)) = row.measures.first() {
             self.refused = Some(FitError::varies(column));
         } else if row.angle_deg >= NEUTRAL_ANGLE_DEG {
             self.refused = Some(FitError::extends(row.angle_deg));
         }
-        let make = self.make.get_or_insert_with(|| MakeOfRows::new(row));
+        let make = self.make.get_or_insert_with(|| {
+            self.first = row.clone();
+            MakeOfRows::new(row)
+        });
         self.several |= make.add(row).is_err();
+        let first = &self.first;
+        let wall = |row: &PointRow| row.wall_mm / row.outer_diameter_mm;
+        self.varied[0] |= !same(first.angle_deg, row.angle_deg);
+        self.varied[1] |= !same(wall(first), wall(row));
+        self.varied[2] |= !rubber_of(row).is_like(&rubber_of(first), TOLERANCE);
     }
 
     pub fn fits(&self) -> Fits {
         let method = if self.several { "universal" } else { "global" };
-        let refused = match &self.refused {
-            None if !self.blocked => Some(FitError::no_blocked()),
-            refused => refused.clone(),
+        let one = VARIED.iter().zip(self.varied).find(|(_, varied)| !varied);
+        let refused = match (&self.refused, one) {
+            (None, _) if !self.blocked => Some(FitError::no_blocked()),
+            (None, Some((quantity, _))) if self.several => Some(FitError::of_one(quantity)),
+            (refused, _) => refused.clone(),
         };
         Fits {
             fit_method: refused.is_none().then_some(method),
@@ -427,3 +444,6 @@ impl Fittable {
         }
     }
 }
+
+/// What varies in a table that the method universal takes.
+pub const VARIED: [&str; 3] = ["angle", "wall over diameter", "rubber"];

@@ -12,8 +12,6 @@ mod make;
 #[doc(hidden)]
 pub mod paper_method;
 #[doc(hidden)]
-pub mod signs;
-#[doc(hidden)]
 pub mod tables;
 #[doc(hidden)]
 pub mod universal;

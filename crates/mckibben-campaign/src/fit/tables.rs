@@ -1,6 +1,6 @@
 //! The intermediate tables of the paper's method, as rows for files.
 
-use super::{paper_method::PaperMethod, signs::signs};
+use super::paper_method::PaperMethod;
 use mckibben_core::{formula::Coefficients, joined};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -42,7 +42,7 @@ fn cells(row: Value) -> Vec<Value> {
     }
 }
 
-/// Steps 1–2, 3, 4–5, 6–7, and the signs; of the paper's muscles with its Table 2.
+/// Steps 1–2, 3, 4–5 and 6–7; of the paper's muscles with its Table 2.
 pub fn tables(m: &PaperMethod, of_the_paper: bool) -> Vec<Table> {
     let curves = m.curves.iter().map(|c| {
         let abc = c.abc.coefficients;
@@ -74,19 +74,6 @@ pub fn tables(m: &PaperMethod, of_the_paper: bool) -> Vec<Table> {
         let (fitted, r2) = (ours[family][k], m.r2[family][k]);
         json!([FAMILIES[family], k + 1, fitted, r2, published])
     });
-    let signs = signs(m).into_iter().map(|s| {
-        let way = if s.rises { "rises" } else { "falls" };
-        let verdict = if s.holds() { "holds" } else { "does not hold" };
-        json!([
-            s.outer_diameter_mm,
-            s.coefficient,
-            s.with,
-            way,
-            s.holding,
-            s.pairs,
-            verdict
-        ])
-    });
     vec![
         table(
             "steps_1_2_abc",
@@ -108,11 +95,6 @@ pub fn tables(m: &PaperMethod, of_the_paper: bool) -> Vec<Table> {
             "steps_6_7_table2",
             "family row d2 d1 d0 r2 published_d2 published_d1 published_d0",
             diameters,
-        ),
-        table(
-            "signs",
-            "outer_diameter_mm coefficient with paper_says holding pairs verdict",
-            signs,
         ),
     ]
 }

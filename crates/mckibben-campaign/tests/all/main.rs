@@ -4,5 +4,6 @@
 
 mod constants;
 mod formulas;
+mod signs;
 mod universal;
 mod verification;

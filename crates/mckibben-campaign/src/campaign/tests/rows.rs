@@ -139,6 +139,55 @@ fn a_sleeve_has_another_angle_on_each_tube() {
     assert_eq!(statuses, [Status::Ok, Status::Ok, Status::NoMuscle]);
 }
 
+/// What can be fitted to a table is said before it is computed: one make, several, or why none.
+#[test]
+fn a_plan_says_what_can_be_fitted_to_its_table() {
+    let test = "[test]\ncontractions = \"0,10%\"\npressures = \"0.1\"\nmesh = \"3\"\n";
+    let later = test.replace("0,10%", "5,10%");
+    for (vary, test, method, why) in [
+        ("tube.outer_diameter = \"20,30\"", test, Some("global"), ""),
+        (
+            "braid.angle = \"22,24\"\ntube.wall_thickness = \"2,3\"\ntube.material.scale = \"1,2\"",
+            test,
+            Some("universal"),
+            "",
+        ),
+        ("tube.length = \"200,300\"", test, None, "of one angle"),
+        (
+            "terminals.seating = \"0,1\"",
+            test,
+            None,
+            "seating_mm varies",
+        ),
+        (
+            "tube.outer_diameter = \"20,30\"",
+            &*later,
+            None,
+            "contraction 0",
+        ),
+    ] {
+        let plan = Plan::parse(&format!("[vary]\n{vary}\n{test}")).unwrap();
+        let said = forecast(&plan, &RunOptions::default(), &Silent)
+            .unwrap()
+            .fits;
+        assert_eq!(said.fit_method, method, "{vary}");
+        assert!(
+            said.no_fit.clone().unwrap_or_default().contains(why),
+            "{said:?}"
+        );
+        let dir = folder();
+        let out = dir.path().join("c.parquet");
+        run(&plan, &out, &RunOptions::default(), &Silent).unwrap();
+        assert_eq!(summary(&out).unwrap().fits, said, "{vary}");
+    }
+    let extends = format!("[braid]\nangle = 60\n{test}");
+    let plan = Plan::parse(&extends).unwrap();
+    let said = forecast(&plan, &RunOptions::default(), &Silent)
+        .unwrap()
+        .fits;
+    assert!(said.no_fit.unwrap().contains("60 deg extend"));
+}
+
 #[test]
 fn failures_are_rows() {
     let rows = run_plan(
@@ -159,6 +208,9 @@ fn failures_are_rows() {
             .iter()
             .any(|r| [Status::Collapsed, Status::NotConverged].contains(&r.status))
     );
+    // Pressure holds a wall out.
+    let mut collapsed = rows.iter().filter(|r| r.status == Status::Collapsed);
+    assert!(collapsed.all(|r| r.cause.contains("raise the pressure")));
     assert_eq!(
         (rows[0].status, rows[0].force_n.is_some()),
         (Status::Ok, true)

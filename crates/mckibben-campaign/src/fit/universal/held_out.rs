@@ -1,16 +1,14 @@
-//! Random muscles that no fit has seen, and how far models are from finite elements on them.
+//! Random muscles that no fit has seen, with the pulls of finite elements.
 
-use super::points::{PullPoint, Sample, shares, summary};
+use super::points::{PullPoint, Sample};
 use mckibben_core::{
-    formula::UniversalSummary,
-    model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace},
+    model::{ForceModel, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
     random::Random,
     rubber::{Law, MooneyRivlin},
     threads,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
-use serde::Serialize;
 
 /// Contractions of a muscle, as tenths of the ideal muscle's largest.
 const STEPS: u32 = 10;
@@ -101,43 +99,4 @@ fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
         points: (0..=STEPS).map_while(point).collect(),
         reached: (pressure_mpa, muscle.max_ideal_contraction()),
     })
-}
-
-/// A model and its errors.
-#[derive(Debug, Clone, Serialize, schemars::JsonSchema)]
-pub struct HeldOutRow {
-    /// The model, in words.
-    pub model: String,
-    /// Its errors.
-    #[serde(flatten)]
-    pub errors: UniversalSummary,
-}
-
-type Build<'a> = &'a (dyn Fn(&Muscle) -> Option<Box<dyn ForceModel>> + Sync);
-
-/// The models on random muscles: ideal, thick-wall with strands that do not stretch, thick-wall,
-/// universal.
-pub fn held_out(samples: &[Sample]) -> Vec<HeldOutRow> {
-    let rigid = |m: &Muscle| -> Option<Box<dyn ForceModel>> {
-        let braid = Braid {
-            stiffness: BraidStiffness::Inextensible,
-            ..m.braid().clone()
-        };
-        Some(Box::new(ThickWall::between_ends(
-            &m.with_braid(braid).ok()?,
-        )))
-    };
-    let models: [(&str, Build<'_>); 4] = [
-        ("ideal", &|m| Some(Box::new(Ideal::between_ends(m)))),
-        ("thick-wall, strands that do not stretch", &rigid),
-        ("thick-wall", &|m| {
-            Some(Box::new(ThickWall::between_ends(m)))
-        }),
-        ("universal", &|m| ModelKind::Universal.build(m).ok()),
-    ];
-    let row = |(name, build): (&str, Build<'_>)| HeldOutRow {
-        model: name.into(),
-        errors: summary(&shares(samples, |s| build(&s.muscle), |_, _| true)),
-    };
-    models.into_iter().map(row).collect()
 }

@@ -17,9 +17,10 @@ mod points;
 use super::{
     error::{FitError, Result},
     least_squares::Triangle,
+    make::VARIED,
 };
 use crate::hash;
-pub use held_out::{HeldOutRow, drawn, held_out, held_out_samples};
+pub use held_out::{drawn, held_out_samples};
 use mckibben_core::{
     extremes::{ends, peak},
     formula::{
@@ -153,31 +154,21 @@ fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> boo
         && p.pressure_mpa <= range.highest_pressure_mpa(m) * (1.0 + margin)
 }
 
-/// Refuses muscles of one angle or of one share of the wall, from which their effect is not known.
+/// Refuses muscles of one angle, share of the wall or rubber, whose effect then is not known.
 fn check_makes(samples: &[Sample]) -> Result<()> {
     let varies = |value: fn(&Muscle) -> f64| {
         let (least, most) = ends(samples.iter().map(|s| value(&s.muscle)));
         most > least * (1.0 + 1e-6)
     };
-    for (quantity, is_varied) in [
-        ("angle", varies(|m| m.braid().angle_deg)),
-        (
-            "wall over diameter",
-            varies(|m| m.wall_mm() / m.outer_diameter_mm()),
-        ),
-        (
-            "modulus",
-            varies(|m| m.tube().rubber.law.shear_modulus_mpa()),
-        ),
-    ] {
-        if !is_varied {
-            return Err(FitError::Refused(format!(
-                "the method universal needs muscles of many makes, and these are of one {quantity}: \
-                 vary it in the plan, or take the method global"
-            )));
-        }
+    let varied = [
+        varies(|m| m.braid().angle_deg),
+        varies(|m| m.wall_mm() / m.outer_diameter_mm()),
+        varies(|m| m.tube().rubber.law.shear_modulus_mpa()),
+    ];
+    match VARIED.iter().zip(varied).find(|(_, varied)| !varied) {
+        Some((quantity, _)) => Err(FitError::of_one(quantity)),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// The box, cut to what the muscles fill.

@@ -2,7 +2,13 @@
 //!
 //!   D0 35–50: a rises with P and with s; below 35 "opposite". b falls with P and with s. c rises with P and falls with s.
 
-use super::{data::same, paper_method::PaperMethod};
+use mckibben_campaign::fit::{
+    PaperMethod,
+    data::{Grid, same},
+    paper_method,
+    paper_method::is_left_out,
+};
+use mckibben_core::muscle::Muscle;
 use std::cmp::Ordering;
 
 /// One statement for one diameter, against the coefficients of steps 1–2.
@@ -65,4 +71,25 @@ pub fn signs(method: &PaperMethod) -> Vec<Sign> {
         }
     }
     out
+}
+
+/// The table of docs/results.md: pairs of neighbouring curves with the stated sign, of all.
+#[test]
+fn the_stated_signs_hold_as_often_as_the_book_says() {
+    let mut points = Grid::PAPER.points(&Muscle::prototype());
+    points.retain(|p| !is_left_out(p));
+    let found = signs(&paper_method(&points).unwrap());
+    let count = |d: f64, coefficient: &str, with: &str| {
+        let is_it = |s: &&Sign| {
+            same(s.outer_diameter_mm, d) && (s.coefficient, s.with) == (coefficient, with)
+        };
+        let sign = found.iter().find(is_it).unwrap();
+        (sign.holding, sign.pairs)
+    };
+    let a_with_p = [30.0, 40.0, 45.0, 50.0].map(|d| count(d, "a", "P"));
+    assert_eq!(a_with_p, [(7, 18), (17, 20), (19, 20), (20, 20)]);
+    assert_eq!(count(30.0, "a", "s").0, 0);
+    for sign in found.iter().filter(|s| s.coefficient != "a") {
+        assert!(sign.holds(), "{sign:?}");
+    }
 }
