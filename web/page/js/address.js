@@ -1,13 +1,13 @@
 // The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it.
-import { signal } from "./life.js";
-import { pageOf } from "./pages.js";
+/** The address that was read or written last. */
+const known = { hash: location.hash };
 
-/** @param {string} [of] @returns {{ page: string, params: URLSearchParams }} */
-function parse(of = location.hash) {
-  const hash = of.replace(/^#/, ""),
+/** @returns {{ page: string, params: URLSearchParams }} */
+function parse() {
+  const hash = location.hash.replace(/^#/, ""),
     cut = hash.indexOf("?");
   const [page, query] = cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
-  return { page: page || "start", params: new URLSearchParams(query) };
+  return { page: page || "design", params: new URLSearchParams(query) };
 }
 
 /** Whether a link of this page leads nowhere on another computer. */
@@ -32,6 +32,7 @@ export async function read() {
   }
   await Promise.all([...params.values()].map(pack));
   if (location.hash !== of) return read();
+  known.hash = of;
   return { page, params, lost };
 }
 
@@ -53,20 +54,15 @@ export function address(page, params) {
   return `#${page}${words ? "?" + words : ""}`;
 }
 
-const written = signal();
-/** Is told of each change of the address by a page. */
-export const onWritten = written.stay;
-
 /**
- * Puts it into the address in place of the present one: entries of the history are pages. A page
- * that is left before its answer came does not write over the address of the next one.
+ * Puts it into the address in place of the present one: entries of the history are pages. An address
+ * that was not read yet is somebody's wish, and stays.
  * @param {string} to
  */
 export function write(to) {
-  if (pageOf(parse(to).page) !== pageOf(parse().page)) return;
-  if (to === location.hash) return;
+  if (location.hash !== known.hash || to === known.hash) return;
   history.replaceState(null, "", to);
-  written.tell();
+  known.hash = location.hash;
 }
 
 // Long texts, compressed: `z:` and base64url of raw deflate. A text that begins so is no muscle
@@ -74,7 +70,7 @@ export function write(to) {
 const MARK = "z:";
 /** So long a text is at most that a link may hold, in bytes. */
 const MOST = 4_000_000;
-/** Texts as they stand in an address. @type {Map<string, string>} */ const known = new Map();
+/** Texts as they stand in an address. @type {Map<string, string>} */ const packs = new Map();
 
 /** Base64 that an address may hold as it is. */
 const ALPHABET = /** @type {const} */ ({ alphabet: "base64url", omitPadding: true });
@@ -106,17 +102,17 @@ export async function piped(bytes, through, most = MOST) {
 
 /** Makes a text ready for an address; a short one stays as it is. @param {string} text */
 export async function pack(text) {
-  if (known.has(text) || text.length < 120) return;
+  if (packs.has(text) || text.length < 120) return;
   const packed =
     MARK +
     (await piped(new TextEncoder().encode(text), new CompressionStream("deflate-raw"))).toBase64(
       ALPHABET,
     );
-  if (packed.length < encodeURIComponent(text).length) known.set(text, packed);
+  if (packed.length < encodeURIComponent(text).length) packs.set(text, packed);
 }
 
 /** As it stands in an address. @param {string} text */
-export const packed = (text) => known.get(text) ?? text;
+export const packed = (text) => packs.get(text) ?? text;
 
 /** What stands in an address, as a text. @param {string} word @returns {Promise<string>} */
 export async function unpack(word) {
@@ -126,6 +122,6 @@ export async function unpack(word) {
     new DecompressionStream("deflate-raw"),
   );
   const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  known.set(text, word);
+  packs.set(text, word);
   return text;
 }

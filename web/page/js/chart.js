@@ -1,12 +1,14 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
 import { atEnd } from "./life.js";
-import { block, button, csv, download, el, menu } from "./dom.js";
+import { csv } from "./columns.js";
+import { block, button, download, el, menu } from "./dom.js";
 import { table } from "./form.js";
 import { linesOf } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { VIRIDIS } from "./shaders.js";
-import { isDark, onTheme } from "./theme.js";
+import { isDark } from "./theme.js";
 import { builtPull, clamp, number, outside } from "./units.js";
+import { signal, watch } from "./watch.js";
 
 export { KINDS };
 
@@ -35,7 +37,8 @@ export const pressureColour = (pressure, top) => shade(pressure / top);
  * unknown }} [options]
  */
 export function chartOf(name, { tools, tall, drag } = {}) {
-  const lines = linesOf(name, drag),
+  const spec = signal(/** @type {Spec | undefined} */ (undefined)),
+    lines = linesOf(name, drag),
     { host } = lines,
     cells = el("div", { class: "scroll", hidden: true, tabindex: 0 });
   const asTable = button("Table", flip, { ariaPressed: false });
@@ -51,7 +54,12 @@ export function chartOf(name, { tools, tall, drag } = {}) {
   );
   const sized = new ResizeObserver(() => host.offsetWidth && lines.draw());
   sized.observe(host);
-  onTheme(lines.draw);
+  watch(() => {
+    if (!spec.value) return;
+    lines.spec = spec.value;
+    if (!cells.hidden) tabulate(spec.value);
+    lines.draw();
+  });
   // An answer that comes after the page was left has nothing to draw on.
   atEnd(() => {
     sized.disconnect();
@@ -63,7 +71,7 @@ export function chartOf(name, { tools, tall, drag } = {}) {
     asTable.ariaPressed = String(on);
     cells.hidden = !on;
     host.hidden = on;
-    if (on) tabulate();
+    if (on && spec.value) tabulate(spec.value);
     else lines.draw();
   }
 
@@ -73,27 +81,25 @@ export function chartOf(name, { tools, tall, drag } = {}) {
    * Rows of all series: name, x, y, and the third number where there is one.
    * @param {Spec} spec @returns {(string | number | null)[][]}
    */
-  function rowsOf({ series, rows, z: third }) {
+  function rowsOf({ series, z: third }) {
     const more = (/** @type {Series} */ s, /** @type {number} */ i) =>
       third ? [s.z?.[i] ?? null] : [];
     const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
-    return rows ?? series.filter((s) => !s.silent).flatMap(line);
+    return series.filter((s) => !s.silent).flatMap(line);
   }
 
-  function tabulate() {
-    const { spec } = lines;
-    if (!spec) return;
+  /** @param {Spec} spec */
+  function tabulate(spec) {
     const rows = rowsOf(spec).map((row) => row.map((v) => (typeof v === "string" ? v : number(v))));
     cells.replaceChildren(table(head(spec), rows).firstElementChild ?? "");
   }
 
   /** @param {"csv" | "svg" | "png"} kind */
   async function save(kind) {
-    const { spec } = lines;
-    if (!spec) return;
+    if (!spec.value) return;
     const content =
       kind === "csv"
-        ? csv([head(spec), ...rowsOf(spec)])
+        ? csv([head(spec.value), ...rowsOf(spec.value)])
         : await lines[kind](Math.max(640, host.clientWidth), Math.max(400, host.clientHeight));
     download(`${name}.${kind}`, content);
   }
@@ -101,13 +107,11 @@ export function chartOf(name, { tools, tall, drag } = {}) {
     element,
     mark: lines.mark,
     get spec() {
-      return lines.spec;
+      return spec.value;
     },
-    /** @param {Spec} spec */
-    show(spec) {
-      lines.spec = spec;
-      if (!cells.hidden) tabulate();
-      lines.draw();
+    /** @param {Spec} next */
+    show(next) {
+      spec.value = next;
     },
   };
 }

@@ -19,12 +19,11 @@ import {
   inside,
   meant,
   number,
-  onAnyUnits,
   outside,
   show,
   unitName,
 } from "./units.js";
-import { sketched } from "./sketch.js";
+import { watch } from "./watch.js";
 
 let count = 0;
 /** Steps of keys, in steps of a slider. @type {Record<string, number>} */
@@ -61,7 +60,7 @@ export const saying =
 
 /** A field with a slider, where that has ends. @param {Spec} spec */
 export function quantity(spec) {
-  const { key, field: name, label, symbol, about, kind, around } = spec,
+  const { label, symbol, about, kind, around } = spec,
     id = `q${++count}`;
   let { value: now, low = NaN, high = NaN } = spec;
   /**
@@ -87,8 +86,6 @@ export function quantity(spec) {
     Number.isNaN(low) ? null : slider,
     below,
   );
-  sketched(element, key, name);
-  if (about) element.dataset.about = about;
 
   /** Whether somebody is typing. */
   const typing = () => document.activeElement === field && field.value !== painted;
@@ -211,8 +208,7 @@ export function quantity(spec) {
     [low, high] = [least, most];
     paint(!typing());
   };
-  onAnyUnits(() => paint());
-  paint();
+  watch(() => paint());
   return {
     element,
     reach,

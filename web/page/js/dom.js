@@ -161,17 +161,6 @@ export function dragging(element, act) {
   }
 }
 
-/** Rows as CSV. @param {readonly (readonly (string | number | null | undefined)[])[]} rows */
-export function csv(rows) {
-  const special = /[",\n]/;
-  const quoted = (/** @type {string | number | null | undefined} */ v) => {
-    if (typeof v === "string") return special.test(v) ? `"${v.replaceAll('"', '""')}"` : v;
-    // A gap is no number.
-    return Number.isFinite(v) ? v : "";
-  };
-  return rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n";
-}
-
 /**
  * Tabs over one panel.
  * @param {string} label @param {[string, string][]} tabs @param {string} chosen

@@ -19,7 +19,6 @@ import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
 import { expectation, inWords, meant, pointed, show, withUnit } from "./units.js";
-import { sketched } from "./sketch.js";
 
 /**
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
@@ -53,7 +52,6 @@ function fieldRow(f, submit) {
   const below = el("p", { id: `${id}w`, hidden: true });
   const line = el("div", { class: "choice" }, el("label", { for: id }, f.label), input);
   const row = el("div", { hidden: f.hidden }, line, below);
-  sketched(row, f.field, f.key);
   return { input, say: saying(input, below), row };
 }
 

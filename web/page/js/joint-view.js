@@ -83,10 +83,11 @@ export function numbersView(point, which) {
 }
 
 /**
- * Torques over the angle at pairs of pressures.
- * @param {Family} family @param {JointPoint | undefined} point @returns {Spec}
+ * Torques over the angle at pairs of pressures, with the point and what was asked.
+ * @param {Family} family @param {JointPoint | undefined} point
+ * @param {{ angle: number, torque: number } | undefined} asked @returns {Spec}
  */
-export function torqueChart({ answer, angles, pairs }, point) {
+export function torqueChart({ answer, angles, pairs }, point, asked) {
   const series = pairs.map((pair, i) => {
     const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
     const name =
@@ -99,9 +100,12 @@ export function torqueChart({ answer, angles, pairs }, point) {
       y: rows.map((q) => outside("torque", q.torque_nm)),
     };
   });
-  const marks = point
-    ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }]
-    : [];
+  const marks = [
+    ...(point
+      ? [{ angle: point.angle_deg, torque: point.torque_nm ?? 0, text: "this state" }]
+      : []),
+    ...(asked ? [{ ...asked, text: "asked" }] : []),
+  ].map(({ angle, torque, text }) => ({ x: angle, y: outside("torque", torque), text }));
   return {
     x: "angle φ [°]",
     y: `torque [${unitName("torque")}]`,

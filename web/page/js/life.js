@@ -24,18 +24,3 @@ export function renewing() {
     return (ends = new AbortController()).signal;
   };
 }
-
-/** Listeners to one thing: those of the page that is shown (`on`) end with it, others stay. */
-export function signal() {
-  /** @type {Set<() => void>} */ const listeners = new Set();
-  return {
-    tell: () => listeners.forEach((tell) => tell()),
-    /** @param {() => void} tell */
-    stay: (tell) => void listeners.add(tell),
-    /** @param {() => void} tell */
-    on(tell) {
-      listeners.add(tell);
-      atEnd(() => listeners.delete(tell));
-    },
-  };
-}

@@ -84,11 +84,12 @@ export function liftView() {
   );
   return {
     element: block("stand", box, play.button),
-    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer */
-    show({ candidates }) {
-      if (one === candidates[0]) return;
-      [one] = candidates;
+    /** @param {Lifting | undefined} next nothing leaves its place empty */
+    show(next) {
+      if (one === next) return;
+      one = next;
       shown = NaN;
+      if (!one) return box.replaceChildren();
       draw(1);
       if (!still) play.start();
     },

@@ -7,8 +7,6 @@ import { between, clamp, number } from "./units.js";
 
 /** Farther away than this in pixels nothing is read off. */
 const NEAR = 48;
-/** So long the pointer rests before what is below it is computed, in milliseconds. */
-const REST = 200;
 const colours = () => ({
   ink: token("--ink"),
   line: token("--line"),
@@ -32,7 +30,6 @@ export function linesOf(name, drag) {
   /** @type {import("./plot.js").Frame | undefined} */ let at;
   /** @type {Reach | undefined} */ let zoomed;
   /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ let read;
-  let resting = 0;
   /** Where the pointer rests on the plot. @type {number[] | undefined} */ let pointer;
   /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ let marked;
   /** @type {From | undefined} */ let from;
@@ -104,9 +101,9 @@ export function linesOf(name, drag) {
   }
 
   /** What lies at a place, in words. @param {Found} found @param {Spec} of */
-  function words({ which, x, y, low, high }, of) {
+  function words({ which, x, y }, of) {
     const s = of.series[which];
-    const [l, h] = [low ?? valueAt(s, x, "low"), high ?? valueAt(s, x, "high")];
+    const [l, h] = [valueAt(s, x, "low"), valueAt(s, x, "high")];
     const value =
       l === undefined || h === undefined
         ? `${number(y)}${unit(of.y)}`
@@ -121,19 +118,14 @@ export function linesOf(name, drag) {
     const colour = colourOf(spec.series[found.which], found.which);
     dot.style.cssText = `transform:translate(${px}px,${py}px);border-color:${colour}`;
     hair.style.cssText = `left:${px}px;top:${at.top}px;height:${at.h}px`;
-    tell(words(found, spec), px, py);
     dot.hidden = hair.hidden = false;
-  }
-  /** Words beside a place. @param {string} text @param {number} px @param {number} py */
-  function tell(text, px, py) {
     const { clientWidth: width } = host;
-    tip.textContent = text;
+    tip.textContent = words(found, spec);
     tip.style.cssText = `${px > width / 2 ? `right:${width - px + 12}px` : `left:${px + 12}px`};top:${Math.max(0, py - 34)}px`;
     tip.hidden = false;
   }
 
   function clear() {
-    clearTimeout(resting);
     read = undefined;
     for (const part of [dot, hair, tip, box]) part.hidden = true;
   }
@@ -141,25 +133,11 @@ export function linesOf(name, drag) {
   /** @param {number} px @param {number} py */
   function hover(px, py) {
     if (!at || !spec) return;
-    const of = spec;
     host.style.cursor = py > at.top + at.h ? "ew-resize" : px < at.left ? "ns-resize" : "crosshair";
     const within = px >= at.left && py <= at.top + at.h,
-      said = within && of.says?.(at.x(px), at.y(py)),
-      found = within ? nearest(of, at, px, py) : undefined;
-    if (said) return tell(said, px, py);
+      found = within ? nearest(spec, at, px, py) : undefined;
     if (!found || found.far >= NEAR) return clear();
     point(found);
-    clearTimeout(resting);
-    // What is below the pointer that rests, computed.
-    const rests = pointer;
-    if (of.exact)
-      resting = window.setTimeout(
-        () =>
-          of.exact?.(of.series[found.which], found.x, ([y, low, high]) => {
-            if (spec === of && pointer === rests) point({ ...found, y, low, high });
-          }),
-        REST,
-      );
   }
 
   /** The part that a drag selects. @param {From} begun @param {number} px @param {number} py */
@@ -315,9 +293,7 @@ export function linesOf(name, drag) {
     host,
     draw,
     svg,
-    get spec() {
-      return spec;
-    },
+    /** @param {Spec} next */
     set spec(next) {
       spec = next;
     },

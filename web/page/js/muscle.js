@@ -1,7 +1,6 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
-import { address, pack, query, write } from "./address.js";
-import { signal } from "./life.js";
+import { address, pack, query } from "./address.js";
 import {
   canonical,
   fields,
@@ -13,11 +12,13 @@ import {
   say,
   shownValue,
   takeMeasures,
+  question,
   texts,
   words,
   MEASURES,
 } from "./state.js";
 import { nameIn, named, stated } from "./toml.js";
+import { batch, computed, signal } from "./watch.js";
 import {
   braidName,
   learn,
@@ -28,7 +29,7 @@ import {
   unitsFromAddress,
   unitsInAddress,
 } from "./units.js";
-import { wordsOf } from "./kept.js";
+import { keepWords, wordsOf } from "./kept.js";
 
 const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === key);
 
@@ -43,15 +44,37 @@ export async function loadMeasures() {
  * What the engine read: all of `check`, or the measures of another answer.
  * @typedef {Commands["force"]["answer"]["muscle"] & Partial<Commands["check"]["answer"]>} Shown
  */
+/** What the engine says of a muscle at its point. */
+/** @typedef {Commands["force"]["answer"] & Partial<Commands["contraction"]["answer"]>} Assessed */
+/** Warnings in short, by their kinds. @type {Record<string, string>} */
+const SHORT = {
+  not_measured: "outside of the measured muscles",
+  burst: "may burst",
+  burst_not_checked: "burst pressure unknown",
+  above_allowed: "above the allowed pressure",
+  strand_strain: "strands stretch too far",
+  rubber_stretch: "rubber beyond its test",
+  extrapolated: "outside of the model's range",
+};
+/** @param {{ kind: string, message: string }} warning */
+export const inShort = ({ kind, message }) => SHORT[kind] ?? message.split(/[,:;]/)[0];
+
 export class MuscleState {
-  /** @type {State} */ #state = prototype();
-  /** @type {Shown | undefined} */ #shown = undefined;
-  #changed = signal();
-  #telling = 0;
+  #state = signal(prototype());
+  #shown = signal(/** @type {Shown | undefined} */ (undefined));
+  #called = signal("");
+  #assessed = signal(
+    /** @type {{ of: State, answer: Assessed | undefined } | undefined} */ (undefined),
+  );
+  #warnings = computed(() => {
+    const answer = this.assessed,
+      list = answer?.warnings ?? [];
+    return answer?.burst_pressure_mpa === null && !list.some((w) => w.kind === "burst_not_checked")
+      ? [...list, { kind: "burst_not_checked", message: "The strength of the braid is unknown." }]
+      : list;
+  });
 
   constructor() {
-    /** The name that somebody gave it here; without one that of its file. */
-    this.called = "";
     /**
      * Named sleeves, with what their sources do not state.
      * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm:
@@ -69,32 +92,45 @@ export class MuscleState {
   }
 
   get state() {
-    return this.#state;
+    return this.#state.value;
   }
   set state(next) {
-    this.#state = next;
-    this.touch();
+    this.#state.value = next;
   }
   /** What the engine read of file and fields, the last time that it could. */
   get shown() {
-    return this.#shown;
+    return this.#shown.value;
   }
   set shown(next) {
-    this.#shown = next;
-    this.touch();
+    this.#shown.value = next;
+  }
+  /** The name that somebody gave it here; without one that of its file. */
+  get called() {
+    return this.#called.value;
+  }
+  set called(name) {
+    this.#called.value = name;
+  }
+  /** What the engine says of it as it is now. */
+  get assessed() {
+    const said = this.#assessed.value;
+    return said?.of === this.state ? said.answer : undefined;
+  }
+  /** What it warns of. */
+  get warnings() {
+    return this.#warnings.value;
   }
 
-  /** Is called some time after it changed. */
-  onChange = this.#changed.stay;
-  /** Tells it once it rests: what stands above every place does not hold up a drag. */
-  touch() {
-    clearTimeout(this.#telling);
-    this.#telling = window.setTimeout(() => this.tell(), 120);
-  }
-  /** Tells at once that it changed. */
-  tell() {
-    clearTimeout(this.#telling);
-    this.#changed.tell();
+  /** Asks what the engine says of it at its point. */
+  async assess() {
+    const of = this.state,
+      command = of.F === undefined ? "force" : "contraction";
+    if (this.#assessed.peek()?.of === of) return;
+    const answer = await engine()
+      .ask(command, question(of))
+      .catch(() => undefined);
+    if (this.state === of)
+      this.#assessed.value = { of, answer: /** @type {Assessed | undefined} */ (answer) };
   }
 
   /** The name that it was given, here or in its file. */
@@ -112,7 +148,6 @@ export class MuscleState {
   /** @param {string} text empty for that of its file */
   rename(text) {
     this.called = text === nameIn(this.state.file) ? "" : text;
-    this.touch();
   }
 
   get p() {
@@ -180,9 +215,11 @@ export class MuscleState {
       : "";
   }
 
-  /** Muscle and words of a page as its address. @param {string} page @param {Partial<Words>} own */
-  place(page, own) {
-    write(address(page, { ...this.params(), ...own }));
+  /** A page's address with the muscle and what was typed there. @param {string} page */
+  linked(page, mine = this.params()) {
+    const own = wordsOf(page);
+    // Words of the muscle mean other things in a specification: it is one word there.
+    return address(page, page === "design" ? { ...own, m: this.word() } : { ...own, ...mine });
   }
   /** Words of the address. */
   params() {
@@ -224,10 +261,9 @@ export class MuscleState {
       understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
       this.known(),
     ]);
-    Object.assign(this, fromWords(params, readings));
-    this.called = (params.get("name") ?? "").slice(0, 80);
     const known = new Set([...keys(), "u", "name", ...own]);
     this.unknown = [...params].filter(([key]) => !known.has(key));
+    this.#put(fromWords(params, readings), (params.get("name") ?? "").slice(0, 80));
     // What cannot be read the page says when it asks for more.
     try {
       await this.look();
@@ -270,13 +306,13 @@ export class MuscleState {
     next.p = job?.value ?? next.p;
     next.e = Number(at ?? next.e);
     await pack(text);
-    Object.assign(this, {
-      state: next,
-      shown,
-      called: called === nameIn(text) ? "" : called,
-      wrong: new Map(),
-    });
+    this.#put({ state: next, shown, wrong: new Map() }, called === nameIn(text) ? "" : called);
     return shown;
+  }
+
+  /** @param {object} parts @param {string} called */
+  #put(parts, called) {
+    batch(() => Object.assign(this, parts, { called }));
   }
 }
 export const muscle = new MuscleState();
@@ -287,7 +323,8 @@ export const muscle = new MuscleState();
  */
 export async function visit(page, words) {
   await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
-  const to = address(page, { ...wordsOf(page), ...words, ...muscle.params() });
+  keepWords(page, { ...wordsOf(page), ...words });
+  const to = muscle.linked(page);
   if (to === location.hash)
     window.dispatchEvent(new PopStateEvent("popstate", { state: history.state }));
   else location.hash = to;

@@ -165,7 +165,6 @@ export function drawing(spec, at, colours, file = false) {
   const { width, height, left, top, w, h, px, py } = at,
     box = [left - 4, top - 4, w + 8, h + 8];
   const inner = [
-    image(spec.picture, at),
     ...spec.series.map((s, i) => band(s, i, at)),
     ...spec.series.map((s, i) => curve(s, i, at)),
   ].join("");
@@ -176,30 +175,13 @@ export function drawing(spec, at, colours, file = false) {
         `stroke="${colours.ink}" stroke-width="2"><title>${escaped(m.text)}</title></circle>`,
     )
     .join("");
-  const notes = (spec.notes ?? []).map(({ x, y, text }) =>
-    words(px(x), py(y), text, MIDDLE + onPaper(colours)),
-  );
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" ` +
     `viewBox="0 0 ${width} ${height}" font-family="system-ui, sans-serif" font-size="${FONT}" fill="${colours.ink}"` +
     `${file ? `><rect width="${width}" height="${height}" fill="${colours.paper}"/>` : ' aria-hidden="true">'}` +
     `${axes(spec, at, colours)}<svg x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +
     `viewBox="${box.join(" ")}" overflow="hidden">${inner}</svg>` +
-    `${marks}${labels(spec, at, colours)}${notes.join("")}${legend(spec, at)}</svg>`
-  );
-}
-
-/** @param {Picture | undefined} picture @param {Frame} at */
-function image(picture, { px, py }) {
-  if (!picture) return "";
-  const {
-    href,
-    x: [x0, x1],
-    y: [y0, y1],
-  } = picture;
-  return (
-    `<image href="${href}" x="${short(px(x0))}" y="${short(py(y1))}" width="${short(px(x1) - px(x0))}" ` +
-    `height="${short(py(y0) - py(y1))}" preserveAspectRatio="none"/>`
+    `${marks}${labels(spec, at, colours)}${legend(spec, at)}</svg>`
   );
 }
 

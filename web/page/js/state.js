@@ -391,21 +391,3 @@ export function side(state, own, { model, pressure_mpa, contraction, ...over }) 
     contraction: /** @type {number} */ (contraction ?? state.e),
   };
 }
-/**
- * The muscle of a candidate of a design: what the search chose, with what it was given of the
- * strands.
- * @param {Chosen} candidate @param {Commands["design"]["request"]} asked the request
- * @param {{ p: number, e: number }} at @returns {State}
- */
-export function candidate(candidate, asked, { p, e }) {
-  /** @type {Record<string, number | string>} */
-  const said = { D: candidate.outer_diameter_mm, s: candidate.wall_mm, L: candidate.length_mm };
-  if (candidate.tube || asked.rubbers?.length) said.rubber = candidate.rubber ?? "";
-  if (candidate.sleeve) said.braid = candidate.sleeve;
-  else said.angle = candidate.angle_deg;
-  for (const { key, field } of [...STRANDS, STIFFNESS]) {
-    const value = /** @type {Record<string, unknown>} */ (asked)[field];
-    if (typeof value === "number" || typeof value === "string") said[key] = value;
-  }
-  return { ...prototype(), said, p, e };
-}

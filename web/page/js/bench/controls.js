@@ -16,6 +16,7 @@ import {
   about,
 } from "../state.js";
 import { braidName, niceUp, partName } from "../units.js";
+import { watch } from "../watch.js";
 
 /** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
 const GROUPS = { tube: "Tube", braid: "Braid", terminals: "Ends", friction: "Friction" };
@@ -62,15 +63,17 @@ export function controlsView(store) {
       (file && key !== "density_kg_per_m3" && muscle.value(key) !== undefined);
     [...ENDS, ...MORE].filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
   }
-  store.on("sync", () => {
+  watch(() => {
     sync(controls, picks);
     place(controls, needed, homes);
   });
-  store.on("answer", clear);
-  store.on("problem", ({ problem, state }) => {
+  watch(() => {
+    const found = store.problem.value;
+    clear();
+    if (!found) return;
+    const { problem, state } = found;
     const lacks = muscle.missing().filter((key) => state.said[key] === undefined),
       key = about(problem);
-    clear();
     if (lacks.length)
       lacks.forEach((key) =>
         controls[key].mark(
@@ -82,8 +85,9 @@ export function controlsView(store) {
       reveal(key);
     }
   });
-  store.on("facts", () => {
-    const { free_contraction: free, blocked_force_n: blocked } = store.facts.characteristics ?? {};
+  watch(() => {
+    const { free_contraction: free, blocked_force_n: blocked } =
+      store.facts.value.characteristics ?? {};
     if (free) controls.e.reach(0, Math.max(0.1, Math.ceil(free * 22) / 20));
     controls.F.reach(0, Math.max(10, niceUp(blocked ?? 1000)));
   });
@@ -136,8 +140,8 @@ function section(make, { rubber, braid, strands, held, branch }, needed) {
 
 /** @param {Store} store */
 function choices(store) {
-  const stiffness = () => Math.round(store.facts.stiffness_n_per_mm ?? 300);
-  const load = () => Math.max(1, Math.round(store.point?.force_n ?? 100));
+  const stiffness = () => Math.round(store.facts.value.stiffness_n_per_mm ?? 300);
+  const load = () => Math.max(1, Math.round(store.point.value?.force_n ?? 100));
   const names = /** @type {[string, string][]} */ ([
     ["", ""],
     ["inextensible", "inextensible"],

@@ -16,7 +16,7 @@ const steps = (count, end) => evenly(0, 1, count).map((t) => end * t * (0.4 + 0.
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
 export function reachOf(store, count) {
-  const end = Math.max(0.1, (store.facts.characteristics?.free_contraction ?? 0.28) * 1.08);
+  const end = Math.max(0.1, (store.facts.value.characteristics?.free_contraction ?? 0.28) * 1.08);
   return steps(count, end).map((e) => Math.round(1e4 * e) / 1e4);
 }
 
@@ -25,7 +25,7 @@ export function reachOf(store, count) {
  * @param {Store} store @param {number[]} measured
  */
 export function familyOf(store, measured) {
-  const { test } = store.wanted,
+  const { test } = store.wanted.value,
     contractions = reachOf(store, FAMILY);
   const shown = outside("pressure", Math.max(muscle.p, 0.02)),
     step = niceUp(shown / 5);
@@ -44,13 +44,14 @@ export function familyOf(store, measured) {
   }
   if (test === "isometric")
     return { top, request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over } };
-  const blocked = store.facts.characteristics?.blocked_force_n ?? 500;
+  const blocked = store.facts.value.characteristics?.blocked_force_n ?? 500;
   const forces = [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, Number((x * blocked).toPrecision(2))));
   return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
 }
 
 /** The pressure that the muscle may have. @param {Store} store */
-export const allowedOf = ({ facts }) => facts.characteristics?.allowed_pressure_mpa ?? Infinity;
+export const allowedOf = ({ facts }) =>
+  facts.value.characteristics?.allowed_pressure_mpa ?? Infinity;
 
 /**
  * What is permitted: up to the allowed pressure, and to the stretch that the law was fitted to.
@@ -80,12 +81,12 @@ export function permitted({ fixed, points }, allowed, most) {
 
 /** The curve through the present state. @param {Store} store @param {number} top */
 export function ownOf(store, top) {
-  const { test } = store.wanted,
+  const { test } = store.wanted.value,
     over = steps(FINE, top);
   if (test === "isobaric") return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
   if (test === "isometric") return { contractions: [muscle.e], pressures_mpa: over };
   return {
-    forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.state.F ?? 1)],
+    forces_n: [Math.max(1e-3, store.point.value?.force_n ?? muscle.state.F ?? 1)],
     pressures_mpa: over.slice(1),
   };
 }
@@ -190,7 +191,7 @@ export function overlay(answer) {
 }
 
 // Radii and strand angle along the muscle.
-/** @param {NonNullable<Store["shape"]>} shape @returns {Spec} */
+/** @param {NonNullable<Store["shape"]["value"]>} shape @returns {Spec} */
 export function along({ arrays, stations, across }) {
   /**
    * Of the half muscle, that of the whole. @param {(j: number) => number} at @param {number} sign

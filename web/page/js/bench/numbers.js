@@ -14,7 +14,10 @@ import {
   showPressure,
   showRatio,
 } from "../units.js";
+import { watch } from "../watch.js";
 import { solveView, tornadoView } from "./what-if.js";
+
+/** @typedef {NonNullable<Store["point"]["value"]>} Point */
 
 /** @param {Store} store */
 export function numbersView(store) {
@@ -35,9 +38,9 @@ export function numbersView(store) {
   );
 
   function paint() {
-    const { point } = store;
+    const point = store.point.value;
     if (!point) return;
-    const list = rows(store, point);
+    const list = rows(store.facts.value, point);
     if (!values.length) {
       const lines = list.flatMap(([name]) => {
         /** @type {[HTMLElement, HTMLElement]} */ const line = [el("dt", name), el("dd")];
@@ -59,14 +62,13 @@ export function numbersView(store) {
       put(values[i][1], text);
       for (const part of values[i]) part.hidden = text === "–";
     });
-    const said = warned(store, point);
+    const said = warned(point);
     if (said.join() === noted) return;
     noted = said.join();
     notes.replaceChildren(...said.map((w) => el("li", w)));
   }
-  store.on("answer", paint);
-  store.on("facts", paint);
-  return { element, paint };
+  watch(paint);
+  return { element };
 }
 
 /** @param {HTMLElement} element @param {string} text */
@@ -74,9 +76,13 @@ const put = (element, text) => {
   if (element.textContent !== text) element.textContent = text;
 };
 
-/** @param {Store} store @param {NonNullable<Store["point"]>} point @returns {[string, string][]} */
-function rows({ facts }, point) {
+/**
+ * @param {Store["facts"]["value"]} facts @param {Point} point
+ * @returns {[string, string][]}
+ */
+function rows(facts, point) {
   const c = facts.characteristics,
+    as = muscle.assessed,
     burst = c?.least_burst_pressure_mpa ?? c?.burst_pressure_mpa;
   return [
     ["Model", point.slack ? "slack" : modelPull(point)],
@@ -84,11 +90,7 @@ function rows({ facts }, point) {
     ["Contraction", showRatio(point.contraction, 3)],
     [
       "Contraction as built",
-      interval("ratio", [
-        facts.said?.predicted,
-        facts.said?.predicted_low,
-        facts.said?.predicted_high,
-      ]),
+      interval("ratio", [as?.predicted, as?.predicted_low, as?.predicted_high]),
     ],
     [
       "Stretch of the rubber",
@@ -98,7 +100,7 @@ function rows({ facts }, point) {
     ],
     ["Bulged diameter", showLength(point.bulged_diameter_mm)],
     ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],
-    ["Threshold pressure", showPressure(facts.start, 3)],
+    ["Threshold pressure", showPressure(as?.start_pressure_mpa, 3)],
     ["Blocked force", showForce(c?.blocked_force_n)],
     ["Free contraction", showRatio(c?.free_contraction, 3)],
     ["Least burst pressure", burst ? showPressure(burst, 3) : "unknown"],
@@ -111,12 +113,11 @@ function rows({ facts }, point) {
   ];
 }
 
-/** @param {Store} store @param {NonNullable<Store["point"]>} point */
-function warned({ facts }, point) {
-  const own = facts.said?.state === muscle.state ? facts.said.warnings : [];
+/** @param {Point} point */
+function warned(point) {
   const unknown = muscle.unknown.map(([key]) => key).join(", ");
   const list = new Set([
-    ...[...own, ...(point.warnings ?? [])].map((w) => w.message),
+    ...[...muscle.warnings, ...(point.warnings ?? [])].map((w) => w.message),
     ...muscle.wrong.values(),
     unknown && `Not understood in the address: ${unknown}`,
   ]);
@@ -145,11 +146,10 @@ export function partsView(store) {
   );
   let key = "";
   function paint() {
-    const { point, facts } = store;
-    const parts = Object.entries(point?.uncertainty_parts_n ?? {})
+    const parts = Object.entries(store.point.value?.uncertainty_parts_n ?? {})
       .filter((pair) => typeof pair[1] === "number")
       .sort((a, b) => b[1] - a[1]);
-    const words = facts.said?.state === muscle.state ? facts.said.words : undefined;
+    const words = muscle.assessed?.uncertainty_words;
     const said = [
       words?.built && `As built ${words.built}.`,
       "95 % half-widths; they add as squares.",
@@ -162,8 +162,7 @@ export function partsView(store) {
     list.replaceChildren(...parts.flatMap(([name, value]) => row(name, value, most)));
     note.textContent = inWords(said.join(" "));
   }
-  store.on("answer", paint);
-  store.on("facts", paint);
+  watch(paint);
   return { element };
 }
 

@@ -6,15 +6,16 @@ import { job } from "../form.js";
 import { muscle } from "../muscle.js";
 import { evenly, outside, showForce, showPressure } from "../units.js";
 import { MOVES } from "./family.js";
-import { measured, onMeasured } from "../kept.js";
+import { measured } from "../kept.js";
+import { signal, untracked, watch } from "../watch.js";
 
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;
 
-/** @param {Store} store @param {() => void} changed */
-export function pointsView(store, changed) {
-  const slots = { read: new Slot(), compare: new Slot() };
-  /** @type {import("../kept.js").Point[]} */ let list = [];
+/** @param {Store} store */
+export function pointsView(store) {
+  const slots = { read: new Slot(), compare: new Slot() },
+    list = signal(/** @type {import("../kept.js").Point[]} */ ([]));
   let key = "";
   const words = el("span"),
     said = block();
@@ -27,43 +28,36 @@ export function pointsView(store, changed) {
     async () => measured.file && request(measured.file),
     async ({ muscle_file: file }) => {
       await muscle.take(file);
-      store.tell("sync");
       store.ask();
       store.follow();
-      store.settle();
     },
   );
   const remove = button("Remove the points", () => measured.set(undefined));
   const line = el("div", { class: "row small", hidden: true }, words, fit.element, remove);
-  const show = (/** @type {typeof list} */ next) => {
-    list = next;
-    changed();
-  };
   const fail = (/** @type {Problem} */ problem) => said.replaceChildren(problemBox(problem));
 
-  /** The points themselves, once for a table. */
-  function read() {
-    const of = measured.file;
+  /** The points themselves, once for a table. @param {TextFile | undefined} of */
+  function read(of) {
     key = "";
     said.replaceChildren();
     line.hidden = !of;
-    if (!of) return show([]);
-    slots.read.ask(
-      "identify",
-      request(of),
-      ({ points }) => show(points.filter((q) => q.measured === "force")),
-      (problem) => {
-        fail(problem);
-        show([]);
-      },
-    );
+    list.value = [];
+    if (of)
+      slots.read.ask(
+        "identify",
+        request(of),
+        ({ points }) => (list.value = points.filter((q) => q.measured === "force")),
+        fail,
+      );
   }
-  onMeasured(read);
+  watch(() => {
+    const of = measured.file;
+    untracked(() => read(of));
+  });
   return {
     element: block("points", line, said),
-    read,
     /** As series. @param {number} top the pressure that has the last colour */
-    series: (top) => pointSeries(list, top),
+    series: (top) => pointSeries(list.value, top),
 
     /** How far the muscle is from them now. */
     ask() {
@@ -90,7 +84,7 @@ export function pointsView(store, changed) {
 
     /** Pressures of the isobars to draw: some of them, where the points have too many. */
     pressures() {
-      const all = [...new Set(list.map((q) => q.pressure_mpa))]
+      const all = [...new Set(list.value.map((q) => q.pressure_mpa))]
         .sort((a, b) => a - b)
         .filter((p) => p > 0);
       if (all.length <= MOST) return all;

@@ -8,6 +8,7 @@ import { atEnd, renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
 import { inWords, number, outside, show, showForce, unitName } from "../units.js";
+import { watch } from "../watch.js";
 
 /** Secants at most, and as near as this, as a share of the wanted pull. */
 const MOST = 12,
@@ -137,7 +138,7 @@ export function tornadoView(store) {
 
   async function start() {
     const { state } = muscle,
-      { point: at } = store;
+      at = store.point.value;
     const key = JSON.stringify([state, ...["force", "length", "pressure"].map(unitName)]);
     if (!element.open || !at || at.slack || key === of) return;
     of = key;
@@ -173,17 +174,14 @@ export function tornadoView(store) {
     words.textContent = `Change of the pull of ${showForce(at.force_n, 3)}, all else as it is: to the right more pull.`;
   }
 
-  const soon = () => {
+  element.addEventListener("toggle", start);
+  watch(() => {
+    void [muscle.state, store.point.value, unitName("force")];
     // What belongs to another muscle is given up at once.
-    of = "";
     begin();
+    of = "";
     clearTimeout(timer);
     timer = window.setTimeout(start, REST);
-  };
-  element.addEventListener("toggle", start);
-  store.on("changed", soon);
-  store.on("answer", () => {
-    if (element.open && of === "") soon();
   });
   atEnd(() => clearTimeout(timer));
   return { element };

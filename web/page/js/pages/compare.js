@@ -20,7 +20,6 @@ import {
   braidName,
   forceAxis,
   number,
-  onUnits,
   partName,
   ratioAxis,
   show,
@@ -29,6 +28,8 @@ import {
   showPressure,
   showRatio,
 } from "../units.js";
+import { signal, watch } from "../watch.js";
+import { keepWords } from "../kept.js";
 import { viewOf } from "../view3d.js";
 import { pack } from "../address.js";
 
@@ -84,8 +85,8 @@ function sideForm(name, ask) {
   return fields;
 }
 
-/** One of both. @param {string} name @param {{ ask: () => void, paint: () => void }} act */
-function sideOf(name, { ask, paint }) {
+/** One of both. @param {string} name @param {() => void} ask */
+function sideOf(name, ask) {
   const fields = sideForm(name, ask),
     stage = el("div", { class: "stage", style: "height:220px" }),
     which = remark(),
@@ -122,8 +123,8 @@ function sideOf(name, { ask, paint }) {
     fields,
     element,
     file: "",
-    answer: /** @type {Commands["force"]["answer"] | undefined} */ (undefined),
-    family: /** @type {Commands["curve"]["answer"] | undefined} */ (undefined),
+    answer: signal(/** @type {Commands["force"]["answer"] | undefined} */ (undefined)),
+    family: signal(/** @type {Commands["curve"]["answer"] | undefined} */ (undefined)),
     async ask() {
       // What a sleeve needs beside its name has a field.
       const braid = fields.text(`${name}braid`),
@@ -138,23 +139,20 @@ function sideOf(name, { ask, paint }) {
         "force",
         { ...at, model, extrapolate: true },
         (answer) => {
-          side.answer = answer;
+          side.answer.value = answer;
           stale(false);
           said.replaceChildren(warnings(answer.warnings));
-          paint();
         },
         (problem) => {
-          side.answer = undefined;
+          side.answer.value = undefined;
           stale(true);
           fields.at(problem);
           said.replaceChildren(problemBox(problem));
-          paint();
         },
       );
       shape.ask("shape", at, (answer) => view.stretched(answer));
-      const drawn = (/** @type {typeof side.family} */ answer) => {
-        side.family = answer;
-        paint();
+      const drawn = (/** @type {Commands["curve"]["answer"] | undefined} */ answer) => {
+        side.family.value = answer;
       };
       curve.ask(
         "curve",
@@ -171,7 +169,7 @@ function sideOf(name, { ask, paint }) {
     },
     /** Which muscle it is, and what its fields say where nothing is typed into them. */
     usual() {
-      which.textContent = side.answer ? muscle.line(side.answer.muscle) : "";
+      which.textContent = side.answer.value ? muscle.line(side.answer.value.muscle) : "";
       const put = (/** @type {string} */ key, /** @type {string | null | undefined} */ text) =>
         fields.usual(name + key, side.file ? "as in its file" : (text ?? ""));
       for (const m of QUANTITIES) {
@@ -203,7 +201,7 @@ const ROWS = [
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const sides = ["a", "b"].map((name) => sideOf(name, { ask: () => ask(), paint: () => paint() })),
+  const sides = ["a", "b"].map((name) => sideOf(name, () => ask())),
     [, b] = sides;
   const chart = chartOf("compare", { tools: heading("Pull over contraction") }),
     numbers = block();
@@ -212,21 +210,20 @@ export const mount = (main) => {
   );
 
   async function ask() {
-    sides.forEach((side) => side.usual());
-    muscle.place("compare", {
+    keepWords("compare", {
       ...Object.assign({}, ...sides.map((s) => s.fields.texts())),
       bfile: b.file,
     });
     await Promise.all(sides.map((side) => side.ask()));
   }
-  function paint() {
+  watch(() => {
     sides.forEach((side) => side.usual());
     const rows = ROWS.map(([name, of]) => [
       capital(name),
-      ...sides.map(({ answer }) => (answer ? of(answer) : "–")),
+      ...sides.map(({ answer }) => (answer.value ? of(answer.value) : "–")),
     ]);
     numbers.replaceChildren(table(["", "A", "B"], rows, { label: "both in numbers" }));
-    const series = sides.flatMap(({ name, family }, i) =>
+    const series = sides.flatMap(({ name, family: { value: family } }, i) =>
       family
         ? isobars(
             {
@@ -240,8 +237,7 @@ export const mount = (main) => {
         : [],
     );
     chart.show({ x: ratioAxis, y: forceAxis(), series });
-  }
-  onUnits(paint);
+  });
   return {
     async load(params) {
       await muscle.read(params, [...sides.flatMap((s) => s.fields.keys), "bfile"]);

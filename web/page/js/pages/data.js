@@ -19,10 +19,20 @@ import {
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { GALLERY, gallery, library, muscleButtons } from "../gallery.js";
-import { fileOf, keepFile, measured } from "../kept.js";
+import { fileOf, keepFile, keepWords, measured } from "../kept.js";
 import { muscle } from "../muscle.js";
 import { MEASURES } from "../state.js";
-import { keyed, number, onUnits, ratioAxis, show, showForce, unitName, worded } from "../units.js";
+import {
+  keyed,
+  number,
+  outside,
+  plusMinus,
+  ratioAxis,
+  showForce,
+  unitName,
+  worded,
+} from "../units.js";
+import { signal, watch } from "../watch.js";
 
 const CONSTANTS = "constants";
 
@@ -30,20 +40,30 @@ const CONSTANTS = "constants";
  * Constants with their ±, and what to do with them. @param {Commands["identify"]["answer"]} answer
  */
 function identifiedView(answer) {
-  const rows = answer.parameters.map((p) => {
-    const kind = MEASURES.find(({ filed }) => filed === p.name)?.kind;
-    const said = (/** @type {number} */ v, /** @type {number} */ digits) =>
-      kind ? show(kind, v, digits) : `${number(v, digits)} ${p.unit ?? ""}`;
-    return [
-      capital(worded(p.name)),
-      said(p.value, 5),
-      p.half_width_95 ? `± ${said(p.half_width_95, 2)}` : "–",
-      p.identifiable ? "" : "not identifiable",
-    ];
-  });
+  const row = (/** @type {typeof answer.parameters[number]} */ p) => {
+    const kind = MEASURES.find(({ filed }) => filed === p.name)?.kind,
+      half = p.half_width_95,
+      scale = kind ? outside(kind, 1) : 1,
+      unit = kind ? unitName(kind) : (p.unit ?? "");
+    // As many digits as the ± leaves.
+    const value = half
+      ? plusMinus(p.value * scale, half * scale, unit)
+      : `${number(p.value * scale, 5)} ${unit}`;
+    return [capital(worded(p.name)), value.trim()];
+  };
+  const list = (/** @type {boolean} */ told) =>
+    answer.parameters.filter((p) => p.identifiable === told).map(row);
+  const head = ["constant", "value (95 %)"],
+    open = list(false);
   return [
     heading("Identified"),
-    table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }),
+    table(head, list(true), { label: "constants" }),
+    open.length
+      ? folded(
+          "Not determined by these points",
+          table(head, open, { label: "constants that are not determined" }),
+        )
+      : "",
     paragraph(
       `Residuals ${showForce(answer.rms_n, 3)} rms, ${showForce(answer.rms_before_n, 3)} before.`,
     ),
@@ -75,8 +95,8 @@ export const FIELDS = fieldsOf([
 
 /** @type {Mount} */
 export const mount = (main) => {
-  /** @type {Commands["compare"]["answer"] | undefined} */ let compared;
-  /** @type {Commands["identify"]["answer"] | undefined} */ let known;
+  const compared = signal(/** @type {Commands["compare"]["answer"] | undefined} */ (undefined)),
+    known = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
   let data = measured.file;
   const looking = new Slot(),
     reading = new Slot();
@@ -90,7 +110,6 @@ export const mount = (main) => {
     figures = new Figures("data"),
     fitted = new Figures("identified");
   const fail = (/** @type {unknown} */ why) => understood.replaceChildren(problemBox(why));
-  const place = () => muscle.place("data", what.texts());
   /** What is shown of the comparison belongs to an older table. @param {boolean} on */
   const stale = (on) => dim([errors, figures.element], on);
   // What there is to begin with: an example, and muscles that were measured.
@@ -119,9 +138,8 @@ export const mount = (main) => {
       found.replaceChildren(faded("Open a table first."));
     },
     (answer) => {
-      known = answer;
+      known.value = answer;
       keepFile(CONSTANTS, true);
-      paint();
       fitted.show(answer.figure);
     },
     // What the comparison says of the table is said.
@@ -149,7 +167,7 @@ export const mount = (main) => {
     measured.set({ name, text });
     data = measured.file;
     keepFile(CONSTANTS, undefined);
-    compared = known = undefined;
+    compared.value = known.value = undefined;
     begin();
     found.replaceChildren();
     fitted.show(undefined);
@@ -163,7 +181,7 @@ export const mount = (main) => {
     const read = await what.read(),
       of = data;
     if (!of || !read || !understood.isConnected) return;
-    place();
+    keepWords("data", what.texts());
     looking.ask(
       "compare",
       {
@@ -174,8 +192,7 @@ export const mount = (main) => {
         figure: unitName("pressure"),
       },
       (answer) => {
-        compared = answer;
-        paint();
+        compared.value = answer;
         stale(false);
         figures.show(answer.figure);
         colour(of);
@@ -210,23 +227,24 @@ export const mount = (main) => {
     );
   }
 
-  function paint() {
-    if (compared && data) {
-      const u = compared.understood?.[0] ?? compared.understood;
-      const said = [...(measured.said ? [measured.said] : []), ...(compared.warnings ?? [])];
-      const line = `${data.name}: ${compared.points} points. ${columnLine(u?.columns ?? [])}`;
-      understood.replaceChildren(paragraph(line), warnings(said));
-      errors.replaceChildren(errorTable(compared.models));
-    }
+  watch(() => {
+    const answer = compared.value;
+    if (!answer || !data) return;
+    const u = answer.understood?.[0] ?? answer.understood;
+    const said = [...(measured.said ? [measured.said] : []), ...(answer.warnings ?? [])];
+    const line = `${data.name}: ${answer.points} points. ${columnLine(u?.columns ?? [])}`;
+    understood.replaceChildren(paragraph(line), warnings(said));
+    errors.replaceChildren(errorTable(answer.models));
+  });
+  watch(() => {
     // What matters most then is the muscle.
-    identify.element.querySelector("button")?.classList.toggle("main", !known);
-    if (known) found.replaceChildren(...identifiedView(known));
-  }
+    identify.element.querySelector("button")?.classList.toggle("main", !known.value);
+    if (known.value) found.replaceChildren(...identifiedView(known.value));
+  });
   // Figures are drawn by the engine in the units that are asked for.
-  onUnits(() => {
-    paint();
-    place();
-    if (compared) look();
+  watch(() => {
+    unitName("pressure");
+    if (compared.peek()) look();
   });
   return {
     async load(params) {

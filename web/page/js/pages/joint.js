@@ -18,7 +18,9 @@ import {
 } from "../joint-words.js";
 import { atEnd } from "../life.js";
 import { muscle, visit } from "../muscle.js";
-import { clamp, evenly, onUnits } from "../units.js";
+import { clamp, evenly } from "../units.js";
+import { keepWords } from "../kept.js";
+import { signal, watch } from "../watch.js";
 import { pack } from "../address.js";
 
 /** @typedef {Commands["joint"]["request"]} Request */
@@ -34,6 +36,7 @@ const GROUPS = [
     "Required",
     [
       ["phi", "Angle", -60, 60, "φ"],
+      ["M", "Torque that it holds", -30, 30, "τ"],
       ["K", "Stiffness (0: lowest pressures)", 0, 30],
     ],
   ],
@@ -166,6 +169,7 @@ function moveBox(v, question) {
  */
 const wanted = (v, list) => ({
   angles_deg: list,
+  ...(v.M ? { torque_nm: v.M } : {}),
   max_pressure_mpa: v.pmax,
   ...(v.K ? { stiffness_nm_per_rad: v.K } : {}),
 });
@@ -226,9 +230,9 @@ function questions({ take, fail, family }) {
 export const mount = (main) => {
   const joint = new JointWords(),
     { v, files } = joint;
-  /** @type {JointPoint | undefined} */ let point;
-  /** @type {Family | undefined} */ let family;
-  /** @type {JointAnswer["map"]} */ let reached;
+  const point = signal(/** @type {JointPoint | undefined} */ (undefined)),
+    family = signal(/** @type {Family | undefined} */ (undefined)),
+    reached = signal(/** @type {JointAnswer["map"]} */ (undefined));
   /** The file that says what the muscle of the page Muscle is. */
   let first = "";
   const arm = el("div", { class: "stage", role: "img", ariaLabel: "The joint" }),
@@ -280,7 +284,7 @@ export const mount = (main) => {
     "Map of the reachable states",
     "joint",
     async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }),
-    (answer) => mapped(answer.map),
+    (answer) => (reached.value = answer.map),
     { fields: { at: mark } },
   );
   const asks = questions({
@@ -289,17 +293,15 @@ export const mount = (main) => {
       for (const key of KEYS) controls[key].mark("");
       said.replaceChildren();
       notes.replaceChildren(warnings(answer.warnings));
-      point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
-      paint();
+      const { model, uncertainty_text: words } = answer;
+      point.value = { ...answer.points[0], model, words };
     },
     fail(problem) {
       said.replaceChildren(mark(problem) ? "" : problemBox(problem));
-      if (point) stale(true);
-      else drawArm();
+      stale(Boolean(point.value));
     },
     family(found) {
-      family = found;
-      torque.show(torqueChart(family, point));
+      family.value = found;
     },
   });
   const move = moveBox(v, (list) => ({ ...joint.request(first), ...wanted(v, list) }));
@@ -332,42 +334,35 @@ export const mount = (main) => {
   function ask(settled) {
     controls.phi.reach(v.low, v.high);
     asks.ask(request(), v, settled);
-    if (settled) place();
-  }
-  const place = () => muscle.place("joint", joint.words());
-  /** @param {JointAnswer["map"]} found */
-  function mapped(found) {
-    reached = found;
-    if (found) reach.show(reachChart(found));
+    if (settled) keepWords("joint", joint.words());
   }
   const stale = (/** @type {boolean} */ on) => dim([arm, numbers], on);
-  function drawArm() {
-    const {
-      length_mm: length = 285,
-      outer_diameter_mm: diameter = 30,
-      angle_deg: angle = 28,
-    } = muscle.shown ?? {};
-    arm.innerHTML = jointDrawing(point, point?.angle_deg ?? v.phi, v.pmax, {
+  watch(() => {
+    const found = point.value,
+      {
+        length_mm: length = 285,
+        outer_diameter_mm: diameter = 30,
+        angle_deg: angle = 28,
+      } = muscle.shown ?? {};
+    arm.innerHTML = jointDrawing(found, found?.angle_deg ?? v.phi, v.pmax, {
       ...v,
       length,
       diameter,
       angle,
     });
-  }
-  function paint() {
     const which = files.file2 ? "Muscle 2 is that of its file." : "Both muscles are the one above.";
-    drawArm();
-    if (family) torque.show(torqueChart(family, point));
-    numbers.replaceChildren(...(point ? numbersView(point, which) : []));
-  }
+    numbers.replaceChildren(...(found ? numbersView(found, which) : []));
+  });
+  watch(() => {
+    const asked = v.M ? { angle: v.phi, torque: v.M } : undefined;
+    if (family.value) torque.show(torqueChart(family.value, point.value, asked));
+  });
+  watch(() => {
+    if (reached.value) reach.show(reachChart(reached.value));
+  });
   function set() {
     for (const key of KEYS) controls[key].set(v[key]);
   }
-  onUnits(() => {
-    paint();
-    mapped(reached);
-    place();
-  });
   return {
     async load(params) {
       await joint.read(params);

@@ -6,21 +6,14 @@ import { block, button, el, folded, heading, problemBox, remark } from "../dom.j
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
-import { wordsOf } from "../kept.js";
+import { keepWords, wordsOf } from "../kept.js";
 import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { motion } from "../state.js";
 import { stated } from "../toml.js";
-import {
-  number,
-  onUnits,
-  outside,
-  ratioAxis,
-  showPressure,
-  showRatio,
-  unitName,
-} from "../units.js";
+import { number, outside, ratioAxis, showPressure, showRatio, unitName } from "../units.js";
 import { viewOf } from "../view3d.js";
+import { signal, watch } from "../watch.js";
 import { pack } from "../address.js";
 
 /** @type {Field[]} */
@@ -263,7 +256,7 @@ function stateAt({ series: s }, i) {
 
 /** @type {Mount} */
 export const mount = (main) => {
-  /** @type {Run | undefined} */ let run;
+  const run = signal(/** @type {Run | undefined} */ (undefined));
   let drive = "";
   const fields = form(STEP, () => go.run()),
     shown = player();
@@ -277,9 +270,8 @@ export const mount = (main) => {
     "motion",
     request,
     (answer) => {
-      run = answer;
-      paint();
-      shown.show(run);
+      run.value = answer;
+      shown.show(answer);
     },
     { fields, shown: [shown.stage, numbers, charts.element] },
   );
@@ -290,12 +282,11 @@ export const mount = (main) => {
       [shown.stage, shown.row, charts.element],
     ),
   );
-  const place = () => muscle.place("motion", { ...fields.texts(), drive });
 
   async function request() {
     const read = await fields.read();
     if (!read) return undefined;
-    place();
+    keepWords("motion", { ...fields.texts(), drive });
     const file = await muscle.file();
     return drive ? driven(drive, file, read.model) : motion(file, read);
   }
@@ -315,16 +306,12 @@ export const mount = (main) => {
     title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
   }
 
-  function paint() {
-    if (!run) return;
-    charts.show(run);
-    numbers.replaceChildren(figures(run), warnings(run.warnings));
-  }
-
-  onUnits(() => {
-    paint();
+  watch(() => {
+    const answer = run.value;
+    if (!answer) return;
+    charts.show(answer);
+    numbers.replaceChildren(figures(answer), warnings(answer.warnings));
     shown.again();
-    place();
   });
   return {
     async load(params) {

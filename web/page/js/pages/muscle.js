@@ -6,7 +6,8 @@ import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
 import { block, dim, mainButton, problemBox, remark, say } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { asBuilt, modelPull, onUnits } from "../units.js";
+import { asBuilt, modelPull } from "../units.js";
+import { watch } from "../watch.js";
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -26,6 +27,7 @@ export const mount = (main) => {
         stage.stage,
         stage.tools,
         curves.element,
+        curves.sweep,
         curves.points.element,
         curves.advanced,
       ),
@@ -33,49 +35,30 @@ export const mount = (main) => {
     ),
   );
 
-  /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */
-  const stale = (on) => dim([stage.stage, numbers.element, curves.element], on);
-  store.on("answer", (pumped) => {
+  watch(() => {
+    const point = store.point.value;
+    if (point) say(`Pulls ${asBuilt(point)} as built, ${modelPull(point)}`);
+  });
+  watch(() => {
+    const problem = store.problem.value?.problem;
+    // What is shown belongs to the last muscle that had an answer.
+    dim([stage.stage, numbers.element, curves.element], Boolean(problem));
     said.replaceChildren();
-    stale(false);
-    const { point } = store;
-    if (!pumped && point) say(`Pulls ${asBuilt(point)} as built, ${modelPull(point)}`);
-  });
-  store.on("problem", ({ problem }) => {
-    const again = mainButton("Try again", () => store.ask());
-    const old = remark("The last result is shown.");
-    said.replaceChildren(
-      problemBox(problem),
-      store.shape ? old : "",
-      problem.kind === "engine" ? again : "",
-    );
-    stale(true);
-  });
-  onUnits(() => {
-    stage.units();
-    numbers.paint();
-    curves.draw();
-    store.settle();
+    if (!problem) return;
+    said.append(problemBox(problem), store.shape.peek() ? remark("The last result is shown.") : "");
+    if (problem.kind === "engine") said.append(mainButton("Try again", () => store.ask()));
   });
 
   return {
     async load(params) {
-      await muscle.read(params, OWN);
+      await muscle.read(params, Object.keys(OWN));
       controls.braids();
-      const word = (/** @type {string} */ key, usual = "") => params.get(key) ?? usual;
-      Object.assign(store.wanted, {
-        test: word("test", "isobaric"),
-        show: word("show", "max_stretch"),
-        cut: word("cut"),
-        over: word("over").split(",")[0],
-      });
-      curves.load();
-      store.tell("sync");
+      const words = Object.entries(OWN).map(([key, usual]) => [key, params.get(key) ?? usual]);
+      store.wanted.value = Object.fromEntries(words);
       controls.anchor();
       controls.revealAll();
       store.ask();
       store.follow();
-      curves.points.read();
     },
   };
 };

@@ -1,21 +1,25 @@
 // The muscle as files: a report, what the workshop needs, code for controllers and simulators, and
 // files of finite-element programs.
-import { engine } from "../ask.js";
-import { block, button, download, el, faded, heading, paragraph, remark } from "../dom.js";
-import { fieldsOf, form, job, warnings } from "../form.js";
-import { muscle } from "../muscle.js";
-import { fileName, named } from "../toml.js";
-import { withViewer } from "../report.js";
+import { engine } from "./ask.js";
 import {
-  number,
-  onUnits,
-  showForce,
-  showLength,
-  showPressure,
-  showRatio,
-  unitName,
-} from "../units.js";
-import { zipSync } from "../vendor/fflate.js";
+  block,
+  button,
+  dialog,
+  download,
+  el,
+  faded,
+  heading,
+  paragraph,
+  remark,
+  smallPrint,
+} from "./dom.js";
+import { fieldsOf, form, job, warnings } from "./form.js";
+import { keepWords, wordsOf } from "./kept.js";
+import { muscle } from "./muscle.js";
+import { fileName, named } from "./toml.js";
+import { withViewer } from "./report.js";
+import { number, showForce, showLength, showPressure, showRatio, unitName } from "./units.js";
+import { zipSync } from "./vendor/fflate.js";
 
 /** @typedef {Commands["export-list"]["answer"]["targets"][number]} Target */
 /** What a report states of itself; the name is that of the muscle. @type {Field[]} */
@@ -52,11 +56,12 @@ export const ELEMENTS = fieldsOf([
 /**
  * One kind of files: a form, and work whose answer it shows.
  * @template {keyof Commands} K @param {string} title @param {string} about @param {Field[]} fields
+ * @param {string} writes names of the files
  * @param {[label: string, command: K]} work its button, and what it asks
  * @param {(read: Read) => Commands[K]["request"]} request
  * @param {(answer: Commands[K]["answer"]) => (Node | string)[] | Promise<(Node | string)[]>} shown
  */
-function card(title, about, fields, [label, command], request, shown) {
+function card(title, about, writes, fields, [label, command], request, shown) {
   const asked = form(fields, () => go.run()),
     done = block();
   const go = job(
@@ -77,6 +82,7 @@ function card(title, about, fields, [label, command], request, shown) {
       { class: "card-of-files", ariaLabel: title },
       heading(title),
       faded(about),
+      smallPrint("Writes ", el("b", writes)),
       asked.element,
       go.element,
       done,
@@ -94,6 +100,7 @@ const report = () =>
   card(
     "Report",
     "Title block, state, curves, drawing, margins of safety, and a sheet for the first bench test.",
+    "report.html, one file",
     TITLE,
     ["Make the report", "build"],
     (read) => ({
@@ -130,6 +137,7 @@ const workshop = () =>
   card(
     "Workshop",
     "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.",
+    "build-sheet.pdf, drawing.pdf, plugs (STEP, STL), bom.csv, test-record.pdf, muscle.toml",
     [],
     ["Make the build sheet", "build"],
     () => ({ ...atPressure(), units: readUnits() }),
@@ -172,6 +180,7 @@ const code = () =>
   card(
     "Controllers and simulators",
     "One closed form of pull and volume, fitted to the finite elements, in the language of its host.",
+    "a folder of sources for the target, with its README",
     BOX,
     ["Export", "export"],
     (read) => ({
@@ -193,6 +202,7 @@ const elements = () =>
     "Finite elements",
     "The deformed muscle at the present pressure and contraction for ParaView (VTU). fe3d also writes the input deck of " +
       "the test for CalculiX and Abaqus.",
+    "muscle.vtu and muscle.pvd; with fe3d muscle.inp too",
     ELEMENTS,
     ["Compute", "simulate"],
     ({ model }) => ({
@@ -222,28 +232,26 @@ const elements = () =>
     },
   );
 
-/** @type {Mount} */
-export const mount = (main) => {
-  const cards = [report(), workshop(), code(), elements()],
+/** All kinds of files in a window over the page. */
+export function filesDialog() {
+  const cards = [workshop(), report(), code(), elements()],
+    forms = cards.map((c) => c.form),
     box = cards[2].form,
-    forms = cards.map((c) => c.form);
-  const about = remark(),
-    element = block("cards-of-files", ...cards.map((c) => c.element));
+    about = remark();
   /** @type {readonly Target[]} */ let targets = [];
-  let target = "";
   box.element.prepend(about);
-  main.replaceChildren(element);
-  const place = () => muscle.place("files", Object.assign({}, ...forms.map((f) => f.texts())));
   function paint() {
     const one = targets.find(({ name }) => name === box.text("target"));
     about.textContent = one ? `${one.about}. Needs ${one.needs}. Loses ${one.loses}.` : "";
     box.usual("supply", muscle.p ? showPressure(muscle.p) : "");
   }
-  const changed = () => {
+  const element = block("cards-of-files", ...cards.map((c) => c.element));
+  forms.forEach((f) => f.set(new URLSearchParams(wordsOf("files"))));
+  element.addEventListener("change", () => {
+    keepWords("files", Object.assign({}, ...forms.map((f) => f.texts())));
     paint();
-    place();
-  };
-  element.addEventListener("change", changed);
+  });
+  dialog("Build & export", () => [element]);
   engine()
     .ask("export-list", {})
     .then(
@@ -253,25 +261,13 @@ export const mount = (main) => {
           "target",
           targets.map(({ name }) => name),
         );
-        if (target) box.put("target", target);
+        box.put("target", wordsOf("files").target || "c");
         paint();
       },
       () => {},
     );
-  onUnits(changed);
-  return {
-    async load(params) {
-      // At once: what is chosen while the muscle is read counts.
-      forms.forEach((f) => f.set(params));
-      target = params.get("target") ?? "";
-      await muscle.read(
-        params,
-        forms.flatMap((f) => f.keys),
-      );
-      paint();
-    },
-  };
-};
+  paint();
+}
 
 // Files that the engine made: each as a download, and all of them in one archive.
 /** @typedef {Commands["build"]["answer"]["files"][number]} File */

@@ -1,0 +1,181 @@
+// One measure of the muscle over a range: what it does to the pull and to the rest.
+import { engine } from "../ask.js";
+import { KINDS, withBuilt } from "../chart.js";
+import { choice } from "../controls.js";
+import { block, capital, el, smallPrint } from "../dom.js";
+import { isAbort, problemOf } from "../engine/problem.js";
+import { fieldsOf, form } from "../form.js";
+import { atEnd, renewing } from "../life.js";
+import { muscle } from "../muscle.js";
+import { valueAt } from "../plot.js";
+import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
+import { clamp, evenly, inWords, outside, show, unitName } from "../units.js";
+import { signal, watch } from "../watch.js";
+
+/** @typedef {Commands["shape"]["answer"]} Answer */
+/** @typedef {{ value: number, answer?: Answer, why?: string }} Row */
+/** A result: name, kind, its field, and those of a muscle that is built where they are known. */
+const RESULTS = /** @type {[string, string, Kind, keyof Answer, (keyof Answer)[]?][]} */ ([
+  ["F", "pull", "force", "force_n", ["predicted_n", "predicted_low_n", "predicted_high_n"]],
+  ["k", "stiffness", "stiffness", "stiffness_n_per_mm"],
+  ["e", "contraction", "ratio", "contraction"],
+  ["b", "bulged diameter", "length", "bulged_diameter_mm"],
+  ["V", "volume of the cavity", "volume", "volume_mm3"],
+  ["l", "largest stretch of the rubber", "number", "max_stretch"],
+  ["T", "tension of all strands", "force", "braid_tension_n"],
+]).map(([key, label, kind, of, built = []]) => ({ key, label, kind, of, built }));
+const POINTS = 21,
+  MOST = 201,
+  /** After a change it waits so long, in milliseconds. */
+  REST = 250;
+
+/** @param {Measure} measure @returns {[number, number]} the range where none is typed */
+function usualRange({ key, low = 0, high = Infinity, minimum = -Infinity, maximum = Infinity }) {
+  if (key === PRESSURE.key || key === CONTRACTION.key) return [low, key === "e" ? 0.3 : high];
+  const now = muscle.value(key) ?? (Number.isFinite(high) ? (low + high) / 2 : 1);
+  const ends = now === 0 ? [0, 1] : [0.7 * now, 1.3 * now].sort((a, b) => a - b);
+  const at = (/** @type {number} */ v) => Number(clamp(v, minimum, maximum).toPrecision(3));
+  return [at(ends[0]), at(ends[1])];
+}
+
+/** @param {Store} store @param {import("../chart.js").Chart} chart */
+export function sweepView(store, chart) {
+  const rows = signal(/** @type {Row[]} */ ([])),
+    begin = renewing(),
+    measures = /** @type {Measure[]} */ ([PRESSURE, CONTRACTION, ...MEASURES]);
+  const measure = () => measures.find(({ key }) => key === store.wanted.value.x) ?? PRESSURE,
+    result = () => RESULTS.find(({ key }) => key === store.wanted.value.y) ?? RESULTS[0];
+  let fields = form([], () => {}),
+    of = "",
+    timer = 0;
+  const x = choice(
+    "Over",
+    measures.map(({ key, label }) => [key, label]),
+    "p",
+    (key) => store.look({ x: key, from: "", to: "" }),
+  );
+  const y = choice(
+    "Result",
+    RESULTS.map(({ key, label }) => [key, capital(label)]),
+    "F",
+    (key) => store.look({ y: key }),
+  );
+  const range = block(),
+    said = block(),
+    bar = el("progress", { hidden: true, ariaLabel: "Progress of the sweep" });
+  const element = block("sweep", x.element, y.element, range, bar, said);
+
+  /** Fields of the range of this measure. */
+  function ask() {
+    const { kind, key } = measure();
+    if (key === of) return;
+    of = key;
+    fields = form(
+      fieldsOf([
+        ["from", "from", "From", kind],
+        ["to", "to", "To", kind],
+        ["points", "points", "Points", "number", { hint: String(POINTS) }],
+      ]),
+      () => store.look(fields.texts()),
+    );
+    fields.element.addEventListener("change", () => store.look(fields.texts()));
+    range.replaceChildren(fields.element);
+  }
+
+  /** The values, or nothing where a text cannot be read. */
+  async function values() {
+    const read = await fields.read(),
+      [low, high] = usualRange(measure());
+    if (!read) return undefined;
+    const count = Math.round(read.points ?? POINTS);
+    if (count >= 2 && count <= MOST)
+      return evenly(read.from ?? low, read.to ?? high, count).map((v) => Number(v.toPrecision(12)));
+    fields.mark("points", `Give between 2 and ${MOST} points.`);
+  }
+  async function run() {
+    const signal = begin(),
+      list = await values();
+    if (!list || signal.aborted) return;
+    const { state } = muscle,
+      { key } = measure(),
+      found = /** @type {Row[]} */ ([]);
+    Object.assign(bar, { max: list.length, hidden: false });
+    for (const value of list) {
+      bar.value = found.length;
+      const row = await at(say(state, key, value), value, signal);
+      if (signal.aborted) return;
+      found.push(row);
+    }
+    rows.value = found;
+    bar.hidden = true;
+  }
+  /** @param {State} state @param {number} value @param {AbortSignal} signal @returns {Promise<Row>} */
+  async function at(state, value, signal) {
+    try {
+      const how = /** @type {const} */ ({ lane: "curves", signal });
+      return { value, answer: await engine().ask("shape", question(state), how) };
+    } catch (thrown) {
+      // A muscle that cannot be is a gap in the curve.
+      return { value, why: isAbort(thrown) ? "" : problemOf(thrown).message };
+    }
+  }
+
+  watch(() => {
+    const { test, ...wanted } = store.wanted.value;
+    void muscle.state;
+    clearTimeout(timer);
+    if (test !== "sweep") return begin();
+    ask();
+    x.set(wanted.x);
+    y.set(wanted.y);
+    const [low, high] = usualRange(measure()).map((v) => show(measure().kind, v, 3));
+    fields.usual("from", low);
+    fields.usual("to", high);
+    fields.set(new URLSearchParams({ from: wanted.from, to: wanted.to, points: wanted.points }));
+    timer = window.setTimeout(run, REST);
+  });
+  atEnd(() => clearTimeout(timer));
+
+  watch(() => {
+    const list = rows.value;
+    if (store.wanted.value.test !== "sweep" || !list.length) return;
+    const { kind, label, symbol, key } = measure(),
+      { label: name, kind: of, of: field, built } = result();
+    const value = (/** @type {Row} */ { answer }, /** @type {keyof Answer} */ what) =>
+      typeof answer?.[what] === "number" ? outside(of, answer[what]) : null;
+    const unit = (/** @type {Kind} */ k) => (k === "number" ? "–" : unitName(k));
+    const now = outside(kind, muscle.value(key) ?? NaN),
+      curve = {
+        name: `${name} over ${label.toLowerCase()}`,
+        x: list.map((row) => outside(kind, row.value)),
+        y: list.map((row) => value(row, field)),
+        colour: KINDS[0],
+        strong: true,
+        smooth: true,
+      };
+    // The present muscle on the curve.
+    const here = valueAt(curve, now);
+    chart.show({
+      x: `${label.toLowerCase()}${symbol ? ` ${symbol}` : ""} [${unit(kind)}]`,
+      y: `${name} [${unit(of)}]`,
+      yaxis: {},
+      marks: here === undefined ? [] : [{ x: now, y: here, text: "now" }],
+      series: withBuilt(
+        curve,
+        curve.x,
+        list.map((row) => built.flatMap((what) => value(row, what) ?? [])),
+      ),
+    });
+    const failed = list.filter(({ why }) => why),
+      [one] = failed;
+    said.replaceChildren(
+      one
+        ? smallPrint(
+            `${failed.length} of ${list.length} values have no answer, such as ` +
+              `${show(kind, one.value)}: ${inWords(one.why ?? "")}`,
+          )
+        : "",
+    );
+  });
+  return { element };
+}
