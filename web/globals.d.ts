@@ -92,8 +92,7 @@ declare global {
 
   /**
    * `low`, `high`: ends of an interval at each point, drawn as a band; `band`: the points are the outline of one; `end`: a label at the curve's
-   * end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the state among its family; `silent`: nobody
-   * reads it off; `smooth`: a cubic between its points; `fixed`: what does not change along it.
+   * end, or at its start; `strong`: the curve of the state among its family; `smooth`: a cubic between its points; `fixed`: what does not change along it.
    */
   interface Series {
     name: string;
@@ -101,7 +100,6 @@ declare global {
     y: (number | null)[];
     low?: (number | null)[];
     high?: (number | null)[];
-    z?: number[];
     end?: string;
     at?: "start" | "end";
     colour?: string;
@@ -109,11 +107,9 @@ declare global {
     /** The sign of its points: the branch that they were measured on. */
     glyph?: "mean" | "contraction" | "elongation";
     mode?: "lines" | "markers";
-    width?: number;
     legend?: string;
     band?: boolean;
     strong?: boolean;
-    silent?: boolean;
     smooth?: boolean;
     fixed?: number;
   }
@@ -123,7 +119,6 @@ declare global {
   interface Spec {
     x: string;
     y: string;
-    z?: string;
     series: Series[];
     marks?: Place[];
     xaxis?: Axis;
@@ -138,7 +133,7 @@ declare global {
 
   type JointAnswer = All["joint"]["answer"];
   /** A point as the page shows it. */
-  type JointPoint = JointAnswer["points"][number] & { model: string; words?: string | null };
+  type JointPoint = JointAnswer["points"][number] & { words?: string | null };
   type Family = { answer: JointAnswer; angles: number[]; pairs: number[][] };
   type Run = All["motion"]["answer"];
   /** The pull of a muscle that is built. */

@@ -66,7 +66,8 @@ function flags() {
       const all = muscle.warnings,
         short = [...new Set(all.map(inShort))].join(", ");
       element.hidden = !short;
-      if (line.textContent === `Warnings: ${short}`) return;
+      if (line.title === short) return;
+      line.title = short;
       line.textContent = `Warnings: ${short}`;
       list.replaceChildren(warnings(all));
     },

@@ -1,12 +1,6 @@
 // A muscle from the side as SVG, in millimetres or any other measure: woven strands over a tube
 // that bulges between its ends. The left end of the tube is at 0, its axis too.
 
-/**
- * What gives a picture of a view, by its canvas: it is drawn for it.
- * @type {WeakMap<HTMLCanvasElement, () => string>}
- */
-export const pictures = new WeakMap();
-
 let count = 0;
 const short = (/** @type {number} */ v) => Number(v.toPrecision(5));
 

@@ -33,10 +33,10 @@ export const pressureColour = (pressure, top) => shade(pressure / top);
 /** @typedef {ReturnType<typeof chartOf>} Chart */
 /**
  * @param {string} name of its files
- * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) =>
+ * @param {{ tools?: Node, drag?: (x: number, y: number, settled: boolean) =>
  * unknown }} [options]
  */
-export function chartOf(name, { tools, tall, drag } = {}) {
+export function chartOf(name, { tools, drag } = {}) {
   const spec = signal(/** @type {Spec | undefined} */ (undefined)),
     lines = linesOf(name, drag),
     { host } = lines,
@@ -47,7 +47,7 @@ export function chartOf(name, { tools, tall, drag } = {}) {
   );
   const element = el(
     "section",
-    { class: tall ? "chart tall" : "chart", ariaLabel: name.replaceAll("-", " ") },
+    { class: "chart", ariaLabel: name.replaceAll("-", " ") },
     block("row", tools ?? null, el("span", { class: "grow" }), menu(asTable, ...saved)),
     host,
     cells,
@@ -76,17 +76,10 @@ export function chartOf(name, { tools, tall, drag } = {}) {
   }
 
   /** What the columns of the table are. @param {Spec} spec */
-  const head = ({ x, y, z }) => ["curve", x, y, ...(z ? [z] : [])];
-  /**
-   * Rows of all series: name, x, y, and the third number where there is one.
-   * @param {Spec} spec @returns {(string | number | null)[][]}
-   */
-  function rowsOf({ series, z: third }) {
-    const more = (/** @type {Series} */ s, /** @type {number} */ i) =>
-      third ? [s.z?.[i] ?? null] : [];
-    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
-    return series.filter((s) => !s.silent).flatMap(line);
-  }
+  const head = ({ x, y }) => ["curve", x, y];
+  /** Rows of all series: name, x, y. @param {Spec} spec */
+  const rowsOf = ({ series }) =>
+    series.filter((s) => !s.band).flatMap((s) => s.x.map((x, i) => [s.name, x, s.y[i]]));
 
   /** @param {Spec} spec */
   function tabulate(spec) {
@@ -158,7 +151,6 @@ export function withBuilt(model, x, list) {
       name: "",
       colour: model.colour,
       band: true,
-      silent: true,
       x: [...at, ...at.toReversed()],
       y: [...high, ...low.toReversed()],
     },

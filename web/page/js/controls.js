@@ -264,10 +264,6 @@ export function choice(label, options, value, change) {
     first(text) {
       select.options[0].textContent = text;
     },
-    /** All to choose from, by name and text. @param {[string, string][]} list */
-    labels(list) {
-      select.replaceChildren(...optionsOf(list));
-    },
     /** More to choose from. @param {string[]} names */
     options(names) {
       addOptions(select, names);

@@ -9,7 +9,7 @@ import { stated } from "./toml.js";
 import { notice, noticeProblem } from "./dom.js";
 
 /**
- * @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "formula" | "other"} Kind
+ * @typedef {"muscle" | "joint" | "drive" | "data" | "rubber" | "project" | "formula" | "other"} Kind
  */
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */
 const MOST = 60_000_000;
@@ -38,7 +38,7 @@ export function kindOfFile(name, text) {
   if (/\.(csv|tsv|txt|dat|xlsx|ods)$/i.test(name)) return isRubberTest(text) ? "rubber" : "data";
   const tables = new Set([...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]));
   if (tables.has("joint")) return "joint";
-  if (tables.has("vary") || tables.has("sampling")) return "plan";
+  if (tables.has("vary") || tables.has("sampling")) return "other";
   if (tables.has("command") || tables.has("valve")) return "drive";
   if (tables.has("tube") || tables.has("braid") || /\.toml$/i.test(name)) return "muscle";
   return "other";
@@ -58,14 +58,13 @@ async function take(files) {
   if (project) return openProject(project.text);
   if (formula) {
     keepFile("formula", { name: formula.name, text: formula.text });
-    notice(`${formula.name} is among the models of the isobaric curves, under Advanced.`);
+    notice(`${formula.name} is among the models of the isobaric curves, under Another model.`);
     return visit("muscle", { over: formula.name });
   }
-  const [joint, drive, data, plan, rubber] = /** @type {const} */ ([
+  const [joint, drive, data, rubber] = /** @type {const} */ ([
     "joint",
     "drive",
     "data",
-    "plan",
     "rubber",
   ]).map(first);
   const muscles = files.filter((file) => file.kind === "muscle"),
@@ -74,10 +73,6 @@ async function take(files) {
   const second = muscles.find((file) => file.name === wanted[1] && file !== own);
   if (own) await muscle.take(own.text, own.name);
   if (data) measured.set({ name: data.name, text: data.text });
-  if (plan)
-    throw new Error(
-      "Plans are computed by the command `campaign`; the page has no place for them.",
-    );
   if (rubber) keepFile("rubber", { name: rubber.name, text: rubber.text });
   const lacks = (joint || drive) && !own && wanted[0];
   const what = files.map((file) => file.name).join(", ");
@@ -121,8 +116,8 @@ export async function takeFiles(files) {
     const other = read.find(({ kind }) => kind === "other");
     if (other)
       throw new Error(
-        `${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points ` +
-          `in .csv, .xlsx or .ods, formulas in .json.`,
+        `${other.name} is no file of this page: muscles, joints and drives end in .toml, measured points in .csv, ` +
+          ".xlsx or .ods, formulas in .json; plans are for the command campaign.",
       );
     if (read.length) await take(read);
   } catch (problem) {

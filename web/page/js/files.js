@@ -1,18 +1,7 @@
 // The muscle as files: a report, what the workshop needs, code for controllers and simulators, and
 // files of finite-element programs.
 import { engine } from "./ask.js";
-import {
-  block,
-  button,
-  dialog,
-  download,
-  el,
-  faded,
-  heading,
-  paragraph,
-  remark,
-  smallPrint,
-} from "./dom.js";
+import { block, button, dialog, download, el, faded, heading, paragraph, remark } from "./dom.js";
 import { fieldsOf, form, job, warnings } from "./form.js";
 import { keepWords, wordsOf } from "./kept.js";
 import { muscle } from "./muscle.js";
@@ -53,15 +42,16 @@ export const ELEMENTS = fieldsOf([
   ],
 ]);
 
+/** What an answer leads to: sentences, files, and the name of an archive of them. */
+/** @typedef {{ said?: string, warned: Parameters<typeof warnings>[0], files: readonly File[], name: string }} Made */
 /**
- * One kind of files: a form, and work whose answer it shows.
- * @template {keyof Commands} K @param {string} title @param {string} about @param {Field[]} fields
- * @param {string} writes names of the files
+ * One kind of files: what it writes, a form, and work whose files it offers.
+ * @template {keyof Commands} K @param {string} title @param {string} writes @param {Field[]} fields
  * @param {[label: string, command: K]} work its button, and what it asks
  * @param {(read: Read) => Commands[K]["request"]} request
- * @param {(answer: Commands[K]["answer"]) => (Node | string)[] | Promise<(Node | string)[]>} shown
+ * @param {(answer: Commands[K]["answer"]) => Made | Promise<Made>} made
  */
-function card(title, about, writes, fields, [label, command], request, shown) {
+function card(title, writes, fields, [label, command], request, made) {
   const asked = form(fields, () => go.run()),
     done = block();
   const go = job(
@@ -72,35 +62,27 @@ function card(title, about, writes, fields, [label, command], request, shown) {
       done.replaceChildren();
       return read && request(read);
     },
-    async (answer) => done.replaceChildren(...(await shown(answer))),
+    async (answer) => {
+      const { said = "", warned, files, name } = await made(answer);
+      done.replaceChildren(paragraph(said), warnings(warned), filesView(files, name));
+    },
     { fields: asked, minor: title !== "Workshop" },
   );
+  const parts = [heading(title), faded(`Writes ${writes}.`), asked.element, go.element, done];
   return {
     form: asked,
-    element: el(
-      "section",
-      { class: "card-of-files", ariaLabel: title },
-      heading(title),
-      faded(about),
-      smallPrint("Writes ", el("b", writes)),
-      asked.element,
-      go.element,
-      done,
-    ),
+    element: el("section", { class: "card-of-files", ariaLabel: title }, ...parts),
   };
 }
 
-/** The units that people read. */
-const readUnits = () => ["pressure", "force", "length"].map(unitName).join(",");
-
-/** The muscle at its pressure, where it has one. */
+/** The muscle at its pressure, where it has one, in the units that people read. */
 const atPressure = () => ({ pressure_mpa: muscle.p || undefined, muscle: muscle.fields() });
+const units = () => ["pressure", "force", "length"].map(unitName).join(",");
 
 const report = () =>
   card(
     "Report",
-    "Title block, state, curves, drawing, margins of safety, and a sheet for the first bench test.",
-    "report.html, one file",
+    "one HTML file: title block, state, curves, drawing, margins of safety, a first bench test",
     TITLE,
     ["Make the report", "build"],
     (read) => ({
@@ -109,56 +91,33 @@ const report = () =>
       name: muscle.name,
       ...read,
       report: true,
-      units: readUnits(),
+      units: units(),
     }),
-    async (answer) => {
-      const html = await withViewer(
-        answer.files.find(({ name }) => name === "report.html")?.text ?? "",
-      );
-      const name = fileName(muscle.name, "-report.html"),
-        save = () => download(name, html);
-      return [
-        warnings(answer.warnings),
-        paragraph(
-          button(`Save ${name}`, save),
-          " ",
-          el(
-            "span",
-            { class: "soft" },
-            `${size(html.length)}; open it in a browser, and print it there.`,
-          ),
-        ),
-      ];
+    async ({ files, warnings: warned }) => {
+      const [html] = files.filter(({ name }) => name === "report.html"),
+        text = await withViewer(html.text ?? ""),
+        name = fileName(muscle.name, "-report.html");
+      return { warned, files: [{ name, about: "to read and print in a browser", text }], name };
     },
   );
 
-/** Cut list, drawing, plugs, steps and test sheet. */
 const workshop = () =>
   card(
     "Workshop",
-    "Cut list, plugs to print or turn, drawing, bill of materials, steps, and the sheet of the first test.",
-    "build-sheet.pdf, drawing.pdf, plugs (STEP, STL), bom.csv, test-record.pdf, muscle.toml",
+    "build sheet, drawing and test record (PDF), plugs (STEP, STL), bill of materials, muscle file",
     [],
     ["Make the build sheet", "build"],
-    () => ({ ...atPressure(), units: readUnits() }),
-    (answer) => {
-      const [at, proof] = [answer.pressure_mpa, answer.proof_pressure_mpa].map((p) =>
-        showPressure(p, 3),
-      );
-      const cut = `At ${at}: cut ${showLength(answer.cut.tube_mm)} of tube. Proof test with water at ${proof}.`;
-      return [
-        paragraph(cut),
-        warnings(answer.warnings),
-        filesView(
-          answer.files.map((file) =>
-            file.name === "muscle.toml"
-              ? { ...file, text: named(file.text ?? "", muscle.given) }
-              : file,
-          ),
-          fileName(muscle.name, "-build"),
-        ),
-      ];
-    },
+    () => ({ ...atPressure(), units: units() }),
+    (answer) => ({
+      said: `At ${showPressure(answer.pressure_mpa, 3)}: cut ${showLength(answer.cut.tube_mm)} of tube.`,
+      warned: answer.warnings,
+      files: answer.files.map((file) =>
+        file.name === "muscle.toml"
+          ? { ...file, text: named(file.text ?? "", muscle.given) }
+          : file,
+      ),
+      name: fileName(muscle.name, "-build"),
+    }),
   );
 
 /**
@@ -167,20 +126,17 @@ const workshop = () =>
 function errorLine(answer) {
   const share = (/** @type {number} */ x) => showRatio(x, 2);
   return (
-    `${share(answer.force_rms)} rms and ${share(answer.force_worst_ratio)} at worst of the blocked force ` +
-    `${showForce(answer.blocked_force_n)}, up to ` +
-    `${showPressure(answer.supply_pressure_mpa, 3)} and ${showRatio(answer.contraction_high, 3)}; volume ` +
-    `${share(answer.volume_worst_ratio)} at worst. Against ${answer.model}; as built ± ` +
-    `${showForce(answer.uncertainty_n, 2)}.`
+    `Error: ${share(answer.force_rms)} rms, ${share(answer.force_worst_ratio)} at worst of the blocked ` +
+    `force ${showForce(answer.blocked_force_n)}, up to ${showPressure(answer.supply_pressure_mpa, 3)} ` +
+    `and ${showRatio(answer.contraction_high, 3)}; volume ${share(answer.volume_worst_ratio)} at ` +
+    `worst. Against ${answer.model}; as built ± ${showForce(answer.uncertainty_n, 2)}.`
   );
 }
 
-/** Code. */
 const code = () =>
   card(
     "Controllers and simulators",
-    "One closed form of pull and volume, fitted to the finite elements, in the language of its host.",
-    "a folder of sources for the target, with its README",
+    "sources: one closed form of pull and volume, fitted to the finite elements",
     BOX,
     ["Export", "export"],
     (read) => ({
@@ -189,20 +145,18 @@ const code = () =>
       target: read.target,
       name: muscle.given ? fileName(muscle.given, "").replace(/\W/g, "_") : undefined,
     }),
-    (answer) => [
-      paragraph(`Error: ${errorLine(answer)}`),
-      warnings(answer.warnings),
-      filesView(answer.files, `${answer.name}-${answer.target}`),
-    ],
+    (answer) => ({
+      said: errorLine(answer),
+      warned: answer.warnings,
+      files: answer.files,
+      name: `${answer.name}-${answer.target}`,
+    }),
   );
 
-/** The deformed muscle for other programs. */
 const elements = () =>
   card(
     "Finite elements",
-    "The deformed muscle at the present pressure and contraction for ParaView (VTU). fe3d also writes the input deck of " +
-      "the test for CalculiX and Abaqus.",
-    "muscle.vtu and muscle.pvd; with fe3d muscle.inp too",
+    "the deformed muscle of this state for ParaView (VTU); fe3d also the deck for CalculiX and Abaqus",
     ELEMENTS,
     ["Compute", "simulate"],
     ({ model }) => ({
@@ -215,21 +169,16 @@ const elements = () =>
       vtu: true,
       deck: model === "fe3d",
     }),
-    (answer) => {
-      const deck = answer.deck
-        ? [
-            {
-              name: "muscle.inp",
-              about: "mesh, material, loads and steps for CalculiX and Abaqus",
-              text: answer.deck,
-            },
-          ]
-        : [];
-      return [
-        warnings([...answer.notes, ...answer.warnings]),
-        filesView([...(answer.files ?? []), ...deck], fileName(muscle.name, `-${answer.model}`)),
-      ];
-    },
+    ({ deck, files = [], notes, warnings: warned, model }) => ({
+      warned: [...notes, ...warned],
+      files: [
+        ...(files ?? []),
+        ...(deck
+          ? [{ name: "muscle.inp", about: "mesh, material, loads and steps", text: deck }]
+          : []),
+      ],
+      name: fileName(muscle.name, `-${model}`),
+    }),
   );
 
 /** All kinds of files in a window over the page. */
@@ -278,28 +227,18 @@ const bytesOf = ({ text, base64 }) =>
     ? new TextEncoder().encode(text)
     : Uint8Array.from(atob(base64 ?? ""), (c) => c.charCodeAt(0));
 
-/** @param {number} bytes */
-const size = (bytes) => `${number(bytes / 1e3, 3)} kB`;
-
 /** @param {readonly File[]} files @param {string} archive its name without the ending */
-export function filesView(files, archive) {
-  const all = files.map((file) => ({ name: file.name, about: file.about, bytes: bytesOf(file) }));
-  const rows = all.map(({ name, about, bytes }) =>
+function filesView(files, archive) {
+  const all = files.map((file) => [file.name, bytesOf(file)]);
+  const rows = files.map(({ name, about }, i) =>
     el(
       "li",
-      button(name, () => download(name, bytes)),
-      ` ${about} `,
-      el("span", { class: "soft" }, size(bytes.length)),
+      button(name, () => download(name, all[i][1])),
+      ` ${about}, ${number(all[i][1].length / 1e3, 3)} kB`,
     ),
   );
   const every = () =>
-    download(
-      `${archive}.zip`,
-      zipSync(Object.fromEntries(all.map(({ name, bytes }) => [name, bytes])), {
-        level: 0,
-        mtime: "1980-01-02",
-      }),
-    );
+    download(`${archive}.zip`, zipSync(Object.fromEntries(all), { level: 0, mtime: "1980-01-02" }));
   return block(
     "files",
     el("ul", { class: "plain" }, ...rows),

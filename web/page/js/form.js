@@ -107,6 +107,21 @@ class Reading {
   }
 }
 
+/**
+ * What a mass that stands in the place of a force weighs, as a sentence; empty for other texts.
+ * @param {Asked[]} asked @param {Readings} readings
+ */
+async function weights(asked, readings) {
+  const wrong = asked.map(({ kind, text }, i) => ({
+    text: kind === "force" && readings[i].problem ? text : "",
+    kind: /** @type {const} */ ("mass"),
+  }));
+  if (!wrong.some(({ text }) => text)) return [];
+  return (await understood(wrong)).map(({ value }, i) =>
+    value ? `${wrong[i].text} weigh ${show("force", 9.80665 * value, 2)}: type that` : "",
+  );
+}
+
 class Form {
   /** @param {Field[]} fields @param {() => void} submit */
   constructor(fields, submit) {
@@ -142,9 +157,14 @@ class Form {
     }
     const { asked, notes, values } = reading;
     const readings = await understood(asked.map(({ text, kind, list }) => ({ text, kind, list })));
+    const weighed = await weights(asked, readings);
     asked.forEach(({ f, text, list, take }, i) => {
       const { problem, value, values, interval } = readings[i];
-      if (problem) this.mark(f.key, text ? problem.message : `a value is missing, as in ${f.hint}`);
+      if (problem)
+        this.mark(
+          f.key,
+          text ? weighed[i] || problem.message : `a value is missing, as in ${f.hint}`,
+        );
       // Without a step a search takes it as a whole.
       else if (intervals && interval) take({ low: interval[0], high: interval[1] });
       else take(list ? values : value);

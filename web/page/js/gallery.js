@@ -6,15 +6,14 @@ import { SCRIPTS } from "./place.js";
 import { card, thumbnail } from "./thumbnail.js";
 import { showForce, showLength, showPressure, unitsInAddress } from "./units.js";
 import { engine } from "./ask.js";
-import { muscle } from "./muscle.js";
+import { muscle, visit } from "./muscle.js";
 import { fileName } from "./toml.js";
 
 /**
- * A muscle of the gallery: its file, or its name in the library; D0, s, L0 and the strand angle for
+ * A muscle of the gallery: its file; D0, s, L0 and the strand angle for
  * its picture; what it is, and the page that it is shown on, with words of the address and files of
  * that page.
- * @typedef {[title: string, about: string, size: number[], of: { file?: string, part?: string,
- * page?: string,
+ * @typedef {[title: string, about: string, size: number[], of: { file: string, page?: string,
  *   words?: Words, joint?: string, data?: string }]} Entry
  */
 /** @type {Entry[]} */
@@ -37,26 +36,6 @@ export const GALLERY = [
       file: "tondu2012.toml",
 
       words: { p: "3bar", e: "10%" },
-    },
-  ],
-  [
-    "Festo DMSP-10",
-    "Industrial, 10 mm inside",
-    [13, 1.25, 250, 26.6],
-    {
-      part: "lib:dmsp-10-250",
-
-      words: { p: "5bar", e: "10%" },
-    },
-  ],
-  [
-    "Festo DMSP-20",
-    "Industrial, 20 mm inside",
-    [23, 1.5, 300, 25],
-    {
-      part: "lib:dmsp-20-300",
-
-      words: { p: "5bar", e: "10%" },
     },
   ],
   [
@@ -113,8 +92,7 @@ export async function example(name) {
 }
 
 /** Opens an entry: the address of its page with its muscle. @param {Entry[3]} entry */
-async function openEntry({ file = "", part, page = "muscle", words = {}, joint, data }) {
-  if (part) return openPart(part, words);
+async function openEntry({ file, page = "muscle", words = {}, joint, data }) {
   const [text, jointText, dataText] = await Promise.all([
     example(file),
     joint ? example(joint) : undefined,
@@ -139,12 +117,7 @@ export const gallery = (fail, opened, list = GALLERY) =>
     ...list.map(([title, about, size, entry]) => {
       const [outer_diameter_mm, wall_mm, length_mm, angle_deg] = size;
       const picture = thumbnail({ outer_diameter_mm, wall_mm, length_mm, angle_deg });
-      return card(
-        () => openEntry(entry).then(() => opened?.(), fail),
-        el("span", picture),
-        title,
-        about,
-      );
+      return card(() => openEntry(entry).then(() => opened?.(), fail), picture, title, about);
     }),
   );
 
@@ -153,15 +126,12 @@ export const gallery = (fail, opened, list = GALLERY) =>
  * @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Identified a muscle of the library
  */
 
-/**
- * Opens one on the page Muscle.
- * @param {string} name @param {Record<string, string>} [at] words of its point
- */
-export async function openPart(name, at = {}) {
+/** Opens one on the page Muscle. @param {string} name */
+async function openPart(name) {
   const { muscle: found } = await engine().ask("parts-show", { name });
   const called = found?.product ? `${found.product} (${found.title})` : found?.title;
   await muscle.take(found?.muscle_file.text ?? "", name, called);
-  location.hash = address("muscle", { ...muscle.params(), ...at });
+  visit("muscle", {});
 }
 
 /**
@@ -173,7 +143,7 @@ export const muscleButtons = (file, put, keep, name) =>
   rowOf(
     mainButton(put, async () => {
       await muscle.take(file);
-      location.hash = address("muscle", muscle.params());
+      visit("muscle", {});
     }),
     button(keep, () => download(fileName(name, ".toml"), file)),
   );
@@ -190,7 +160,7 @@ function entryCard(entry, opened, fail) {
   const size = `D0 ${showLength(entry.outer_diameter_mm, 3)}, L0 ${showLength(entry.length_mm)}`;
   const box = card(
     () => openPart(name).then(opened, fail),
-    el("span", thumbnail(entry)),
+    thumbnail(entry),
     capital(entry.product ?? entry.title),
     `${size}${pull}`,
   );

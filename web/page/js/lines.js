@@ -2,7 +2,7 @@
 // plot.js.
 import { block, button, el, say } from "./dom.js";
 import { token } from "./theme.js";
-import { colourOf, drawing, frame, nearest, reachOf, valueAt } from "./plot.js";
+import { colourOf, drawing, frame, nearest, reachOf, smoothed, valueAt } from "./plot.js";
 import { between, clamp, number } from "./units.js";
 
 /** Farther away than this in pixels nothing is read off. */
@@ -103,7 +103,7 @@ export function linesOf(name, drag) {
   /** What lies at a place, in words. @param {Found} found @param {Spec} of */
   function words({ which, x, y }, of) {
     const s = of.series[which];
-    const [l, h] = [valueAt(s, x, "low"), valueAt(s, x, "high")];
+    const [l, h] = [s.low, s.high].map((list) => list && valueAt({ x: s.x, y: list }, x));
     const value =
       l === undefined || h === undefined
         ? `${number(y)}${unit(of.y)}`
@@ -193,9 +193,7 @@ export function linesOf(name, drag) {
    */
   function walk(curve, along) {
     const series = spec?.series ?? [];
-    const readable = series
-      .map((_, i) => i)
-      .filter((i) => !series[i].band && !series[i].silent && series[i].x.length);
+    const readable = series.map((_, i) => i).filter((i) => !series[i].band && series[i].x.length);
     if (!readable.length) return;
     const [was, i] = read ?? [readable[0], -1];
     const which =
@@ -295,7 +293,7 @@ export function linesOf(name, drag) {
     svg,
     /** @param {Spec} next */
     set spec(next) {
-      spec = next;
+      spec = { ...next, series: next.series.map(smoothed) };
     },
 
     /**

@@ -75,15 +75,12 @@ function frame(name) {
     list = viewsOf(place);
   last.set(place, name);
   for (const a of places) a.ariaCurrent = a.dataset.place === place ? "page" : null;
-  const links = list.map((view) =>
-    el(
-      "a",
-      { "data-name": view.name, href: `#${view.name}`, ariaCurrent: view.name === name && "page" },
-      view.text,
+  views.hidden = list.length < 2;
+  views.replaceChildren(
+    ...(views.hidden ? [] : list).map(({ name: view, text }) =>
+      el("a", { "data-name": view, href: `#${view}`, ariaCurrent: view === name && "page" }, text),
     ),
   );
-  views.replaceChildren(...links);
-  views.hidden = links.length < 2;
   byId("claim").textContent = about;
   byId("title").textContent = text;
   document.title = `${text} – mckibben workbench`;
@@ -115,10 +112,23 @@ const WINDOWS = {
 /** Words of windows, which are none of the page's. */
 const OF_WINDOWS = ["kind", "find", "fits", "sold", "target", "elements", "project", "number"];
 
+/** B of an old comparison is the muscle now, and A is held beside it. @param {URLSearchParams} params */
+function compared(params) {
+  const b = [...keys(), "model"].flatMap((key) => {
+    const word = params.get(`b${key}`);
+    params.delete(`b${key}`);
+    return word ? [[key === "model" ? "over" : key, word]] : [];
+  });
+  params.delete("amodel");
+  params.set("held", params.toString());
+  for (const [key, word] of b) params.set(key, word);
+}
+
 /** The page of an address of today. @param {string} wanted @param {URLSearchParams} params */
 function moved(wanted, params) {
   const { name } = pageOf(wanted);
   if (wanted === "sweep") params.set("test", "sweep");
+  if (wanted === "compare") compared(params);
   if (wanted in WINDOWS) for (const key of OF_WINDOWS) params.delete(key);
   if (wanted === "formula")
     notice(

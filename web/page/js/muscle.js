@@ -1,6 +1,6 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
-import { address, pack, query } from "./address.js";
+import { address, pack, query, unpack } from "./address.js";
 import {
   canonical,
   fields,
@@ -19,16 +19,7 @@ import {
 } from "./state.js";
 import { nameIn, named, stated } from "./toml.js";
 import { batch, computed, signal } from "./watch.js";
-import {
-  braidName,
-  learn,
-  partName,
-  show,
-  showLength,
-  typed,
-  unitsFromAddress,
-  unitsInAddress,
-} from "./units.js";
+import { learn, showLength, typed, unitsFromAddress, unitsInAddress } from "./units.js";
 import { keepWords, wordsOf } from "./kept.js";
 
 const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === key);
@@ -202,30 +193,23 @@ export class MuscleState {
     return named(await this.file(), this.name);
   }
 
-  /** The measures in a line. @param {Shown | undefined} [s] of another one */
-  line(s = this.shown) {
-    return s
-      ? `${this.size(s)}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`
-      : "none yet";
-  }
-  /** Diameter, wall and length. @param {Shown | undefined} [s] of another one */
-  size(s = this.shown) {
+  /** Diameter, wall and length. */
+  size() {
+    const s = this.shown;
     return s
       ? `D0 ${showLength(s.outer_diameter_mm)}, s ${showLength(s.wall_mm)}, L0 ${showLength(s.length_mm)}`
       : "";
   }
 
-  /** A page's address with the muscle and what was typed there. @param {string} page */
+  /**
+   * A page's address with the muscle and what was typed there.
+   * @param {string} page @param {Record<string, string | undefined>} mine
+   */
   linked(page, mine = this.params()) {
     const own = wordsOf(page);
     // Words of the muscle mean other things in a specification: it is one word there.
     return address(page, page === "design" ? { ...own, m: this.word() } : { ...own, ...mine });
   }
-  /** Words of the address. */
-  params() {
-    return this.paramsOf(this.state);
-  }
-
   /**
    * The muscle as one word, for pages where its words mean other things; empty for the prototype.
    */
@@ -236,13 +220,14 @@ export class MuscleState {
     return plain ? "" : query(params);
   }
 
-  /** Words of the address with another state. @param {State} state */
-  paramsOf(state) {
-    const out = words(state, typed);
-    out.u = unitsInAddress() || undefined;
-    if (state === this.state) out.name = this.called || undefined;
-    for (const [key, text] of this.unknown) out[key] = text;
-    return out;
+  /** Words of the address. */
+  params() {
+    return {
+      ...words(this.state, typed),
+      ...Object.fromEntries(this.unknown),
+      u: unitsInAddress() || undefined,
+      name: this.called || undefined,
+    };
   }
 
   /**
@@ -257,6 +242,8 @@ export class MuscleState {
   /** @param {URLSearchParams} params @param {string[]} own */
   async #read(params, own) {
     unitsFromAddress(params.get("u") ?? "");
+    // In a word of another address it is compressed still.
+    if (params.has("file")) params.set("file", await unpack(params.get("file") ?? ""));
     const [readings] = await Promise.all([
       understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
       this.known(),

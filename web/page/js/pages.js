@@ -22,13 +22,6 @@ export const PAGES = [
     "Drag the muscle, a slider or a curve: finite elements answer at once.",
   ],
   [
-    "compare",
-    "muscle",
-    "Compare",
-    "models",
-    "See two muscles, or two models of one muscle, side by side.",
-  ],
-  [
     "design",
     "design",
     "Ask",
@@ -68,6 +61,7 @@ export const PAGES = [
 export const MOVED = {
   start: "design",
   sweep: "muscle",
+  compare: "muscle",
   parts: "muscle",
   files: "muscle",
   about: "muscle",

@@ -6,7 +6,6 @@ import { problemOf } from "./engine/problem.js";
 import { table } from "./form.js";
 import { muscle, visit } from "./muscle.js";
 import { inWords, number, show, showLength, showPressure, showRatio } from "./units.js";
-import { library } from "./gallery.js";
 
 /** @typedef {Commands["parts-list"]["answer"]} Parts */
 /** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
@@ -105,10 +104,7 @@ const LISTS = {
 };
 
 const LISTED = /** @type {Kind[]} */ (Object.keys(LISTS));
-const KINDS = /** @type {[string, string][]} */ ([
-  ...LISTED.map((kind) => [kind, capital(kind)]),
-  ["muscles", "Measured muscles"],
-]);
+const KINDS = LISTED.map((kind) => /** @type {[string, string]} */ ([kind, capital(kind)]));
 
 /**
  * What of a sleeve no seller states.
@@ -202,13 +198,8 @@ export function partsDialog() {
     !(sold.box.checked && wanted.kind === "tubes" && row.cells.includes("cast"));
 
   function paint() {
-    find.disabled = wanted.kind === "muscles";
     sold.row.hidden = wanted.kind !== "tubes";
     fits.row.hidden = wanted.kind !== "sleeves";
-    if (find.disabled) {
-      count.textContent = "Muscles whose pulls were measured. Open one: it becomes the muscle.";
-      return list.replaceChildren(library(fail, () => box.close()));
-    }
     if (!parts) return;
     const { head, text, rows } = LISTS[/** @type {Kind} */ (wanted.kind)],
       all = rows(parts),
@@ -237,7 +228,7 @@ export function partsDialog() {
     fits.row,
     sold.row,
   );
-  const box = dialog("Parts", () => [line, count, list]);
+  dialog("Parts", () => [line, count, list]);
   asked ??= allParts();
   asked.then(
     (found) => {

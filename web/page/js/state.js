@@ -368,26 +368,3 @@ export function joint(
 export function motion(file, { model, ...step }) {
   return { step, muscle: { name: "muscle", text: file }, model: { name: model } };
 }
-
-/**
- * One side of a comparison: this muscle, or that of a file of its own, with what the side says over
- * it, at the side's point or this one's.
- * @param {State} state @param {string} own a muscle file
- * @param {Read} read fields of the side's form
- */
-export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
-  // What a side says ousts what excludes it, as on the page Muscle.
-  let base = own ? opened(state, own) : state;
-  for (const { key, field } of [
-    ...MEASURES,
-    { key: "rubber", field: "rubber" },
-    { key: "braid", field: "braid" },
-  ])
-    if (over[field] !== undefined) base = say(base, key, over[field]);
-  return {
-    muscle: fields(base),
-    model: { name: /** @type {string} */ (model) },
-    pressure_mpa: /** @type {number} */ (pressure_mpa ?? state.p),
-    contraction: /** @type {number} */ (contraction ?? state.e),
-  };
-}

@@ -225,7 +225,8 @@ export const builtPull = (q) =>
 /** The same in words. @param {Built} answer */
 export const asBuilt = (answer) => interval("force", builtPull(answer));
 /** @param {{ model: string, force_n: number }} answer */
-export const modelPull = ({ model, force_n: force }) => `${model} alone ${show("force", force)}`;
+export const modelPull = ({ model, force_n: force }) =>
+  `the model (${model}): ${show("force", force)}`;
 
 /** What axes of charts are called. */
 export const ratioAxis = "contraction ε [%]",

@@ -4,7 +4,7 @@
 // What the engine knows along the half muscle goes into one small texture; where each point of
 // surface or strand lies follows from it on the graphics processor, so that a new shape costs one
 // upload of a few kilobytes.
-import { body, pictures } from "./body.js";
+import { body } from "./body.js";
 import { el } from "./dom.js";
 import { atEnd } from "./life.js";
 import { FRAGMENT, SURFACE, VIRIDIS } from "./shaders.js";
@@ -545,10 +545,6 @@ export function viewOf(stage, { contract, drawn } = {}) {
     prepare(gl);
     stage.prepend(canvas);
     listen();
-    pictures.set(canvas, () => {
-      draw(true);
-      return canvas.toDataURL();
-    });
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => {
       prepare(gl);
@@ -557,8 +553,6 @@ export function viewOf(stage, { contract, drawn } = {}) {
     });
   }
   const sized = new ResizeObserver(() => {
-    // On paper the stage has no place, and its picture is made.
-    if (!stage.clientWidth) return;
     ({ clientWidth: width, clientHeight: height } = stage);
     draw(true);
   });

@@ -37,15 +37,7 @@ export function controlsView(store) {
     return controls[spec.key].element;
   };
   const picks = choices(store);
-  /** What a named sleeve needs is beside it. */
-  const needed = block();
-  const element = section(make, picks, needed);
-  const homes = new Map(
-    STRANDS.map(({ key }) => [
-      key,
-      /** @type {HTMLElement} */ (controls[key].element.parentElement),
-    ]),
-  );
+  const element = section(make, picks);
   const clear = () => Object.values(controls).forEach((c) => c.mark(""));
 
   /** Opens what holds a control. @param {string} key */
@@ -65,7 +57,8 @@ export function controlsView(store) {
   }
   watch(() => {
     sync(controls, picks);
-    place(controls, needed, homes);
+    // What a named sleeve needs is seen.
+    muscle.missing().forEach(reveal);
   });
   watch(() => {
     const found = store.problem.value;
@@ -117,9 +110,8 @@ export function controlsView(store) {
 
 /**
  * @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks
- * @param {Node} needed
  */
-function section(make, { rubber, braid, strands, held, branch }, needed) {
+function section(make, { rubber, braid, strands, held, branch }) {
   const state = [make(PRESSURE), held.element, make(CONTRACTION), make(LOAD), branch.element];
   const tube = [
     ...QUANTITIES.map(make),
@@ -127,7 +119,6 @@ function section(make, { rubber, braid, strands, held, branch }, needed) {
     braid.element,
     strands.element,
     make(STIFFNESS),
-    needed,
   ];
   return inputs(
     "Muscle",
@@ -229,16 +220,4 @@ function sync(controls, { rubber, braid, strands, held, branch }) {
   // A named sleeve has its angle, and may need to be said what its strands are.
   controls.angle.enable(!(said.braid ?? shown?.sleeve) || said.angle !== undefined);
   controls.k.element.hidden = typeof said.k !== "number";
-}
-
-/**
- * @param {Record<string, ReturnType<typeof quantity>>} controls @param {HTMLElement} needed
- * @param {Map<string, HTMLElement>} homes
- */
-function place(controls, needed, homes) {
-  const lacks = muscle.missing();
-  for (const [key, home] of homes) {
-    const to = lacks.includes(key) ? needed : home;
-    if (controls[key].element.parentElement !== to) to.append(controls[key].element);
-  }
 }

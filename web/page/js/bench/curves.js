@@ -2,26 +2,12 @@
 // measured points, and one measure over a range.
 import { Slot } from "../ask.js";
 import { chartOf } from "../chart.js";
-import { choice } from "../controls.js";
-import { folded, tabs } from "../dom.js";
-import { fileOf } from "../kept.js";
+import { tabs } from "../dom.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
 import { forceAxis, outside, ratioAxis, unitName } from "../units.js";
 import { signal, untracked, watch } from "../watch.js";
-import {
-  FAMILY,
-  OVERLAYS,
-  allowedOf,
-  along,
-  familyOf,
-  familySeries,
-  overlay,
-  ownOf,
-  ownSeries,
-  permitted,
-  reachOf,
-} from "./family.js";
+import { allowedOf, along, familyOf, familySeries, ownOf, ownSeries, permitted } from "./family.js";
 import { pointsView } from "./points.js";
 import { sweepView } from "./sweep.js";
 
@@ -34,28 +20,18 @@ const TESTS = /** @type {[string, string][]} */ ([
 ]);
 /** @typedef {{ test: string, top: number, family: CurveAnswer, own?: CurveAnswer }} Curves */
 
-/** @param {Store} store */
-export function curvesView(store) {
+/** @param {Store} store @param {() => Series[]} beside curves that lie over the isobars */
+export function curvesView(store, beside) {
   const slot = () => new Slot({ lane: "curves" }),
-    slots = { family: slot(), own: slot(), over: slot() };
-  const curves = signal(/** @type {Curves | undefined} */ (undefined)),
-    over = signal(/** @type {CurveAnswer | undefined} */ (undefined));
+    slots = { family: slot(), own: slot() };
+  const curves = signal(/** @type {Curves | undefined} */ (undefined));
   /** Answers by what was asked: along a family only the mark and the own curve move. */
-  const known = { family: { key: "", answer: over.value }, own: { key: "", answer: over.value } };
-  let overKey = "",
-    timer = 0,
+  const none = { key: "", answer: /** @type {CurveAnswer | undefined} */ (undefined) },
+    known = { family: none, own: none };
+  let timer = 0,
     // Questions, and when the hand that moves gets curves again.
     turn = 0,
     due = 0;
-  const formula = fileOf("formula"),
-    names = ["", ...OVERLAYS, ...(formula ? [formula.name] : [])];
-  const model = choice(
-    "Another model",
-    names.map((name) => [name, name || "none"]),
-    "",
-    (name) => store.look({ over: name }),
-  );
-  const advanced = folded("Advanced", model.element);
   const tab = tabs("Curves", TESTS, "isobaric", (test) => store.look({ test }));
   const chart = chartOf("muscle-curves", {
     tools: tab.list,
@@ -87,7 +63,6 @@ export function curvesView(store) {
       if (mine !== turn) return;
       const now = performance.now();
       due = now + 7 * (now - began);
-      askOver();
       points.ask();
     };
     const both = typeof muscle.shown?.friction_coefficient === "number" || undefined;
@@ -112,24 +87,6 @@ export function curvesView(store) {
     slots[what].ask("curve", asked, take, () => take(undefined));
   }
 
-  function askOver() {
-    const { test, over: name } = store.wanted.value;
-    const asked = {
-      test: /** @type {const} */ ("isobaric"),
-      muscle: muscle.fields(),
-      model: { name: name === formula?.name ? formula : test === "isobaric" ? name : "" },
-      extrapolate: true,
-      pressures_mpa: [muscle.p],
-      contractions: reachOf(store, FAMILY),
-    };
-    const key = JSON.stringify(asked);
-    if (key === overKey) return;
-    overKey = key;
-    const take = (/** @type {CurveAnswer | undefined} */ answer) => (over.value = answer);
-    if (!asked.model.name) return take(undefined);
-    slots.over.ask("curve", asked, take, () => take(undefined));
-  }
-
   /** Curves at rest; while the hand moves they take at most an eighth of the time. */
   watch(() => {
     void [store.point.value, store.facts.value, store.wanted.value, points.pressures()];
@@ -139,10 +96,9 @@ export function curvesView(store) {
   atEnd(() => clearTimeout(timer));
 
   watch(() => {
-    const { test, over: name } = store.wanted.value;
+    const { test } = store.wanted.value;
     tab.set(test);
-    model.set(name);
-    advanced.hidden = points.element.hidden = test !== "isobaric";
+    points.element.hidden = test !== "isobaric";
     sweep.element.hidden = test !== "sweep";
   });
 
@@ -161,7 +117,7 @@ export function curvesView(store) {
     ];
     if (test === "isobaric") {
       series.unshift(...permitted(family, allowed, store.facts.value.fitted_to_stretch));
-      series.push(...(over.value ? [overlay(over.value)] : []), ...points.series(top));
+      series.push(...beside(), ...points.series(top));
     }
     chart.show({
       x: test === "isobaric" ? ratioAxis : `pressure p [${unitName("pressure")}]`,
@@ -181,7 +137,7 @@ export function curvesView(store) {
     else
       chart.mark(outside("pressure", point.pressure_mpa), test === "isotonic" ? contraction : pull);
   });
-  return { element: chart.element, points, advanced, sweep: sweep.element };
+  return [chart.element, sweep.element, points.element];
 }
 
 /** The points that the muscle's file says that it must reach. */

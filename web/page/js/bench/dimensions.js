@@ -1,4 +1,5 @@
 // Dimension lines over the muscle, and its shape at rest as a ghost.
+import { path, words } from "../svg.js";
 import { showLength } from "../units.js";
 
 /** @typedef {[number, number]} Place */
@@ -51,17 +52,20 @@ function drawing(view, { length_mm: now, bulged_diameter_mm: wide, muscle: { wal
     /** @type {Place} */ ([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
   const across = middle([left, end]),
     top = off(across, bulge);
-  const words = (/** @type {Place} */ [x, y], /** @type {string} */ text, anchor = "middle") =>
-    `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}">${text}</text>`;
-  const [x, y] = middle(line),
-    atRest = `dashed: at rest ⌀ ${showLength(2 * radius, 4)}, L0 ${showLength(length, 4)}`;
-  return (
-    `<path class="ghost" d="M${outline.map(at).join("L")}Z${inside}"/>` +
-    `<path d="M${at(line[0])}L${at(line[1])}${feet.join("")}"/>` +
-    `<path class="over" d="M${at(top)}L${at(off(across, -bulge))}"/>` +
-    `<path d="M${at(top)}L${at(off(top, GAP))}"/>` +
-    words([x, y + 15], `L ${showLength(now, 4)}`) +
-    words(off(top, GAP + 4), `⌀ ${showLength(wide ?? 2 * radius, 4)}`) +
-    (view.width > 560 ? words([12, view.height - 46], atRest, "start") : "")
-  );
+  const [x, y] = middle(line);
+  return [
+    path(`M${outline.map(at).join("L")}Z${inside}`, "ghost"),
+    path(`M${at(line[0])}L${at(line[1])}${feet.join("")}`),
+    path(`M${at(top)}L${at(off(across, -bulge))}`, "over"),
+    path(`M${at(top)}L${at(off(top, GAP))}`),
+    words(`L ${showLength(now, 4)}`, x, y + 15, "middle"),
+    words(`⌀ ${showLength(wide ?? 2 * radius, 4)}`, ...off(top, GAP + 4), "middle"),
+    view.width > 560
+      ? words(
+          `dashed: at rest ⌀ ${showLength(2 * radius, 4)}, L0 ${showLength(length, 4)}`,
+          12,
+          view.height - 46,
+        )
+      : "",
+  ].join("");
 }

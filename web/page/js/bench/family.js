@@ -1,13 +1,11 @@
 // Families of curves of the page Muscle: what is asked for them, and their answers as series.
 import { KINDS, builtAt, isobar, isobars, pressureColour, shade, withBuilt } from "../chart.js";
 import { muscle } from "../muscle.js";
-import { evenly, inside, niceUp, outside, show, showPressure, unitName } from "../units.js";
+import { evenly, inside, niceUp, outside, show, unitName } from "../units.js";
 
 /** @typedef {CurveAnswer["points"][number]} Point */
 /** Which way a muscle moves, behind a name. @type {Record<string, string>} */
 export const MOVES = { contraction: " while it shortens", elongation: " while it lengthens" };
-/** Other models that can be laid over. */
-export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
 export const FAMILY = 13,
   FINE = 21;
@@ -71,7 +69,6 @@ export function permitted({ fixed, points }, allowed, most) {
       name: "permitted",
       legend: "permitted",
       band: true,
-      silent: true,
       colour: "#009E73",
       x: [0, ...x, x[x.length - 1]],
       y: [0, ...y, 0],
@@ -174,19 +171,6 @@ export function ownSeries(answer, test, top) {
     const curve = line(list, test);
     const built = test === "isotonic" ? builtContraction : builtAt;
     return withBuilt({ ...model, ...curve }, curve.x, list.map(built));
-  });
-}
-
-/** @param {CurveAnswer} answer of another model */
-export function overlay(answer) {
-  const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
-  return /** @type {Series} */ ({
-    name: `${answer.model} at ${showPressure(answer.fixed[0], 3)}`,
-    end: answer.model,
-    dash: "dash",
-    colour,
-    smooth: true,
-    ...isobar(answer.points),
   });
 }
 

@@ -1,12 +1,11 @@
 // The numbers of the page Muscle: the pull of the model and as built, the parts of the ±, the
 // margins, and what the engine warns of.
-import { button, capital, el, remark } from "../dom.js";
+import { button, capital, el, remark, termsOf } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
   asBuilt,
   inWords,
   interval,
-  modelPull,
   number,
   show,
   showForce,
@@ -26,8 +25,7 @@ export function numbersView(store) {
   const parts = partsView(store),
     tornado = tornadoView(store),
     solve = solveView(store);
-  /** @type {[name: HTMLElement, value: HTMLElement][]} */ const values = [];
-  let noted = "";
+  const list = el("dl");
   const built = button(
     "",
     () => {
@@ -37,44 +35,32 @@ export function numbersView(store) {
     { class: "bare", ariaExpanded: "false", title: "What the ± is made of" },
   );
 
-  function paint() {
+  const remarks = remark(
+    "As built: median and 95 % of muscles like this one. Model: finite elements (fe), mean of both " +
+      "ways. Take-up: the way that the sleeve gives before it bears.",
+  );
+  watch(() => {
     const point = store.point.value;
     if (!point) return;
-    const list = rows(store.facts.value, point);
-    if (!values.length) {
-      const lines = list.flatMap(([name]) => {
-        /** @type {[HTMLElement, HTMLElement]} */ const line = [el("dt", name), el("dd")];
-        values.push(line);
-        return line;
-      });
-      const head = [el("dt", "Pull as built"), el("dd", { class: "head" }, built)];
-      element.replaceChildren(
-        el("dl", ...head, ...lines),
-        parts.element,
-        notes,
-        solve.element,
-        tornado.element,
-        remark("As built: median and 95 % of muscles like this one."),
-      );
-    }
-    put(built, asBuilt(point));
-    list.forEach(([, text], i) => {
-      put(values[i][1], text);
-      for (const part of values[i]) part.hidden = text === "–";
-    });
-    const said = warned(point);
-    if (said.join() === noted) return;
-    noted = said.join();
-    notes.replaceChildren(...said.map((w) => el("li", w)));
-  }
-  watch(paint);
+    built.textContent = asBuilt(point);
+    list.replaceChildren(
+      ...termsOf(rows(store.facts.value, point).filter(([, text]) => text !== "–")),
+    );
+    notes.replaceChildren(...warned(point).map((w) => el("li", w)));
+    if (element.hasChildNodes()) return;
+    const head = [el("dt", "Pull as built"), el("dd", { class: "head" }, built)];
+    element.append(
+      el("dl", ...head),
+      parts.element,
+      list,
+      notes,
+      solve.element,
+      tornado.element,
+      remarks,
+    );
+  });
   return { element };
 }
-
-/** @param {HTMLElement} element @param {string} text */
-const put = (element, text) => {
-  if (element.textContent !== text) element.textContent = text;
-};
 
 /**
  * @param {Store["facts"]["value"]} facts @param {Point} point
@@ -85,7 +71,7 @@ function rows(facts, point) {
     as = muscle.assessed,
     burst = c?.least_burst_pressure_mpa ?? c?.burst_pressure_mpa;
   return [
-    ["Model", point.slack ? "slack" : modelPull(point)],
+    [`Model ${point.model}`, point.slack ? "slack" : showForce(point.force_n)],
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
     ["Contraction", showRatio(point.contraction, 3)],
     [
@@ -144,8 +130,7 @@ export function partsView(store) {
     list,
     note,
   );
-  let key = "";
-  function paint() {
+  watch(() => {
     const parts = Object.entries(store.point.value?.uncertainty_parts_n ?? {})
       .filter((pair) => typeof pair[1] === "number")
       .sort((a, b) => b[1] - a[1]);
@@ -155,14 +140,10 @@ export function partsView(store) {
       "95 % half-widths; they add as squares.",
       words?.bench && `To measure: ${words.bench}.`,
     ].filter(Boolean);
-    const next = JSON.stringify([parts.map(([name, value]) => [name, showForce(value, 2)]), said]);
-    if (next === key) return;
-    key = next;
     const most = Math.max(...parts.map(([, value]) => value));
     list.replaceChildren(...parts.flatMap(([name, value]) => row(name, value, most)));
     note.textContent = inWords(said.join(" "));
-  }
-  watch(paint);
+  });
   return { element };
 }
 

@@ -13,7 +13,6 @@ import {
   showLength,
   showPressure,
   showRatio,
-  unitName,
 } from "../units.js";
 import { watch } from "../watch.js";
 import { reach, viewOf } from "../view3d.js";
@@ -37,15 +36,10 @@ export function stageView(store, busy) {
     scale = block("bar"),
     legend = block("legend");
   const stage = block("stage", said, scale, legend, busy);
-  let scaled = "",
-    legendKey = "";
   /** As long as it says at every zoom. */
   const paintScale = () => {
     const perPixel = view.millimetresPerPixel,
-      key = `${perPixel} ${unitName("length")}`;
-    if (!store.shape.value || key === scaled) return;
-    scaled = key;
-    const step = niceUp(80 * perPixel * 0.6);
+      step = niceUp(48 * perPixel);
     const line = el("span", {
       style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px`,
     });
@@ -83,34 +77,36 @@ export function stageView(store, busy) {
     if (!shape) return;
     const [name, words, kind] =
       SHOWN.find(([f]) => f === wanted.show && shape.arrays[f]) ?? SHOWN[0];
-    const [low, high] = store.ranges.value?.[name] ?? reach(shape.arrays[name]);
+    const here = reach(shape.arrays[name]),
+      ends = store.ranges.value?.[name] ?? here,
+      [low, high] = ends;
     colour.set(name);
     cut.ariaPressed = String(Boolean(wanted.cut));
     view.set(shape, { field: name, low, high, cut: Boolean(wanted.cut) });
     if (!point) return;
-    paintLegend(words, kind, low, high);
+    paintLegend(words, kind, here, ends);
     said.replaceChildren(...sentence(shape, point));
   });
 
-  /** @param {string} words @param {string} kind @param {number} low @param {number} high */
-  function paintLegend(words, kind, low, high) {
-    const end = (/** @type {number} */ x) =>
+  /**
+   * The range of this state, and that of the colours.
+   * @param {string} words @param {string} kind @param {number[]} here @param {number[]} ends
+   */
+  function paintLegend(words, kind, here, ends) {
+    const text = (/** @type {number} */ x) =>
       kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3);
-    const key = `${words} ${end(low)} ${end(high)}`;
-    if (key === legendKey) return;
-    legendKey = key;
     const ramp = evenly(0, 1, 9)
       .map((t) => viridis(t, 1))
       .join(",");
     const bar = el("i", { style: `background:linear-gradient(90deg,${ramp})` });
     legend.replaceChildren(
-      el("span", words),
+      el("span", `${words}: now ${here.map(text).join(" to ")}`),
       bar,
-      el("span", el("b", end(low)), el("b", end(high))),
+      el("span", ...ends.map((end) => el("b", text(end)))),
     );
   }
 
-  return { stage, tools: block("row", colour.element, cut, measure) };
+  return { stage, tools: [colour.element, cut, measure] };
 }
 
 /**

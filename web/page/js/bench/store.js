@@ -15,11 +15,11 @@ export const OWN = {
   show: "max_stretch",
   cut: "",
   over: "",
+  held: "",
   x: "p",
   y: "F",
   from: "",
   to: "",
-  points: "",
 };
 /** @typedef {Commands["shape"]["answer"] & { arrays: Record<string, Float32Array> }} Shape */
 

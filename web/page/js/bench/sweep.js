@@ -2,7 +2,7 @@
 import { engine } from "../ask.js";
 import { KINDS, withBuilt } from "../chart.js";
 import { choice } from "../controls.js";
-import { block, capital, el, smallPrint } from "../dom.js";
+import { block, capital, smallPrint } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
 import { atEnd, renewing } from "../life.js";
@@ -25,7 +25,6 @@ const RESULTS = /** @type {[string, string, Kind, keyof Answer, (keyof Answer)[]
   ["T", "tension of all strands", "force", "braid_tension_n"],
 ]).map(([key, label, kind, of, built = []]) => ({ key, label, kind, of, built }));
 const POINTS = 21,
-  MOST = 201,
   /** After a change it waits so long, in milliseconds. */
   REST = 250;
 
@@ -62,8 +61,7 @@ export function sweepView(store, chart) {
   );
   const range = block(),
     said = block(),
-    bar = el("progress", { hidden: true, ariaLabel: "Progress of the sweep" });
-  const element = block("sweep", x.element, y.element, range, bar, said);
+    element = block("sweep", x.element, y.element, range, said);
 
   /** Fields of the range of this measure. */
   function ask() {
@@ -74,7 +72,6 @@ export function sweepView(store, chart) {
       fieldsOf([
         ["from", "from", "From", kind],
         ["to", "to", "To", kind],
-        ["points", "points", "Points", "number", { hint: String(POINTS) }],
       ]),
       () => store.look(fields.texts()),
     );
@@ -82,32 +79,21 @@ export function sweepView(store, chart) {
     range.replaceChildren(fields.element);
   }
 
-  /** The values, or nothing where a text cannot be read. */
-  async function values() {
-    const read = await fields.read(),
-      [low, high] = usualRange(measure());
-    if (!read) return undefined;
-    const count = Math.round(read.points ?? POINTS);
-    if (count >= 2 && count <= MOST)
-      return evenly(read.from ?? low, read.to ?? high, count).map((v) => Number(v.toPrecision(12)));
-    fields.mark("points", `Give between 2 and ${MOST} points.`);
-  }
   async function run() {
     const signal = begin(),
-      list = await values();
-    if (!list || signal.aborted) return;
+      read = await fields.read(),
+      [low, high] = usualRange(measure());
+    if (!read || signal.aborted) return;
     const { state } = muscle,
       { key } = measure(),
       found = /** @type {Row[]} */ ([]);
-    Object.assign(bar, { max: list.length, hidden: false });
-    for (const value of list) {
-      bar.value = found.length;
-      const row = await at(say(state, key, value), value, signal);
+    for (const v of evenly(read.from ?? low, read.to ?? high, POINTS)) {
+      const value = Number(v.toPrecision(12)),
+        row = await at(say(state, key, value), value, signal);
       if (signal.aborted) return;
       found.push(row);
     }
     rows.value = found;
-    bar.hidden = true;
   }
   /** @param {State} state @param {number} value @param {AbortSignal} signal @returns {Promise<Row>} */
   async function at(state, value, signal) {
@@ -131,7 +117,7 @@ export function sweepView(store, chart) {
     const [low, high] = usualRange(measure()).map((v) => show(measure().kind, v, 3));
     fields.usual("from", low);
     fields.usual("to", high);
-    fields.set(new URLSearchParams({ from: wanted.from, to: wanted.to, points: wanted.points }));
+    fields.set(new URLSearchParams({ from: wanted.from, to: wanted.to }));
     timer = window.setTimeout(run, REST);
   });
   atEnd(() => clearTimeout(timer));

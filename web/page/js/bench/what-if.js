@@ -7,11 +7,12 @@ import { fieldsOf, form } from "../form.js";
 import { atEnd, renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
-import { inWords, number, outside, show, showForce, unitName } from "../units.js";
+import { evenly, inWords, number, outside, show, showForce, unitName } from "../units.js";
 import { watch } from "../watch.js";
 
-/** Secants at most, and as near as this, as a share of the wanted pull. */
-const MOST = 12,
+/** Values that are tried first, secants at most, and as near as this, as a share of the pull. */
+const POINTS = 13,
+  MOST = 12,
   NEAR = 2e-4;
 
 /** @param {Store} store */
@@ -57,67 +58,47 @@ export function solveView(store) {
 }
 
 /**
+ * The value of a measure with which the muscle pulls so much: between the ends of its slider where
+ * the difference changes its sign, nearest to the present one, then by secants that keep it between
+ * (Illinois).
  * @param {Measure} measure @param {number} force @param {AbortSignal} signal
  * @returns {Promise<number>}
  */
-async function solved(measure, force, signal) {
-  const { state } = muscle,
-    options = { signal },
-    asked = { muscle: muscle.fields(), force_n: force };
-  // Both have an inverse of their own.
-  if (measure.key === "p") {
-    const request = { ...asked, contraction: state.e };
-    return (await engine().ask("pressure", request, options)).pressure_mpa;
-  }
-  if (measure.key === "e") {
-    const request = { ...asked, pressure_mpa: state.p };
-    return (await engine().ask("contraction", request, options)).contraction;
-  }
-  const over = async (/** @type {number} */ value) => {
-    const changed = say({ ...state, F: undefined }, measure.key, value);
-    return (await engine().ask("force", question(changed), options)).force_n - force;
-  };
-  return root(over, Number(muscle.value(measure.key)), measure, NEAR * Math.abs(force));
-}
-
-/**
- * Where a function is zero between the ends of a slider: outwards from a value to both sides until
- * its sign changes, then secants that keep it between (Illinois).
- * @param {(value: number) => Promise<number>} of @param {number} from @param {Measure} measure
- * @param {number} near
- */
-async function root(of, from, { low = 0, high = 1, around, label, kind }, near) {
+async function solved({ key, low = 0, high = 1, around, label, kind }, force, signal) {
+  const state = { ...muscle.state, F: undefined },
+    from = Number(muscle.value(key)),
+    [least, most] = around ? [0.3 * from, 3 * from] : [low, high];
   // A muscle that cannot be has no value.
   const at = async (/** @type {number} */ x) => ({
     x,
-    f: await of(x).catch((problem) => {
-      if (isAbort(problem)) throw problem;
-      return NaN;
-    }),
+    f: await engine()
+      .ask("force", question(say(state, key, x)), { signal })
+      .then(
+        (answer) => answer.force_n - force,
+        (problem) => {
+          if (isAbort(problem)) throw problem;
+          return NaN;
+        },
+      ),
   });
-  const start = await at(from),
-    ends = around ? [0.3 * from, 3 * from] : [low, high];
-  let a = start,
-    b = start;
-  for (const share of [0.12, 0.3, 0.5, 0.75, 1]) {
-    const both = await Promise.all(ends.map((end) => at(from + share * (end - from))));
-    b = both.find(({ f }) => f * start.f <= 0) ?? start;
-    if (b !== start || Math.abs(start.f) <= near) break;
-  }
-  if (b === start && !(Math.abs(start.f) <= near))
+  const all = await Promise.all(evenly(least, most, POINTS).map(at));
+  const [between] = all
+    .slice(1)
+    .map((b, i) => [all[i], b])
+    .filter(([a, b]) => a.f * b.f <= 0)
+    .sort(([a], [b]) => Math.abs(a.x - from) - Math.abs(b.x - from));
+  if (!between)
     throw new Error(
-      `No ${label.toLowerCase()} between ${show(kind, ends[0])} and ${show(kind, ends[1])} gives this ` +
+      `No ${label.toLowerCase()} between ${show(kind, least)} and ${show(kind, most)} gives this ` +
         "pull with all else as it is.",
     );
-  for (let i = 0; i < MOST && Math.abs(b.f) > near; i++) {
+  let [a, b] = between;
+  for (let i = 0; i < MOST && Math.abs(b.f) > NEAR * force; i++) {
     const next = await at((a.x * b.f - b.x * a.f) / (b.f - a.f));
     a = next.f * b.f > 0 ? { ...a, f: a.f / 2 } : b;
     b = next;
   }
-  if (Math.abs(b.f) <= near) return b.x;
-  throw new Error(
-    `The search did not converge in ${MOST} steps: give a value that is nearer to the wanted one.`,
-  );
+  return b.x;
 }
 
 // What a small change of each measure does to the pull: one millimetre, a degree, 0.1 bar. Each is

@@ -32,7 +32,7 @@ import {
   unitName,
   worded,
 } from "../units.js";
-import { signal, watch } from "../watch.js";
+import { signal, untracked, watch } from "../watch.js";
 
 const CONSTANTS = "constants";
 
@@ -97,12 +97,12 @@ export const FIELDS = fieldsOf([
 export const mount = (main) => {
   const compared = signal(/** @type {Commands["compare"]["answer"] | undefined} */ (undefined)),
     known = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
-  let data = measured.file;
   const looking = new Slot(),
     reading = new Slot();
   const what = form(FIELDS, look),
+    take = (/** @type {string} */ name, /** @type {string} */ text) => measured.set({ name, text }),
     cells = grid(["pressure [bar]", "contraction [%]", "pull [N]", "branch"], (text) =>
-      take(data?.name ?? "typed.csv", text),
+      take(measured.file?.name ?? "typed.csv", text),
     );
   const understood = block(),
     errors = block(),
@@ -112,22 +112,12 @@ export const mount = (main) => {
   const fail = (/** @type {unknown} */ why) => understood.replaceChildren(problemBox(why));
   /** What is shown of the comparison belongs to an older table. @param {boolean} on */
   const stale = (on) => dim([errors, figures.element], on);
-  // What there is to begin with: an example, and muscles that were measured.
-  if (!data)
-    understood.append(
-      faded("Drop a table of measured points, paste its cells, or type them into Table."),
-      gallery(
-        fail,
-        undefined,
-        GALLERY.filter(([, , , of]) => of.data),
-      ),
-      library(fail),
-    );
   const identify = job(
     "Identify",
     "identify",
     async () => {
-      const read = await what.read();
+      const read = await what.read(),
+        data = measured.file;
       if (data && read)
         return {
           muscle: muscle.fields(),
@@ -140,7 +130,6 @@ export const mount = (main) => {
     (answer) => {
       known.value = answer;
       keepFile(CONSTANTS, true);
-      fitted.show(answer.figure);
     },
     // What the comparison says of the table is said.
     { fields: { at: () => understood.querySelector(".problem") }, shown: [found, fitted.element] },
@@ -151,9 +140,7 @@ export const mount = (main) => {
       [
         heading("Measured points"),
         fileField("Open a table (CSV, XLSX, ODS)", TABLES, take),
-        remark(
-          "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.",
-        ),
+        remark("Pressures, contractions (or lengths) and pulls, with their units in the heading."),
         cells.element,
         folded("Advanced", what.element, rowOf(button("Compare", look))),
         identify.element,
@@ -162,40 +149,20 @@ export const mount = (main) => {
     ),
   );
 
-  /** @param {string} name @param {string} text */
-  async function take(name, text) {
-    measured.set({ name, text });
-    data = measured.file;
-    keepFile(CONSTANTS, undefined);
-    compared.value = known.value = undefined;
-    begin();
-    found.replaceChildren();
-    fitted.show(undefined);
-    await look();
-  }
-  function begin() {
-    if (data) cells.show(data.text);
-  }
-
   async function look() {
     const read = await what.read(),
-      of = data;
-    if (!of || !read || !understood.isConnected) return;
+      data = measured.file;
+    if (!data || !read || !understood.isConnected) return;
     keepWords("data", what.texts());
+    const of = { muscle: muscle.fields(), data: [data] };
     looking.ask(
       "compare",
-      {
-        muscle: muscle.fields(),
-        data: [of],
-        models: read.models,
-        extrapolate: true,
-        figure: unitName("pressure"),
-      },
+      { ...of, models: read.models, extrapolate: true, figure: unitName("pressure") },
       (answer) => {
         compared.value = answer;
         stale(false);
         figures.show(answer.figure);
-        colour(of);
+        reading.ask("identify", { ...of, free: ["modulus"] }, colour);
       },
       (why) => {
         fail(why);
@@ -207,28 +174,43 @@ export const mount = (main) => {
 
   /**
    * Pulls over contraction have the colour of their pressure and the sign of their branch.
-   * @param {TextFile} of
+   * @param {Commands["identify"]["answer"]} answer
    */
-  function colour(of) {
+  function colour({ points }) {
     const [chart] = figures.charts,
       spec = chart?.spec;
     if (spec?.x !== ratioAxis) return;
-    reading.ask(
-      "identify",
-      { muscle: muscle.fields(), data: [of], free: ["modulus"] },
-      ({ points }) => {
-        const list = points.filter((q) => q.measured === "force"),
-          top = Math.max(...list.map((q) => q.pressure_mpa));
-        chart.show({
-          ...spec,
-          series: [...spec.series.filter((s) => s.mode !== "markers"), ...pointSeries(list, top)],
-        });
-      },
-    );
+    const list = points.filter((q) => q.measured === "force"),
+      top = Math.max(...list.map((q) => q.pressure_mpa)),
+      lines = spec.series.filter((s) => s.mode !== "markers");
+    chart.show({ ...spec, series: [...lines, ...pointSeries(list, top)] });
   }
 
+  /** The table for which there are constants. @type {TextFile | undefined} */ let of =
+    measured.file;
   watch(() => {
-    const answer = compared.value;
+    const data = measured.file;
+    if (data) cells.show(data.text);
+    // What there is to begin with: an example, and muscles that were measured.
+    else
+      understood.replaceChildren(
+        faded("Drop a table of measured points, paste its cells, or type them into Table."),
+        gallery(
+          fail,
+          undefined,
+          GALLERY.filter(([, , , entry]) => entry.data),
+        ),
+        library(fail),
+      );
+    if (data === of) return;
+    of = data;
+    compared.value = known.value = undefined;
+    untracked(() => keepFile(CONSTANTS, undefined));
+    look();
+  });
+  watch(() => {
+    const answer = compared.value,
+      data = measured.file;
     if (!answer || !data) return;
     const u = answer.understood?.[0] ?? answer.understood;
     const said = [...(measured.said ? [measured.said] : []), ...(answer.warnings ?? [])];
@@ -237,9 +219,11 @@ export const mount = (main) => {
     errors.replaceChildren(errorTable(answer.models));
   });
   watch(() => {
+    const answer = known.value;
     // What matters most then is the muscle.
-    identify.element.querySelector("button")?.classList.toggle("main", !known.value);
-    if (known.value) found.replaceChildren(...identifiedView(known.value));
+    identify.element.querySelector("button")?.classList.toggle("main", !answer);
+    found.replaceChildren(...(answer ? identifiedView(answer) : []));
+    fitted.show(answer?.figure);
   });
   // Figures are drawn by the engine in the units that are asked for.
   watch(() => {
@@ -250,11 +234,9 @@ export const mount = (main) => {
     async load(params) {
       await muscle.read(params, what.keys);
       what.set(params);
-      data = measured.file;
-      begin();
-      if (data) await look();
+      await look();
       // What was identified before is there again.
-      if (data && fileOf(CONSTANTS)) identify.run();
+      if (measured.file && fileOf(CONSTANTS)) identify.run();
     },
   };
 };

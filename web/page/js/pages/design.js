@@ -36,7 +36,7 @@ export const WANTED = fieldsOf([
   [
     "at",
     "points",
-    "It must pull",
+    "It must reach",
     {
       pair: [
         ["force", "force_n"],
@@ -190,7 +190,8 @@ export const mount = (main) => {
   const first = signal(/** @type {Found | undefined} */ (undefined)),
     all = signal(/** @type {Found | undefined} */ (undefined)),
     known = signal(/** @type {Map<string, string>} */ (new Map()));
-  /** The question of the answer that comes. @type {Design["request"] | undefined} */ let asked;
+  /** The question of the answer that comes. */
+  const question = signal(/** @type {Design["request"] | undefined} */ (undefined));
   const spec = specification(() => ask.run());
   const head = el("h2", { class: "grow", ariaLive: "polite" }),
     act = rowOf(),
@@ -202,13 +203,14 @@ export const mount = (main) => {
     "Find a muscle",
     "design",
     async () => {
-      asked = await spec.read();
+      const asked = await spec.read();
       first.value = all.value = undefined;
+      question.value = asked;
       if (asked) keepWords("design", spec.texts());
       return asked && { ...asked, top: 1 };
     },
     (answer) => {
-      first.value = { answer, asked: asked ?? {} };
+      first.value = { answer, asked: question.value ?? {} };
       if (answer.candidates.length) whole.run();
     },
     { fields: spec },
@@ -216,19 +218,19 @@ export const mount = (main) => {
   const whole = job(
     "All that fit",
     "design",
-    async () => asked,
+    async () => question.value,
     (answer) => {
-      all.value = { answer, asked: asked ?? {} };
+      all.value = { answer, asked: question.value ?? {} };
       priced().then((map) => (known.value = map));
     },
     { minor: true },
   );
   /** Another muscle of the same question: the one of that certainty. @param {number} certainty */
   function pick(certainty) {
-    asked = /** @type {Design["request"]} */ ({ ...asked, certainty });
+    const asked = /** @type {Design["request"]} */ ({ ...question.value, certainty });
     engine()
       .ask("design", { ...asked, top: 1 }, { lane: "job" })
-      .then((answer) => (first.value = { answer, asked: asked ?? {} }));
+      .then((answer) => (first.value = { answer, asked }));
   }
   const curve = chanceCurve(({ chance }) => pick(chance));
 
@@ -240,7 +242,7 @@ export const mount = (main) => {
     act.hidden = !best;
     lift.show(best);
     if (!found) {
-      head.textContent = asked ? "Searching …" : "";
+      head.textContent = question.value ? "Searching …" : "";
       return result.replaceChildren();
     }
     const { answer, asked: of } = found;

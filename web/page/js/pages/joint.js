@@ -11,12 +11,11 @@ import {
   IN_FILE,
   JointWords,
   KEYS,
-  KINDS_OF,
-  STATED,
+  kindOf,
+  stateAt,
   angles,
   drive,
 } from "../joint-words.js";
-import { atEnd } from "../life.js";
 import { muscle, visit } from "../muscle.js";
 import { clamp, evenly } from "../units.js";
 import { keepWords } from "../kept.js";
@@ -78,7 +77,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
           key,
           label,
           symbol,
-          kind: KINDS_OF[key],
+          kind: kindOf(key),
           low,
           high,
           value: v[key],
@@ -174,57 +173,14 @@ const wanted = (v, list) => ({
   ...(v.K ? { stiffness_nm_per_rad: v.K } : {}),
 });
 
-/**
- * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and
- * its family of torques.
- * @param {{ take: (answer: JointAnswer) => void, fail: (problem: Problem) => void, family: (family:
- * Family) => void }} act
- */
-function questions({ take, fail, family }) {
-  let settling = 0,
-    asking = 0,
-    decided = 0;
-  atEnd(() => clearTimeout(settling));
-  const point = new Slot(),
-    elements = new Slot(),
-    curves = new Slot();
-  return {
-    /** @param {Request} request @param {Values} v @param {boolean} settled */
-    ask(request, v, settled) {
-      const mine = ++asking,
-        at = wanted(v, [v.phi]);
-      /** @template T @param {(said: T) => void} act @param {boolean} [last] what decides */
-      const unless = (act, last) => (/** @type {T} */ said) => {
-        if (last) decided = mine;
-        else if (decided === mine) return;
-        act(said);
-      };
-      point.ask("joint", { ...request, ...at }, unless(take), unless(fail));
-      // What stays is what finite elements say.
-      clearTimeout(settling);
-      elements.end();
-      const last = () =>
-        elements.ask(
-          "joint",
-          { ...request, model: { name: "fe" }, extrapolate: false, ...at },
-          unless(take, true),
-          unless(fail, true),
-        );
-      if (settled) settling = window.setTimeout(last, 50);
-      const angles = evenly(v.low, v.high, 25);
-      const pairs = [
-        [1, 0],
-        [0.75, 0.25],
-        [0.5, 0.5],
-        [0.25, 0.75],
-        [0, 1],
-      ].map((pair) => pair.map((x) => x * v.pmax));
-      curves.ask("joint", { ...request, pressures_mpa: pairs, angles_deg: angles }, (answer) =>
-        family({ answer, angles, pairs }),
-      );
-    },
-  };
-}
+/** Shares of the supply in both muscles along the curves. */
+const PAIRS = [
+  [1, 0],
+  [0.75, 0.25],
+  [0.5, 0.5],
+  [0.25, 0.75],
+  [0, 1],
+];
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -268,8 +224,7 @@ export const mount = (main) => {
   function mark(problem) {
     if (files.joint) return false;
     const message = problem.message.replace(/^joint\.toml[:\d]*: (\S+ = "[^"]*": )?/, ""),
-      of = (/** @type {(typeof IN_FILE)[number]} */ key) =>
-        STATED[key] && problem.message.includes(STATED[key]),
+      of = (/** @type {Key} */ key) => stateAt(key) && problem.message.includes(stateAt(key)),
       wrong = problem.field === "max_pressure_mpa" ? "pmax" : IN_FILE.find(of);
     if (wrong) controls[wrong].mark(message);
     problem.message = message;
@@ -283,27 +238,24 @@ export const mount = (main) => {
   const map = job(
     "Map of the reachable states",
     "joint",
-    async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }),
+    async () => ({ ...byFormula(), map: 25, max_pressure_mpa: v.pmax }),
     (answer) => (reached.value = answer.map),
     { fields: { at: mark } },
   );
-  const asks = questions({
-    take(answer) {
-      stale(false);
-      for (const key of KEYS) controls[key].mark("");
-      said.replaceChildren();
-      notes.replaceChildren(warnings(answer.warnings));
-      const { model, uncertainty_text: words } = answer;
-      point.value = { ...answer.points[0], model, words };
-    },
-    fail(problem) {
-      said.replaceChildren(mark(problem) ? "" : problemBox(problem));
-      stale(Boolean(point.value));
-    },
-    family(found) {
-      family.value = found;
-    },
-  });
+  const slots = { point: new Slot(), curves: new Slot() };
+  /** @param {JointAnswer} answer */
+  function take(answer) {
+    stale(false);
+    for (const key of KEYS) controls[key].mark("");
+    said.replaceChildren();
+    notes.replaceChildren(warnings(answer.warnings));
+    point.value = { ...answer.points[0], words: answer.uncertainty_text };
+  }
+  /** @param {Problem} problem */
+  function fail(problem) {
+    said.replaceChildren(mark(problem) ? "" : problemBox(problem));
+    stale(Boolean(point.value));
+  }
   const move = moveBox(v, (list) => ({ ...joint.request(first), ...wanted(v, list) }));
   element.append(move.element);
   main.replaceChildren(
@@ -325,7 +277,8 @@ export const mount = (main) => {
     controls.phi.set(v.phi);
     ask(settled);
   }
-  const request = () => ({
+  /** Curves and map are drawn by a formula. */
+  const byFormula = () => ({
     ...joint.request(first),
     model: { name: "universal" },
     extrapolate: true,
@@ -333,7 +286,14 @@ export const mount = (main) => {
   /** @param {boolean} settled */
   function ask(settled) {
     controls.phi.reach(v.low, v.high);
-    asks.ask(request(), v, settled);
+    slots.point.ask("joint", { ...joint.request(first), ...wanted(v, [v.phi]) }, take, fail);
+    const angles = evenly(v.low, v.high, 25),
+      pairs = PAIRS.map((pair) => pair.map((share) => share * v.pmax));
+    slots.curves.ask(
+      "joint",
+      { ...byFormula(), pressures_mpa: pairs, angles_deg: angles },
+      (answer) => (family.value = { answer, angles, pairs }),
+    );
     if (settled) keepWords("joint", joint.words());
   }
   const stale = (/** @type {boolean} */ on) => dim([arm, numbers], on);

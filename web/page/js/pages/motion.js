@@ -76,7 +76,7 @@ function player() {
       at(Number(slider.value) / 1000);
     },
   });
-  const play = playing("Play", at, () => 1000 * (run?.series.time_s.at(-1) ?? 1));
+  const play = playing("the muscle", at, () => 1000 * (run?.series.time_s.at(-1) ?? 1));
 
   /** The state at a share of the time. @param {number} share */
   function at(share) {

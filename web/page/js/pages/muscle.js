@@ -1,4 +1,5 @@
 // The muscle, alive: its measures as sliders, the deformed body, curves, and numbers.
+import { besideView } from "../bench/beside.js";
 import { controlsView } from "../bench/controls.js";
 import { curvesView } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
@@ -15,8 +16,9 @@ export const mount = (main) => {
     said = block();
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
-  const stage = stageView(store, busy),
-    curves = curvesView(store),
+  const beside = besideView(store),
+    stage = stageView(store, busy),
+    curves = curvesView(store, beside.series),
     numbers = numbersView(store);
   main.replaceChildren(
     block(
@@ -25,13 +27,11 @@ export const mount = (main) => {
       block(
         "middle",
         stage.stage,
-        stage.tools,
-        curves.element,
-        curves.sweep,
-        curves.points.element,
-        curves.advanced,
+        block("row", ...stage.tools, beside.hold),
+        ...curves,
+        beside.model,
       ),
-      block("side", said, numbers.element),
+      block("side", said, numbers.element, beside.numbers),
     ),
   );
 
@@ -42,7 +42,7 @@ export const mount = (main) => {
   watch(() => {
     const problem = store.problem.value?.problem;
     // What is shown belongs to the last muscle that had an answer.
-    dim([stage.stage, numbers.element, curves.element], Boolean(problem));
+    dim([stage.stage, numbers.element, curves[0]], Boolean(problem));
     said.replaceChildren();
     if (!problem) return;
     said.append(problemBox(problem), store.shape.peek() ? remark("The last result is shown.") : "");
