@@ -79,7 +79,7 @@ export function chartOf(name, { tools, drag } = {}) {
   const head = ({ x, y }) => ["curve", x, y];
   /** Rows of all series: name, x, y. @param {Spec} spec */
   const rowsOf = ({ series }) =>
-    series.filter((s) => !s.band).flatMap((s) => s.x.map((x, i) => [s.name, x, s.y[i]]));
+    series.filter((s) => s.name).flatMap((s) => s.x.map((x, i) => [s.name, x, s.y[i]]));
 
   /** @param {Spec} spec */
   function tabulate(spec) {

@@ -246,12 +246,10 @@ export function quantity(spec) {
 
 /**
  * A list to choose from.
- * @param {string} label @param {[string, string][]} options @param {string} value
- * @param {(value: string) => void} change
+ * @param {string} label @param {[string, string][]} options @param {(value: string) => void} change
  */
-export function choice(label, options, value, change) {
+export function choice(label, options, change) {
   const select = el("select", { onchange: () => change(select.value) }, ...optionsOf(options));
-  select.value = value;
   const element = el("label", { class: "choice" }, el("span", label), select);
   return {
     element,

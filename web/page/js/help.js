@@ -44,7 +44,7 @@ export function helpDialog() {
     paragraph(about),
     el("img", {
       src: "symbols.svg",
-      class: "symbols",
+      style: "width:100%",
       alt:
         "A muscle at rest with outer diameter D0, wall s, length L0 and braid angle θ0; and under " +
         "pressure p, contracted by ε, with its pull F",

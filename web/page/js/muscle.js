@@ -18,7 +18,7 @@ import {
   MEASURES,
 } from "./state.js";
 import { nameIn, named, stated } from "./toml.js";
-import { batch, computed, signal } from "./watch.js";
+import { batch, signal } from "./watch.js";
 import { learn, showLength, typed, unitsFromAddress, unitsInAddress } from "./units.js";
 import { keepWords, wordsOf } from "./kept.js";
 
@@ -57,30 +57,20 @@ export class MuscleState {
   #assessed = signal(
     /** @type {{ of: State, answer: Assessed | undefined } | undefined} */ (undefined),
   );
-  #warnings = computed(() => {
-    const answer = this.assessed,
-      list = answer?.warnings ?? [];
-    return answer?.burst_pressure_mpa === null && !list.some((w) => w.kind === "burst_not_checked")
-      ? [...list, { kind: "burst_not_checked", message: "The strength of the braid is unknown." }]
-      : list;
-  });
-
-  constructor() {
-    /**
-     * Named sleeves, with what their sources do not state.
-     * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm:
-     * number }[]}
-     */
-    this.sleeves = [];
-    /** @type {[string, string][]} */ this.unknown = [];
-    /** @type {Map<string, string>} */ this.wrong = new Map();
-    /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written = undefined;
-    /**
-     * Until the address is read: a question before that would be about another muscle.
-     * @type {Promise<unknown>}
-     */
-    this.ready = Promise.resolve();
-  }
+  /**
+   * Named sleeves, with what their sources do not state.
+   * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number
+   * }[]}
+   */
+  sleeves = [];
+  /** @type {[string, string][]} */ unknown = [];
+  /** @type {Map<string, string>} */ wrong = new Map();
+  /** @type {{ of: string, file: Promise<string> } | undefined} */ written;
+  /**
+   * Until the address is read: a question before that would be about another muscle.
+   * @type {Promise<unknown>}
+   */
+  ready = Promise.resolve();
 
   get state() {
     return this.#state.value;
@@ -109,7 +99,13 @@ export class MuscleState {
   }
   /** What it warns of. */
   get warnings() {
-    return this.#warnings.value;
+    const { warnings = [], burst_pressure_mpa: burst } = this.assessed ?? {};
+    return burst === null && !warnings.some(({ kind }) => kind === "burst_not_checked")
+      ? [
+          ...warnings,
+          { kind: "burst_not_checked", message: "The strength of the braid is unknown." },
+        ]
+      : warnings;
   }
 
   /** Asks what the engine says of it at its point. */

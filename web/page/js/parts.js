@@ -171,10 +171,11 @@ async function allParts() {
 
 /** Parts in a window over the page. */
 export function partsDialog() {
-  const kind = choice("Show", KINDS, wanted.kind, (name) => {
+  const kind = choice("Show", KINDS, (name) => {
     wanted.kind = name;
     paint();
   });
+  kind.set(wanted.kind);
   const find = textField({
     id: "parts-find",
     placeholder: "latex, silicone, 10 mm",

@@ -60,7 +60,6 @@ export function besideView(store) {
   const model = choice(
     "Another model",
     ["", ...MODELS, ...(formula ? [formula.name] : [])].map((name) => [name, name || "none"]),
-    "",
     (name) => store.look({ over: name }),
   );
   const numbers = block();

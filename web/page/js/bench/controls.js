@@ -142,9 +142,9 @@ function choices(store) {
   const put = (/** @type {string} */ key) => (/** @type {string} */ name) =>
     store.changed(key, name, true);
   return {
-    rubber: choice("Rubber", [["", ""]], "", put("rubber")),
-    braid: choice("Braid", [["", ""]], "", put("braid")),
-    strands: choice("Strands", names, "", (name) =>
+    rubber: choice("Rubber", [["", ""]], put("rubber")),
+    braid: choice("Braid", [["", ""]], put("braid")),
+    strands: choice("Strands", names, (name) =>
       store.changed("k", name === "k" ? stiffness() : name, true),
     ),
     branch: choice(
@@ -155,7 +155,6 @@ function choices(store) {
         ["mean", "mean of both ways"],
         ["elongation", "while it lengthens"],
       ],
-      "",
       put("branch"),
     ),
     held: choice(
@@ -164,7 +163,6 @@ function choices(store) {
         ["e", "contraction"],
         ["F", "load"],
       ],
-      "e",
       (what) => store.changed("F", what === "F" ? load() : undefined, true),
     ),
   };

@@ -66,7 +66,7 @@ export function permitted({ fixed, points }, allowed, most) {
   const { x, y } = isobar(list);
   return [
     {
-      name: "permitted",
+      name: "",
       legend: "permitted",
       band: true,
       colour: "#009E73",

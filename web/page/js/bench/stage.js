@@ -54,7 +54,6 @@ export function stageView(store, busy) {
   const colour = choice(
     "Colour",
     SHOWN.map(([name, text]) => [name, text]),
-    "max_stretch",
     (name) => store.look({ show: name }),
   );
   const cut = button("Cut open", () => store.look({ cut: store.wanted.value.cut ? "" : "1" }), {

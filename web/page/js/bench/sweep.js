@@ -50,13 +50,11 @@ export function sweepView(store, chart) {
   const x = choice(
     "Over",
     measures.map(({ key, label }) => [key, label]),
-    "p",
     (key) => store.look({ x: key, from: "", to: "" }),
   );
   const y = choice(
     "Result",
     RESULTS.map(({ key, label }) => [key, capital(label)]),
-    "F",
     (key) => store.look({ y: key }),
   );
   const range = block(),

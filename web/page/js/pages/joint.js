@@ -90,32 +90,22 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       }),
     ),
   );
-  const back = button("Use the same muscle twice", () => takeSecond(""), { hidden: true });
-  const leave = button("Close the joint file", () => takeJoint(""), { hidden: true });
   const element = inputs(
     "Joint",
     ...groups,
     folded(
       "Different second muscle",
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)),
-      back,
+      button("Use the same muscle twice", () => takeSecond("")),
     ),
     folded(
       "Joint file",
       remark("A joint file can state a spring and the weight of the arm."),
       fileField("Open a joint file (TOML)", ".toml", (_, text) => takeJoint(text)),
-      leave,
+      button("Close the joint file", () => takeJoint("")),
     ),
   );
-  return {
-    element,
-    controls,
-    /** @param {{ joint: string, file2: string }} files */
-    show({ joint: file, file2 }) {
-      back.hidden = !file2;
-      leave.hidden = !file;
-    },
-  };
+  return { element, controls };
 }
 
 /**
@@ -126,21 +116,9 @@ function moveBox(v, question) {
   const to = { angle: -20, seconds: 1 };
   const field = (
     /** @type {"angle" | "seconds"} */ key,
-    /** @type {string} */ label,
-    /** @type {Kind} */ kind,
-    /** @type {number} */ low,
-    /** @type {number} */ high,
+    /** @type {{ label: string, kind: Kind, low: number, high: number }} */ spec,
   ) =>
-    quantity({
-      label,
-      kind,
-      low,
-      high,
-      value: to[key],
-      change(value) {
-        if (value !== undefined) to[key] = value;
-      },
-    }).element;
+    quantity({ ...spec, value: to[key], change: (value = to[key]) => (to[key] = value) }).element;
   const play = job(
     "Play in Motion",
     "joint",
@@ -155,8 +133,8 @@ function moveBox(v, question) {
     element: folded(
       "Move the arm",
       remark(about),
-      field("angle", "Move to", "angle", -60, 60),
-      field("seconds", "Within", "time", 0.1, 5),
+      field("angle", { label: "Move to", kind: "angle", low: -60, high: 60 }),
+      field("seconds", { label: "Within", kind: "time", low: 0.1, high: 5 }),
       play.element,
     ),
   };
@@ -195,7 +173,7 @@ export const mount = (main) => {
     numbers = el("section", { class: "numbers", ariaLabel: "Numbers" }),
     said = block(),
     notes = block();
-  const { element, controls, show } = controlsOf(v, {
+  const { element, controls } = controlsOf(v, {
     changed(key, settled) {
       joint.over.add(key);
       ask(settled);
@@ -203,7 +181,6 @@ export const mount = (main) => {
     async takeSecond(text) {
       await pack(text);
       files.file2 = text;
-      show(files);
       ask(true);
     },
     async takeJoint(text) {
@@ -212,7 +189,6 @@ export const mount = (main) => {
       joint.over = new Set();
       await joint.fromFile();
       set();
-      show(files);
       ask(true);
       map.run();
     },
@@ -328,7 +304,6 @@ export const mount = (main) => {
       await joint.read(params);
       await muscle.read(params, [...KEYS, ...FILES, "range"]);
       set();
-      show(files);
       try {
         first = await muscle.file();
       } catch (problem) {
