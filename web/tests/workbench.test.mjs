@@ -186,7 +186,11 @@ inBrowser(({ name, url, open, blank }) => {
       said = asShown(ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "10%"));
     const { page, context } = await open(`#muscle?p=3bar&e=10%25&file=${encodeURIComponent(file)}`);
     await reads(page, PULL, said);
-    await page.waitForFunction(() => /file=z:/.test(location.hash));
+    await page.getByRole("slider", { name: "Pressure" }).focus();
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(() => /p=3\.01bar.*file=z:/.test(location.hash));
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForFunction(() => /p=3bar.*file=z:/.test(location.hash));
     const { hash } = new URL(page.url());
     assert.ok(hash.length < 0.6 * encodeURIComponent(file).length, `${hash.length} characters`);
     const other = await context.newPage();

@@ -88,23 +88,3 @@ export function body({
     `${threads(one, dash)}<path d="${outline}" fill="url(#${id}s)"/></g>${plug(0, -1)}${plug(length, 1)}`
   );
 }
-
-/**
- * A muscle in use as SVG, in a frame of so many millimetres.
- * @param {Candidate} c @param {number} wide @param {number} tall
- */
-export function picture(c, wide, tall) {
-  const {
-      outer_diameter_mm: diameter,
-      points: [at],
-    } = c,
-    e = Number(at?.contraction ?? 0);
-  const now = contracted(diameter, c.angle_deg, e),
-    length = c.length_mm * (1 - e),
-    { angle } = now;
-  const bulged = c.bulged_diameter_mm ?? now.bulged;
-  return (
-    `<svg viewBox="${-0.7 * tall} ${-0.6 * tall} ${wide + 1.4 * tall} ${1.2 * tall}" aria-hidden="true">` +
-    `${body({ length, diameter, bulged, angle })}</svg>`
-  );
-}

@@ -1,13 +1,13 @@
 // The answer of a design as people read it: what to take and set, what else could take its place,
 // the table of all, and what would fit.
 import { pack } from "./address.js";
-import { picture } from "./body.js";
 import { inTen } from "./chance.js";
 import { csv } from "./columns.js";
 import { button, capital, download, el, folded, heading, paragraph, smallPrint } from "./dom.js";
 import { table, warnings } from "./form.js";
 import { muscle, visit } from "./muscle.js";
 import { prototype } from "./state.js";
+import { thumbnail } from "./thumbnail.js";
 import {
   asBuilt,
   inWords,
@@ -197,17 +197,6 @@ function points(best) {
     : "";
 }
 
-/** A candidate in use, to the scale of all. @param {One} c @param {One[]} all */
-function inUse(c, all) {
-  const box = el("span", { class: "thumbnail" });
-  box.innerHTML = picture(
-    c,
-    Math.max(...all.map((one) => one.length_mm)),
-    Math.max(...all.map(widthOf)),
-  );
-  return box;
-}
-
 /**
  * All that was found.
  * @param {Design["answer"]} answer @param {Design["request"]} asked @param {Prices} prices
@@ -222,7 +211,7 @@ export function foundView(answer, asked, prices) {
   return [
     table(
       ["", ...list.map(([name]) => name)],
-      candidates.map((c) => [inUse(c, candidates), ...list.map(([, , cell]) => cell(c))]),
+      candidates.map((c) => [thumbnail(c), ...list.map(([, , cell]) => cell(c))]),
       {
         text: list.flatMap(([name], i) => (named.includes(name) ? [i + 1] : [])),
         pick: (i) => openCandidate(answer, asked, i),

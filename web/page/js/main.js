@@ -22,7 +22,9 @@ const main = byId("main");
 /** @type {{ name: string, page: View } | undefined} */ let shown;
 let routes = 0,
   /** Until the address is read its muscle is not there. */
-  routing = true;
+  routing = true,
+  /** What the address says, as the page would write it. */
+  same = "";
 
 /** The view of a place that was shown last. @type {Map<string, string>} */ const last = new Map();
 const places = PLACES.map(([place, text, short]) =>
@@ -168,6 +170,7 @@ async function route() {
   } catch (problem) {
     fail(problem);
   }
+  same = muscle.linked(name);
   routing = false;
   changed();
 }
@@ -206,7 +209,8 @@ function changed() {
   bar.paint();
   if (down.value) return;
   if (muscle.shown) record();
-  if (shown) write(muscle.linked(shown.name));
+  const to = shown ? muscle.linked(shown.name) : "";
+  if (to !== same) write((same = to));
   bar.paint();
 }
 /** What stands above every place waits until the muscle rests: it does not hold up a drag. */

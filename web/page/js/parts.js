@@ -14,10 +14,8 @@ import { inWords, number, show, showLength, showPressure, showRatio } from "./un
  * Said
  */
 /**
- * A row: the name, cells, words that a filter looks at too, its outer or possible diameters, and
- * what it says of the muscle.
- * @typedef {{ name: string, cells: (string | Node)[], words: string, low: number, high: number,
- * said: Said }} Row
+ * A row: the name, cells, the diameters that a sleeve is for, and what it says of the muscle.
+ * @typedef {{ name: string, cells: (string | Node)[], low?: number, high?: number, said: Said }} Row
  */
 
 const estimate = (/** @type {string} */ text) => el("span", { class: "estimated" }, text);
@@ -35,9 +33,6 @@ const LISTS = {
     rows: ({ tubes }) =>
       tubes.map((t) => ({
         name: t.name,
-        low: t.outer_diameter_mm,
-        high: t.outer_diameter_mm,
-        words: `${t.source} ${t.note}`,
         said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
         cells: [
           showLength(t.inner_diameter_mm),
@@ -69,7 +64,6 @@ const LISTS = {
         name: s.name,
         low: s.least_diameter_mm,
         high: s.largest_diameter_mm,
-        words: s.source,
         said: { braid: s.name },
         cells: [
           s.title,
@@ -88,9 +82,6 @@ const LISTS = {
     rows: ({ rubbers }) =>
       rubbers.map((r) => ({
         name: r.name,
-        low: 0,
-        high: Infinity,
-        words: r.source,
         said: { rubber: r.name },
         cells: [
           r.title,
@@ -124,19 +115,18 @@ function estimated({ missing, stiffness_factor: factor }) {
 }
 
 /** Whether all words occur. @param {Row} row @param {string} find */
-function fitsFilter(row, find) {
-  const cells = row.cells.filter((cell) => typeof cell === "string").join(" ");
-  const words = `${row.name} ${row.words} ${cells}`.toLowerCase();
+function fitsFilter({ name, cells }, find) {
+  const text = [name, ...cells.map((cell) => (typeof cell === "string" ? cell : cell.textContent))];
   return find
     .toLowerCase()
     .split(/[\s,]+/)
-    .every((word) => words.includes(word));
+    .every((word) => text.join(" ").toLowerCase().includes(word));
 }
 
 /** Whether a sleeve can have the diameter of the muscle. @param {Row} row */
-function isFor({ low, high }) {
-  const d = muscle.shown?.outer_diameter_mm;
-  return d === undefined || (d >= low - 1e-9 && d <= high + 1e-9);
+function isFor({ low = 0, high = Infinity }) {
+  const d = muscle.shown?.outer_diameter_mm ?? low;
+  return d >= low - 1e-9 && d <= high + 1e-9;
 }
 
 /** A part in the muscle, where it can be there; else why not. @param {Row} row */
@@ -195,7 +185,7 @@ export function partsDialog() {
 
   const matches = (/** @type {Row} */ row) =>
     fitsFilter(row, wanted.find) &&
-    !(fits.box.checked && wanted.kind === "sleeves" && !isFor(row)) &&
+    (!fits.box.checked || isFor(row)) &&
     !(sold.box.checked && wanted.kind === "tubes" && row.cells.includes("cast"));
 
   function paint() {

@@ -116,9 +116,9 @@ export function besideView(store) {
       now = /** @type {Answer | undefined} */ (muscle.assessed),
       points = [now, ...list.map(({ point }) => point)];
     const rows = ROWS.map(([name, of]) => [capital(name), ...points.map((x) => (x ? of(x) : "–"))]);
-    numbers.hidden = !list.length;
+    const head = ["", "now", ...list.map(({ name }) => name)];
     numbers.replaceChildren(
-      table(["", "now", ...list.map(({ name }) => name)], rows, { label: "beside it in numbers" }),
+      list.length ? table(head, rows, { label: "beside it in numbers" }) : "",
     );
   });
   return {

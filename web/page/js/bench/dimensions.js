@@ -28,23 +28,18 @@ export function dimensions(stage, store, view) {
 }
 
 /** @param {View} view @param {NonNullable<Store["shape"]["value"]>} shape */
-function drawing(view, { length_mm: now, bulged_diameter_mm: wide, muscle: { wall_mm: wall } }) {
+function drawing(view, { length_mm: now, bulged_diameter_mm: wide }) {
   const { restLength: length, restRadius: radius } = view.show,
     pixels = (/** @type {number} */ mm) => mm / view.millimetresPerPixel;
   const place = (/** @type {number} */ x) => /** @type {Place} */ (view.project(x, 0, 0));
   const [left, end, rest] = [-now / 2, now / 2, length - now / 2].map(place);
   const [dx, dy] = [rest[0] - left[0], rest[1] - left[1]],
-    long = Math.hypot(dx, dy) || 1,
-    sign = dx > 0 ? 1 : -1;
-  /** Across the axis, upwards, and along it. */
-  const off = (/** @type {Place} */ [x, y], /** @type {number} */ up, ahead = 0) =>
-    /** @type {Place} */ ([
-      x + (sign * dy * up + dx * ahead) / long,
-      y + (-sign * dx * up + dy * ahead) / long,
-    ]);
-  const [r, bulge, bore] = [radius, view.largest(), radius - wall].map(pixels);
+    long = Math.sign(dx || 1) * (Math.hypot(dx, dy) || 1);
+  /** So far upwards across the axis. */
+  const off = (/** @type {Place} */ [x, y], /** @type {number} */ up) =>
+    /** @type {Place} */ ([x + (dy * up) / long, y - (dx * up) / long]);
+  const [r, bulge] = [radius, view.largest()].map(pixels);
   const outline = [off(left, r), off(rest, r), off(rest, -r), off(left, -r)];
-  const inside = [bore, -bore].map((y) => `M${at(off(rest, y))}L${at(off(rest, y, -24))}`).join("");
   const low = -Math.max(bulge, r) - GAP,
     line = [left, end].map((foot) => off(foot, low)),
     feet = [left, end].map((foot) => `M${at(off(foot, low - 5))}L${at(off(foot, -r))}`);
@@ -54,9 +49,8 @@ function drawing(view, { length_mm: now, bulged_diameter_mm: wide, muscle: { wal
     top = off(across, bulge);
   const [x, y] = middle(line);
   return [
-    path(`M${outline.map(at).join("L")}Z${inside}`, "ghost"),
+    path(`M${outline.map(at).join("L")}Z`, "ghost"),
     path(`M${at(line[0])}L${at(line[1])}${feet.join("")}`),
-    path(`M${at(top)}L${at(off(across, -bulge))}`, "over"),
     path(`M${at(top)}L${at(off(top, GAP))}`),
     words(`L ${showLength(now, 4)}`, x, y + 15, "middle"),
     words(`⌀ ${showLength(wide ?? 2 * radius, 4)}`, ...off(top, GAP + 4), "middle"),

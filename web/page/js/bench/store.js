@@ -1,6 +1,6 @@
 // What the views of the page Muscle share: what is to be shown, the newest answers, and the
 // questions that lead to them.
-import { Slot } from "../ask.js";
+import { Slot, engine } from "../ask.js";
 import { keepWords } from "../kept.js";
 import { atEnd } from "../life.js";
 import { muscle } from "../muscle.js";
@@ -47,7 +47,7 @@ export class Store {
 
   /** @param {(on: boolean) => void} busy */
   constructor(busy) {
-    this.slots = { state: new Slot({ lane: "state", busy }), fact: new Slot(), range: new Slot() };
+    this.slots = { state: new Slot({ lane: "state", busy }), fact: new Slot() };
     atEnd(() => clearTimeout(this.timer));
   }
 
@@ -115,7 +115,7 @@ export class Store {
    * Between which values the colours run: what the muscle shows anywhere between blocked and free,
    * up to its supply.
    */
-  range() {
+  async range() {
     const of = muscle.fields(),
       supply = this.supply(),
       key = JSON.stringify([of, supply]);
@@ -126,18 +126,16 @@ export class Store {
       { pressure_mpa: supply, force_n: 0 },
       { pressure_mpa: supply / 10, contraction: 0 },
     ];
+    const shapes = await Promise.all(
+      states.map((at) =>
+        engine()
+          .ask("shape", { muscle: of, ...at })
+          .catch(() => undefined),
+      ),
+    );
     const found = /** @type {Record<string, [number, number]>} */ ({});
-    const done = () => {
-      if (this.rangesKey !== key) return;
-      const at = states.shift(),
-        take = (/** @type {object} */ answer) => {
-          widen(found, /** @type {Shape} */ (answer));
-          done();
-        };
-      if (at) return this.slots.range.ask("shape", { muscle: of, ...at }, take, done);
-      this.ranges.value = Object.keys(found).length ? found : undefined;
-    };
-    done();
+    for (const shape of shapes) if (shape) widen(found, /** @type {Shape} */ (shape));
+    if (this.rangesKey === key) this.ranges.value = shapes.some(Boolean) ? found : undefined;
   }
 }
 

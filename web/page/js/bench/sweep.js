@@ -84,14 +84,11 @@ export function sweepView(store, chart) {
     if (!read || signal.aborted) return;
     const { state } = muscle,
       { key } = measure(),
-      found = /** @type {Row[]} */ ([]);
-    for (const v of evenly(read.from ?? low, read.to ?? high, POINTS)) {
-      const value = Number(v.toPrecision(12)),
-        row = await at(say(state, key, value), value, signal);
-      if (signal.aborted) return;
-      found.push(row);
-    }
-    rows.value = found;
+      values = evenly(read.from ?? low, read.to ?? high, POINTS).map((v) =>
+        Number(v.toPrecision(12)),
+      );
+    const found = await Promise.all(values.map((v) => at(say(state, key, v), v, signal)));
+    if (!signal.aborted) rows.value = found;
   }
   /** @param {State} state @param {number} value @param {AbortSignal} signal @returns {Promise<Row>} */
   async function at(state, value, signal) {

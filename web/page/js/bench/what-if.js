@@ -114,43 +114,37 @@ export function tornadoView(store) {
     words = remark();
   const element = folded("What a small change does", bars, words);
   const begin = renewing();
-  let of = "",
-    timer = 0;
+  let timer = 0;
 
   async function start() {
-    const { state } = muscle,
-      at = store.point.value;
-    const key = JSON.stringify([state, ...["force", "length", "pressure"].map(unitName)]);
-    if (!element.open || !at || at.slack || key === of) return;
-    of = key;
-    const signal = begin();
+    const at = store.point.value;
+    if (!element.open || !at || at.slack) return;
+    const signal = begin(),
+      held = muscle.state.F !== undefined,
+      state = { ...muscle.state, F: undefined, e: at.contraction };
     words.textContent = "Computing …";
     const list = /** @type {Measure[]} */ ([...QUANTITIES, PRESSURE, CONTRACTION]).filter(
-      (m) =>
-        (m.key !== "angle" || !muscle.shown?.sleeve) && !(m.key === "e" && state.F !== undefined),
+      ({ key }) => !(key === "angle" && muscle.shown?.sleeve) && !(key === "e" && held),
     );
-    /** @type {[Measure, number[]][]} */ const found = [];
-    for (const m of list) {
-      const value = muscle.value(m.key) ?? NaN,
-        changes = [];
-      for (const sign of [-1, 1]) {
-        const changed = say(
-          { ...state, F: undefined, e: at.contraction },
-          m.key,
-          value + sign * STEPS[m.key],
+    const change = (/** @type {string} */ key, /** @type {number} */ sign) =>
+      engine()
+        .ask("force", question(say(state, key, Number(muscle.value(key)) + sign * STEPS[key])), {
+          signal,
+        })
+        .then(
+          ({ force_n: force }) => [force - at.force_n],
+          () => [],
         );
-        const answer = await engine()
-          .ask("force", question(changed), { signal })
-          .catch(() => undefined);
-        if (signal.aborted) return;
-        if (answer) changes.push(answer.force_n - at.force_n);
-      }
-      if (changes.length) found.push([m, changes]);
-    }
-    const size = (/** @type {number[]} */ changes) => Math.max(...changes.map(Math.abs));
-    found.sort(([, a], [, b]) => size(b) - size(a));
+    const found = await Promise.all(
+      list.map(async (m) => {
+        const changes = (await Promise.all([change(m.key, -1), change(m.key, 1)])).flat();
+        return { m, changes, size: Math.max(0, ...changes.map(Math.abs)) };
+      }),
+    );
+    if (signal.aborted) return;
+    found.sort((a, b) => b.size - a.size);
     bars.replaceChildren(
-      ...found.map(([m, changes]) => bar(m, changes, Math.max(1e-9, size(found[0][1])))),
+      ...found.map(({ m, changes }) => bar(m, changes, Math.max(1e-9, found[0].size))),
     );
     words.textContent = `Change of the pull of ${showForce(at.force_n, 3)}, all else as it is: to the right more pull.`;
   }
@@ -160,7 +154,6 @@ export function tornadoView(store) {
     void [muscle.state, store.point.value, unitName("force")];
     // What belongs to another muscle is given up at once.
     begin();
-    of = "";
     clearTimeout(timer);
     timer = window.setTimeout(start, REST);
   });
