@@ -133,7 +133,7 @@ declare global {
 
   type JointAnswer = All["joint"]["answer"];
   /** A point as the page shows it. */
-  type JointPoint = JointAnswer["points"][number] & { words?: string | null };
+  type JointPoint = JointAnswer["points"][number] & { model: string; words?: string | null };
   type Family = { answer: JointAnswer; angles: number[]; pairs: number[][] };
   type Run = All["motion"]["answer"];
   /** The pull of a muscle that is built. */

@@ -335,12 +335,14 @@ inBrowser(({ name, url, open, blank }) => {
       "--max-pressure",
       "5bar",
     ).points[0];
+    await reads(page, ".numbers", "Final: finite elements", 90_000);
     await reads(
       page,
       ".numbers",
       `Pressure 1${Number((10 * said.pressure_1_mpa).toPrecision(3))} bar`,
     );
     await page.reload();
+    await reads(page, ".numbers", "Final: finite elements", 90_000);
     await reads(
       page,
       ".numbers",

@@ -94,7 +94,8 @@ export function quantity(spec) {
    * again.
    * @param {number} v
    */
-  const asText = (v) => number(outside(kind, v), 6) + (kind === "ratio" ? " %" : "");
+  const asText = (v) =>
+    kind === "ratio" ? `${number(outside(kind, v), 5)} %` : number(outside(kind, v), 6);
   /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
   const step = () =>
     10 ** Math.floor(Math.log10(Math.abs(outside(kind, high) - outside(kind, low)) / 100));

@@ -60,6 +60,9 @@ export function numbersView(point, which) {
   ]);
   const words = point.words ? ` The torque as built is ${built}, with its ± ${point.words}.` : "";
   return [
+    remark(
+      point.model === "fe" ? "Final: finite elements" : "First estimate: a formula (universal)",
+    ),
     el(
       "dl",
       el("dt", { class: "head" }, "Equilibrium angle"),
@@ -71,7 +74,7 @@ export function numbersView(point, which) {
       ...termsOf(rows),
     ),
     remark(
-      `${which} Numbers by finite elements; curves and map by a formula fitted to them (universal).${words}`,
+      `${which} Curves and map by the formula universal, which was fitted to finite elements.${words}`,
     ),
   ];
 }

@@ -137,10 +137,13 @@ export function typed(kind, value) {
  */
 const COMMA = /^([-+]?)(\d+),(\d+)(?![\d,.])(.*)$/s;
 /**
- * With a point in place of a decimal comma; points before it separate thousands.
+ * With a point in place of a decimal comma, and `1 1/4` as 1.25; points before it separate
+ * thousands.
  * @param {string} text
  */
 export function pointed(text) {
+  const [, first = 0, over, under, unit] = /^(?:(\d+) )?(\d+)\/(\d+)(.*)$/.exec(text) ?? [];
+  if (under) return `${Number(first) + Number(over) / Number(under)}${unit}`;
   if (/^[-+]?\d{1,3}(\.\d{3})+,\d+(?![\d,.])/.test(text))
     return text.replaceAll(".", "").replace(",", ".");
   const [, sign, whole, decimals, rest] = COMMA.exec(text) ?? [];

@@ -58,13 +58,13 @@ export const WANTED = fieldsOf([
     },
   ],
   ["load", "load", "It must lift", { hint: "20 kg" }],
-  ["stroke", "stroke_mm", "by", "length", { hint: "40 mm" }],
+  ["stroke", "stroke_mm", "over a stroke of", "length", { hint: "any" }],
   ["pmax", "max_pressure_mpa", "at", "pressure", "2.5 bar"],
 ]);
 /** What the muscle must do, each with its fields. @type {[string, string, string[]][]} */
 const KINDS = [
-  ["F", "Pull", ["F", "e"]],
-  ["at", "Several pulls", ["at"]],
+  ["F", "Pull", ["F", "e", "stroke"]],
+  ["at", "Several pulls", ["at", "stroke"]],
   ["joint", "Joint", ["joint"]],
   ["load", "Load", ["load", "stroke"]],
 ];
@@ -122,7 +122,7 @@ function specification(submit) {
   const hint = (/** @type {string} */ key) => WANTED.find((f) => f.key === key)?.hint ?? "";
   const kinds = kindsOf(wanted, KINDS, (kind) => {
     for (const key of ["at", "joint", "load"]) wanted.put(key, key === kind ? hint(key) : "");
-    wanted.put("stroke", kind === "load" ? hint("stroke") : "");
+    wanted.put("stroke", kind === "load" ? "40 mm" : "");
     submit();
   });
   /** What the sleeves need beside their names has a field. */
@@ -144,13 +144,12 @@ function specification(submit) {
     /** @param {URLSearchParams} params */
     set(params) {
       forms.forEach((f) => f.set(params));
-      const given = ["at", "joint", "load"].find((key) => wanted.text(key));
-      kinds.select(given ?? "F");
-      // A stroke of a pull was typed in an older link.
-      if (!given) wanted.shown("stroke", params.has("stroke"));
+      kinds.select(["at", "joint", "load"].find((key) => wanted.text(key)) ?? "F");
       more.open = Object.values(choice.texts()).some(Boolean);
-      const names = muscle.sleeves.map((s) => s.name);
-      choice.options("braid", names);
+      choice.options(
+        "braid",
+        muscle.sleeves.map((s) => s.name),
+      );
       offer();
     },
     /** @returns {Promise<Design["request"] | undefined>} nothing where a text cannot be read */

@@ -218,14 +218,16 @@ export const mount = (main) => {
     (answer) => (reached.value = answer.map),
     { fields: { at: mark } },
   );
-  const slots = { point: new Slot(), curves: new Slot() };
+  const slots = { first: new Slot(), final: new Slot(), curves: new Slot() };
+  let turn = 0;
   /** @param {JointAnswer} answer */
   function take(answer) {
     stale(false);
     for (const key of KEYS) controls[key].mark("");
     said.replaceChildren();
     notes.replaceChildren(warnings(answer.warnings));
-    point.value = { ...answer.points[0], words: answer.uncertainty_text };
+    const { model, uncertainty_text: words } = answer;
+    point.value = { ...answer.points[0], model, words };
   }
   /** @param {Problem} problem */
   function fail(problem) {
@@ -262,7 +264,26 @@ export const mount = (main) => {
   /** @param {boolean} settled */
   function ask(settled) {
     controls.phi.reach(v.low, v.high);
-    slots.point.ask("joint", { ...joint.request(first), ...wanted(v, [v.phi]) }, take, fail);
+    const mine = ++turn,
+      at = wanted(v, [v.phi]);
+    slots.final.end();
+    // What stays is what finite elements say; they may take seconds.
+    const last = () => {
+      if (settled && mine === turn)
+        slots.final.ask("joint", { ...joint.request(first), ...at }, take, fail);
+    };
+    slots.first.ask(
+      "joint",
+      { ...byFormula(), ...at },
+      (answer) => {
+        take(answer);
+        last();
+      },
+      (problem) => {
+        fail(problem);
+        last();
+      },
+    );
     const angles = evenly(v.low, v.high, 25),
       pairs = PAIRS.map((pair) => pair.map((share) => share * v.pmax));
     slots.curves.ask(

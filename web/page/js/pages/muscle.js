@@ -30,8 +30,9 @@ export const mount = (main) => {
         block("row", ...stage.tools, beside.hold),
         ...curves,
         beside.model,
+        beside.numbers,
       ),
-      block("side", said, numbers.element, beside.numbers),
+      block("side", said, numbers.element),
     ),
   );
 
