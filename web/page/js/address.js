@@ -1,39 +1,27 @@
 // The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it.
+import { deflateSync, inflateSync } from "./vendor/fflate.js";
+
 /** The address that was read or written last. */
 const known = { hash: location.hash };
-
-/** @returns {{ page: string, params: URLSearchParams }} */
-function parse() {
-  const hash = location.hash.replace(/^#/, ""),
-    cut = hash.indexOf("?");
-  const [page, query] = cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
-  return { page: page || "design", params: new URLSearchParams(query) };
-}
 
 /** Whether a link of this page leads nowhere on another computer. */
 export const isLocal = () => /^(localhost|127\.|\[::1\])/.test(location.hostname);
 
-/**
- * The page of the address, with its words; those that a damaged link has lost. Of one that changes
- * meanwhile, the new one: what was typed counts.
- * @returns {Promise<{ page: string, params: URLSearchParams, lost: string[] }>}
- */
-export async function read() {
-  const of = location.hash,
-    { page, params } = parse();
-  /** @type {string[]} */ const lost = [];
+/** The page of the address, with its words; those that a damaged link has lost. */
+export function read() {
+  known.hash = location.hash;
+  const [, page, query] = /^#?([^?]*)\??(.*)$/.exec(known.hash) ?? [],
+    params = new URLSearchParams(query),
+    lost = /** @type {string[]} */ ([]);
   for (const [key, word] of [...params]) {
     try {
-      params.set(key, await unpack(word));
+      params.set(key, unpacked(word));
     } catch {
       params.delete(key);
       lost.push(key);
     }
   }
-  await Promise.all([...params.values()].map(pack));
-  if (location.hash !== of) return read();
-  known.hash = of;
-  return { page, params, lost };
+  return { page: page || "design", params, lost };
 }
 
 /**
@@ -68,60 +56,23 @@ export function write(to) {
 // Long texts, compressed: `z:` and base64url of raw deflate. A text that begins so is no muscle
 // file.
 const MARK = "z:";
-/** So long a text is at most that a link may hold, in bytes. */
-const MOST = 4_000_000;
-/** Texts as they stand in an address. @type {Map<string, string>} */ const packs = new Map();
-
+/** So long a word is at most, and a text that stays as it is. */
+const MOST = 300_000,
+  SHORT = 120;
 /** Base64 that an address may hold as it is. */
 const ALPHABET = /** @type {const} */ ({ alphabet: "base64url", omitPadding: true });
 
-/** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
-/**
- * @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through
- * @param {number} [most]
- * @returns {Promise<Uint8Array>}
- */
-export async function piped(bytes, through, most = MOST) {
-  const reader = new Blob([bytes])
-    .stream()
-    .pipeThrough(/** @type {Pair} */ (through))
-    .getReader();
-  /** @type {Uint8Array<ArrayBuffer>[]} */ const parts = [];
-  for (let size = 0; ;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    size += value.length;
-    if (size > most) {
-      reader.cancel().catch(() => {});
-      throw new Error("too long");
-    }
-    parts.push(value);
-  }
-  return new Uint8Array(await new Blob(parts).arrayBuffer());
-}
-
-/** Makes a text ready for an address; a short one stays as it is. @param {string} text */
-export async function pack(text) {
-  if (packs.has(text) || text.length < 120) return;
-  const packed =
-    MARK +
-    (await piped(new TextEncoder().encode(text), new CompressionStream("deflate-raw"))).toBase64(
-      ALPHABET,
-    );
-  if (packed.length < encodeURIComponent(text).length) packs.set(text, packed);
-}
-
 /** As it stands in an address. @param {string} text */
-export const packed = (text) => packs.get(text) ?? text;
+function packed(text) {
+  if (text.length < SHORT) return text;
+  const word = MARK + deflateSync(new TextEncoder().encode(text)).toBase64(ALPHABET);
+  return word.length < encodeURIComponent(text).length ? word : text;
+}
 
-/** What stands in an address, as a text. @param {string} word @returns {Promise<string>} */
-export async function unpack(word) {
+/** What stands in an address, as a text. @param {string} word */
+export function unpacked(word) {
   if (!word.startsWith(MARK)) return word;
-  const bytes = await piped(
-    Uint8Array.fromBase64(word.slice(MARK.length), ALPHABET),
-    new DecompressionStream("deflate-raw"),
-  );
-  const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  packs.set(text, word);
-  return text;
+  if (word.length > MOST) throw new Error("too long");
+  const bytes = Uint8Array.fromBase64(word.slice(MARK.length), ALPHABET);
+  return new TextDecoder("utf-8", { fatal: true }).decode(inflateSync(bytes));
 }

@@ -1,6 +1,5 @@
 // The answer of a design as people read it: what to take and set, what else could take its place,
 // the table of all, and what would fit.
-import { pack } from "./address.js";
 import { inTen } from "./chance.js";
 import { csv } from "./columns.js";
 import { button, capital, download, el, folded, heading, paragraph, smallPrint } from "./dom.js";
@@ -104,16 +103,11 @@ function columns(all, prices) {
  * A candidate as its own file: branch and required pulls are in it. A joint has the question of it.
  * @param {Design["answer"]} answer @param {Design["request"]} asked
  */
-export async function openCandidate(
-  { candidates, muscle_files = [], max_pressure_mpa },
-  asked,
-  i = 0,
-) {
+export function openCandidate({ candidates, muscle_files = [], max_pressure_mpa }, asked, i = 0) {
   const { pressure_mpa: p, points, joint, highest_pressure_mpa } = candidates[i],
     [turn] = asked.torques ?? [];
   muscle.state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction };
   muscle.called = "";
-  await pack(muscle.state.file);
   if (!joint) return visit("muscle", {});
   visit("joint", {
     r: `${joint.radius_mm}mm`,

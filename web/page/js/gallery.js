@@ -1,5 +1,5 @@
 // Muscles to begin with: files of the folder `examples`, with pictures that are drawn from them.
-import { address, pack } from "./address.js";
+import { address } from "./address.js";
 import { block, button, capital, download, el, heading, mainButton, rowOf } from "./dom.js";
 import { keepFile, measured } from "./kept.js";
 import { SCRIPTS } from "./place.js";
@@ -103,7 +103,6 @@ async function openEntry({ file, page = "muscle", words = {}, joint, data }) {
     // Its constants are identified at once.
     keepFile("constants", true);
   }
-  await Promise.all([text, jointText ?? ""].map(pack));
   location.hash = address(page, { ...words, u: unitsInAddress(), file: text, joint: jointText });
 }
 

@@ -144,9 +144,8 @@ function moved(wanted, params) {
 async function route() {
   const mine = ++routes;
   routing = true;
-  const { page: wanted, params, lost } = await read();
-  if (mine !== routes) return;
-  const name = moved(wanted, params);
+  const { page: wanted, params, lost } = read(),
+    name = moved(wanted, params);
   if (lost.length)
     notice(
       "The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.",

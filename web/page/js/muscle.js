@@ -1,6 +1,6 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
-import { address, pack, query, unpack } from "./address.js";
+import { address, query, unpacked } from "./address.js";
 import {
   canonical,
   fields,
@@ -239,7 +239,7 @@ export class MuscleState {
   async #read(params, own) {
     unitsFromAddress(params.get("u") ?? "");
     // In a word of another address it is compressed still.
-    if (params.has("file")) params.set("file", await unpack(params.get("file") ?? ""));
+    params.set("file", unpacked(params.get("file") ?? ""));
     const [readings] = await Promise.all([
       understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
       this.known(),
@@ -288,7 +288,6 @@ export class MuscleState {
     const [job] = await understood(set ? [{ text: set, kind: "pressure" }] : []);
     next.p = job?.value ?? next.p;
     next.e = Number(at ?? next.e);
-    await pack(text);
     this.#put({ state: next, shown, wrong: new Map() }, called === nameIn(text) ? "" : called);
     return shown;
   }
@@ -304,8 +303,7 @@ export const muscle = new MuscleState();
  * Goes to a page with words over the kept ones; the muscle goes along.
  * @param {string} page @param {Record<string, string | undefined>} words
  */
-export async function visit(page, words) {
-  await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
+export function visit(page, words) {
   keepWords(page, { ...wordsOf(page), ...words });
   const to = muscle.linked(page);
   if (to === location.hash)

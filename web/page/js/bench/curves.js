@@ -63,7 +63,6 @@ export function curvesView(store, beside) {
       if (mine !== turn) return;
       const now = performance.now();
       due = now + 7 * (now - began);
-      points.ask();
     };
     const both = typeof muscle.shown?.friction_coefficient === "number" || undefined;
     // Both are drawn at once.

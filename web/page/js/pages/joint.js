@@ -20,7 +20,6 @@ import { muscle, visit } from "../muscle.js";
 import { clamp, evenly } from "../units.js";
 import { keepWords } from "../kept.js";
 import { signal, watch } from "../watch.js";
-import { pack } from "../address.js";
 
 /** @typedef {Commands["joint"]["request"]} Request */
 /** @typedef {import("../joint-words.js").Key} Key */
@@ -178,13 +177,11 @@ export const mount = (main) => {
       joint.over.add(key);
       ask(settled);
     },
-    async takeSecond(text) {
-      await pack(text);
+    takeSecond(text) {
       files.file2 = text;
       ask(true);
     },
     async takeJoint(text) {
-      await pack(text);
       files.joint = text;
       joint.over = new Set();
       await joint.fromFile();

@@ -14,7 +14,6 @@ import { stated } from "../toml.js";
 import { number, outside, ratioAxis, showPressure, showRatio, unitName } from "../units.js";
 import { viewOf } from "../view3d.js";
 import { signal, watch } from "../watch.js";
-import { pack } from "../address.js";
 
 /** @type {Field[]} */
 export const STEP = fieldsOf([
@@ -267,7 +266,6 @@ export const mount = (main) => {
 
   /** @param {string} text a drive file; empty for a step */
   async function take(text) {
-    await pack(text);
     drive = text;
     offer();
     await go.run();
