@@ -105,8 +105,7 @@ inBrowser(({ name, url, open, blank }) => {
       (before) => document.querySelector(".stage .say b")?.textContent !== before,
       first,
     );
-    const dragged = page.url();
-    assert.match(dragged, /p=/);
+    await page.waitForFunction(() => /p=/.test(location.hash));
     await slider.focus();
     const before = await page.getByRole("textbox", { name: "Pressure" }).inputValue();
     await page.keyboard.press("ArrowRight");
