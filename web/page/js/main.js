@@ -40,12 +40,10 @@ const views = byId("views");
 
 /** Links lead to the muscle as it is now. */
 function link() {
-  const put = (/** @type {HTMLAnchorElement} */ a, /** @type {string} */ name) => {
-    const to = muscle.linked(name);
-    if (a.getAttribute("href") !== to) a.setAttribute("href", to);
-  };
-  for (const a of places) put(a, last.get(a.dataset.place ?? "") ?? a.dataset.place ?? "");
-  for (const a of views.querySelectorAll("a")) put(a, a.dataset.name ?? "");
+  for (const a of [...places, ...views.querySelectorAll("a")]) {
+    const { name, place = "" } = a.dataset;
+    a.href = muscle.linked(name ?? last.get(place) ?? place);
+  }
 }
 
 const bar = muscleBar(walk, [helpButton()]);
@@ -58,8 +56,8 @@ addEventListener("input", () =>
 /** Undo and redo of the muscle, on the page that is shown. @param {-1 | 1} by */
 async function walk(by) {
   const words = step(by),
-    { name } = pageOf(location.hash.slice(1).split("?")[0]);
-  if (!words) return;
+    name = shown?.name;
+  if (!words || !name) return;
   const query = { ...words, u: muscle.params().u };
   history.replaceState(
     null,
@@ -89,18 +87,15 @@ function frame(name) {
   document.body.dataset.page = name;
 }
 
-/**
- * How often a page could not be loaded: browsers keep a failure with its address.
- * @type {Record<string, number>}
- */
-const failures = {};
+/** How often a page could not be loaded: browsers keep a failure with its address. */
+let failures = 0;
 /** @param {string} name */
 async function pageOfServer(name) {
-  const again = failures[name] ? `?again=${failures[name]}` : "";
   try {
+    const again = failures ? `?again=${failures}` : "";
     return await import(new URL(`pages/${name}.js${again}`, SCRIPTS).href);
   } catch (problem) {
-    failures[name] = (failures[name] ?? 0) + 1;
+    failures++;
     throw problem;
   }
 }
@@ -204,12 +199,11 @@ for (const event of ["pointerdown", "pointerup", "pointercancel"])
 function changed() {
   if (routing) return;
   muscle.assess();
-  link();
-  bar.paint();
-  if (down.value) return;
-  if (muscle.shown) record();
-  const to = shown ? muscle.linked(shown.name) : "";
-  if (to !== same) write((same = to));
+  if (!down.value) {
+    if (muscle.shown) record();
+    const to = shown ? muscle.linked(shown.name) : "";
+    if (to !== same) write((same = to));
+  }
   bar.paint();
 }
 /** What stands above every place waits until the muscle rests: it does not hold up a drag. */
