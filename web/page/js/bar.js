@@ -33,9 +33,9 @@ function nameField() {
     ariaLabel: "Name of the muscle",
     maxlength: 80,
     onchange: () => muscle.rename(field.value.trim()),
-  });
-  field.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") field.blur();
+    onkeydown(/** @type {KeyboardEvent} */ event) {
+      if (event.key === "Enter") field.blur();
+    },
   });
   return field;
 }

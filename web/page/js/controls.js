@@ -71,8 +71,34 @@ export function quantity(spec) {
   let painted = "";
   /** Counts what was typed or dragged. */
   let turn = 0;
-  const slider = el("input", { type: "range", min: 0, max: 1000, step: "any", ariaLabel: label });
-  const field = textField({ id, "aria-describedby": `${id}w` });
+  const slider = el("input", {
+    type: "range",
+    min: 0,
+    max: 1000,
+    step: "any",
+    ariaLabel: label,
+    oninput: () => take(fromSlider(), false),
+    onchange: () => spec.change(now, true),
+    onkeydown(/** @type {KeyboardEvent} */ event) {
+      const by = STEPS[event.key];
+      if (by === undefined) return;
+      event.preventDefault();
+      const at = outside(kind, now ?? low),
+        one = around ? 10 ** Math.floor(Math.log10(at / 20)) : step();
+      const next = Number((at + by * one).toPrecision(12));
+      take(clamp(inside(kind, next), low, high), true);
+    },
+  });
+  const field = textField({
+    id,
+    "aria-describedby": `${id}w`,
+    onchange: () => read().catch((problem) => tell(problem.message, true)),
+    onkeydown(/** @type {KeyboardEvent} */ event) {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      read().catch(() => {});
+    },
+  });
   const unit = hasChoice(kind)
     ? button("", () => changeUnit(kind), { class: "bare", title: "Change the unit everywhere" })
     : el("span", { class: "soft" });
@@ -185,25 +211,6 @@ export function quantity(spec) {
     field.placeholder = usual !== undefined ? asText(usual) : kind === "ratio" ? "%" : "";
   }
 
-  slider.addEventListener("input", () => take(fromSlider(), false));
-  slider.addEventListener("change", () => spec.change(now, true));
-  slider.addEventListener("keydown", (event) => {
-    const by = STEPS[event.key];
-    if (by === undefined) return;
-    event.preventDefault();
-    const at = outside(kind, now ?? low),
-      one = around ? 10 ** Math.floor(Math.log10(at / 20)) : step();
-    const next = Number((at + by * one).toPrecision(12));
-    take(clamp(inside(kind, next), low, high), true);
-  });
-  field.addEventListener("change", () => {
-    read().catch((problem) => tell(problem.message, true));
-  });
-  field.addEventListener("keydown", (event) => {
-    if (event.key !== "Enter") return;
-    event.preventDefault();
-    read().catch(() => {});
-  });
   /** @param {number} least @param {number} most */
   const reach = (least, most) => {
     [low, high] = [least, most];

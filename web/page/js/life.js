@@ -14,6 +14,20 @@ export function endAll() {
 }
 
 /**
+ * Does it after so many milliseconds without another wish; never once the page is left, nor after
+ * a negative wait.
+ * @param {() => unknown} act @param {number} usual
+ */
+export function rested(act, usual) {
+  let timer = 0;
+  atEnd(() => clearTimeout(timer));
+  return (wait = usual) => {
+    clearTimeout(timer);
+    if (wait >= 0) timer = window.setTimeout(act, wait);
+  };
+}
+
+/**
  * Work that ends with the page, or when it begins anew: gives the signal of its newest beginning.
  */
 export function renewing() {

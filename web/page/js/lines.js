@@ -63,6 +63,12 @@ export function linesOf(name, drag) {
       onkeydown(/** @type {KeyboardEvent} */ event) {
         if (event.target === host && pressed(event.key)) event.preventDefault();
       },
+      onwheel(/** @type {WheelEvent} */ event) {
+        if (!event.ctrlKey && !event.metaKey) return;
+        event.preventDefault();
+        const [px, py] = where(event);
+        zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
+      },
     },
     drawn,
     hair,
@@ -71,16 +77,6 @@ export function linesOf(name, drag) {
     tip,
     all,
     ring,
-  );
-  host.addEventListener(
-    "wheel",
-    (event) => {
-      if (!event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
-      const [px, py] = where(event);
-      zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
-    },
-    { passive: false },
   );
 
   function draw() {

@@ -7,7 +7,7 @@ import { choice } from "../controls.js";
 import { block, button, capital } from "../dom.js";
 import { table } from "../form.js";
 import { fileOf } from "../kept.js";
-import { atEnd } from "../life.js";
+import { rested } from "../life.js";
 import { MuscleState, muscle } from "../muscle.js";
 import {
   asBuilt,
@@ -49,8 +49,7 @@ export function besideView(store) {
   const held = signal(/** @type {MuscleState | undefined} */ (undefined)),
     others = signal(/** @type {Other[]} */ ([])),
     formula = fileOf("formula");
-  let timer = 0,
-    word = "",
+  let word = "",
     turn = 0;
   const hold = button(
     "Hold to compare",
@@ -104,12 +103,11 @@ export function besideView(store) {
     ]);
     if (mine === turn) others.value = list;
   }
+  const soon = rested(ask, REST);
   watch(() => {
     void [store.wanted.value.over, held.value, muscle.state];
-    clearTimeout(timer);
-    timer = window.setTimeout(ask, REST);
+    soon();
   });
-  atEnd(() => clearTimeout(timer));
 
   watch(() => {
     const list = others.value,

@@ -3,7 +3,7 @@
 import { Slot } from "../ask.js";
 import { chartOf } from "../chart.js";
 import { tabs } from "../dom.js";
-import { atEnd } from "../life.js";
+import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { forceAxis, outside, ratioAxis, unitName } from "../units.js";
 import { signal, untracked, watch } from "../watch.js";
@@ -28,9 +28,8 @@ export function curvesView(store, beside) {
   /** Answers by what was asked: along a family only the mark and the own curve move. */
   const none = { key: "", answer: /** @type {CurveAnswer | undefined} */ (undefined) },
     known = { family: none, own: none };
-  let timer = 0,
-    // Questions, and when the hand that moves gets curves again.
-    turn = 0,
+  /** Questions, and when the hand that moves gets curves again. */
+  let turn = 0,
     due = 0;
   const tab = tabs("Curves", TESTS, "isobaric", (test) => store.look({ test }));
   const chart = chartOf("muscle-curves", {
@@ -86,13 +85,12 @@ export function curvesView(store, beside) {
     slots[what].ask("curve", asked, take, () => take(undefined));
   }
 
+  const soon = rested(ask, 100);
   /** Curves at rest; while the hand moves they take at most an eighth of the time. */
   watch(() => {
     void [store.point.value, store.facts.value, store.wanted.value, points.pressures()];
-    clearTimeout(timer);
-    timer = window.setTimeout(ask, performance.now() > due ? 0 : 100);
+    soon(performance.now() > due ? 0 : undefined);
   });
-  atEnd(() => clearTimeout(timer));
 
   watch(() => {
     const { test } = store.wanted.value;

@@ -2,7 +2,7 @@
 import { Slot } from "../ask.js";
 import { pressureColour } from "../chart.js";
 import { block, button, el, problemBox } from "../dom.js";
-import { atEnd } from "../life.js";
+import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { evenly, outside, showForce, showPressure } from "../units.js";
 import { MOVES } from "./family.js";
@@ -19,7 +19,6 @@ const REST = 250;
 export function pointsView(store) {
   const slot = new Slot(),
     found = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
-  let timer = 0;
   const words = el("span"),
     said = block();
   // The shear modulus that fits them best becomes the muscle's.
@@ -32,27 +31,25 @@ export function pointsView(store) {
   const line = el("div", { class: "row small", hidden: true }, words, fit, remove);
   const list = () => found.value?.points.filter((q) => q.measured === "force") ?? [];
 
+  const soon = rested(() => {
+    const of = measured.file;
+    if (of)
+      slot.ask(
+        "identify",
+        { muscle: muscle.fields(), data: [of], free: ["modulus"] },
+        (answer) => (found.value = answer),
+        (problem) => said.replaceChildren(problemBox(problem)),
+      );
+  }, REST);
   watch(() => {
     const of = measured.file,
       { said: over, file } = muscle.state;
     void [over, file];
-    clearTimeout(timer);
+    soon();
     said.replaceChildren();
     line.hidden = !of;
-    if (!of) return (found.value = undefined);
-    const asked = { muscle: muscle.fields(), data: [of], free: ["modulus"] };
-    timer = window.setTimeout(
-      () =>
-        slot.ask(
-          "identify",
-          asked,
-          (answer) => (found.value = answer),
-          (problem) => said.replaceChildren(problemBox(problem)),
-        ),
-      REST,
-    );
+    if (!of) found.value = undefined;
   });
-  atEnd(() => clearTimeout(timer));
   watch(() => {
     const answer = found.value;
     if (answer)

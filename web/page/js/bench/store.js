@@ -2,7 +2,7 @@
 // questions that lead to them.
 import { Slot, engine } from "../ask.js";
 import { keepWords } from "../kept.js";
-import { atEnd } from "../life.js";
+import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { PRESSURE, point as pointOf } from "../state.js";
 import { reach } from "../view3d.js";
@@ -43,21 +43,18 @@ export class Store {
    */
   ranges = nothing();
   rangesKey = "";
-  timer = 0;
+  soon = rested(() => this.follow(), 120);
 
   /** @param {(on: boolean) => void} busy */
   constructor(busy) {
     this.slots = { state: new Slot({ lane: "state", busy }), fact: new Slot() };
-    atEnd(() => clearTimeout(this.timer));
   }
 
   /** @param {string} key @param {number | string | undefined} value @param {boolean} settled */
   changed(key, value, settled) {
     muscle.set(key, value);
     this.ask();
-    clearTimeout(this.timer);
-    if (settled) this.follow();
-    else this.timer = window.setTimeout(() => this.follow(), 120);
+    this.soon(settled ? 0 : undefined);
   }
 
   /** @param {Partial<typeof OWN>} wish */

@@ -5,7 +5,7 @@ import { choice } from "../controls.js";
 import { block, capital, smallPrint } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
-import { atEnd, renewing } from "../life.js";
+import { renewing, rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
 import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
@@ -45,8 +45,7 @@ export function sweepView(store, chart) {
   const measure = () => measures.find(({ key }) => key === store.wanted.value.x) ?? PRESSURE,
     result = () => RESULTS.find(({ key }) => key === store.wanted.value.y) ?? RESULTS[0];
   let fields = form([], () => {}),
-    of = "",
-    timer = 0;
+    of = "";
   const x = choice(
     "Over",
     measures.map(({ key, label }) => [key, label]),
@@ -101,10 +100,11 @@ export function sweepView(store, chart) {
     }
   }
 
+  const soon = rested(run, REST);
   watch(() => {
     const { test, ...wanted } = store.wanted.value;
     void muscle.state;
-    clearTimeout(timer);
+    soon(-1);
     if (test !== "sweep") return begin();
     ask();
     x.set(wanted.x);
@@ -113,9 +113,8 @@ export function sweepView(store, chart) {
     fields.usual("from", low);
     fields.usual("to", high);
     fields.set(new URLSearchParams({ from: wanted.from, to: wanted.to }));
-    timer = window.setTimeout(run, REST);
+    soon();
   });
-  atEnd(() => clearTimeout(timer));
 
   watch(() => {
     const list = rows.value;

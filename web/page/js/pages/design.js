@@ -13,7 +13,7 @@ import {
 import { block, button, dim, el, folded, mainButton, rowOf } from "../dom.js";
 import { fieldsOf, form, job, kindsOf } from "../form.js";
 import { keepWords } from "../kept.js";
-import { atEnd } from "../life.js";
+import { rested } from "../life.js";
 import { liftView } from "../lift.js";
 import { muscle } from "../muscle.js";
 import { openDialog } from "../open.js";
@@ -283,18 +283,16 @@ export const mount = (main) => {
     whole.element.hidden = !first.value?.answer.candidates.length;
   });
 
-  let waits = 0;
   /** A page that brings its engine loads that of the search when it is asked for. */
   let large = Boolean(engine().files?.length);
+  const soon = rested(ask.run, 300);
   spec.element.addEventListener("input", () => {
-    clearTimeout(waits);
-    if (!large) waits = window.setTimeout(ask.run, 300);
+    if (!large) soon();
   });
   spec.element.addEventListener("focusin", () => {
     if (large) ask.run();
     large = false;
   });
-  atEnd(() => clearTimeout(waits));
   main.replaceChildren(
     block(
       "start",
