@@ -1,6 +1,6 @@
 // The muscle as files: a report, what the workshop needs, code for controllers and simulators, and
 // files of finite-element programs.
-import { engine } from "./ask.js";
+import { answerTo } from "./ask.js";
 import { block, button, dialog, download, el, faded, heading, paragraph, remark } from "./dom.js";
 import { fieldsOf, form, job, warnings } from "./form.js";
 import { keepWords, wordsOf } from "./kept.js";
@@ -201,20 +201,18 @@ export function filesDialog() {
     paint();
   });
   dialog("Build & export", () => [element]);
-  engine()
-    .ask("export-list", {})
-    .then(
-      (answer) => {
-        targets = answer.targets;
-        box.options(
-          "target",
-          targets.map(({ name }) => name),
-        );
-        box.put("target", wordsOf("files").target || "c");
-        paint();
-      },
-      () => {},
-    );
+  answerTo("export-list", {}).then(
+    (answer) => {
+      targets = answer.targets;
+      box.options(
+        "target",
+        targets.map(({ name }) => name),
+      );
+      box.put("target", wordsOf("files").target || "c");
+      paint();
+    },
+    () => {},
+  );
   paint();
 }
 

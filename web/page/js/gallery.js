@@ -5,7 +5,7 @@ import { keepFile, measured } from "./kept.js";
 import { SCRIPTS } from "./place.js";
 import { card, thumbnail } from "./thumbnail.js";
 import { showForce, showLength, showPressure, unitsInAddress } from "./units.js";
-import { engine } from "./ask.js";
+import { answerTo } from "./ask.js";
 import { muscle, visit } from "./muscle.js";
 import { fileName } from "./toml.js";
 
@@ -127,7 +127,7 @@ export const gallery = (fail, opened, list = GALLERY) =>
 
 /** Opens one on the page Muscle. @param {string} name */
 async function openPart(name) {
-  const { muscle: found } = await engine().ask("parts-show", { name });
+  const { muscle: found } = await answerTo("parts-show", { name });
   const called = found?.product ? `${found.product} (${found.title})` : found?.title;
   await muscle.take(found?.muscle_file.text ?? "", name, called);
   visit("muscle", {});
@@ -173,12 +173,9 @@ function entryCard(entry, opened, fail) {
  */
 export function library(fail, opened) {
   const box = block("gallery", el("span", { class: "small soft" }, "The library is being read."));
-  engine()
-    .ask("parts-list", { kind: "muscles" })
-    .then(
-      ({ muscles }) =>
-        box.replaceChildren(...muscles.map((entry) => entryCard(entry, opened, fail))),
-      fail,
-    );
+  answerTo("parts-list", { kind: "muscles" }).then(
+    ({ muscles }) => box.replaceChildren(...muscles.map((entry) => entryCard(entry, opened, fail))),
+    fail,
+  );
   return block("", heading("Identified from measured points"), box);
 }

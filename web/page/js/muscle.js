@@ -1,5 +1,5 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
-import { engine, understood } from "./ask.js";
+import { answerTo, understood } from "./ask.js";
 import { address, query, unpacked } from "./address.js";
 import {
   canonical,
@@ -26,7 +26,7 @@ const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === ke
 
 /** The measures that the program has; before a page asks for one. */
 export async function loadMeasures() {
-  const answer = await engine().ask("measures", {}, { lane: "read" });
+  const answer = await answerTo("measures", {}, { lane: "read" });
   takeMeasures(answer);
   learn(MEASURES);
 }
@@ -113,9 +113,7 @@ export class MuscleState {
     const of = this.state,
       command = of.F === undefined ? "force" : "contraction";
     if (this.#assessed.peek()?.of === of) return;
-    const answer = await engine()
-      .ask(command, question(of))
-      .catch(() => undefined);
+    const answer = await answerTo(command, question(of)).catch(() => undefined);
     if (this.state === of)
       this.#assessed.value = { of, answer: /** @type {Assessed | undefined} */ (answer) };
   }
@@ -169,7 +167,7 @@ export class MuscleState {
   file() {
     const of = JSON.stringify(fields(this.state, this.p));
     if (this.written?.of !== of) {
-      const file = canonical(this.state, (command, request) => engine().ask(command, request));
+      const file = canonical(this.state, answerTo);
       this.written = { of, file };
       file.catch(() => {
         this.written = undefined;
@@ -258,14 +256,12 @@ export class MuscleState {
   /** The sleeves of the library, once. */
   async known() {
     if (!this.sleeves.length)
-      this.sleeves = (
-        await engine().ask("parts-list", { kind: "sleeves" }, { lane: "read" })
-      ).sleeves;
+      this.sleeves = (await answerTo("parts-list", { kind: "sleeves" }, { lane: "read" })).sleeves;
   }
 
   /** What the engine reads of file and fields. */
   async look() {
-    this.shown = await engine().ask(
+    this.shown = await answerTo(
       "check",
       { muscle: this.fields(), only_data: true },
       { lane: "read" },
@@ -283,7 +279,7 @@ export class MuscleState {
       set = stated(text).get("job.pressure"),
       [, at] = /^points = .*?contraction = ([\d.]+)/m.exec(text) ?? [],
       request = { muscle: { file: { name, text } }, only_data: true };
-    const shown = await engine().ask("check", request, { lane: "read" });
+    const shown = await answerTo("check", request, { lane: "read" });
     // At what it was designed for.
     const [job] = await understood(set ? [{ text: set, kind: "pressure" }] : []);
     next.p = job?.value ?? next.p;

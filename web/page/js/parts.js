@@ -1,5 +1,5 @@
 // Parts that one can buy or cast: tubes, sleeves and rubbers; a button puts one into the muscle.
-import { engine } from "./ask.js";
+import { answerTo } from "./ask.js";
 import { choice } from "./controls.js";
 import { block, button, capital, dialog, el, folded, problemBox, textField } from "./dom.js";
 import { problemOf } from "./engine/problem.js";
@@ -154,7 +154,7 @@ const wanted = { kind: "tubes", find: "" };
 /** @type {Promise<Parts> | undefined} */ let asked;
 /** All parts, once. */
 async function allParts() {
-  const ask = (/** @type {Kind} */ kind) => engine().ask("parts-list", { kind }),
+  const ask = (/** @type {Kind} */ kind) => answerTo("parts-list", { kind }),
     [tubes, { sleeves }, { rubbers }] = await Promise.all(LISTED.map(ask));
   return { ...tubes, sleeves, rubbers };
 }

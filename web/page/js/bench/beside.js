@@ -1,7 +1,7 @@
 // What stands beside the muscle at its pressure and contraction: one that was held, and another
 // model of this one.
 import { query } from "../address.js";
-import { engine } from "../ask.js";
+import { answerTo } from "../ask.js";
 import { KINDS, isobars } from "../chart.js";
 import { choice } from "../controls.js";
 import { block, button, capital } from "../dom.js";
@@ -84,12 +84,10 @@ export function besideView(store) {
       { p, e } = muscle,
       nothing = () => undefined;
     const [point, curve] = await Promise.all([
-      engine()
-        .ask("force", { ...at, pressure_mpa: p, contraction: e })
-        .catch(nothing),
-      engine()
-        .ask("curve", { ...at, test: "isobaric", pressures_mpa: [p] }, { lane: "curves" })
-        .catch(nothing),
+      answerTo("force", { ...at, pressure_mpa: p, contraction: e }).catch(nothing),
+      answerTo("curve", { ...at, test: "isobaric", pressures_mpa: [p] }, { lane: "curves" }).catch(
+        nothing,
+      ),
     ]);
     return { name, point, curve };
   }

@@ -1,5 +1,5 @@
 // The controls of the page Muscle: its state, its measures, its ends.
-import { engine } from "../ask.js";
+import { answerTo } from "../ask.js";
 import { choice, quantity } from "../controls.js";
 import { block, capital, el, folded } from "../dom.js";
 import { inputs } from "../form.js";
@@ -84,12 +84,10 @@ export function controlsView(store) {
     if (free) controls.e.reach(0, Math.max(0.1, Math.ceil(free * 22) / 20));
     controls.F.reach(0, Math.max(10, niceUp(blocked ?? 1000)));
   });
-  engine()
-    .ask("parts-list", { kind: "rubbers" })
-    .then(
-      (answer) => picks.rubber.options(answer.rubbers.map(({ name }) => name)),
-      () => {},
-    );
+  answerTo("parts-list", { kind: "rubbers" }).then(
+    (answer) => picks.rubber.options(answer.rubbers.map(({ name }) => name)),
+    () => {},
+  );
   /** Sliders run around the muscle as it was opened, within its sleeve. */
   function anchor() {
     const sleeve = muscle.sleeves.find(

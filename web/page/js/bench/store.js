@@ -1,6 +1,6 @@
 // What the views of the page Muscle share: what is to be shown, the newest answers, and the
 // questions that lead to them.
-import { Slot, engine } from "../ask.js";
+import { Slot, answerTo } from "../ask.js";
 import { keepWords } from "../kept.js";
 import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
@@ -124,11 +124,7 @@ export class Store {
       { pressure_mpa: supply / 10, contraction: 0 },
     ];
     const shapes = await Promise.all(
-      states.map((at) =>
-        engine()
-          .ask("shape", { muscle: of, ...at })
-          .catch(() => undefined),
-      ),
+      states.map((at) => answerTo("shape", { muscle: of, ...at }).catch(() => undefined)),
     );
     const found = /** @type {Record<string, [number, number]>} */ ({});
     for (const shape of shapes) if (shape) widen(found, /** @type {Shape} */ (shape));

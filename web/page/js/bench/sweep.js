@@ -1,5 +1,5 @@
 // One measure of the muscle over a range: what it does to the pull and to the rest.
-import { engine } from "../ask.js";
+import { answerTo } from "../ask.js";
 import { KINDS, withBuilt } from "../chart.js";
 import { choice } from "../controls.js";
 import { block, capital, smallPrint } from "../dom.js";
@@ -93,7 +93,7 @@ export function sweepView(store, chart) {
   async function at(state, value, signal) {
     try {
       const how = /** @type {const} */ ({ lane: "curves", signal });
-      return { value, answer: await engine().ask("shape", question(state), how) };
+      return { value, answer: await answerTo("shape", question(state), how) };
     } catch (thrown) {
       // A muscle that cannot be is a gap in the curve.
       return { value, why: isAbort(thrown) ? "" : problemOf(thrown).message };

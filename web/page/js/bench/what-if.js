@@ -1,6 +1,6 @@
 // Which pressure, contraction, diameter, wall or angle gives a wanted pull; the others stay as they
 // are.
-import { engine } from "../ask.js";
+import { answerTo } from "../ask.js";
 import { block, button, el, folded, remark } from "../dom.js";
 import { isAbort } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
@@ -71,15 +71,13 @@ async function solved({ key, low = 0, high = 1, around, label, kind }, force, si
   // A muscle that cannot be has no value.
   const at = async (/** @type {number} */ x) => ({
     x,
-    f: await engine()
-      .ask("force", question(say(state, key, x)), { signal })
-      .then(
-        (answer) => answer.force_n - force,
-        (problem) => {
-          if (isAbort(problem)) throw problem;
-          return NaN;
-        },
-      ),
+    f: await answerTo("force", question(say(state, key, x)), { signal }).then(
+      (answer) => answer.force_n - force,
+      (problem) => {
+        if (isAbort(problem)) throw problem;
+        return NaN;
+      },
+    ),
   });
   const all = await Promise.all(evenly(least, most, POINTS).map(at));
   const [between] = all
@@ -127,14 +125,12 @@ export function tornadoView(store) {
       ({ key }) => !(key === "angle" && muscle.shown?.sleeve) && !(key === "e" && held),
     );
     const change = (/** @type {string} */ key, /** @type {number} */ sign) =>
-      engine()
-        .ask("force", question(say(state, key, Number(muscle.value(key)) + sign * STEPS[key])), {
-          signal,
-        })
-        .then(
-          ({ force_n: force }) => [force - at.force_n],
-          () => [],
-        );
+      answerTo("force", question(say(state, key, Number(muscle.value(key)) + sign * STEPS[key])), {
+        signal,
+      }).then(
+        ({ force_n: force }) => [force - at.force_n],
+        () => [],
+      );
     const found = await Promise.all(
       list.map(async (m) => {
         const changes = (await Promise.all([change(m.key, -1), change(m.key, 1)])).flat();

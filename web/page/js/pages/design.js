@@ -1,5 +1,5 @@
 // Ask: what a McKibben muscle is, one question, its answer with its chance, and all that fits.
-import { engine } from "../ask.js";
+import { answerTo, engine } from "../ask.js";
 import { chanceCurve, verdict } from "../chance.js";
 import {
   choicesView,
@@ -172,12 +172,10 @@ function specification(submit) {
 
 /** Prices of tubes; asked once. @type {Promise<Map<string, string>> | undefined} */ let prices;
 const priced = () =>
-  (prices ??= engine()
-    .ask("parts-list", { kind: "tubes" })
-    .then(
-      ({ tubes }) => new Map(tubes.flatMap(({ name, price }) => (price ? [[name, price]] : []))),
-      () => new Map(),
-    ));
+  (prices ??= answerTo("parts-list", { kind: "tubes" }).then(
+    ({ tubes }) => new Map(tubes.flatMap(({ name, price }) => (price ? [[name, price]] : []))),
+    () => new Map(),
+  ));
 
 /** What to set, and how wide it gets. @param {Candidate} c */
 const inUse = (c) =>
@@ -227,9 +225,9 @@ export const mount = (main) => {
   /** Another muscle of the same question: the one of that certainty. @param {number} certainty */
   function pick(certainty) {
     const asked = /** @type {Design["request"]} */ ({ ...question.value, certainty });
-    engine()
-      .ask("design", { ...asked, top: 1 }, { lane: "job" })
-      .then((answer) => (first.value = { answer, asked }));
+    answerTo("design", { ...asked, top: 1 }, { lane: "job" }).then(
+      (answer) => (first.value = { answer, asked }),
+    );
   }
   const curve = chanceCurve(({ chance }) => pick(chance));
 
