@@ -155,7 +155,9 @@ function specification(submit) {
     /** @returns {Promise<Design["request"] | undefined>} nothing where a text cannot be read */
     async read() {
       const [want, space] = await Promise.all([wanted.read(), choice.read({ intervals: true })]);
-      return want && space && { ...want, ...space };
+      // What it must lift is a mass.
+      const load = want?.load?.replace(/^[-\d.]+$/, "$& kg");
+      return want && space && { ...want, ...space, load };
     },
     /** @param {Problem} problem */
     at(problem) {
@@ -210,7 +212,14 @@ export const mount = (main) => {
       first.value = { answer, asked: question.value ?? {} };
       if (answer.candidates.length) whole.run();
     },
-    { fields: spec },
+    {
+      fields: {
+        at(problem) {
+          question.value = undefined;
+          return spec.at(problem);
+        },
+      },
+    },
   );
   const whole = job(
     "All that fit",
