@@ -1,6 +1,7 @@
 // Measured points: seen over the models, and constants identified from them.
 import { Slot } from "../ask.js";
 import { pointSeries } from "../bench/points.js";
+import { pressureColour } from "../chart.js";
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
 import {
@@ -29,6 +30,7 @@ import {
   plusMinus,
   ratioAxis,
   showForce,
+  showPressure,
   unitName,
   worded,
 } from "../units.js";
@@ -182,8 +184,18 @@ export const mount = (main) => {
     if (spec?.x !== ratioAxis) return;
     const list = points.filter((q) => q.measured === "force"),
       top = Math.max(...list.map((q) => q.pressure_mpa)),
-      lines = spec.series.filter((s) => s.mode !== "markers");
-    chart.show({ ...spec, series: [...lines, ...pointSeries(list, top)] });
+      lines = spec.series.filter((s) => s.mode !== "markers"),
+      colours = new Map(
+        list.map(({ pressure_mpa: p }) => [showPressure(p, 3), pressureColour(p, top)]),
+      );
+    // The lines that are named have it too, and their bands.
+    const named = lines.flatMap(({ end }) => (end ? colours.get(end) : [])),
+      ofBands = [...named];
+    const tinted = lines.map((s) => ({
+      ...s,
+      colour: (s.band ? ofBands : s.end ? named : []).shift() ?? s.colour,
+    }));
+    chart.show({ ...spec, series: [...tinted, ...pointSeries(list, top)] });
   }
 
   /** The table for which there are constants. @type {TextFile | undefined} */ let of =
