@@ -111,7 +111,6 @@ declare global {
     band?: boolean;
     strong?: boolean;
     smooth?: boolean;
-    fixed?: number;
   }
   type Axis = { range?: number[]; rangemode?: string };
   type Place = { x: number; y: number; text: string };

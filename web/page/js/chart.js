@@ -16,7 +16,7 @@ export { KINDS };
  * Viridis between 0 and 1 as red, green and blue.
  * @param {number} share @param {number} most of the map
  */
-export function viridisAt(share, most) {
+function viridisAt(share, most) {
   const t = clamp(share, 0, 1) * most * (VIRIDIS.length - 1);
   const i = Math.min(VIRIDIS.length - 2, Math.floor(t));
   return VIRIDIS[i].map((a, k) => Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)));

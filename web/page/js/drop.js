@@ -28,7 +28,7 @@ function isRubberTest(text) {
 }
 
 /** What a file is. @param {string} name @param {string} text @returns {Kind} */
-export function kindOfFile(name, text) {
+function kindOfFile(name, text) {
   if (/\.json$/i.test(name))
     return text.includes('"mckibben-project"')
       ? "project"

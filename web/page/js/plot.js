@@ -77,7 +77,7 @@ function axisReach(found, axis, spare) {
 }
 
 /** Round values between two others. @param {[number, number]} reach @param {number} most */
-export function ticks([low, high], most) {
+function ticks([low, high], most) {
   const step = niceUp((high - low) / Math.max(1, most)),
     first = Math.ceil(low / step - 1e-9),
     count = Math.floor(high / step + 1e-9) - first + 1;
@@ -331,7 +331,7 @@ const legend = (spec, { named }) =>
  * Slopes of a cubic through points that rises and falls with them (Steffen 1990).
  * @param {number[]} x @param {number[]} y
  */
-export function slopes(x, y) {
+function slopes(x, y) {
   const h = x.slice(1).map((v, i) => v - x[i]),
     d = h.map((w, i) => (y[i + 1] - y[i]) / w),
     last = d.length;

@@ -54,7 +54,7 @@ export const bareIn = (text, kind) =>
 /** The unit inside. @param {string} kind */
 const baseUnit = (kind) => kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";
 /** The kind of quantities that have a unit inside. @param {string} unit */
-export const kindInside = (unit) => [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
+const kindInside = (unit) => [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
 /** As the engine writes it. @param {string} kind */
 const writtenUnit = (kind) => chosen.value[kind] ?? baseUnit(kind);
 /** As people write it. @param {string} kind */

@@ -7,7 +7,7 @@ import { evenly, inside, niceUp, outside, show, unitName } from "../units.js";
 /** Which way a muscle moves, behind a name. @type {Record<string, string>} */
 export const MOVES = { contraction: " while it shortens", elongation: " while it lengthens" };
 /** Points of a curve of the family, and of that of the state. */
-export const FAMILY = 13,
+const FAMILY = 13,
   FINE = 21;
 /** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
 const steps = (count, end) => evenly(0, 1, count).map((t) => end * t * (0.4 + 0.6 * t));
@@ -110,7 +110,7 @@ function line(list, test) {
 }
 
 /** The same of its contraction in %. @param {Point | Commands["contraction"]["answer"]} q */
-export const builtContraction = (q) =>
+const builtContraction = (q) =>
   "force_n" in q && typeof q.predicted === "number"
     ? [q.predicted, q.predicted_low, q.predicted_high].map((e) => 100 * Number(e))
     : [];
@@ -137,7 +137,6 @@ export function familySeries(answer, test, top, own, most) {
         at: test === "isobaric" ? "start" : "end",
         colour,
         smooth: true,
-        fixed,
         ...line(answer.points.slice(i * count, (i + 1) * count), test),
       }),
     ];
@@ -164,7 +163,6 @@ export function ownSeries(answer, test, top) {
       colour,
       strong: true,
       smooth: true,
-      fixed: branches.length > 1 ? undefined : answer.fixed[0],
       dash: branch === "elongation" ? "dot" : "solid",
     });
     if (test === "isobaric") return isobars(model, list);

@@ -121,7 +121,7 @@ const PARTS = {
 };
 
 /** @param {Store} store */
-export function partsView(store) {
+function partsView(store) {
   const list = el("dl", { class: "parts" }),
     note = remark();
   const element = el(
