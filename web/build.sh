@@ -99,7 +99,7 @@ fi
 # What the page keeps for use without a network: its own files, and the examples that its scripts name.
 (
     cd "$made"
-    find index.html style.css manifest.webmanifest icon.svg icon-192.png $loaded -type f
+    find index.html style.css manifest.webmanifest icon.svg icon-192.png symbols.svg $loaded -type f
     grep -rhoE '"[a-z0-9-]+\.(toml|csv)"' js | tr -d '"' | sort -u | while read -r name; do
         if [ -e "examples/$name" ]; then echo "examples/$name"; fi
     done

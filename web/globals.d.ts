@@ -92,8 +92,7 @@ declare global {
 
   /**
    * `low`, `high`: ends of an interval at each point, drawn as a band; `band`: the points are the outline of one; `end`: a label at the curve's
-   * end, or at its start; `z`: a third number of each point, for tables; `strong`: the curve of the state among its family; `silent`: nobody
-   * reads it off; `smooth`: a cubic between its points; `fixed`: what does not change along it.
+   * end, or at its start; `strong`: the curve of the state among its family; `smooth`: a cubic between its points; `fixed`: what does not change along it.
    */
   interface Series {
     name: string;
@@ -101,7 +100,6 @@ declare global {
     y: (number | null)[];
     low?: (number | null)[];
     high?: (number | null)[];
-    z?: number[];
     end?: string;
     at?: "start" | "end";
     colour?: string;
@@ -109,51 +107,28 @@ declare global {
     /** The sign of its points: the branch that they were measured on. */
     glyph?: "mean" | "contraction" | "elongation";
     mode?: "lines" | "markers";
-    width?: number;
     legend?: string;
     band?: boolean;
     strong?: boolean;
-    silent?: boolean;
     smooth?: boolean;
-    fixed?: number;
   }
   type Axis = { range?: number[]; rangemode?: string };
-  /** Below the curves, between these values. */
-  type Picture = { href: string; x: [number, number]; y: [number, number] };
   type Place = { x: number; y: number; text: string };
-  /** What a chart shows: curves, rings, words at places, a picture; `rows` of its table where those are not the curves'. */
+  /** What a chart shows: curves, and rings at places. */
   interface Spec {
     x: string;
     y: string;
-    z?: string;
     series: Series[];
     marks?: Place[];
-    notes?: Place[];
-    picture?: Picture;
-    rows?: (string | number | null)[][];
     xaxis?: Axis;
     yaxis?: Axis;
-    /** What lies at a place of a map, in words. */
-    says?: (x: number, y: number) => string;
-    exact?: (s: Series, x: number, take: (found: number[]) => void) => void;
   }
   /** What is below a pointer: of which curve, and where. */
-  type Found = { which: number; x: number; y: number; low?: number; high?: number };
+  type Found = { which: number; x: number; y: number };
   type Reach = { x: [number, number]; y: [number, number] };
 
   type Design = All["design"];
   type Candidate = Design["answer"]["candidates"][number];
-  /** What of a candidate makes a muscle. */
-  type Chosen = Pick<
-    Candidate,
-    "outer_diameter_mm" | "wall_mm" | "length_mm" | "angle_deg" | "tube" | "sleeve"
-  > & { rubber?: string | null };
-  /**
-   * A muscle of the map of a design. `margin`: of the pull, to spare; `limit` and `misses`: the limit that it misses, and by what share.
-   */
-  type GridNode = { fits: boolean; value: number; margin: number; limit: string; misses: number };
-  /** From a place to another one. */
-  type Segment = [number, number, number, number];
 
   type JointAnswer = All["joint"]["answer"];
   /** A point as the page shows it. */
@@ -164,21 +139,19 @@ declare global {
   type Built = { predicted_n?: number; predicted_low_n?: number; predicted_high_n?: number };
   type CurveAnswer = All["curve"]["answer"];
 
-  /** A muscle of the project: its file with its name, and where it was looked at. */
-  type KeptMuscle = { name: string; file: string; point: Record<string, string> };
+  /** The muscle as words of an address, and what led to it. */
+  type Step = { words: Words; name: string };
   /**
-   * Muscles of the project; measured points, and what to say of them; a test of a rubber; a plan, and the one that was computed; whether
-   * constants were identified, and the verification computed.
+   * Measured points, and what to say of them; a test of a rubber; a formula among the models; whether constants were identified; steps of
+   * the muscle, and the one that is shown.
    */
   interface KeptFiles {
-    muscles?: KeptMuscle[];
     data?: TextFile;
     "data-said"?: string;
     rubber?: TextFile;
-    plan?: string;
-    campaign?: string;
+    formula?: TextFile;
     constants?: boolean;
-    checked?: boolean;
+    steps?: { list: Step[]; at: number };
   }
   type TextFile = { name: string; text: string };
   type Words = Record<string, string>;

@@ -171,7 +171,7 @@ export function trapping(words) {
 /** Until the muscle page has a state. @param {import("playwright-core").Page} page */
 export const alive = (page, timeout = 20_000) =>
   page.waitForFunction(
-    () => /alone|Slack/.test(document.querySelector(".stage .say")?.textContent ?? ""),
+    () => /the model|Slack/.test(document.querySelector(".stage .say")?.textContent ?? ""),
     undefined,
     { timeout },
   );
@@ -193,7 +193,7 @@ export const asShown = (said) => {
     elongation: " while it lengthens",
   });
   const way = moves[said.predicted_direction ?? "contraction"] ?? "";
-  return `${asBuilt(said)}as built${way}; ${said.model} alone ${modelPull(said)}`;
+  return `${asBuilt(said)}as built${way}; the model (${said.model}): ${modelPull(said)}`;
 };
 
 /** What a page holds, when nothing comes any more. @param {import("playwright-core").Page} page */
@@ -225,22 +225,16 @@ export async function meter(page) {
   };
 }
 
-/** To a view by its name: its place, and from there the view; About is in the window of Help. @param {import("playwright-core").Page} page @param {string} where */
+/** To a view by its name: its place, and from there the view. @param {import("playwright-core").Page} page @param {string} where */
 export async function go(page, where, timeout = 20_000) {
   const name = where.toLowerCase(),
     { place } = PAGES.find((one) => one.name === name) ?? PAGES[0];
-  if (place) await page.locator(`#pages a[data-place=${place}]`).click();
-  else if (name === "start") await page.locator(".brand a").click();
-  else {
-    await page.getByRole("button", { name: "Help", exact: true }).click();
-    await page.locator("dialog").getByRole("link", { name: "About" }).click();
-  }
+  await page.locator(`#pages a[data-place=${place}]`).click();
   const shown = page.locator("main[data-shown]");
-  if (place)
-    await page.waitForFunction(
-      (of) => document.querySelector(`#pages a[data-place=${of}]`)?.getAttribute("aria-current"),
-      place,
-    );
+  await page.waitForFunction(
+    (of) => document.querySelector(`#pages a[data-place=${of}]`)?.getAttribute("aria-current"),
+    place,
+  );
   const view = page.locator(`#views a[data-name=${name}]`);
   if (await view.count()) await view.click();
   await shown.and(page.locator(`main[data-shown=${name}]`)).waitFor({ timeout });
@@ -251,6 +245,15 @@ export async function ofChart(of, what) {
     one = menu.getByRole("button", { name: what, exact: true });
   if (!(await one.isVisible())) await menu.locator("summary").click();
   await one.click();
+}
+/** A window of the bar: `Parts`, `Build & export`, `Help`. @param {import("playwright-core").Page} page @param {string} name */
+export async function opened(page, name) {
+  const button = page.getByRole("button", { name, exact: true });
+  if (!(await button.isVisible())) await page.locator(".muscle-bar .menu summary").click();
+  await button.click();
+  const box = page.locator("dialog[open]");
+  await box.waitFor();
+  return box;
 }
 /** Files through the window Open. @param {import("playwright-core").Page} page @param {any} files */
 export async function openFiles(page, files) {

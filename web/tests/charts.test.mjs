@@ -87,27 +87,26 @@ inBrowser(({ name, open, blank, url }) => {
     await drawn(page);
     await page.getByText("2.5 bar", { exact: true }).waitFor();
     const plot = page.locator(".plot").first();
-    await page.locator(".points + details").scrollIntoViewIfNeeded();
+    await page.locator(".chart").scrollIntoViewIfNeeded();
     await page.waitForFunction(
       () => !(/** @type {HTMLElement} */ (document.querySelector(".ring")).hidden),
     );
-    const ring = /** @type {{ x: number, y: number }} */ (
-      await page.locator(".ring").boundingBox()
-    );
-    await page.mouse.move(ring.x + 8, ring.y + 8);
-    await page.waitForSelector(".tip:not([hidden])");
-    await soon(async () =>
+    let ring = { x: 0, y: 0 };
+    // Curves of the facts that come later have other axes.
+    await soon(async () => {
+      ring = /** @type {{ x: number, y: number }} */ (await page.locator(".ring").boundingBox());
+      await page.mouse.move(ring.x + 8, ring.y + 8);
+      await page.waitForTimeout(300);
       assert.match(
         await page.locator(".tip").innerText(),
         /^2.5 bar: 1[45](\.\d+)? %, 3[23]\d.* N$/,
-      ),
-    );
+      );
+    });
     // Below it lies the curve as built, with the interval of the command line.
     for (let by = 20; by < 150; by += 10) {
       await page.mouse.move(ring.x + 8, ring.y + by);
       if (/as built/.test(await page.locator(".tip").innerText())) break;
     }
-    await page.waitForTimeout(700);
     const [, at, pulls] =
       /^2.5 bar as built: (1[45][.\d]*) %, (.*)$/.exec(await page.locator(".tip").innerText()) ??
       [];
@@ -143,53 +142,6 @@ inBrowser(({ name, open, blank, url }) => {
     await page.waitForSelector(".all:not([hidden])");
     await page.mouse.dblclick(box.x + 20, box.y + 0.5 * box.height);
     await soon(async () => assert.deepEqual(await lower(page), all));
-    await context.close();
-  });
-
-  test("a curve that bends is read off as the command line has it: a cubic at once, finite elements where the pointer rests", async () => {
-    const file = encodeURIComponent(readFileSync(`${root}examples/thin.toml`, "utf8"));
-    const { page, errors, context } = await open(`#muscle?file=${file}&p=1bar&e=1%25`);
-    await alive(page);
-    await page.locator(".stage .say b").filter({ hasText: "N" }).waitFor();
-    // Between its points: a chord had 15 % too much.
-    await soon(async () => {
-      const between = await page.evaluate(async () => {
-        const { slopes, valueAt } = await import(/** @type {string} */ ("./js/plot.js"));
-        const x = [0, 1, 2, 4],
-          s = { x, y: x.map((v) => 10 * Math.exp(-v)), smooth: true };
-        return [valueAt(s, 0.5), slopes([0, 1, 2], [0, 1, 2])];
-      });
-      assert.ok(Math.abs(between[0] / (10 * Math.exp(-0.5)) - 1) < 0.05, String(between[0]));
-      assert.deepEqual(between[1], [1, 1, 1]);
-    });
-    await page.locator(".points + details").scrollIntoViewIfNeeded();
-    await soon(async () => {
-      const at = await page.evaluate(() => {
-        const plot = /** @type {HTMLElement} */ (document.querySelector(".chart .plot")),
-          box = plot.getBoundingClientRect();
-        const ticks = [...plot.querySelectorAll("svg.curves > text[text-anchor=middle]")]
-          .map((t) => [Number(t.textContent), t.getBoundingClientRect()])
-          .filter(([v]) => Number.isFinite(v));
-        const [[a, p], [b, q]] = /** @type {any} */ ([ticks[0], ticks[ticks.length - 1]]),
-          mid = (/** @type {DOMRect} */ r) => r.left + r.width / 2;
-        const ring = /** @type {HTMLElement} */ (
-          plot.querySelector(".ring")
-        ).getBoundingClientRect();
-        return {
-          x: mid(p) + ((1.8 - a) / (b - a)) * (mid(q) - mid(p)),
-          y: ring.top + ring.height / 2 + 30,
-          top: box.top,
-        };
-      });
-      await page.mouse.move(at.x, at.y);
-      await page.waitForTimeout(700);
-      const tip = await page.locator(".tip").innerText(),
-        [, x, force] = /^1 bar: (1\.(?:79|8).*) %, (.*) N$/.exec(tip) ?? [];
-      assert.ok(x, tip);
-      const said = ask("force", "--muscle", "examples/thin.toml", "-p", "1bar", "-e", `${x}%`);
-      assert.ok(Math.abs(Number(force) / said.force_n - 1) < 2e-3, `${tip} for ${said.force_n} N`);
-    });
-    assert.deepEqual(errors, []);
     await context.close();
   });
 
@@ -255,25 +207,25 @@ inBrowser(({ name, open, blank, url }) => {
     for (const what of ["Outer diameter", "Pressure", "Contraction", "Braid angle"]) {
       await page.goto(url() + "#muscle?u=");
       await page.waitForFunction(() =>
-        /alone 326/.test(document.querySelector(".stage .say")?.textContent ?? ""),
+        /326\.3/.test(document.querySelector(".stage .say")?.textContent ?? ""),
       );
       await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: what });
       await page.getByRole("button", { name: "Solve", exact: true }).click();
       await page.waitForFunction(
-        () => /alone (450|449\.9)/.test(document.querySelector(".stage .say")?.textContent ?? ""),
+        () => /: (450|449\.9)/.test(document.querySelector(".stage .say")?.textContent ?? ""),
         undefined,
         { timeout: 20_000 },
       );
     }
     await page.goto(url() + "#muscle?u=");
     await page.waitForFunction(() =>
-      /alone 326/.test(document.querySelector(".stage .say")?.textContent ?? ""),
+      /326\.3/.test(document.querySelector(".stage .say")?.textContent ?? ""),
     );
     await page.getByRole("combobox", { name: "Solve for" }).selectOption({ label: "Wall" });
     await page.getByRole("textbox", { name: "Wanted pull" }).fill("380 N");
     await page.getByRole("button", { name: "Solve", exact: true }).click();
     await page.waitForFunction(
-      () => /alone (380|379\.9)/.test(document.querySelector(".stage .say")?.textContent ?? ""),
+      () => /: (380|379\.9)/.test(document.querySelector(".stage .say")?.textContent ?? ""),
       undefined,
       { timeout: 20_000 },
     );
@@ -342,7 +294,7 @@ inBrowser(({ name, open, blank, url }) => {
   test("colours keep their scale while the state changes: 0.5 and 5 bar do not look alike", async () => {
     const { page, context } = await open("#muscle?p=0.5bar&e=5%25");
     await alive(page);
-    const legend = () => page.locator(".stage .legend").innerText();
+    const legend = () => page.locator(".stage .legend b").allInnerTexts();
     await page.waitForFunction(() =>
       /1\.01/.test(document.querySelector(".stage .legend")?.textContent ?? ""),
     );
@@ -355,7 +307,7 @@ inBrowser(({ name, open, blank, url }) => {
       (was) => document.querySelector(".stage .say b")?.textContent !== was,
       was,
     );
-    await soon(async () => assert.equal(await legend(), before));
+    await soon(async () => assert.deepEqual(await legend(), before));
     await context.close();
   });
 
@@ -368,159 +320,17 @@ inBrowser(({ name, open, blank, url }) => {
       undefined,
       { timeout: 30_000 },
     );
-    const rows = await saved(page);
-    const first = (/** @type {string} */ branch) =>
-      Number(rows.find(([curve]) => curve === `3 bar while it ${branch}`)?.[2]);
     const said = (/** @type {string} */ direction) =>
       ask("force", "examples/tondu2012.toml", "-p", "3bar", "-e", "0", "--branch", direction)
         .force_n;
-    assert.ok(Math.abs(first("shortens") / said("contraction") - 1) < 1e-6);
-    assert.ok(Math.abs(first("lengthens") / said("elongation") - 1) < 1e-6);
-    await context.close();
-  });
-
-  test("the border of the map lies where the engine's own muscles begin to fit: to a fortieth of a step of its grid, to a quarter where the failure changes", async () => {
-    const { page, errors, context } = await open("#about");
-    await page.waitForSelector("h2");
-    const found = await page.evaluate(async () => {
-      const load = (/** @type {string} */ file) => import(new URL(file, document.baseURI).href);
-      const [{ engine }, { border }, { read }] = await Promise.all(
-        ["js/ask.js", "js/border.js", "js/design-map.js"].map(load),
-      );
-      const of = {
-        force_n: 700,
-        contraction: 0.15,
-        max_pressure_mpa: 0.25,
-        length_mm: 285,
-        rubbers: ["dragon-skin-30"],
-        braids: ["flexo-overexpanded-0.75in"],
-        model: { name: "universal" },
-        extrapolate: true,
-        top: 1000,
-      };
-      const D = Array.from({ length: 12 }, (_, i) => 20 + i),
-        S = Array.from({ length: 15 }, (_, i) => Number((0.6 + 0.15 * i).toFixed(3)));
-      const request = { ...of, outer_diameter_mm: D, wall_mm: S };
-      const { nodes } = read(request, await engine().ask("design", request));
-      const segments = border({ x: D, y: S, nodes });
-      const out = [];
-      for (const d of [22, 23, 24, 25, 26, 27, 28, 29, 30]) {
-        const i = D.indexOf(d),
-          fits = S.map((_, j) => nodes[j][i].fits);
-        for (let j = 0; j + 1 < S.length; j++) {
-          if (fits[j] === fits[j + 1]) continue;
-          const fine = Array.from({ length: 31 }, (_, k) =>
-            Number((S[j] + (0.15 * k) / 30).toFixed(4)),
-          );
-          const answer = await engine().ask("design", {
-            ...of,
-            outer_diameter_mm: [d],
-            wall_mm: fine,
-          });
-          const walls = answer.candidates.map((/** @type {{ wall_mm: number }} */ c) => c.wall_mm),
-            upper = fits[j];
-          const ends = segments
-            .flatMap((/** @type {number[]} */ [a, b, c, e]) => [
-              [a, b],
-              [c, e],
-            ])
-            .filter(
-              (/** @type {number[]} */ [x, y]) =>
-                Math.abs(x - d) < 1e-9 && y >= S[j] && y <= S[j + 1],
-            );
-          out.push({
-            d,
-            limit: nodes[upper ? j + 1 : j][i].limit,
-            drawn: ends[0]?.[1],
-            exact: upper ? Math.max(...walls) + 0.0025 : Math.min(...walls) - 0.0025,
-          });
-        }
-      }
-      return out;
-    });
-    assert.equal(found.length, 9, JSON.stringify(found));
-    assert.deepEqual([...new Set(found.map(({ limit }) => limit))].sort(), ["force"]);
-    const off = found.map(({ drawn, exact }) => Math.abs(drawn - exact)).sort((a, b) => a - b);
-    assert.ok(off[7] < 0.15 / 40 && off[8] < 0.15 / 4, off.join(" "));
-    assert.deepEqual(errors, []);
-    await context.close();
-  });
-
-  test("a dimension line that is dragged changes the number", async () => {
-    const { page, errors, context } = await open("#muscle");
-    await alive(page);
-    // Until the first answer is drawn the handle may move away below the pointer.
+    const both = [said("contraction"), said("elongation")];
     await soon(async () => {
-      const handle = /** @type {{ x: number, y: number, width: number, height: number }} */ (
-        await page.locator(".dimensions circle").first().boundingBox()
-      );
-      const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
-      await page.mouse.move(x, y);
-      await page.mouse.down();
-      await page.mouse.move(x + 2, y - 12, { steps: 4 });
-      await page.mouse.up();
-      const D = Number(await page.getByRole("textbox", { name: "Outer diameter" }).inputValue());
-      assert.ok(D > 32 && D < 50, String(D));
+      const rows = await saved(page);
+      ["shortens", "lengthens"].forEach((branch, i) => {
+        const first = rows.find(([curve]) => curve === `3 bar while it ${branch}`);
+        assert.ok(Math.abs(Number(first?.[2]) / both[i] - 1) < 1e-6, `${branch}: ${first}`);
+      });
     });
-    await page.waitForFunction(() => location.hash.includes("D="));
-    const before = await page.locator(".stage .bar").innerText();
-    await page.locator(".stage canvas").focus();
-    for (let i = 0; i < 5; i++) await page.keyboard.press("+");
-    await soon(async () => assert.notEqual(await page.locator(".stage .bar").innerText(), before));
-    assert.deepEqual(errors, []);
-    await context.close();
-  });
-
-  test("wall and strand are dragged on the drawing: the wall by what the scale says, the strand along with the pointer", async () => {
-    const { page, errors, context } = await open("#muscle");
-    await alive(page);
-    const value = async (/** @type {string} */ name) =>
-      Number.parseFloat(await page.getByRole("textbox", { name }).inputValue());
-    /** @param {number} which @param {number} by @param {number} down */
-    const drag = async (which, by, down) => {
-      const handle = page.locator(".dimensions circle").nth(which);
-      /** @type {any} */ let box = await handle.boundingBox();
-      // The drawing may still move while the page is filled.
-      for (let before = ""; before !== JSON.stringify(box);) {
-        before = JSON.stringify(box);
-        await page.waitForTimeout(200);
-        box = await handle.boundingBox();
-      }
-      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-      await page.mouse.move(x, y);
-      await page.mouse.down();
-      await page.mouse.move(x + by, y + down, { steps: 4 });
-      await page.mouse.up();
-      return [x + by, y + down];
-    };
-    const perPixel = await page.evaluate(() => {
-      const bar = /** @type {any} */ (document.querySelector(".stage .bar"));
-      return parseFloat(bar.textContent) / bar.querySelector("span").getBoundingClientRect().width;
-    });
-    const outline = await page.locator(".dimensions .ghost").getAttribute("d");
-    const [[, , bx, by, cx, cy]] = [(outline ?? "").match(/-?\d+\.\d/g)?.map(Number) ?? []];
-    const share = (by - cy) / Math.hypot(bx - cx, by - cy);
-    assert.equal(await value("Wall"), 3);
-    await drag(2, 0, -3);
-    await soon(async () =>
-      assert.ok(
-        Math.abs((await value("Wall")) - (3 + 3 * perPixel * Math.abs(share))) < 0.006,
-        `${await value("Wall")}, ${perPixel}, ${share}`,
-      ),
-    );
-    const before = await value("Braid angle");
-    const [x] = await drag(3, -8, 0);
-    await soon(async () => {
-      assert.ok(
-        (await value("Braid angle")) > before + 1,
-        `${before} ${await value("Braid angle")}`,
-      );
-      const box = /** @type {any} */ (
-        await page.locator(".dimensions circle").nth(3).boundingBox()
-      );
-      assert.ok(Math.abs(box.x + box.width / 2 - x) < 2, `${box.x + box.width / 2} ${x}`);
-    });
-    assert.deepEqual(errors, []);
     await context.close();
   });
 
@@ -566,7 +376,7 @@ inBrowser(({ name, open, blank, url }) => {
     await context.close();
   });
 
-  test("on a phone a finger drags a handle, the end of the muscle, the gauge and a curve's ring; the muscle stays in sight", async () => {
+  test("on a phone a finger drags the end of the muscle and a curve's ring; the muscle stays in sight", async () => {
     const { page, errors, context } = await open("#muscle", {
       viewport: { width: 400, height: 800 },
       hasTouch: true,
@@ -592,18 +402,11 @@ inBrowser(({ name, open, blank, url }) => {
     };
     const value = async (/** @type {string} */ label) =>
       parseFloat(await page.getByRole("textbox", { name: label }).first().inputValue());
-    // Until the first answer is drawn a handle may move away below the finger.
-    await soon(async () => {
-      await drag(".dimensions circle", 2, -14);
-      assert.ok((await value("Outer diameter")) > 31);
-    });
-    const [e, p] = [await value("Contraction"), await value("Pressure")];
+    const e = await value("Contraction");
     await soon(async () => {
       await drag(".stage canvas", -12, 0, 0.78);
       assert.ok((await value("Contraction")) > e);
     });
-    await drag(".stage .gauge", 24, 4, 0.2);
-    await soon(async () => assert.notEqual(await value("Pressure"), p));
     const wall = page.getByRole("slider", { name: "Wall" });
     await wall.scrollIntoViewIfNeeded();
     const [stage, slider] = await Promise.all(

@@ -18,6 +18,7 @@ before(() => {
     location: { hash: "" },
     history: { state: null },
     sessionStorage: { getItem() {}, setItem() {} },
+    matchMedia: () => ({ matches: false, ...listen }),
   });
 });
 
@@ -81,20 +82,24 @@ function check({ field, kind, list, words: isList, options, value, pair, or }, p
 }
 
 test("fields of all forms are fields of their requests, with their quantity, their lists and their words", async () => {
-  const page = (/** @type {string} */ name) => import(`../page/js/pages/${name}.js`);
+  const page = (/** @type {string} */ name) =>
+    import(`../page/js/${name === "files" ? "" : "pages/"}${name}.js`);
   const of = (/** @type {string} */ command) => schema[command].request.properties;
-  const [design, motion, data, rubber, formula, files] = await Promise.all(
-    ["design", "motion", "data", "rubber", "formula", "files"].map(page),
+  const [design, motion, data, rubber, files] = await Promise.all(
+    ["design", "motion", "data", "rubber", "files"].map(page),
   );
+  // Version 4 of the interface; an engine before it has no chance.
+  const asked = design
+    .choices()
+    .filter((/** @type {Field} */ f) => f.field !== "certainty" || "certainty" in of("design"));
   const step = kinds(of("motion").step)[0].properties;
   /** @type {[string, Field[], any][]} */
   const forms = [
-    ["design", [...design.WANTED, ...design.choices()], of("design")],
+    ["design", [...design.WANTED, ...asked], of("design")],
     ["motion", motion.STEP.filter(({ field }) => field !== "model"), step],
     ["rubber", rubber.FIELDS, of("rubber")],
     ["identify", data.FIELDS.filter(({ field }) => field === "free"), of("identify")],
     ["compare", data.FIELDS.filter(({ field }) => field === "models"), of("compare")],
-    ["fit", formula.HOW.filter(({ field }) => field !== "at"), of("fit")],
     ["build", files.TITLE, of("build")],
     ["export", files.BOX, of("export")],
     ["simulate", files.ELEMENTS, of("simulate")],
@@ -105,5 +110,5 @@ test("fields of all forms are fields of their requests, with their quantity, the
       check(field, properties, where);
       count++;
     }
-  assert.ok(count >= 45, `${count} fields`);
+  assert.ok(count >= 40, `${count} fields`);
 });

@@ -19,14 +19,14 @@ for (let i = 0; i < 5; i++) {
 console.log(
   `first view with a living muscle: median ${quantile(firsts, 0.5)} ms, worst ${Math.max(...firsts)} ms`,
 );
-/** How long the first screen takes to answer, and to have its three candidates. @type {[number[], number[]]} */
+/** How long the first screen takes to answer, and to list all that fit. @type {[number[], number[]]} */
 const [answers, candidates] = [[], []];
 for (let i = 0; i < 5; i++) {
   const { page, context } = await tab(browser);
   await page.goto(site.url);
   await page.getByRole("heading", { name: /^A McKibben muscle is/ }).waitFor();
   const pull = page.getByLabel("It must pull", { exact: true });
-  const head = page.locator(".question h2").filter({ hasText: /^Yes: set/ });
+  const head = page.locator(".question h2").filter({ hasText: / wide\.$/ });
   // A folder of files asks its large engine once somebody is about to.
   await pull.focus();
   await head.waitFor();
@@ -36,16 +36,13 @@ for (let i = 0; i < 5; i++) {
   await pull.fill(`${520 + 20 * i} N`);
   await head.filter({ hasNotText: before }).waitFor();
   answers.push(Date.now() - began);
-  await page
-    .locator(".chips button")
-    .filter({ hasText: "…" })
-    .first()
-    .waitFor({ state: "detached", timeout: 60_000 });
+  // What could take its place comes with it; then all that fit.
+  await page.locator(".below tr.pick").first().waitFor({ timeout: 60_000 });
   candidates.push(Date.now() - began);
   await context.close();
 }
 console.log(
-  `first screen: answer median ${quantile(answers, 0.5)} ms, worst ${Math.max(...answers)} ms; three candidates median ${quantile(candidates, 0.5)} ms, worst ${Math.max(...candidates)} ms`,
+  `first screen: answer median ${quantile(answers, 0.5)} ms, worst ${Math.max(...answers)} ms; all that fit median ${quantile(candidates, 0.5)} ms, worst ${Math.max(...candidates)} ms`,
 );
 const { page } = await tab(browser);
 await page.goto(`${site.url}#muscle`);

@@ -302,10 +302,16 @@ for (const [name, { start, point: within, motion }] of engines({
         otherSteps += 1;
       }
 
-      // Compare: the muscle itself, and with a length and stiffness of the side's own.
+      // Beside it: a muscle that was held, and one with another length and stiffness.
       const [length, k] = [d.between(150, 300), d.pick(["inextensible", 400])];
-      const plain = page.side(state, "", { model }),
-        changed = page.side(state, "", { model, length_mm: length, stiffness: k });
+      const beside = (/** @type {State} */ of) => ({
+        muscle: page.fields(of),
+        model: { name: model },
+        pressure_mpa: state.p,
+        contraction: state.e,
+      });
+      const plain = beside(state),
+        changed = beside(page.say(page.say(state, "L", length), "k", k));
       const without = flags.flatMap((flag, i) =>
         ["-L", "--stiffness", "--strand-diameter", "--strand-modulus"].includes(flags[i - (i % 2)])
           ? []
@@ -330,13 +336,13 @@ for (const [name, { start, point: within, motion }] of engines({
           maybe(engine.ask("force", { ...side, extrapolate: true })),
         ),
       ]);
-      same(ofA, a, within, `Compare ${seed}, A`);
-      same(ofB, b, within, `Compare ${seed}, B`);
+      same(ofA, a, within, `Beside ${seed}, A`);
+      same(ofB, b, within, `Beside ${seed}, B`);
       moves += Number(Boolean(run));
       return Boolean(pull && jointed && a);
     }
 
-    test(`${COUNT} random muscles have the command line's numbers on Muscle, Joint, Motion and Compare, saved, reloaded and linked`, async () => {
+    test(`${COUNT} random muscles have the command line's numbers on Muscle, Joint, Motion and beside it, saved, reloaded and linked`, async () => {
       const seeds = Array.from({ length: COUNT }, (_, i) => FROM + i);
       let answered = 0;
       /** @type {any[]} */ const wrong = [];

@@ -1,38 +1,27 @@
 // The address: `#muscle?D=38&p=2.5bar`. All that can be seen stands in it.
-import { signal } from "./life.js";
-import { pageOf } from "./pages.js";
+import { deflateSync, inflateSync } from "./vendor/fflate.js";
 
-/** @param {string} [of] @returns {{ page: string, params: URLSearchParams }} */
-function parse(of = location.hash) {
-  const hash = of.replace(/^#/, ""),
-    cut = hash.indexOf("?");
-  const [page, query] = cut < 0 ? [hash, ""] : [hash.slice(0, cut), hash.slice(cut + 1)];
-  return { page: page || "start", params: new URLSearchParams(query) };
-}
+/** The address that was read or written last. */
+const known = { hash: location.hash };
 
 /** Whether a link of this page leads nowhere on another computer. */
 export const isLocal = () => /^(localhost|127\.|\[::1\])/.test(location.hostname);
 
-/**
- * The page of the address, with its words; those that a damaged link has lost. Of one that changes
- * meanwhile, the new one: what was typed counts.
- * @returns {Promise<{ page: string, params: URLSearchParams, lost: string[] }>}
- */
-export async function read() {
-  const of = location.hash,
-    { page, params } = parse();
-  /** @type {string[]} */ const lost = [];
+/** The page of the address, with its words; those that a damaged link has lost. */
+export function read() {
+  known.hash = location.hash;
+  const [, page, query] = /^#?([^?]*)\??(.*)$/.exec(known.hash) ?? [],
+    params = new URLSearchParams(query),
+    lost = /** @type {string[]} */ ([]);
   for (const [key, word] of [...params]) {
     try {
-      params.set(key, await unpack(word));
+      params.set(key, unpacked(word));
     } catch {
       params.delete(key);
       lost.push(key);
     }
   }
-  await Promise.all([...params.values()].map(pack));
-  if (location.hash !== of) return read();
-  return { page, params, lost };
+  return { page: page || "design", params, lost };
 }
 
 /**
@@ -53,79 +42,37 @@ export function address(page, params) {
   return `#${page}${words ? "?" + words : ""}`;
 }
 
-const written = signal();
-/** Is told of each change of the address by a page. */
-export const onWritten = written.stay;
-
 /**
- * Puts it into the address in place of the present one: entries of the history are pages. A page
- * that is left before its answer came does not write over the address of the next one.
+ * Puts it into the address in place of the present one: entries of the history are pages. An address
+ * that was not read yet is somebody's wish, and stays.
  * @param {string} to
  */
 export function write(to) {
-  if (pageOf(parse(to).page) !== pageOf(parse().page)) return;
-  if (to === location.hash) return;
+  if (location.hash !== known.hash || to === known.hash) return;
   history.replaceState(null, "", to);
-  written.tell();
+  known.hash = location.hash;
 }
 
 // Long texts, compressed: `z:` and base64url of raw deflate. A text that begins so is no muscle
 // file.
 const MARK = "z:";
-/** So long a text is at most that a link may hold, in bytes. */
-const MOST = 4_000_000;
-/** Texts as they stand in an address. @type {Map<string, string>} */ const known = new Map();
-
+/** So long a word is at most, and a text that stays as it is. */
+const MOST = 300_000,
+  SHORT = 120;
 /** Base64 that an address may hold as it is. */
 const ALPHABET = /** @type {const} */ ({ alphabet: "base64url", omitPadding: true });
 
-/** @typedef {ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} Pair */
-/**
- * @param {Uint8Array<ArrayBuffer>} bytes @param {GenericTransformStream} through
- * @param {number} [most]
- * @returns {Promise<Uint8Array>}
- */
-export async function piped(bytes, through, most = MOST) {
-  const reader = new Blob([bytes])
-    .stream()
-    .pipeThrough(/** @type {Pair} */ (through))
-    .getReader();
-  /** @type {Uint8Array<ArrayBuffer>[]} */ const parts = [];
-  for (let size = 0; ;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    size += value.length;
-    if (size > most) {
-      reader.cancel().catch(() => {});
-      throw new Error("too long");
-    }
-    parts.push(value);
-  }
-  return new Uint8Array(await new Blob(parts).arrayBuffer());
-}
-
-/** Makes a text ready for an address; a short one stays as it is. @param {string} text */
-export async function pack(text) {
-  if (known.has(text) || text.length < 120) return;
-  const packed =
-    MARK +
-    (await piped(new TextEncoder().encode(text), new CompressionStream("deflate-raw"))).toBase64(
-      ALPHABET,
-    );
-  if (packed.length < encodeURIComponent(text).length) known.set(text, packed);
-}
-
 /** As it stands in an address. @param {string} text */
-export const packed = (text) => known.get(text) ?? text;
+function packed(text) {
+  if (text.length < SHORT) return text;
+  const word = MARK + deflateSync(new TextEncoder().encode(text)).toBase64(ALPHABET);
+  return word.length < encodeURIComponent(text).length ? word : text;
+}
 
-/** What stands in an address, as a text. @param {string} word @returns {Promise<string>} */
-export async function unpack(word) {
+/** What stands in an address, as a text. @param {string} word */
+export function unpacked(word) {
   if (!word.startsWith(MARK)) return word;
-  const bytes = await piped(
-    Uint8Array.fromBase64(word.slice(MARK.length), ALPHABET),
-    new DecompressionStream("deflate-raw"),
-  );
-  const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  known.set(text, word);
-  return text;
+  if (word.length > MOST) throw new Error("too long");
+  const bytes = Uint8Array.fromBase64(word.slice(MARK.length), ALPHABET);
+  return new TextDecoder("utf-8", { fatal: true }).decode(inflateSync(bytes));
 }

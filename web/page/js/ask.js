@@ -7,8 +7,10 @@ import { bareIn, kindOf, takeUnits } from "./units.js";
 /** @type {Engine | undefined} */ let one;
 /** The engine; throws where there can be none. */
 export const engine = () => (one ??= new Engine());
+/** An answer of it. @type {Engine["ask"]} */
+export const answerTo = (command, request, how) => engine().ask(command, request, how);
 export async function loadUnits() {
-  takeUnits(await engine().ask("units", {}, { lane: "state" }));
+  takeUnits(await answerTo("units", {}, { lane: "state" }));
 }
 
 /**
@@ -18,7 +20,7 @@ export async function loadUnits() {
 export async function understood(texts) {
   if (!texts.length) return [];
   const asked = texts.map(({ kind, ...rest }) => ({ ...rest, kind: kindOf(kind) }));
-  const { readings } = await engine().ask("quantities", { texts: asked }, { lane: "read" });
+  const { readings } = await answerTo("quantities", { texts: asked }, { lane: "read" });
   // A number alone is in the unit that is shown, which the engine does not know.
   return /** @type {Readings} */ (readings).map(({ problem, ...rest }, i) => ({
     ...rest,
@@ -42,7 +44,7 @@ const MOST_ANSWERS = 16;
 export async function longWork(command, request, options) {
   const key = `${command} ${JSON.stringify(request)}`;
   const known = /** @type {Commands[K]["answer"] | undefined} */ (answers.get(key));
-  const answer = known ?? (await engine().ask(command, request, { lane: "job", ...options }));
+  const answer = known ?? (await answerTo(command, request, { lane: "job", ...options }));
   answers.delete(key);
   answers.set(key, answer);
   if (answers.size > MOST_ANSWERS) answers.delete(answers.keys().next().value ?? "");
@@ -84,7 +86,7 @@ export class Slot {
       this.since = performance.now();
       this.timer ||= window.setTimeout(() => this.busy?.(true), 150);
       try {
-        take(await engine().ask(command, request, { lane: this.lane, signal }));
+        take(await answerTo(command, request, { lane: this.lane, signal }));
       } catch (problem) {
         if (!signal.aborted) fail?.(problemOf(problem));
       }

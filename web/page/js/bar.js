@@ -1,8 +1,19 @@
-// The muscle of all pages, above them: its picture and name, undo and redo, save, open, share,
-// project, print.
+// The muscle of all pages, above them: its picture and name, what it warns of, undo and redo, and
+// what is done with it.
 import { isLocal } from "./address.js";
-import { button, byId, download, el, menu, notice, noticeProblem, textField } from "./dom.js";
-import { muscle } from "./muscle.js";
+import {
+  block,
+  button,
+  byId,
+  download,
+  el,
+  menu,
+  notice,
+  noticeProblem,
+  textField,
+} from "./dom.js";
+import { warnings } from "./form.js";
+import { inShort, muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
 import { openDialog } from "./open.js";
 import { thumbnail } from "./thumbnail.js";
@@ -16,61 +27,70 @@ async function save() {
   }
 }
 
-/**
- * The name as a field: it is part of the link, and of the file that is saved.
- * @param {() => void} renamed
- */
-function nameField(renamed) {
+/** The name as a field: it is part of the link, and of the file that is saved. */
+function nameField() {
   const field = textField({
     ariaLabel: "Name of the muscle",
     maxlength: 80,
-    onchange() {
-      muscle.rename(field.value.trim());
-      renamed();
+    onchange: () => muscle.rename(field.value.trim()),
+    onkeydown(/** @type {KeyboardEvent} */ event) {
+      if (event.key === "Enter") field.blur();
     },
-  });
-  field.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") field.blur();
   });
   return field;
 }
 
 /** A link of a page on this computer leads nowhere else: the file goes in its place. */
-function shareButton() {
-  return button(
-    "Share",
-    async () => {
-      if (isLocal()) {
-        await save();
-        return notice(
-          "This link works only on your computer. The muscle was saved: send the file instead.",
-        );
-      }
-      // Over plain http a browser has no clipboard.
-      await (navigator.clipboard?.writeText(location.href) ?? Promise.reject()).then(
-        () => notice("The link to this view is copied."),
-        () => prompt("The link to this view", location.href),
-      );
-    },
-    { title: "Copy the link to this view, or save the file" },
+async function share() {
+  if (isLocal()) {
+    await save();
+    return notice(
+      "This link works only on your computer. The muscle was saved: send the file instead.",
+    );
+  }
+  // Over plain http a browser has no clipboard.
+  await (navigator.clipboard?.writeText(location.href) ?? Promise.reject()).then(
+    () => notice("The link to this view is copied."),
+    () => prompt("The link to this view", location.href),
   );
 }
 
+/** Warnings of the muscle in a line; opened, in whole. */
+function flags() {
+  const line = el("summary"),
+    list = block(),
+    element = el("details", { class: "flags", hidden: true }, line, list);
+  return {
+    element,
+    paint() {
+      const all = muscle.warnings,
+        short = [...new Set(all.map(inShort))].join(", ");
+      element.hidden = !short;
+      if (line.title === short) return;
+      line.title = short;
+      line.textContent = `Warnings: ${short}`;
+      list.replaceChildren(warnings(all));
+    },
+  };
+}
+
 /**
- * @param {(by: -1 | 1) => void} walk to the step before or after @param {() => void} renamed
+ * @param {(by: -1 | 1) => void} walk to the step before or after
  * @param {HTMLElement[]} tools of the frame: on a phone they are behind the sign of the bar
  */
-export function muscleBar(walk, renamed, tools) {
+export function muscleBar(walk, tools) {
   const picture = el("span"),
-    field = nameField(renamed),
-    line = el("span", { class: "small soft measures" });
+    field = nameField(),
+    line = el("span", { class: "small soft measures" }),
+    warned = flags();
   const undo = button("Undo", () => walk(-1)),
     redo = button("Redo", () => walk(1));
   const more = menu(
       button("Open", openDialog),
       button("Save", save, { title: "Save the muscle as a file (TOML)" }),
-      shareButton(),
-      button("Print", () => print()),
+      button("Share", share, { title: "Copy the link to this view, or save the file" }),
+      button("Parts", async () => (await import("./parts.js")).partsDialog()),
+      button("Build & export", async () => (await import("./files.js")).filesDialog()),
     ),
     acts = /** @type {HTMLElement} */ (more.lastElementChild);
   const element = el(
@@ -81,6 +101,7 @@ export function muscleBar(walk, renamed, tools) {
     undo,
     redo,
     more,
+    warned.element,
   );
   const narrow = matchMedia("(max-width: 699px)");
   const fold = () => {
@@ -102,6 +123,7 @@ export function muscleBar(walk, renamed, tools) {
         one.ariaDisabled = String(!name);
         one.title = name ? `${one.textContent}: ${name} (${["Ctrl+Z", "Ctrl+Y"][i]})` : "";
       });
+      warned.paint();
       const s = muscle.shown;
       line.textContent = muscle.size();
       const of = s && [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].join();

@@ -1,12 +1,6 @@
 // A muscle from the side as SVG, in millimetres or any other measure: woven strands over a tube
 // that bulges between its ends. The left end of the tube is at 0, its axis too.
 
-/**
- * What gives a picture of a view, by its canvas: it is drawn for it.
- * @type {WeakMap<HTMLCanvasElement, () => string>}
- */
-export const pictures = new WeakMap();
-
 let count = 0;
 const short = (/** @type {number} */ v) => Number(v.toPrecision(5));
 
@@ -92,25 +86,5 @@ export function body({
     `</linearGradient><linearGradient id="${id}m" x2="0" y2="1">${metal}</linearGradient></defs>` +
     `<g clip-path="url(#${id})" fill="none"><path d="${outline}" fill="${fill}"/>${threads(one)}${threads(other)}` +
     `${threads(one, dash)}<path d="${outline}" fill="url(#${id}s)"/></g>${plug(0, -1)}${plug(length, 1)}`
-  );
-}
-
-/**
- * A muscle in use as SVG, in a frame of so many millimetres.
- * @param {Candidate} c @param {number} wide @param {number} tall
- */
-export function picture(c, wide, tall) {
-  const {
-      outer_diameter_mm: diameter,
-      points: [at],
-    } = c,
-    e = Number(at?.contraction ?? 0);
-  const now = contracted(diameter, c.angle_deg, e),
-    length = c.length_mm * (1 - e),
-    { angle } = now;
-  const bulged = c.bulged_diameter_mm ?? now.bulged;
-  return (
-    `<svg viewBox="${-0.7 * tall} ${-0.6 * tall} ${wide + 1.4 * tall} ${1.2 * tall}" aria-hidden="true">` +
-    `${body({ length, diameter, bulged, angle })}</svg>`
   );
 }

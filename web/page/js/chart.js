@@ -1,12 +1,14 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
 import { atEnd } from "./life.js";
-import { block, button, csv, download, el, menu } from "./dom.js";
+import { csv } from "./columns.js";
+import { block, button, download, el, menu } from "./dom.js";
 import { table } from "./form.js";
 import { linesOf } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { VIRIDIS } from "./shaders.js";
-import { isDark, onTheme } from "./theme.js";
+import { isDark } from "./theme.js";
 import { builtPull, clamp, number, outside } from "./units.js";
+import { signal, watch } from "./watch.js";
 
 export { KINDS };
 
@@ -14,7 +16,7 @@ export { KINDS };
  * Viridis between 0 and 1 as red, green and blue.
  * @param {number} share @param {number} most of the map
  */
-export function viridisAt(share, most) {
+function viridisAt(share, most) {
   const t = clamp(share, 0, 1) * most * (VIRIDIS.length - 1);
   const i = Math.min(VIRIDIS.length - 2, Math.floor(t));
   return VIRIDIS[i].map((a, k) => Math.round(a + (t - i) * (VIRIDIS[i + 1][k] - a)));
@@ -31,11 +33,12 @@ export const pressureColour = (pressure, top) => shade(pressure / top);
 /** @typedef {ReturnType<typeof chartOf>} Chart */
 /**
  * @param {string} name of its files
- * @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) =>
+ * @param {{ tools?: Node, drag?: (x: number, y: number, settled: boolean) =>
  * unknown }} [options]
  */
-export function chartOf(name, { tools, tall, drag } = {}) {
-  const lines = linesOf(name, drag),
+export function chartOf(name, { tools, drag } = {}) {
+  const spec = signal(/** @type {Spec | undefined} */ (undefined)),
+    lines = linesOf(name, drag),
     { host } = lines,
     cells = el("div", { class: "scroll", hidden: true, tabindex: 0 });
   const asTable = button("Table", flip, { ariaPressed: false });
@@ -44,14 +47,19 @@ export function chartOf(name, { tools, tall, drag } = {}) {
   );
   const element = el(
     "section",
-    { class: tall ? "chart tall" : "chart", ariaLabel: name.replaceAll("-", " ") },
+    { class: "chart", ariaLabel: name.replaceAll("-", " ") },
     block("row", tools ?? null, el("span", { class: "grow" }), menu(asTable, ...saved)),
     host,
     cells,
   );
   const sized = new ResizeObserver(() => host.offsetWidth && lines.draw());
   sized.observe(host);
-  onTheme(lines.draw);
+  watch(() => {
+    if (!spec.value) return;
+    lines.spec = spec.value;
+    if (!cells.hidden) tabulate(spec.value);
+    lines.draw();
+  });
   // An answer that comes after the page was left has nothing to draw on.
   atEnd(() => {
     sized.disconnect();
@@ -63,37 +71,28 @@ export function chartOf(name, { tools, tall, drag } = {}) {
     asTable.ariaPressed = String(on);
     cells.hidden = !on;
     host.hidden = on;
-    if (on) tabulate();
+    if (on && spec.value) tabulate(spec.value);
     else lines.draw();
   }
 
   /** What the columns of the table are. @param {Spec} spec */
-  const head = ({ x, y, z }) => ["curve", x, y, ...(z ? [z] : [])];
-  /**
-   * Rows of all series: name, x, y, and the third number where there is one.
-   * @param {Spec} spec @returns {(string | number | null)[][]}
-   */
-  function rowsOf({ series, rows, z: third }) {
-    const more = (/** @type {Series} */ s, /** @type {number} */ i) =>
-      third ? [s.z?.[i] ?? null] : [];
-    const line = (/** @type {Series} */ s) => s.x.map((x, i) => [s.name, x, s.y[i], ...more(s, i)]);
-    return rows ?? series.filter((s) => !s.silent).flatMap(line);
-  }
+  const head = ({ x, y }) => ["curve", x, y];
+  /** Rows of all series: name, x, y. @param {Spec} spec */
+  const rowsOf = ({ series }) =>
+    series.filter((s) => s.name).flatMap((s) => s.x.map((x, i) => [s.name, x, s.y[i]]));
 
-  function tabulate() {
-    const { spec } = lines;
-    if (!spec) return;
+  /** @param {Spec} spec */
+  function tabulate(spec) {
     const rows = rowsOf(spec).map((row) => row.map((v) => (typeof v === "string" ? v : number(v))));
     cells.replaceChildren(table(head(spec), rows).firstElementChild ?? "");
   }
 
   /** @param {"csv" | "svg" | "png"} kind */
   async function save(kind) {
-    const { spec } = lines;
-    if (!spec) return;
+    if (!spec.value) return;
     const content =
       kind === "csv"
-        ? csv([head(spec), ...rowsOf(spec)])
+        ? csv([head(spec.value), ...rowsOf(spec.value)])
         : await lines[kind](Math.max(640, host.clientWidth), Math.max(400, host.clientHeight));
     download(`${name}.${kind}`, content);
   }
@@ -101,13 +100,11 @@ export function chartOf(name, { tools, tall, drag } = {}) {
     element,
     mark: lines.mark,
     get spec() {
-      return lines.spec;
+      return spec.value;
     },
-    /** @param {Spec} spec */
-    show(spec) {
-      lines.spec = spec;
-      if (!cells.hidden) tabulate();
-      lines.draw();
+    /** @param {Spec} next */
+    show(next) {
+      spec.value = next;
     },
   };
 }
@@ -154,7 +151,6 @@ export function withBuilt(model, x, list) {
       name: "",
       colour: model.colour,
       band: true,
-      silent: true,
       x: [...at, ...at.toReversed()],
       y: [...high, ...low.toReversed()],
     },

@@ -1,5 +1,6 @@
 // Tables of measured points: their cells, what columns were read as, and a grid to type in.
 import { block, el, folded, textField } from "./dom.js";
+import { dsvFormat } from "./vendor/dsv.js";
 
 /**
  * Lines that a grid shows at most: those behind them stay as they are; and empty ones to type in.
@@ -7,11 +8,20 @@ import { block, el, folded, textField } from "./dom.js";
 const SHOWN = 200,
   FREE = 4;
 
+/** Rows as CSV; a gap is no number. @param {readonly (readonly unknown[])[]} rows */
+export const csv = (rows) =>
+  dsvFormat(",").formatRows(rows.map((row) => row.map((v) => (Number.isNaN(v) ? "" : v)))) + "\n";
+
 /** The cells of a text, by the separator of its first line. @param {string} text */
 function cellsOf(text) {
-  const lines = text.split(/\r?\n/).filter((line) => line.trim()),
-    separator = ["\t", ";", ",", "|"].find((s) => lines[0]?.includes(s)) ?? /\s+/;
-  return lines.map((line) => line.split(separator).map((f) => f.trim().replace(/^"|"$/g, "")));
+  const [first] = text.split("\n"),
+    separator = ["\t", ";", ",", "|"].find((s) => first.includes(s));
+  const rows = separator
+    ? dsvFormat(separator).parseRows(text)
+    : text.split(/\r?\n/).map((line) => line.trim().split(/\s+/));
+  return rows
+    .map((row) => row.map((cell) => cell.trim()))
+    .filter((row) => row.some((cell) => cell));
 }
 
 /**
@@ -52,18 +62,17 @@ export function grid(usual, changed) {
     written = "";
   const body = el("tbody"),
     element = folded("Table", block("scroll", el("table", { class: "grid" }, body)));
+  const widest = () => Math.max(...table.rows.map((row) => row.length));
   /** @param {number} i @param {number} j @param {string} text */
   const put = (i, j, text) => {
     (table.rows[i] ??= [])[j] = text.trim();
   };
-  const widest = () => Math.max(...table.rows.map((row) => row.length));
   function tell() {
     const { remarks, rows } = table,
-      wide = widest();
-    const lines = rows
-      .filter((row) => row.some(Boolean))
-      .map((row) => Array.from({ length: wide }, (_, j) => row[j]).join("\t"));
-    written = `${remarks}${lines.join("\n")}\n`;
+      lines = rows
+        .filter((row) => row.some(Boolean))
+        .map((row) => Array.from({ length: widest() }, (_, j) => row[j]));
+    written = `${remarks}${dsvFormat("\t").formatRows(lines)}\n`;
     changed(written);
   }
   /** @param {number} i @param {number} j */

@@ -19,12 +19,11 @@ import {
   inside,
   meant,
   number,
-  onAnyUnits,
   outside,
   show,
   unitName,
 } from "./units.js";
-import { sketched } from "./sketch.js";
+import { watch } from "./watch.js";
 
 let count = 0;
 /** Steps of keys, in steps of a slider. @type {Record<string, number>} */
@@ -61,7 +60,7 @@ export const saying =
 
 /** A field with a slider, where that has ends. @param {Spec} spec */
 export function quantity(spec) {
-  const { key, field: name, label, symbol, about, kind, around } = spec,
+  const { label, symbol, about, kind, around } = spec,
     id = `q${++count}`;
   let { value: now, low = NaN, high = NaN } = spec;
   /**
@@ -72,8 +71,34 @@ export function quantity(spec) {
   let painted = "";
   /** Counts what was typed or dragged. */
   let turn = 0;
-  const slider = el("input", { type: "range", min: 0, max: 1000, step: "any", ariaLabel: label });
-  const field = textField({ id, "aria-describedby": `${id}w` });
+  const slider = el("input", {
+    type: "range",
+    min: 0,
+    max: 1000,
+    step: "any",
+    ariaLabel: label,
+    oninput: () => take(fromSlider(), false),
+    onchange: () => spec.change(now, true),
+    onkeydown(/** @type {KeyboardEvent} */ event) {
+      const by = STEPS[event.key];
+      if (by === undefined) return;
+      event.preventDefault();
+      const at = outside(kind, now ?? low),
+        one = around ? 10 ** Math.floor(Math.log10(at / 20)) : step();
+      const next = Number((at + by * one).toPrecision(12));
+      take(clamp(inside(kind, next), low, high), true);
+    },
+  });
+  const field = textField({
+    id,
+    "aria-describedby": `${id}w`,
+    onchange: () => read().catch((problem) => tell(problem.message, true)),
+    onkeydown(/** @type {KeyboardEvent} */ event) {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      read().catch(() => {});
+    },
+  });
   const unit = hasChoice(kind)
     ? button("", () => changeUnit(kind), { class: "bare", title: "Change the unit everywhere" })
     : el("span", { class: "soft" });
@@ -87,8 +112,6 @@ export function quantity(spec) {
     Number.isNaN(low) ? null : slider,
     below,
   );
-  sketched(element, key, name);
-  if (about) element.dataset.about = about;
 
   /** Whether somebody is typing. */
   const typing = () => document.activeElement === field && field.value !== painted;
@@ -97,7 +120,8 @@ export function quantity(spec) {
    * again.
    * @param {number} v
    */
-  const asText = (v) => number(outside(kind, v), 6) + (kind === "ratio" ? " %" : "");
+  const asText = (v) =>
+    kind === "ratio" ? `${number(outside(kind, v), 5)} %` : number(outside(kind, v), 6);
   /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
   const step = () =>
     10 ** Math.floor(Math.log10(Math.abs(outside(kind, high) - outside(kind, low)) / 100));
@@ -187,32 +211,12 @@ export function quantity(spec) {
     field.placeholder = usual !== undefined ? asText(usual) : kind === "ratio" ? "%" : "";
   }
 
-  slider.addEventListener("input", () => take(fromSlider(), false));
-  slider.addEventListener("change", () => spec.change(now, true));
-  slider.addEventListener("keydown", (event) => {
-    const by = STEPS[event.key];
-    if (by === undefined) return;
-    event.preventDefault();
-    const at = outside(kind, now ?? low),
-      one = around ? 10 ** Math.floor(Math.log10(at / 20)) : step();
-    const next = Number((at + by * one).toPrecision(12));
-    take(clamp(inside(kind, next), low, high), true);
-  });
-  field.addEventListener("change", () => {
-    read().catch((problem) => tell(problem.message, true));
-  });
-  field.addEventListener("keydown", (event) => {
-    if (event.key !== "Enter") return;
-    event.preventDefault();
-    read().catch(() => {});
-  });
   /** @param {number} least @param {number} most */
   const reach = (least, most) => {
     [low, high] = [least, most];
     paint(!typing());
   };
-  onAnyUnits(() => paint());
-  paint();
+  watch(() => paint());
   return {
     element,
     reach,
@@ -250,12 +254,10 @@ export function quantity(spec) {
 
 /**
  * A list to choose from.
- * @param {string} label @param {[string, string][]} options @param {string} value
- * @param {(value: string) => void} change
+ * @param {string} label @param {[string, string][]} options @param {(value: string) => void} change
  */
-export function choice(label, options, value, change) {
+export function choice(label, options, change) {
   const select = el("select", { onchange: () => change(select.value) }, ...optionsOf(options));
-  select.value = value;
   const element = el("label", { class: "choice" }, el("span", label), select);
   return {
     element,
@@ -267,10 +269,6 @@ export function choice(label, options, value, change) {
     /** The name of the first one, which is the usual. @param {string} text */
     first(text) {
       select.options[0].textContent = text;
-    },
-    /** All to choose from, by name and text. @param {[string, string][]} list */
-    labels(list) {
-      select.replaceChildren(...optionsOf(list));
     },
     /** More to choose from. @param {string[]} names */
     options(names) {

@@ -161,17 +161,6 @@ export function dragging(element, act) {
   }
 }
 
-/** Rows as CSV. @param {readonly (readonly (string | number | null | undefined)[])[]} rows */
-export function csv(rows) {
-  const special = /[",\n]/;
-  const quoted = (/** @type {string | number | null | undefined} */ v) => {
-    if (typeof v === "string") return special.test(v) ? `"${v.replaceAll('"', '""')}"` : v;
-    // A gap is no number.
-    return Number.isFinite(v) ? v : "";
-  };
-  return rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n";
-}
-
 /**
  * Tabs over one panel.
  * @param {string} label @param {[string, string][]} tabs @param {string} chosen
@@ -188,7 +177,15 @@ export function tabs(label, tabs, chosen, choose) {
       { role: "tab", "data-name": name },
     ),
   );
-  const list = el("div", { role: "tablist", ariaLabel: label }, ...buttons);
+  const onkeydown = (/** @type {KeyboardEvent} */ event) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    const at = buttons.findIndex((one) => one === document.activeElement);
+    const next = buttons[(at + step + buttons.length) % buttons.length];
+    next.focus();
+    next.click();
+  };
+  const list = el("div", { role: "tablist", ariaLabel: label, onkeydown }, ...buttons);
   function set(/** @type {string} */ name) {
     for (const one of buttons) {
       const on = one.dataset.name === name;
@@ -197,14 +194,6 @@ export function tabs(label, tabs, chosen, choose) {
     }
   }
   set(chosen);
-  list.addEventListener("keydown", (event) => {
-    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    if (!step) return;
-    const at = buttons.findIndex((one) => one === document.activeElement);
-    const next = buttons[(at + step + buttons.length) % buttons.length];
-    next.focus();
-    next.click();
-  });
   return { list, set };
 }
 
@@ -232,12 +221,14 @@ let windows = 0;
 /** @param {string} title @param {(close: () => void) => (Node | string | null)[]} inside */
 export function dialog(title, inside) {
   const id = `dialog-${++windows}`;
-  const box = el("dialog", { "aria-labelledby": id });
   const close = () => box.close();
-  box.addEventListener("close", () => box.remove());
-  // A click beside it closes it too.
-  box.addEventListener("click", (event) => {
-    if (event.target === box) close();
+  const box = el("dialog", {
+    "aria-labelledby": id,
+    onclose: () => box.remove(),
+    // A click beside it closes it too.
+    onclick(/** @type {MouseEvent} */ event) {
+      if (event.target === box) close();
+    },
   });
   const head = block("row head", el("h2", { id }, title), button("Close", close));
   box.append(block("inside", head, ...inside(close)));

@@ -9,7 +9,7 @@ import { stated } from "./toml.js";
 import { notice, noticeProblem } from "./dom.js";
 
 /**
- * @typedef {"muscle" | "joint" | "drive" | "plan" | "data" | "rubber" | "project" | "other"} Kind
+ * @typedef {"muscle" | "joint" | "drive" | "data" | "rubber" | "project" | "formula" | "other"} Kind
  */
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */
 const MOST = 60_000_000;
@@ -28,13 +28,17 @@ function isRubberTest(text) {
 }
 
 /** What a file is. @param {string} name @param {string} text @returns {Kind} */
-export function kindOfFile(name, text) {
+function kindOfFile(name, text) {
   if (/\.json$/i.test(name))
-    return /"mckibben-project"/.test(text.slice(0, 2000)) ? "project" : "other";
+    return text.includes('"mckibben-project"')
+      ? "project"
+      : text.includes('"equation"')
+        ? "formula"
+        : "other";
   if (/\.(csv|tsv|txt|dat|xlsx|ods)$/i.test(name)) return isRubberTest(text) ? "rubber" : "data";
   const tables = new Set([...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]));
   if (tables.has("joint")) return "joint";
-  if (tables.has("vary") || tables.has("sampling")) return "plan";
+  if (tables.has("vary") || tables.has("sampling")) return "other";
   if (tables.has("command") || tables.has("valve")) return "drive";
   if (tables.has("tube") || tables.has("braid") || /\.toml$/i.test(name)) return "muscle";
   return "other";
@@ -49,13 +53,18 @@ const namedIn = (text) =>
 /** @param {Read[]} files */
 async function take(files) {
   const first = (/** @type {Kind} */ kind) => files.find((file) => file.kind === kind);
-  const project = first("project");
-  if (project) return (await import("./project.js")).openProject(project.text);
-  const [joint, drive, data, plan, rubber] = /** @type {const} */ ([
+  const project = first("project"),
+    formula = first("formula");
+  if (project) return openProject(project.text);
+  if (formula) {
+    keepFile("formula", { name: formula.name, text: formula.text });
+    notice(`${formula.name} is among the models of the isobaric curves, under Another model.`);
+    return visit("muscle", { over: formula.name });
+  }
+  const [joint, drive, data, rubber] = /** @type {const} */ ([
     "joint",
     "drive",
     "data",
-    "plan",
     "rubber",
   ]).map(first);
   const muscles = files.filter((file) => file.kind === "muscle"),
@@ -64,7 +73,6 @@ async function take(files) {
   const second = muscles.find((file) => file.name === wanted[1] && file !== own);
   if (own) await muscle.take(own.text, own.name);
   if (data) measured.set({ name: data.name, text: data.text });
-  if (plan) keepFile("plan", plan.text);
   if (rubber) keepFile("rubber", { name: rubber.name, text: rubber.text });
   const lacks = (joint || drive) && !own && wanted[0];
   const what = files.map((file) => file.name).join(", ");
@@ -79,7 +87,20 @@ async function take(files) {
   if (joint) return visit("joint", { ...ofFile, joint: joint.text, file2: second?.text });
   // Over the curves of the page Muscle they are at their place too.
   const isElsewhere = data && document.body.dataset.page !== "muscle";
-  return visit(isElsewhere ? "data" : plan ? "formula" : rubber ? "rubber" : "muscle", {});
+  return visit(isElsewhere ? "data" : rubber ? "rubber" : "muscle", {});
+}
+
+/** A project of before: the muscle of it that was shown. @param {string} text */
+async function openProject(text) {
+  const { muscles = [], shown } = JSON.parse(text),
+    one = muscles.find((/** @type {{ name: string }} */ m) => m.name === shown) ?? muscles[0];
+  if (!one) throw new Error("The project has no muscle.");
+  await muscle.take(one.file);
+  notice(
+    `Opened ${one.name}. Projects are gone: of ${muscles.length} muscles this is the one that was shown; ` +
+      "a muscle file and a table keep the others.",
+  );
+  return visit("muscle", {});
 }
 
 /** @param {readonly File[]} files */
@@ -95,8 +116,8 @@ export async function takeFiles(files) {
     const other = read.find(({ kind }) => kind === "other");
     if (other)
       throw new Error(
-        `${other.name} is no file of this program: muscles, joints, drives and plans end in .toml, measured points ` +
-          `in .csv, .xlsx or .ods, projects in .json.`,
+        `${other.name} is no file of this page: muscles, joints and drives end in .toml, measured points in .csv, ` +
+          ".xlsx or .ods, formulas in .json; plans are for the command campaign.",
       );
     if (read.length) await take(read);
   } catch (problem) {

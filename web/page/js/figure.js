@@ -49,32 +49,31 @@ const words = (/** @type {Panel["x"]} */ axis) =>
 
 /** @param {Panel} panel @param {Figure} figure @returns {Spec} */
 function spec(panel, figure) {
-  const [kx, ky] = [scale(panel.x), scale(panel.y)];
-  const most = Math.max(1, ...figure.panels.flatMap((p) => p.series.map((s, i) => s.colour ?? i)));
-  const colour = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
-    const n = s.colour ?? i;
-    if (s.neutral && figure.palette !== "sequential") return token("--ink");
-    if (figure.palette !== "sequential") return KINDS[n % KINDS.length];
-    return shade(n / most);
-  };
+  const [kx, ky] = [scale(panel.x), scale(panel.y)],
+    ordered = figure.palette === "sequential",
+    most = Math.max(1, ...figure.panels.flatMap((p) => p.series.map((s, i) => s.colour ?? i)));
   /** @returns {Series} */
   const one = (/** @type {Panel["series"][number]} */ s, /** @type {number} */ i) => {
-    const auto =
-      figure.palette === "sequential" ? "solid" : DASHES[(s.colour ?? i) % DASHES.length];
-    const styles = { dashed: "dash", dotted: "dot", auto };
-    const dash = /** @type {Series["dash"]} */ (
-      /** @type {Record<string, string>} */ (styles)[s.style] ?? "solid"
-    );
-    const line = {
-      colour: colour(s, i),
+    const n = s.colour ?? i,
+      auto = ordered ? "solid" : DASHES[n % DASHES.length],
+      band = s.style === "band";
+    const dashes = /** @type {Record<string, Series["dash"]>} */ ({
+      dashed: "dash",
+      dotted: "dot",
+      auto,
+    });
+    return {
+      name: band ? "±" : s.label || s.end_label || panel.y.label,
+      legend: band ? "" : s.label,
+      end: s.end_label || undefined,
+      band,
+      dash: dashes[s.style],
+      mode: s.style === "points" ? "markers" : "lines",
+      colour: ordered ? shade(n / most) : s.neutral ? token("--ink") : KINDS[n % KINDS.length],
       // A gap is no number.
       x: s.points.map((p) => kx * (p[0] ?? NaN)),
       y: s.points.map((p) => ky * (p[1] ?? NaN)),
     };
-    if (s.style === "band") return { ...line, name: "±", band: true, legend: "" };
-    const name = s.label || s.end_label || panel.y.label,
-      mode = s.style === "points" ? "markers" : "lines";
-    return { ...line, name, end: s.end_label || undefined, dash, mode, legend: s.label };
   };
   const range = (/** @type {Panel["x"]} */ axis) =>
     axis.range

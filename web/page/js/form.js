@@ -19,7 +19,6 @@ import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
 import { expectation, inWords, meant, pointed, show, withUnit } from "./units.js";
-import { sketched } from "./sketch.js";
 
 /**
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
@@ -53,60 +52,22 @@ function fieldRow(f, submit) {
   const below = el("p", { id: `${id}w`, hidden: true });
   const line = el("div", { class: "choice" }, el("label", { for: id }, f.label), input);
   const row = el("div", { hidden: f.hidden }, line, below);
-  sketched(row, f.field, f.key);
   return { input, say: saying(input, below), row };
 }
 
-/** What a form asks the engine of its texts, and what it says of bare numbers. */
-class Reading {
-  /** @type {Read} */ values = {};
-  /** @type {Asked[]} */ asked = [];
-  /** @type {Map<string, string>} */ notes = new Map();
-
-  /**
-   * A text as the engine shall read it. @param {Field} f @param {Kind} kind @param {string} text
-   */
-  #clear(f, kind, text) {
-    if (f.list) return withUnit(kind, text);
-    if (kind === "ratio" && f.factor) return text;
-    const { text: clearer, value, note } = meant(kind, text),
-      whole = withUnit(kind, clearer);
-    if (note) this.notes.set(f.key, note);
-    else if (value && whole !== clearer && f.kind)
-      this.notes.set(f.key, `${text} without a unit was read as ${show(kind, value, 6)}.`);
-    return whole;
-  }
-
-  /**
-   * @param {Field} f @param {Kind} kind @param {string} text @param {(value: Value) => void} take
-   */
-  #ask(f, kind, text, take) {
-    this.asked.push({ f, text: this.#clear(f, kind, text), kind, list: f.list ?? false, take });
-  }
-
-  /** @param {Field} f @param {string} text */
-  add(f, text) {
-    const { values } = this;
-    if (f.pair) values[f.field] = text.split(",").map((one) => this.#pair(f, one.split(/@| at /)));
-    else if (f.words) values[f.field] = text.split(",").flatMap((word) => word.trim() || []);
-    else if (!f.kind || f.or?.includes(text))
-      values[f.field] = f.field === "load" ? pointed(text) : text;
-    else
-      this.#ask(f, f.kind, text, (value) => {
-        values[f.field] = value;
-      });
-  }
-
-  /** @param {Field} f @param {string[]} parts */
-  #pair(f, parts) {
-    const item = /** @type {Record<string, number>} */ ({});
-    f.pair?.forEach(([kind, field], i) =>
-      this.#ask(f, kind, (parts[i] ?? "").trim(), (v) => {
-        item[field] = Number(v);
-      }),
-    );
-    return item;
-  }
+/**
+ * What a mass that stands in the place of a force weighs, as a sentence; empty for other texts.
+ * @param {Asked[]} asked @param {Readings} readings
+ */
+async function weights(asked, readings) {
+  const wrong = asked.map(({ kind, text }, i) => ({
+    text: kind === "force" && readings[i].problem ? text : "",
+    kind: /** @type {const} */ ("mass"),
+  }));
+  if (!wrong.some(({ text }) => text)) return [];
+  return (await understood(wrong)).map(({ value }, i) =>
+    value ? `${wrong[i].text} weigh ${show("force", 9.80665 * value, 2)}: type that` : "",
+  );
 }
 
 class Form {
@@ -136,17 +97,51 @@ class Form {
    * @param {{ intervals?: boolean }} [options] @returns {Promise<Read | undefined>}
    */
   async read({ intervals = false } = {}) {
-    const reading = new Reading();
+    const values = /** @type {Read} */ ({}),
+      asked = /** @type {Asked[]} */ ([]),
+      notes = /** @type {Map<string, string>} */ (new Map());
+    /** A text as the engine shall read it. @param {Field} f @param {Kind} kind @param {string} text */
+    const clear = (f, kind, text) => {
+      if (f.list) return withUnit(kind, text);
+      if (kind === "ratio" && f.factor) return text;
+      const { text: clearer, value, note } = meant(kind, text),
+        whole = withUnit(kind, clearer);
+      if (note) notes.set(f.key, note);
+      else if (value && whole !== clearer && f.kind)
+        notes.set(f.key, `${text} without a unit was read as ${show(kind, value, 6)}.`);
+      return whole;
+    };
+    /** @param {Field} f @param {Kind} kind @param {string} text @param {(value: Value) => void} take */
+    const ask = (f, kind, text, take) =>
+      asked.push({ f, text: clear(f, kind, text), kind, list: f.list ?? false, take });
     for (const f of this.fields) {
-      this.mark(f.key, "");
-      const text = this.rows.get(f.key)?.row.hidden ? "" : this.text(f.key);
-      if (text) reading.add(f, text);
+      const { kind, key, field, pair } = f,
+        text = this.rows.get(key)?.row.hidden ? "" : this.text(key);
+      this.mark(key, "");
+      if (!text) continue;
+      if (pair)
+        values[field] = text.split(",").map((one) => {
+          const parts = one.split(/@| at /),
+            item = /** @type {Record<string, number>} */ ({});
+          pair.forEach(([of, name], i) =>
+            ask(f, of, (parts[i] ?? "").trim(), (v) => (item[name] = Number(v))),
+          );
+          return item;
+        });
+      else if (f.words) values[field] = text.split(",").flatMap((word) => word.trim() || []);
+      else if (!kind || f.or?.includes(text))
+        values[field] = field === "load" ? pointed(text) : text;
+      else ask(f, kind, text, (value) => (values[field] = value));
     }
-    const { asked, notes, values } = reading;
     const readings = await understood(asked.map(({ text, kind, list }) => ({ text, kind, list })));
+    const weighed = await weights(asked, readings);
     asked.forEach(({ f, text, list, take }, i) => {
       const { problem, value, values, interval } = readings[i];
-      if (problem) this.mark(f.key, text ? problem.message : `a value is missing, as in ${f.hint}`);
+      if (problem)
+        this.mark(
+          f.key,
+          text ? weighed[i] || problem.message : `a value is missing, as in ${f.hint}`,
+        );
       // Without a step a search takes it as a whole.
       else if (intervals && interval) take({ low: interval[0], high: interval[1] });
       else take(list ? values : value);

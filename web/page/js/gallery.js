@@ -1,20 +1,19 @@
 // Muscles to begin with: files of the folder `examples`, with pictures that are drawn from them.
-import { address, pack } from "./address.js";
+import { address } from "./address.js";
 import { block, button, capital, download, el, heading, mainButton, rowOf } from "./dom.js";
 import { keepFile, measured } from "./kept.js";
 import { SCRIPTS } from "./place.js";
 import { card, thumbnail } from "./thumbnail.js";
 import { showForce, showLength, showPressure, unitsInAddress } from "./units.js";
-import { engine } from "./ask.js";
-import { muscle } from "./muscle.js";
+import { answerTo } from "./ask.js";
+import { muscle, visit } from "./muscle.js";
 import { fileName } from "./toml.js";
 
 /**
- * A muscle of the gallery: its file, or its name in the library; D0, s, L0 and the strand angle for
+ * A muscle of the gallery: its file; D0, s, L0 and the strand angle for
  * its picture; what it is, and the page that it is shown on, with words of the address and files of
  * that page.
- * @typedef {[title: string, about: string, size: number[], of: { file?: string, part?: string,
- * page?: string,
+ * @typedef {[title: string, about: string, size: number[], of: { file: string, page?: string,
  *   words?: Words, joint?: string, data?: string }]} Entry
  */
 /** @type {Entry[]} */
@@ -37,26 +36,6 @@ export const GALLERY = [
       file: "tondu2012.toml",
 
       words: { p: "3bar", e: "10%" },
-    },
-  ],
-  [
-    "Festo DMSP-10",
-    "Industrial, 10 mm inside",
-    [13, 1.25, 250, 26.6],
-    {
-      part: "lib:dmsp-10-250",
-
-      words: { p: "5bar", e: "10%" },
-    },
-  ],
-  [
-    "Festo DMSP-20",
-    "Industrial, 20 mm inside",
-    [23, 1.5, 300, 25],
-    {
-      part: "lib:dmsp-20-300",
-
-      words: { p: "5bar", e: "10%" },
     },
   ],
   [
@@ -113,8 +92,7 @@ export async function example(name) {
 }
 
 /** Opens an entry: the address of its page with its muscle. @param {Entry[3]} entry */
-async function openEntry({ file = "", part, page = "muscle", words = {}, joint, data }) {
-  if (part) return openPart(part, words);
+async function openEntry({ file, page = "muscle", words = {}, joint, data }) {
   const [text, jointText, dataText] = await Promise.all([
     example(file),
     joint ? example(joint) : undefined,
@@ -125,7 +103,6 @@ async function openEntry({ file = "", part, page = "muscle", words = {}, joint, 
     // Its constants are identified at once.
     keepFile("constants", true);
   }
-  await Promise.all([text, jointText ?? ""].map(pack));
   location.hash = address(page, { ...words, u: unitsInAddress(), file: text, joint: jointText });
 }
 
@@ -139,12 +116,7 @@ export const gallery = (fail, opened, list = GALLERY) =>
     ...list.map(([title, about, size, entry]) => {
       const [outer_diameter_mm, wall_mm, length_mm, angle_deg] = size;
       const picture = thumbnail({ outer_diameter_mm, wall_mm, length_mm, angle_deg });
-      return card(
-        () => openEntry(entry).then(() => opened?.(), fail),
-        el("span", picture),
-        title,
-        about,
-      );
+      return card(() => openEntry(entry).then(() => opened?.(), fail), picture, title, about);
     }),
   );
 
@@ -153,15 +125,12 @@ export const gallery = (fail, opened, list = GALLERY) =>
  * @typedef {Commands["parts-list"]["answer"]["muscles"][number]} Identified a muscle of the library
  */
 
-/**
- * Opens one on the page Muscle.
- * @param {string} name @param {Record<string, string>} [at] words of its point
- */
-export async function openPart(name, at = {}) {
-  const { muscle: found } = await engine().ask("parts-show", { name });
+/** Opens one on the page Muscle. @param {string} name */
+async function openPart(name) {
+  const { muscle: found } = await answerTo("parts-show", { name });
   const called = found?.product ? `${found.product} (${found.title})` : found?.title;
   await muscle.take(found?.muscle_file.text ?? "", name, called);
-  location.hash = address("muscle", { ...muscle.params(), ...at });
+  visit("muscle", {});
 }
 
 /**
@@ -173,7 +142,7 @@ export const muscleButtons = (file, put, keep, name) =>
   rowOf(
     mainButton(put, async () => {
       await muscle.take(file);
-      location.hash = address("muscle", muscle.params());
+      visit("muscle", {});
     }),
     button(keep, () => download(fileName(name, ".toml"), file)),
   );
@@ -190,7 +159,7 @@ function entryCard(entry, opened, fail) {
   const size = `D0 ${showLength(entry.outer_diameter_mm, 3)}, L0 ${showLength(entry.length_mm)}`;
   const box = card(
     () => openPart(name).then(opened, fail),
-    el("span", thumbnail(entry)),
+    thumbnail(entry),
     capital(entry.product ?? entry.title),
     `${size}${pull}`,
   );
@@ -204,12 +173,9 @@ function entryCard(entry, opened, fail) {
  */
 export function library(fail, opened) {
   const box = block("gallery", el("span", { class: "small soft" }, "The library is being read."));
-  engine()
-    .ask("parts-list", { kind: "muscles" })
-    .then(
-      ({ muscles }) =>
-        box.replaceChildren(...muscles.map((entry) => entryCard(entry, opened, fail))),
-      fail,
-    );
+  answerTo("parts-list", { kind: "muscles" }).then(
+    ({ muscles }) => box.replaceChildren(...muscles.map((entry) => entryCard(entry, opened, fail))),
+    fail,
+  );
   return block("", heading("Identified from measured points"), box);
 }

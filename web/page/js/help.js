@@ -1,8 +1,8 @@
-// Help: what a page is for, how it is used, and the page of the book that says more.
-import { address } from "./address.js";
-import { button, dialog, el, paragraph, remark } from "./dom.js";
+// Help: what a page is for, what the signs mean, the page of the book that says more, and about.
+import { engine } from "./ask.js";
+import { button, dialog, el, heading, paragraph, remark, rowOf } from "./dom.js";
 import { DOCUMENTATION } from "./kind.js";
-import { muscle } from "./muscle.js";
+import { isKept, keepAll } from "./offline.js";
 import { pageOf } from "./pages.js";
 
 /** The page of the book, from this one. @param {string} place such as `commands#commands` */
@@ -11,19 +11,64 @@ function book(place) {
   return `${DOCUMENTATION.replace(/[^/]*$/, "")}${file}.html${anchor ? `#${anchor}` : ""}`;
 }
 
-/** The button of the frame; it shows the help of the page that is shown. */
-export const helpButton = () =>
-  button("Help", () => {
-    const { text, about, help } = pageOf(document.body.dataset.page ?? "");
-    dialog(`Help: ${text}`, (close) => [
-      paragraph(about),
-      paragraph("Point at a quantity, or focus its field, to see it in a drawing."),
-      paragraph(
-        el("a", { href: address("about", muscle.params()), onclick: close }, "About"),
-        ": your data, accuracy, sources.",
-      ),
-      DOCUMENTATION
-        ? el("iframe", { class: "book", title: "The book", src: book(help) })
-        : remark("The book comes with the program: ", el("code", `docs/${help.split("#")[0]}.md`)),
-    ]);
+/** What works without a network, and a button for the rest. */
+function withoutNetwork() {
+  const text = el("span");
+  const keep = button("Make all places available offline", async () => {
+    keep.disabled = true;
+    text.textContent = "Fetching …";
+    const wrong = await keepAll().then(
+      () => "",
+      (problem) => `That failed: ${problem.message}`,
+    );
+    await say();
+    if (wrong) text.textContent = wrong;
+    keep.disabled = false;
   });
+  const element = el("div", { hidden: true }, heading("Without a network"), rowOf(text, keep));
+  const say = async () => {
+    const all = await isKept();
+    keep.hidden = all;
+    text.textContent = all ? "Every place works." : "The muscle works; the other places need more.";
+    element.hidden = false;
+  };
+  // Where the browser keeps nothing there is nothing to say.
+  say().catch(() => {});
+  return element;
+}
+
+/** The help of the page that is shown. */
+export function helpDialog() {
+  const { text, about, help } = pageOf(document.body.dataset.page ?? "");
+  dialog(`Help: ${text}`, () => [
+    paragraph(about),
+    el("img", {
+      src: "symbols.svg",
+      style: "width:100%",
+      alt:
+        "A muscle at rest with outer diameter D0, wall s, length L0 and braid angle θ0; and under " +
+        "pressure p, contracted by ε, with its pull F",
+    }),
+    remark(
+      "As built: what a muscle that you build pulls, the median and the interval that 95 % of " +
+        "measured muscles keep. The chance: how many of ten that are built reach what was asked.",
+    ),
+    DOCUMENTATION
+      ? el("iframe", { class: "book", title: "The book", src: book(help) })
+      : remark("The book comes with the program: ", el("code", `docs/${help.split("#")[0]}.md`)),
+    heading("About"),
+    paragraph(
+      `Your data stay on your computer: the engine is ${engine().about}. Your muscle and your ` +
+        "settings are in the address; what you typed and opened stays in this tab until you close it.",
+    ),
+    withoutNetwork(),
+    paragraph(
+      "mckibben is free software under MIT or Apache 2.0. The documentation lists the sources of " +
+        "all data and their terms. ",
+      DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it."),
+    ),
+  ]);
+}
+
+/** The button of the frame. */
+export const helpButton = () => button("Help", helpDialog);

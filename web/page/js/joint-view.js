@@ -13,6 +13,7 @@ import {
   unitName,
 } from "./units.js";
 import { body, contracted } from "./body.js";
+import { path, svg, words } from "./svg.js";
 
 /** @typedef {NonNullable<JointAnswer["map"]>} Reached */
 /** @typedef {NonNullable<Reached["points"][number]>} Reach */
@@ -28,14 +29,6 @@ export function angleAt(stage, event) {
   const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
   return (Math.atan2(-at.y, at.x) * 180) / Math.PI;
 }
-
-/** Whether finite elements have answered yet. @param {string} model */
-const badge = (model) =>
-  el(
-    "p",
-    { class: model === "fe" ? "badge final" : "badge" },
-    model === "fe" ? "Final: finite elements" : `First estimate: ${model}`,
-  );
 
 /** @param {JointPoint} point @param {string} which muscles these are */
 export function numbersView(point, which) {
@@ -67,7 +60,9 @@ export function numbersView(point, which) {
   ]);
   const words = point.words ? ` The torque as built is ${built}, with its ± ${point.words}.` : "";
   return [
-    badge(point.model),
+    remark(
+      point.model === "fe" ? "Final: finite elements" : "First estimate: a formula (universal)",
+    ),
     el(
       "dl",
       el("dt", { class: "head" }, "Equilibrium angle"),
@@ -78,15 +73,18 @@ export function numbersView(point, which) {
       ),
       ...termsOf(rows),
     ),
-    remark(`${which} Curves and map by universal.${words}`),
+    remark(
+      `${which} Curves and map by the formula universal, which was fitted to finite elements.${words}`,
+    ),
   ];
 }
 
 /**
- * Torques over the angle at pairs of pressures.
- * @param {Family} family @param {JointPoint | undefined} point @returns {Spec}
+ * Torques over the angle at pairs of pressures, with the point and what was asked.
+ * @param {Family} family @param {JointPoint | undefined} point
+ * @param {{ angle: number, torque: number } | undefined} asked @returns {Spec}
  */
-export function torqueChart({ answer, angles, pairs }, point) {
+export function torqueChart({ answer, angles, pairs }, point, asked) {
   const series = pairs.map((pair, i) => {
     const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
     const name =
@@ -99,9 +97,12 @@ export function torqueChart({ answer, angles, pairs }, point) {
       y: rows.map((q) => outside("torque", q.torque_nm)),
     };
   });
-  const marks = point
-    ? [{ x: point.angle_deg, y: outside("torque", point.torque_nm ?? 0), text: "required" }]
-    : [];
+  const marks = [
+    ...(point
+      ? [{ angle: point.angle_deg, torque: point.torque_nm ?? 0, text: "this state" }]
+      : []),
+    ...(asked ? [{ ...asked, text: "asked" }] : []),
+  ].map(({ angle, torque, text }) => ({ x: angle, y: outside("torque", torque), text }));
   return {
     x: "angle φ [°]",
     y: `torque [${unitName("torque")}]`,
@@ -137,16 +138,10 @@ export function reachChart(map) {
     const y = of.map((q) => outside(ANGULAR, q.stiffness_nm_per_rad));
     const x = of.map((q) => q.angle_deg),
       colour = pressureColour(i + 0.5, count);
-    const legend = i ? name : `mean pressure ${name}`,
-      z = of.map(mean);
-    return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y, z };
+    const legend = i ? name : `mean pressure ${name}`;
+    return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y };
   });
-  return {
-    x: "rest angle φ [°]",
-    y: `stiffness [${unitName(ANGULAR)}]`,
-    z: `mean pressure [${unit}]`,
-    series,
-  };
+  return { x: "rest angle φ [°]", y: `stiffness [${unitName(ANGULAR)}]`, series };
 }
 
 // The joint to scale: pulley, both muscles as long and as thick as they are, the arm in its range,
@@ -174,16 +169,19 @@ function tube(m, which, point, supply, left) {
   const length = m.length * (1 - e),
     now = contracted(m.diameter, m.angle, e),
     fill = pressureColour(p ?? 0, supply),
-    b = Math.max(m.diameter, now.bulged) / 2,
-    thread = `color-mix(in srgb, ${fill} 62%, #fff)`;
+    thread = `color-mix(in srgb, ${fill} 62%, #fff)`,
+    b = Math.max(m.diameter, now.bulged) / 2;
   const text =
     p === undefined ? String(which) : `${which}: ${showPressure(p, 3)}, ${showRatio(e, 3)}`;
-  const place = which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length;
-  return (
-    `<path d="M${left + length} ${y}H0" class="tendon"/><g transform="translate(${left} ${y})" class="woven">` +
-    `${body({ length, diameter: m.diameter, ...now, fill, thread })}</g>` +
-    `<text x="${left}" y="${place}">${text}</text>`
-  );
+  return [
+    path(`M${left + length} ${y}H0`, "tendon"),
+    svg(
+      "g",
+      { transform: `translate(${left} ${y})`, class: "woven" },
+      body({ length, diameter: m.diameter, ...now, fill, thread }),
+    ),
+    words(text, left, which === 1 ? y - b - 0.02 * m.length : y + b + 0.055 * m.length),
+  ];
 }
 
 /**
@@ -194,55 +192,64 @@ function tube(m, which, point, supply, left) {
 export function jointDrawing(point, angle, supply, m) {
   const arm = 0.45 * m.length,
     most = Math.max(Math.abs(m.low), Math.abs(m.high)),
-    size = m.length / (innerWidth < 700 ? 15 : 26);
-  const left = -(m.length * (1 - m.e0) + m.r * ((most * Math.PI) / 180) + m.diameter);
+    [x, y] = at(arm, angle).split(" "),
+    left = -(m.length * (1 - m.e0) + m.r * ((most * Math.PI) / 180) + m.diameter);
   const width = arm * 1.25 - left + 0.2 * m.length;
-  const tall =
-    2 *
-    Math.max(
-      arm * Math.sin((Math.min(90, most) * Math.PI) / 180) + 0.1 * m.length,
-      m.r + 1.6 * m.diameter,
-    );
-  const range =
-    `<path d="M0 0L${at(arm, m.low)}A${arm} ${arm} 0 ${m.high - m.low > 180 ? 1 : 0} 0 ${at(arm, m.high)}Z" ` +
-    'class="range"/>';
-  const second = !point || point.pressure_2_mpa !== undefined;
-  const muscles = tube(m, 1, point, supply, left) + (second ? tube(m, 2, point, supply, left) : "");
+  const rise = arm * Math.sin((Math.min(90, most) * Math.PI) / 180) + 0.1 * m.length,
+    tall = 2 * Math.max(rise, m.r + 1.6 * m.diameter);
   const bar = niceUp(0.13 * m.length),
-    scale =
-      `<path d="M${left} ${tall / 2 - 0.03 * m.length}v${0.015 * m.length}` +
-      `h${bar}v${-0.015 * m.length}" fill="none" class="line"/><text x="${left + bar + 4}" ` +
-      `y="${tall / 2 - 0.01 * m.length}">${showLength(bar, 2)}</text>`;
-  const wall = `<path d="M${left - 0.5 * m.diameter} ${-m.r - m.diameter}V${m.r + m.diameter}" class="wall"/>`;
-  const legend =
-    `<text x="${arm * 1.2}" y="${-tall / 2 + 0.07 * m.length}" text-anchor="end">colour: pressure, 0 to ` +
-    `${showPressure(supply, 3)}</text>`;
-  return (
-    `<svg class="section joint" viewBox="${left - m.diameter} ${-tall / 2} ${width} ${tall}" ` +
-    `font-size="${size}">${range}${wall}${muscles}<circle r="${m.r}" class="pulley"/>` +
-    `<path d="M0 0L${at(arm, angle)}" class="arm" stroke-width="${0.035 * m.length}"/><circle ` +
-    `r="${0.02 * m.length}" fill="currentColor"/>` +
-    `<circle cx="${at(arm, angle).replace(" ", '" cy="')}" r="${0.035 * m.length}" fill="${KINDS[1]}"/>` +
-    `${load(point, angle, arm, size)}${scale}${legend}</svg>`
+    tick = 0.015 * m.length;
+  const second = !point || point.pressure_2_mpa !== undefined;
+  return svg(
+    "svg",
+    {
+      class: "section joint",
+      viewBox: `${left - m.diameter} ${-tall / 2} ${width} ${tall}`,
+      "font-size": m.length / (innerWidth < 700 ? 15 : 26),
+    },
+    path(
+      `M0 0L${at(arm, m.low)}A${arm} ${arm} 0 ${m.high - m.low > 180 ? 1 : 0} 0 ${at(arm, m.high)}Z`,
+      "range",
+    ),
+    path(`M${left - 0.5 * m.diameter} ${-m.r - m.diameter}V${m.r + m.diameter}`, "wall"),
+    ...tube(m, 1, point, supply, left),
+    ...(second ? tube(m, 2, point, supply, left) : []),
+    svg("circle", { r: m.r, class: "pulley" }),
+    svg("path", { d: `M0 0L${x} ${y}`, class: "arm", "stroke-width": 0.035 * m.length }),
+    svg("circle", { r: 0.02 * m.length, fill: "currentColor" }),
+    svg("circle", { cx: x, cy: y, r: 0.035 * m.length, fill: KINDS[1] }),
+    ...load(point, angle, arm),
+    path(`M${left} ${tall / 2 - 2 * tick}v${tick}h${bar}v${-tick}`, "line"),
+    words(showLength(bar, 2), left + bar + 4, tall / 2 - 0.67 * tick),
+    words(
+      `colour: pressure, 0 to ${showPressure(supply, 3)}`,
+      arm * 1.2,
+      -tall / 2 + 0.07 * m.length,
+      "end",
+    ),
   );
 }
 
 /**
  * The torque that the joint holds against its load, as an arrow about the axis.
  * @param {JointPoint | undefined} point @param {number} angle @param {number} arm
- * @param {number} size
  */
-function load(point, angle, arm, size) {
-  const torque = Number(point?.torque_nm ?? 0);
-  if (Math.abs(torque) < 1e-6) return "";
+function load(point, angle, arm) {
+  const torque = Number(point?.torque_nm ?? 0),
+    way = Math.sign(torque);
+  if (Math.abs(torque) < 1e-6) return [];
   const r = 0.6 * arm,
-    sweep = Math.sign(torque) * 28,
-    tip = angle + sweep,
-    back = tip - Math.sign(torque) * 5;
-  const text = `${number(outside("torque", torque), 3)} ${unitName("torque")}`;
-  return (
-    `<path d="M${at(r, angle)}A${r} ${r} 0 0 ${torque > 0 ? 0 : 1} ${at(r, tip)}M${at(0.94 * r, back)}` +
-    `L${at(r, tip)}L${at(1.06 * r, back)}" class="load"/>` +
-    `<text x="${at(1.1 * r, tip).replace(" ", '" y="')}" font-size="${size}">${text}</text>`
-  );
+    tip = angle + 28 * way,
+    back = tip - 5 * way,
+    [x, y] = at(1.1 * r, tip)
+      .split(" ")
+      .map(Number);
+  return [
+    path(
+      `M${at(r, angle)}A${r} ${r} 0 0 ${way > 0 ? 0 : 1} ${at(r, tip)}M${at(0.94 * r, back)}` +
+        `L${at(r, tip)}L${at(1.06 * r, back)}`,
+      "load",
+    ),
+    words(`${number(outside("torque", torque), 3)} ${unitName("torque")}`, x, y),
+  ];
 }

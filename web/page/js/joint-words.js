@@ -5,60 +5,50 @@ import { joint } from "./state.js";
 import { stated } from "./toml.js";
 import { typed } from "./units.js";
 
-/** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
-export const KINDS_OF = /** @type {const} */ ({
-  r: "length",
-  low: "angle",
-  high: "angle",
-  e0: "ratio",
-  phi: "angle",
-  K: "angular-stiffness",
-  pmax: "pressure",
-  mass: "mass",
-  centre: "length",
-  inertia: "inertia",
+/**
+ * Words of the address: kind of quantity, usual value (in mm, degrees, ratio, N m, N m/rad, MPa, kg,
+ * kg m²), and where a joint file states it too; both limits are its range. `k` is that of the
+ * muscle's strands.
+ */
+const TABLE = /** @type {const} */ ({
+  r: ["length", 25, "joint.radius"],
+  low: ["angle", -60, ""],
+  high: ["angle", 60, ""],
+  e0: ["ratio", 0.12, "muscle_1.contraction_at_neutral"],
+  phi: ["angle", 20],
+  M: ["torque", 0],
+  K: ["angular-stiffness", 8],
+  pmax: ["pressure", 0.5],
+  mass: ["mass", 0, "link.mass"],
+  centre: ["length", 150, "link.centre"],
+  inertia: ["inertia", 0.03, "joint.inertia"],
 });
-const USUAL = {
-  r: 25,
-  low: -60,
-  high: 60,
-  e0: 0.12,
-  phi: 20,
-  K: 8,
-  pmax: 0.5,
-  mass: 0,
-  centre: 150,
-  inertia: 0.03,
-};
-/** @typedef {keyof typeof KINDS_OF} Key */
-/** @typedef {typeof USUAL} Values in mm, degrees, ratio, N m/rad, MPa, kg, kg m² */
-export const KEYS = /** @type {Key[]} */ (Object.keys(KINDS_OF));
+/** @typedef {keyof typeof TABLE} Key */
+/** @typedef {Record<Key, number>} Values */
+export const KEYS = /** @type {Key[]} */ (Object.keys(TABLE));
+/** @param {Key} key */
+export const kindOf = (key) => TABLE[key][0];
+/** Where a joint file states it. @param {Key} key */
+export const stateAt = (key) => TABLE[key][2] ?? "";
+const usual = (/** @type {Key[]} */ keys) =>
+  /** @type {Values} */ (Object.fromEntries(keys.map((key) => [key, TABLE[key][1]])));
 /** Files of the address: of the joint, and of muscle 2 where it is another one. */
 export const FILES = /** @type {const} */ (["joint", "file2"]);
-/** What a joint file states too, and where; both limits are its range. */
-export const STATED = {
-  r: "joint.radius",
-  low: "",
-  high: "",
-  e0: "muscle_1.contraction_at_neutral",
-  mass: "link.mass",
-  centre: "link.centre",
-  inertia: "joint.inertia",
-};
-export const IN_FILE = /** @type {(keyof typeof STATED)[]} */ (Object.keys(STATED));
+/** What a joint file states too. */
+export const IN_FILE = KEYS.filter((key) => TABLE[key].length > 2);
 /** No words beside a joint file: it states them. */
 export const ofFile = Object.fromEntries([...IN_FILE, "range"].map((key) => [key, undefined]));
 
 export class JointWords {
   files = { joint: "", file2: "" };
-  v = { ...USUAL };
+  v = usual(KEYS);
   /** What was typed over the joint file. @type {Set<string>} */ over = new Set();
 
   /** @param {URLSearchParams} params */
   async read(params) {
     for (const key of FILES) this.files[key] = params.get(key) ?? "";
     this.over = new Set(KEYS.filter((key) => params.has(key)));
-    Object.assign(this.v, USUAL);
+    Object.assign(this.v, usual(KEYS));
     await this.fromFile();
     // Both limits in one word, as links of before have them.
     if (params.has("range")) {
@@ -73,12 +63,12 @@ export class JointWords {
   /** Values that the joint file states. */
   async fromFile() {
     const own = IN_FILE.filter((key) => !this.over.has(key));
-    Object.assign(this.v, Object.fromEntries(own.map((key) => [key, USUAL[key]])));
+    Object.assign(this.v, usual(own));
     const of = stated(this.files.joint);
     await this.#limits(of.get("joint.range"));
     await this.#take(
       own.flatMap((key) => {
-        const text = of.get(STATED[key]);
+        const text = of.get(stateAt(key));
         return text ? [/** @type {[Key, string]} */ ([key, text])] : [];
       }),
     );
@@ -96,7 +86,7 @@ export class JointWords {
 
   /** @param {[Key, string][]} texts */
   async #take(texts) {
-    const readings = await understood(texts.map(([key, text]) => ({ text, kind: KINDS_OF[key] })));
+    const readings = await understood(texts.map(([key, text]) => ({ text, kind: kindOf(key) })));
     texts.forEach(([key], i) => {
       const { value } = readings[i];
       if (value !== undefined) this.v[key] = value;
@@ -125,11 +115,10 @@ export class JointWords {
    * @returns {Record<string, string>}
    */
   words() {
-    const { files, over, v } = this,
-      inFile = /** @type {readonly string[]} */ (IN_FILE);
-    const said = KEYS.filter((key) => !files.joint || !inFile.includes(key) || over.has(key));
+    const { files, over, v } = this;
+    const said = KEYS.filter((key) => !files.joint || !IN_FILE.includes(key) || over.has(key));
     return {
-      ...Object.fromEntries(said.map((key) => [key, typed(KINDS_OF[key], v[key])])),
+      ...Object.fromEntries(said.map((key) => [key, typed(kindOf(key), v[key])])),
       ...files,
     };
   }

@@ -1,8 +1,7 @@
 // What pages keep while others are shown, and over a reload: words of the address that are their
 // own, and files. It ends with the tab.
-import { signal } from "./life.js";
+import { computed, effect, signal } from "./watch.js";
 
-/** @typedef {{ words: Record<string, Words>, files: KeptFiles }} Kept */
 /** A text that the browser keeps, where it keeps any. */
 const session = {
   get() {
@@ -21,56 +20,30 @@ const session = {
     }
   },
 };
-/** @type {Kept} */
-const kept = { words: {}, files: {}, ...JSON.parse(session.get() || "{}") };
-const changed = signal();
-export const onKept = changed.stay;
-
-function save() {
-  session.set(JSON.stringify(kept));
-  changed.tell();
-}
+/** @type {{ words: Record<string, Words>, files: KeptFiles }} */
+const before = { words: {}, files: {}, ...JSON.parse(session.get() || "{}") };
+const words = signal(before.words),
+  files = signal(before.files);
+effect(() => session.set(JSON.stringify({ words: words.value, files: files.value })));
 
 /** A page's own words. @param {string} page */
-export const wordsOf = (page) => kept.words[page] ?? {};
-/** @param {string} page @param {Record<string, string | undefined>} words */
-export function keepWords(page, words) {
-  const said = Object.fromEntries(Object.entries(words).filter(([, word]) => word));
-  if (JSON.stringify(said) === JSON.stringify(wordsOf(page))) return;
-  kept.words[page] = /** @type {Words} */ (said);
-  save();
+export const wordsOf = (page) => words.value[page] ?? {};
+/** @param {string} page @param {Record<string, string | undefined>} own */
+export function keepWords(page, own) {
+  const said = /** @type {Words} */ (
+    Object.fromEntries(Object.entries(own).filter(([, word]) => word))
+  );
+  if (JSON.stringify(said) !== JSON.stringify(words.peek()[page] ?? {}))
+    words.value = { ...words.peek(), [page]: said };
 }
 /**
  * A file or a list that a page works with.
  * @template {keyof KeptFiles} K @param {K} name @returns {KeptFiles[K]}
  */
-export const fileOf = (name) => kept.files[name];
+export const fileOf = (name) => files.value[name];
 /** @template {keyof KeptFiles} K @param {K} name @param {KeptFiles[K]} what nothing ends it */
 export function keepFile(name, what) {
-  if (what === undefined) delete kept.files[name];
-  else kept.files[name] = what;
-  save();
-}
-/** What was typed and is still being read. @type {Set<Promise<unknown>>} */ const typing =
-  new Set();
-/** @param {Promise<unknown>} reading */
-export function keeping(reading) {
-  const ended = reading
-    .catch(() => {})
-    .finally(() => {
-      typing.delete(ended);
-    });
-  typing.add(ended);
-}
-/** All of it, as a project has it, with what was typed last. */
-export async function everything() {
-  while (typing.size) await Promise.all(typing);
-  return structuredClone(kept);
-}
-/** In place of all. @param {Kept} other */
-export function replaceAll({ words, files }) {
-  Object.assign(kept, structuredClone({ words, files }));
-  save();
+  files.value = { ...files.peek(), [name]: what };
 }
 
 // The table of measured points that pages share: opened on the page Data, or dropped anywhere.
@@ -78,14 +51,12 @@ export function replaceAll({ words, files }) {
  * @typedef {{ pressure_mpa: number, contraction: number, force_n: number, branch?: "contraction" |
  * "mean" | "elongation" | null }} Point
  */
-
-const newPoints = signal();
-export const onMeasured = newPoints.on;
+const data = computed(() => files.value.data);
 
 export const measured = {
   /** As it is used: a long one is thinned. @returns {TextFile | undefined} */
   get file() {
-    return fileOf("data");
+    return data.value;
   },
   /** What to say of a table that was thinned. @returns {string} */
   get said() {
@@ -94,12 +65,9 @@ export const measured = {
 
   /** @param {TextFile | undefined} file */
   set(file) {
-    if (file !== this.file) {
-      const { text, said } = thinned(file?.text ?? "");
-      keepFile("data-said", said || undefined);
-      keepFile("data", file && { name: file.name, text });
-    }
-    newPoints.tell();
+    const { text, said } = thinned(file?.text ?? "");
+    keepFile("data-said", said || undefined);
+    keepFile("data", file && { name: file.name, text });
   },
 };
 

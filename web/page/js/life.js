@@ -14,6 +14,20 @@ export function endAll() {
 }
 
 /**
+ * Does it after so many milliseconds without another wish; never once the page is left, nor after
+ * a negative wait.
+ * @param {() => unknown} act @param {number} usual
+ */
+export function rested(act, usual) {
+  let timer = 0;
+  atEnd(() => clearTimeout(timer));
+  return (wait = usual) => {
+    clearTimeout(timer);
+    if (wait >= 0) timer = window.setTimeout(act, wait);
+  };
+}
+
+/**
  * Work that ends with the page, or when it begins anew: gives the signal of its newest beginning.
  */
 export function renewing() {
@@ -22,20 +36,5 @@ export function renewing() {
   return () => {
     ends.abort();
     return (ends = new AbortController()).signal;
-  };
-}
-
-/** Listeners to one thing: those of the page that is shown (`on`) end with it, others stay. */
-export function signal() {
-  /** @type {Set<() => void>} */ const listeners = new Set();
-  return {
-    tell: () => listeners.forEach((tell) => tell()),
-    /** @param {() => void} tell */
-    stay: (tell) => void listeners.add(tell),
-    /** @param {() => void} tell */
-    on(tell) {
-      listeners.add(tell);
-      atEnd(() => listeners.delete(tell));
-    },
   };
 }

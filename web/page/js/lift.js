@@ -2,6 +2,7 @@
 import { body, contracted } from "./body.js";
 import { block } from "./dom.js";
 import { isStill, playing } from "./play.js";
+import { path, svg, words } from "./svg.js";
 import { clamp, showForce, showLength } from "./units.js";
 
 /** Diameter of a coin of one euro. */
@@ -11,10 +12,6 @@ const COIN = 23.25;
  * Partial<Pick<Candidate, "bulged_diameter_mm">> & { points: { contraction: number, force_n: number
  * }[] }} Lifting
  */
-
-/** @param {string} text @param {number} x @param {number} y @param {string} [anchor] */
-const words = (text, x, y, anchor = "start") =>
-  `<text x="${x}" y="${y}" text-anchor="${anchor}">${text}</text>`;
 
 /**
  * In millimetres from the middle of the bar. @param {Lifting} c @param {number} share of its way
@@ -42,26 +39,38 @@ function drawn(c, share) {
     y = plug + rest / 2,
     left = -half - font;
   const one = body({ length, diameter, bulged, angle: now.angle });
-  const all = Array.from(
-    { length: across },
-    (_, i) =>
-      `<g transform="translate(${(i - (across - 1) / 2) * most} ${plug}) rotate(90)">${one}</g>`,
-  );
-  const steel = (/** @type {number} */ top, /** @type {string} */ kind) =>
-    `<rect class="${kind}" x="${-half}" y="${top}" width="${2 * half}" height="${half}"/>`;
+  const all = Array.from({ length: across }, (_, i) => {
+    const place = `translate(${(i - (across - 1) / 2) * most} ${plug}) rotate(90)`;
+    return svg("g", { transform: place }, one);
+  });
+  const steel = (/** @type {number} */ y, /** @type {string} */ kind) =>
+    svg("rect", { class: kind, x: -half, y, width: 2 * half, height: half });
   const round = (/** @type {string} */ kind, /** @type {number} */ r) =>
-    `<circle class="${kind}" cx="${x + COIN / 2}" cy="${y + COIN / 2}" r="${r}"/>`;
-  return (
-    `<svg viewBox="${-wide - 8 * font} ${-font} ${2 * wide + 16 * font + COIN} ${tall + 2 * font}" font-size="${font}" role="img" ` +
-    `aria-label="The muscle to scale, beside a coin">` +
-    `<path class="bar" d="M${-wide} 0H${wide}M0 ${2 * plug + length}V${weight - up}" stroke-width="${font / 6}"/>` +
-    `${all.join("")}${steel(weight, "ghost")}${steel(weight - up, "steel")}` +
-    `<path class="way" d="M${left} ${weight}v${-way}M${left - font} ${weight}h${font}m0 ${-way}h${-font}"/>` +
-    words(showLength(way, 3), left - font, weight - way / 2, "end") +
-    words(showForce(force * count, 3), 0, weight - up + half / 2, "middle") +
-    words(`${count > 1 ? `${count} × ` : ""}${showLength(most, 3)} wide`, x, y - font) +
-    words("1 € coin", x, y + COIN + 1.2 * font) +
-    `${round("coin", COIN / 2)}${round("core", COIN / 3)}</svg>`
+    svg("circle", { class: kind, cx: x + COIN / 2, cy: y + COIN / 2, r });
+  const box = [-wide - 8 * font, -font, 2 * wide + 16 * font + COIN, tall + 2 * font];
+  return svg(
+    "svg",
+    {
+      viewBox: box.join(" "),
+      "font-size": font,
+      role: "img",
+      "aria-label": "The muscle to scale, beside a coin",
+    },
+    svg("path", {
+      d: `M${-wide} 0H${wide}M0 ${2 * plug + length}V${weight - up}`,
+      class: "bar",
+      "stroke-width": font / 6,
+    }),
+    ...all,
+    steel(weight, "ghost"),
+    steel(weight - up, "steel"),
+    path(`M${left} ${weight}v${-way}M${left - font} ${weight}h${font}m0 ${-way}h${-font}`, "way"),
+    words(showLength(way, 3), left - font, weight - way / 2, "end"),
+    words(showForce(force * count, 3), 0, weight - up + half / 2, "middle"),
+    words(`${count > 1 ? `${count} × ` : ""}${showLength(most, 3)} wide`, x, y - font),
+    words("1 € coin", x, y + COIN + 1.2 * font),
+    round("coin", COIN / 2),
+    round("core", COIN / 3),
   );
 }
 
@@ -77,18 +86,19 @@ export function liftView() {
     box.innerHTML = drawn(one, share);
   };
   const play = playing(
-    "Move",
+    "the muscle",
     // It rests at both ends, and moves in steps: the search needs the processor too.
     (share) => draw(clamp(Math.round(16 - 22 * Math.cos(79 * share)) / 32, 0, 1)),
     () => (still ? 3000 : 60_000),
   );
   return {
     element: block("stand", box, play.button),
-    /** The first muscle of an answer. @param {{ candidates: Lifting[] }} answer */
-    show({ candidates }) {
-      if (one === candidates[0]) return;
-      [one] = candidates;
+    /** @param {Lifting | undefined} next nothing leaves its place empty */
+    show(next) {
+      if (one === next) return;
+      one = next;
       shown = NaN;
+      if (!one) return box.replaceChildren();
       draw(1);
       if (!still) play.start();
     },

@@ -2,13 +2,11 @@
 // plot.js.
 import { block, button, el, say } from "./dom.js";
 import { token } from "./theme.js";
-import { colourOf, drawing, frame, nearest, reachOf, valueAt } from "./plot.js";
+import { colourOf, drawing, frame, nearest, reachOf, smoothed, valueAt } from "./plot.js";
 import { between, clamp, number } from "./units.js";
 
 /** Farther away than this in pixels nothing is read off. */
 const NEAR = 48;
-/** So long the pointer rests before what is below it is computed, in milliseconds. */
-const REST = 200;
 const colours = () => ({
   ink: token("--ink"),
   line: token("--line"),
@@ -32,13 +30,13 @@ export function linesOf(name, drag) {
   /** @type {import("./plot.js").Frame | undefined} */ let at;
   /** @type {Reach | undefined} */ let zoomed;
   /** What the keyboard reads: curve and point. @type {[number, number] | undefined} */ let read;
-  let resting = 0;
   /** Where the pointer rests on the plot. @type {number[] | undefined} */ let pointer;
   /** Where the ring is, in values of the axes. @type {[number, number] | undefined} */ let marked;
-  /** @type {From | undefined} */ let from;
-  const over = (/** @type {string} */ kind) => el("i", { class: kind, hidden: true });
+  /** Where a drag began. @type {From | undefined} */ let from;
   const drawn = block(),
-    [ring, dot, hair, box] = ["ring", "dot", "hair", "box"].map(over),
+    [ring, dot, hair, box] = ["ring", "dot", "hair", "box"].map((kind) =>
+      el("i", { class: kind, hidden: true }),
+    ),
     tip = el("div", { class: "tip small", hidden: true });
   const all = button("Show all", () => zoom(undefined), { class: "all small", hidden: true });
   const host = el(
@@ -49,6 +47,28 @@ export function linesOf(name, drag) {
       role: "group",
       ariaLabel: `${name.replaceAll("-", " ")}: arrow keys read its points, + and − zoom, 0 shows all`,
       style: "touch-action:pan-y",
+      onpointerdown: down,
+      onpointermove: moved,
+      onpointerup: up,
+      onpointercancel() {
+        from = undefined;
+        clear();
+      },
+      onpointerleave() {
+        pointer = undefined;
+        if (!from) clear();
+      },
+      onblur: clear,
+      ondblclick: () => zoom(undefined),
+      onkeydown(/** @type {KeyboardEvent} */ event) {
+        if (event.target === host && pressed(event.key)) event.preventDefault();
+      },
+      onwheel(/** @type {WheelEvent} */ event) {
+        if (!event.ctrlKey && !event.metaKey) return;
+        event.preventDefault();
+        const [px, py] = where(event);
+        zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
+      },
     },
     drawn,
     hair,
@@ -86,27 +106,22 @@ export function linesOf(name, drag) {
     draw();
   }
 
-  /** @param {number} by @param {number} [px] @param {number} [py] */
+  /** About a place, of both axes or of the one whose numbers it is at. @param {number} by @param {number} [px] @param {number} [py] */
   function zoomAbout(by, px, py) {
     if (!at) return;
-    const about = (
-      /** @type {[number, number]} */ [low, high],
-      /** @type {number} */ c,
-      on = true,
-    ) =>
-      /** @type {[number, number]} */ (
-        on ? [c + (low - c) * by, c + (high - c) * by] : [low, high]
-      );
+    const { left, top, w, h, reach } = at,
+      about = (/** @type {[number, number]} */ ends, /** @type {number} */ c, on = true) =>
+        /** @type {[number, number]} */ (on ? ends.map((v) => c + (v - c) * by) : ends);
     zoom({
-      x: about(at.reach.x, at.x(px ?? at.left + at.w / 2), px === undefined || px > at.left),
-      y: about(at.reach.y, at.y(py ?? at.top + at.h / 2), py === undefined || py < at.top + at.h),
+      x: about(reach.x, at.x(px ?? left + w / 2), px === undefined || px > left),
+      y: about(reach.y, at.y(py ?? top + h / 2), py === undefined || py < top + h),
     });
   }
 
   /** What lies at a place, in words. @param {Found} found @param {Spec} of */
-  function words({ which, x, y, low, high }, of) {
+  function words({ which, x, y }, of) {
     const s = of.series[which];
-    const [l, h] = [low ?? valueAt(s, x, "low"), high ?? valueAt(s, x, "high")];
+    const [l, h] = [s.low, s.high].map((list) => list && valueAt({ x: s.x, y: list }, x));
     const value =
       l === undefined || h === undefined
         ? `${number(y)}${unit(of.y)}`
@@ -117,23 +132,16 @@ export function linesOf(name, drag) {
   /** @param {Found} found */
   function point(found) {
     if (!at || !spec) return;
-    const [px, py] = [at.px(found.x), at.py(found.y)];
-    const colour = colourOf(spec.series[found.which], found.which);
-    dot.style.cssText = `transform:translate(${px}px,${py}px);border-color:${colour}`;
+    const [px, py] = [at.px(found.x), at.py(found.y)],
+      { clientWidth: width } = host;
+    dot.style.cssText = `transform:translate(${px}px,${py}px);border-color:${colourOf(spec.series[found.which], found.which)}`;
     hair.style.cssText = `left:${px}px;top:${at.top}px;height:${at.h}px`;
-    tell(words(found, spec), px, py);
-    dot.hidden = hair.hidden = false;
-  }
-  /** Words beside a place. @param {string} text @param {number} px @param {number} py */
-  function tell(text, px, py) {
-    const { clientWidth: width } = host;
-    tip.textContent = text;
+    tip.textContent = words(found, spec);
     tip.style.cssText = `${px > width / 2 ? `right:${width - px + 12}px` : `left:${px + 12}px`};top:${Math.max(0, py - 34)}px`;
-    tip.hidden = false;
+    dot.hidden = hair.hidden = tip.hidden = false;
   }
 
   function clear() {
-    clearTimeout(resting);
     read = undefined;
     for (const part of [dot, hair, tip, box]) part.hidden = true;
   }
@@ -141,58 +149,25 @@ export function linesOf(name, drag) {
   /** @param {number} px @param {number} py */
   function hover(px, py) {
     if (!at || !spec) return;
-    const of = spec;
     host.style.cursor = py > at.top + at.h ? "ew-resize" : px < at.left ? "ns-resize" : "crosshair";
     const within = px >= at.left && py <= at.top + at.h,
-      said = within && of.says?.(at.x(px), at.y(py)),
-      found = within ? nearest(of, at, px, py) : undefined;
-    if (said) return tell(said, px, py);
+      found = within ? nearest(spec, at, px, py) : undefined;
     if (!found || found.far >= NEAR) return clear();
     point(found);
-    clearTimeout(resting);
-    // What is below the pointer that rests, computed.
-    const rests = pointer;
-    if (of.exact)
-      resting = window.setTimeout(
-        () =>
-          of.exact?.(of.series[found.which], found.x, ([y, low, high]) => {
-            if (spec === of && pointer === rests) point({ ...found, y, low, high });
-          }),
-        REST,
-      );
   }
 
-  /** The part that a drag selects. @param {From} begun @param {number} px @param {number} py */
-  function selected({ px: fx, py: fy, what }, px, py) {
-    const { left, top, w, h } = /** @type {import("./plot.js").Frame} */ (at);
-    const sorted = (
-      /** @type {number} */ a,
-      /** @type {number} */ b,
-      /** @type {number} */ low,
-      /** @type {number} */ size,
-    ) => [Math.max(low, Math.min(a, b)), Math.min(low + size, Math.max(a, b))];
-    const [x0, x1] = what === "y" ? [left, left + w] : sorted(fx, px, left, w);
-    const [y0, y1] = what === "x" ? [top, top + h] : sorted(fy, py, top, h);
-    return { x0, x1, y0, y1 };
-  }
-
-  /** @param {From} begun @param {number} px @param {number} py */
-  function frameOf(begun, px, py) {
-    const { x0, x1, y0, y1 } = selected(begun, px, py);
-    box.hidden = false;
-    const [wide, tall] = [Math.max(0, x1 - x0), Math.max(0, y1 - y0)];
-    box.style.cssText = `left:${x0}px;top:${y0}px;width:${wide}px;height:${tall}px`;
-  }
-
-  /** @param {From} begun @param {number} px @param {number} py */
-  function zoomTo(begun, px, py) {
-    box.hidden = true;
-    const { x0, x1, y0, y1 } = selected(begun, px, py);
-    if (!at || x1 - x0 < 6 || y1 - y0 < 6) return;
-    zoom({
-      x: begun.what === "y" ? at.reach.x : [at.x(x0), at.x(x1)],
-      y: begun.what === "x" ? at.reach.y : [at.y(y1), at.y(y0)],
-    });
+  /** The part that a drag frames; the view of it at the end. @param {From} begun @param {number[]} to */
+  function framed({ px: fx, py: fy, what }, [px, py], settled = false) {
+    if (!at) return;
+    const { left, top, w, h } = at,
+      ends = (/** @type {number} */ a, /** @type {number} */ b, low = 0, size = 0) =>
+        [a, b].sort((p, q) => p - q).map((v) => clamp(v, low, low + size));
+    const [x0, x1] = what === "y" ? [left, left + w] : ends(fx, px, left, w),
+      [y0, y1] = what === "x" ? [top, top + h] : ends(fy, py, top, h);
+    box.hidden = settled;
+    box.style.cssText = `left:${x0}px;top:${y0}px;width:${x1 - x0}px;height:${y1 - y0}px`;
+    if (settled && x1 - x0 > 5 && y1 - y0 > 5)
+      zoom({ x: [at.x(x0), at.x(x1)], y: [at.y(y1), at.y(y0)] });
   }
 
   /** @param {string} key @returns whether it means something here */
@@ -215,16 +190,13 @@ export function linesOf(name, drag) {
    */
   function walk(curve, along) {
     const series = spec?.series ?? [];
-    const readable = series
-      .map((_, i) => i)
-      .filter((i) => !series[i].band && !series[i].silent && series[i].x.length);
+    const readable = series.flatMap((s, i) => (!s.band && s.x.length ? [i] : []));
     if (!readable.length) return;
     const [was, i] = read ?? [readable[0], -1];
     const which =
       readable[(Math.max(0, readable.indexOf(was)) + curve + readable.length) % readable.length];
     const s = series[which];
-    let next = clamp(i + along, 0, s.x.length - 1);
-    if (i < 0) next = 0;
+    let next = i < 0 ? 0 : clamp(i + along, 0, s.x.length - 1);
     while (s.y[next] === null && next + (along || 1) in s.x) next += along || 1;
     const y = s.y[next];
     if (!spec || typeof y !== "number") return;
@@ -240,86 +212,49 @@ export function linesOf(name, drag) {
     return drawing(of, frame(of, width, height, zoomed ?? reachOf(of)), colours(), true);
   }
 
-  const on = (
-    /** @type {string} */ event,
-    /** @type {(event: never) => void} */ act,
-    options = {},
-  ) => host.addEventListener(event, /** @type {EventListener} */ (act), options);
-  const where = (/** @type {PointerEvent | MouseEvent} */ event) => {
+  const where = (/** @type {MouseEvent} */ event) => {
     const { left, top } = host.getBoundingClientRect();
     return [event.clientX - left, event.clientY - top];
   };
-  const dragged = (
-    /** @type {number} */ px,
-    /** @type {number} */ py,
-    /** @type {boolean} */ settled,
-  ) => at && drag?.(at.x(px), at.y(py), settled);
-  on("pointerdown", (/** @type {PointerEvent} */ event) => {
+  /** @param {number[]} to @param {boolean} settled */
+  function dragged([px, py], settled) {
+    if (at) drag?.(at.x(px), at.y(py), settled);
+  }
+  /** @param {PointerEvent} event */
+  function down(event) {
     if (event.button !== 0 || !at || event.target === all) return;
-    const [px, py] = where(event);
-    const what =
-      py > at.top + at.h
-        ? "x"
-        : px < at.left
-          ? "y"
-          : drag
-            ? "drag"
-            : event.pointerType === "touch"
-              ? undefined
-              : "box";
+    const [px, py] = where(event),
+      inner = drag ? "drag" : event.pointerType === "touch" ? undefined : "box",
+      what = py > at.top + at.h ? "x" : px < at.left ? "y" : inner;
     if (!what) return;
     from = { px, py, what };
     clear();
     host.setPointerCapture(event.pointerId);
-    if (what === "drag") dragged(px, py, false);
-  });
-  on("pointermove", (/** @type {PointerEvent} */ event) => {
-    const [px, py] = where(event);
-    pointer = from ? undefined : [px, py];
-    if (!from) return hover(px, py);
-    if (from.what === "drag") dragged(px, py, false);
-    else frameOf(from, px, py);
-  });
-  on("pointerup", (/** @type {PointerEvent} */ event) => {
-    const [px, py] = where(event),
-      begun = from;
+    if (what === "drag") dragged([px, py], false);
+  }
+  /** @param {PointerEvent} event */
+  function moved(event) {
+    const to = where(event);
+    pointer = from ? undefined : to;
+    if (!from) hover(to[0], to[1]);
+    else if (from.what === "drag") dragged(to, false);
+    else framed(from, to);
+  }
+  /** @param {PointerEvent} event */
+  function up(event) {
+    const begun = from;
     from = undefined;
-    if (begun?.what === "drag") dragged(px, py, true);
-    else if (begun) zoomTo(begun, px, py);
-  });
-  on("pointercancel", () => {
-    from = undefined;
-    clear();
-  });
-  on("pointerleave", () => {
-    pointer = undefined;
-    if (!from) clear();
-  });
-  on("blur", clear);
-  on("dblclick", () => zoom(undefined));
-  on(
-    "wheel",
-    (/** @type {WheelEvent} */ event) => {
-      if (!event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
-      const [px, py] = where(event);
-      zoomAbout(Math.exp(0.002 * event.deltaY), px, py);
-    },
-    { passive: false },
-  );
-  on("keydown", (/** @type {KeyboardEvent} */ event) => {
-    if (event.target === host && pressed(event.key)) event.preventDefault();
-  });
+    if (begun?.what === "drag") dragged(where(event), true);
+    else if (begun) framed(begun, where(event), true);
+  }
 
   return {
     host,
     draw,
     svg,
-    get spec() {
-      return spec;
-    },
+    /** @param {Spec} next */
     set spec(next) {
-      spec = next;
+      spec = { ...next, series: next.series.map(smoothed) };
     },
 
     /**

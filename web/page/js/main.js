@@ -1,44 +1,32 @@
 // The frame around the pages: which one is shown follows from the address.
 import { engine, loadUnits } from "./ask.js";
-import { address, onWritten, read, write } from "./address.js";
+import { address, read, write } from "./address.js";
 import { muscleBar } from "./bar.js";
 import { byId, dim, el, mainButton, notice, paragraph, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
-import { helpButton } from "./help.js";
-import { keepWords, keeping, onKept, wordsOf } from "./kept.js";
+import { helpButton, helpDialog } from "./help.js";
+import { keepWords, wordsOf } from "./kept.js";
 import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
 import { offline } from "./offline.js";
 import { SCRIPTS } from "./place.js";
-import { PLACES, pageOf, viewsOf } from "./pages.js";
+import { MOVED, PAGES, PLACES, pageOf, viewsOf } from "./pages.js";
 // The first screen comes with the frame.
-import "./pages/start.js";
-import { printing } from "./print.js";
-import { sketches } from "./sketch.js";
+import "./pages/design.js";
 import { keys } from "./state.js";
 import { record, step } from "./steps.js";
-import { followSystem } from "./theme.js";
+import { effect, signal } from "./watch.js";
 
 const main = byId("main");
 /** @typedef {{ load: (params: URLSearchParams) => Promise<void> }} View */
 /** @type {{ name: string, page: View } | undefined} */ let shown;
-let routes = 0;
+let routes = 0,
+  /** Until the address is read its muscle is not there. */
+  routing = true,
+  /** What the address says, as the page would write it. */
+  same = "";
 
-// Words of the muscle mean other things in a specification: it is one word there.
-const OWN_WORDS = ["design"];
 /** The view of a place that was shown last. @type {Map<string, string>} */ const last = new Map();
-
-/**
- * A page's address with a muscle and what was typed there.
- * @param {string} name @param {Record<string, string | undefined>} mine
- */
-function linked(name, mine = muscle.params()) {
-  const own = wordsOf(name);
-  return address(
-    name,
-    OWN_WORDS.includes(name) ? { ...own, m: muscle.word() } : { ...own, ...mine },
-  );
-}
 const places = PLACES.map(([place, text, short]) =>
   el(
     "a",
@@ -52,54 +40,33 @@ const views = byId("views");
 
 /** Links lead to the muscle as it is now. */
 function link() {
-  const put = (/** @type {HTMLAnchorElement} */ a, /** @type {string} */ name) => {
-    const to = linked(name);
-    if (a.getAttribute("href") !== to) a.setAttribute("href", to);
-  };
-  for (const a of places) put(a, last.get(a.dataset.place ?? "") ?? a.dataset.place ?? "");
-  for (const a of views.querySelectorAll("a")) put(a, a.dataset.name ?? "");
+  for (const a of [...places, ...views.querySelectorAll("a")]) {
+    const { name, place = "" } = a.dataset;
+    a.href = muscle.linked(name ?? last.get(place) ?? place);
+  }
 }
 
-/** What a page has put into the address besides the muscle is its own. */
-async function keep() {
-  const { page, params } = await read();
-  if (shown?.name !== page) return;
-  const theirs = OWN_WORDS.includes(page)
-    ? ["m"]
-    : [...keys(), "u", "name", ...muscle.unknown.map(([key]) => key)];
-  keepWords(page, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
-}
-
-const bar = muscleBar(walk, () => {
-  write(linked(shown?.name ?? "muscle"));
-  muscle.tell();
-}, [helpButton()]);
+const bar = muscleBar(walk, [helpButton()]);
 byId("bar").append(bar.element);
-followSystem();
 // What is typed makes a problem an older one, until the next answer.
 addEventListener("input", () =>
   dim(/** @type {HTMLElement[]} */ ([...document.querySelectorAll(".problem")]), true),
 );
 
-/** Steps that are being gone back to: the muscle on the way there is none. */
-let walking = 0;
 /** Undo and redo of the muscle, on the page that is shown. @param {-1 | 1} by */
 async function walk(by) {
   const words = step(by),
-    { name } = pageOf(location.hash.slice(1).split("?")[0]);
-  if (!words) return;
+    name = shown?.name;
+  if (!words || !name) return;
   const query = { ...words, u: muscle.params().u };
   history.replaceState(
     null,
     "",
-    OWN_WORDS.includes(name)
+    name === "design"
       ? address(name, { ...wordsOf(name), m: address("", query).slice(2) })
-      : linked(name, query),
+      : muscle.linked(name, query),
   );
-  walking++;
   await route();
-  walking--;
-  bar.paint();
 }
 
 /** @param {string} name */
@@ -108,50 +75,72 @@ function frame(name) {
     list = viewsOf(place);
   last.set(place, name);
   for (const a of places) a.ariaCurrent = a.dataset.place === place ? "page" : null;
-  const links =
-    place && list.length > 1
-      ? list.map((view) =>
-          el(
-            "a",
-            {
-              "data-name": view.name,
-              href: `#${view.name}`,
-              ariaCurrent: view.name === name && "page",
-            },
-            view.text,
-          ),
-        )
-      : [];
-  views.replaceChildren(...links);
-  views.hidden = !links.length;
+  views.hidden = list.length < 2;
+  views.replaceChildren(
+    ...(views.hidden ? [] : list).map(({ name: view, text }) =>
+      el("a", { "data-name": view, href: `#${view}`, ariaCurrent: view === name && "page" }, text),
+    ),
+  );
   byId("claim").textContent = about;
   byId("title").textContent = text;
   document.title = `${text} – mckibben workbench`;
   document.body.dataset.page = name;
 }
 
-/**
- * How often a page could not be loaded: browsers keep a failure with its address.
- * @type {Record<string, number>}
- */
-const failures = {};
+/** How often a page could not be loaded: browsers keep a failure with its address. */
+let failures = 0;
 /** @param {string} name */
 async function pageOfServer(name) {
-  const again = failures[name] ? `?again=${failures[name]}` : "";
   try {
+    const again = failures ? `?again=${failures}` : "";
     return await import(new URL(`pages/${name}.js${again}`, SCRIPTS).href);
   } catch (problem) {
-    failures[name] = (failures[name] ?? 0) + 1;
+    failures++;
     throw problem;
   }
 }
 
-async function route() {
-  const mine = ++routes,
-    { page: wanted, params, lost } = await read();
-  if (mine !== routes) return;
+/** What old links open, in windows now. @type {Record<string, () => unknown>} */
+const WINDOWS = {
+  about: helpDialog,
+  parts: async () => (await import("./parts.js")).partsDialog(),
+  files: async () => (await import("./files.js")).filesDialog(),
+};
+/** Words of windows, which are none of the page's. */
+const OF_WINDOWS = ["kind", "find", "fits", "sold", "target", "elements", "project", "number"];
+
+/** B of an old comparison is the muscle now, and A is held beside it. @param {URLSearchParams} params */
+function compared(params) {
+  const b = [...keys(), "model"].flatMap((key) => {
+    const word = params.get(`b${key}`);
+    params.delete(`b${key}`);
+    return word ? [[key === "model" ? "over" : key, word]] : [];
+  });
+  params.delete("amodel");
+  params.set("held", params.toString());
+  for (const [key, word] of b) params.set(key, word);
+}
+
+/** The page of an address of today. @param {string} wanted @param {URLSearchParams} params */
+function moved(wanted, params) {
   const { name } = pageOf(wanted);
-  if (name !== wanted) notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
+  if (wanted === "sweep") params.set("test", "sweep");
+  if (wanted === "compare") compared(params);
+  if (wanted in WINDOWS) for (const key of OF_WINDOWS) params.delete(key);
+  if (wanted === "formula")
+    notice(
+      "The place Formula is gone. The commands `campaign` and `fit` make a formula; drop its file here to see it.",
+    );
+  else if (!(wanted in MOVED) && name !== wanted)
+    notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
+  return name;
+}
+
+async function route() {
+  const mine = ++routes;
+  routing = true;
+  const { page: wanted, params, lost } = read(),
+    name = moved(wanted, params);
   if (lost.length)
     notice(
       "The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.",
@@ -165,14 +154,19 @@ async function route() {
       shown = { name, page: mount(main) };
       main.dataset.shown = name;
     }
+    // What a page has put into the address besides the muscle is its own.
+    const theirs = name === "design" ? ["m"] : [...keys(), "u", "name"];
+    keepWords(name, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
     const { page } = /** @type {NonNullable<typeof shown>} */ (shown);
     await page.load(params);
     if (mine !== routes) return;
-    await keep();
-    link();
+    WINDOWS[wanted]?.();
   } catch (problem) {
     fail(problem);
   }
+  same = muscle.linked(name);
+  routing = false;
+  changed();
 }
 
 /** The page that is shown ends, with all that it has begun. */
@@ -197,24 +191,30 @@ async function start() {
   }
 }
 
-/** The muscle after a gesture is a step; not while a pointer is down. */
-let down = false;
+const down = signal(false);
+for (const event of ["pointerdown", "pointerup", "pointercancel"])
+  addEventListener(event, () => (down.value = event === "pointerdown"), true);
+
+/** The muscle after a gesture: a step, and the address of the page that is shown. */
 function changed() {
-  // Before the muscle of the address is read there is none.
-  if (!down && !walking && muscle.shown) record();
-  link();
+  if (routing) return;
+  muscle.assess();
+  if (!down.value) {
+    if (muscle.shown) record();
+    const to = shown ? muscle.linked(shown.name) : "";
+    if (to !== same) write((same = to));
+  }
   bar.paint();
 }
-for (const event of ["pointerdown", "pointerup", "pointercancel"]) {
-  addEventListener(
-    event,
-    () => {
-      down = event === "pointerdown";
-      if (!down) muscle.touch();
-    },
-    true,
-  );
-}
+/** What stands above every place waits until the muscle rests: it does not hold up a drag. */
+let resting = 0;
+effect(() => {
+  // All that it shows.
+  void [down.value, muscle.params(), muscle.shown, muscle.warnings];
+  void PAGES.map(({ name }) => wordsOf(name));
+  clearTimeout(resting);
+  resting = window.setTimeout(changed, 120);
+});
 /** A field in which somebody types has an undo of its own. @type {EventTarget | null} */ let typing =
   null;
 for (const event of ["input", "change"])
@@ -241,18 +241,9 @@ addEventListener(
   },
   true,
 );
-// A page writes at the end of a gesture.
-onWritten(() => {
-  changed();
-  keeping(keep().then(link));
-});
-onKept(link);
-muscle.onChange(changed);
 // A link that is followed right after a gesture has the muscle of that gesture.
 for (const box of [byId("pages"), views])
-  for (const event of ["pointerdown", "focusin"]) box.addEventListener(event, () => muscle.tell());
+  for (const event of ["pointerdown", "focusin"]) box.addEventListener(event, link);
 addEventListener("popstate", route);
-sketches();
-printing();
 dropAnywhere();
 start().then(offline);

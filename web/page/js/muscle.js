@@ -1,7 +1,6 @@
 // The muscle that all pages share: its state, what the engine read of it, and the address.
-import { engine, understood } from "./ask.js";
-import { address, pack, query, write } from "./address.js";
-import { signal } from "./life.js";
+import { answerTo, understood } from "./ask.js";
+import { address, query, unpacked } from "./address.js";
 import {
   canonical,
   fields,
@@ -13,28 +12,21 @@ import {
   say,
   shownValue,
   takeMeasures,
+  question,
   texts,
   words,
   MEASURES,
 } from "./state.js";
 import { nameIn, named, stated } from "./toml.js";
-import {
-  braidName,
-  learn,
-  partName,
-  show,
-  showLength,
-  typed,
-  unitsFromAddress,
-  unitsInAddress,
-} from "./units.js";
-import { wordsOf } from "./kept.js";
+import { batch, signal } from "./watch.js";
+import { learn, showLength, typed, unitsFromAddress, unitsInAddress } from "./units.js";
+import { keepWords, wordsOf } from "./kept.js";
 
 const measure = (/** @type {string} */ key) => MEASURES.find((m) => m.key === key);
 
 /** The measures that the program has; before a page asks for one. */
 export async function loadMeasures() {
-  const answer = await engine().ask("measures", {}, { lane: "read" });
+  const answer = await answerTo("measures", {}, { lane: "read" });
   takeMeasures(answer);
   learn(MEASURES);
 }
@@ -43,58 +35,87 @@ export async function loadMeasures() {
  * What the engine read: all of `check`, or the measures of another answer.
  * @typedef {Commands["force"]["answer"]["muscle"] & Partial<Commands["check"]["answer"]>} Shown
  */
-export class MuscleState {
-  /** @type {State} */ #state = prototype();
-  /** @type {Shown | undefined} */ #shown = undefined;
-  #changed = signal();
-  #telling = 0;
+/** What the engine says of a muscle at its point. */
+/** @typedef {Commands["force"]["answer"] & Partial<Commands["contraction"]["answer"]>} Assessed */
+/** Warnings in short, by their kinds. @type {Record<string, string>} */
+const SHORT = {
+  not_measured: "outside of the measured muscles",
+  burst: "may burst",
+  burst_not_checked: "burst pressure unknown",
+  above_allowed: "above the allowed pressure",
+  strand_strain: "strands stretch too far",
+  rubber_stretch: "rubber beyond its test",
+  extrapolated: "outside of the model's range",
+};
+/** @param {{ kind: string, message: string }} warning */
+export const inShort = ({ kind, message }) => SHORT[kind] ?? message.split(/[,:;]/)[0];
 
-  constructor() {
-    /** The name that somebody gave it here; without one that of its file. */
-    this.called = "";
-    /**
-     * Named sleeves, with what their sources do not state.
-     * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm:
-     * number }[]}
-     */
-    this.sleeves = [];
-    /** @type {[string, string][]} */ this.unknown = [];
-    /** @type {Map<string, string>} */ this.wrong = new Map();
-    /** @type {{ of: string, file: Promise<string> } | undefined} */ this.written = undefined;
-    /**
-     * Until the address is read: a question before that would be about another muscle.
-     * @type {Promise<unknown>}
-     */
-    this.ready = Promise.resolve();
-  }
+export class MuscleState {
+  #state = signal(prototype());
+  #shown = signal(/** @type {Shown | undefined} */ (undefined));
+  #called = signal("");
+  #assessed = signal(
+    /** @type {{ of: State, answer: Assessed | undefined } | undefined} */ (undefined),
+  );
+  /**
+   * Named sleeves, with what their sources do not state.
+   * @type {{ name: string, missing: string, least_diameter_mm: number, largest_diameter_mm: number
+   * }[]}
+   */
+  sleeves = [];
+  /** @type {[string, string][]} */ unknown = [];
+  /** @type {Map<string, string>} */ wrong = new Map();
+  /** @type {{ of: string, file: Promise<string> } | undefined} */ written;
+  /**
+   * Until the address is read: a question before that would be about another muscle.
+   * @type {Promise<unknown>}
+   */
+  ready = Promise.resolve();
 
   get state() {
-    return this.#state;
+    return this.#state.value;
   }
   set state(next) {
-    this.#state = next;
-    this.touch();
+    this.#state.value = next;
   }
   /** What the engine read of file and fields, the last time that it could. */
   get shown() {
-    return this.#shown;
+    return this.#shown.value;
   }
   set shown(next) {
-    this.#shown = next;
-    this.touch();
+    this.#shown.value = next;
+  }
+  /** The name that somebody gave it here; without one that of its file. */
+  get called() {
+    return this.#called.value;
+  }
+  set called(name) {
+    this.#called.value = name;
+  }
+  /** What the engine says of it as it is now. */
+  get assessed() {
+    const said = this.#assessed.value;
+    return said?.of === this.state ? said.answer : undefined;
+  }
+  /** What it warns of. */
+  get warnings() {
+    const { warnings = [], burst_pressure_mpa: burst } = this.assessed ?? {};
+    return burst === null && !warnings.some(({ kind }) => kind === "burst_not_checked")
+      ? [
+          ...warnings,
+          { kind: "burst_not_checked", message: "The strength of the braid is unknown." },
+        ]
+      : warnings;
   }
 
-  /** Is called some time after it changed. */
-  onChange = this.#changed.stay;
-  /** Tells it once it rests: what stands above every place does not hold up a drag. */
-  touch() {
-    clearTimeout(this.#telling);
-    this.#telling = window.setTimeout(() => this.tell(), 120);
-  }
-  /** Tells at once that it changed. */
-  tell() {
-    clearTimeout(this.#telling);
-    this.#changed.tell();
+  /** Asks what the engine says of it at its point. */
+  async assess() {
+    const of = this.state,
+      command = of.F === undefined ? "force" : "contraction";
+    if (this.#assessed.peek()?.of === of) return;
+    const answer = await answerTo(command, question(of)).catch(() => undefined);
+    if (this.state === of)
+      this.#assessed.value = { of, answer: /** @type {Assessed | undefined} */ (answer) };
   }
 
   /** The name that it was given, here or in its file. */
@@ -112,7 +133,6 @@ export class MuscleState {
   /** @param {string} text empty for that of its file */
   rename(text) {
     this.called = text === nameIn(this.state.file) ? "" : text;
-    this.touch();
   }
 
   get p() {
@@ -147,7 +167,7 @@ export class MuscleState {
   file() {
     const of = JSON.stringify(fields(this.state, this.p));
     if (this.written?.of !== of) {
-      const file = canonical(this.state, (command, request) => engine().ask(command, request));
+      const file = canonical(this.state, answerTo);
       this.written = { of, file };
       file.catch(() => {
         this.written = undefined;
@@ -167,28 +187,23 @@ export class MuscleState {
     return named(await this.file(), this.name);
   }
 
-  /** The measures in a line. @param {Shown | undefined} [s] of another one */
-  line(s = this.shown) {
-    return s
-      ? `${this.size(s)}, θ0 ${show("angle", s.angle_deg)}, ${partName(s.rubber)}, ${braidName(s.braid)}`
-      : "none yet";
-  }
-  /** Diameter, wall and length. @param {Shown | undefined} [s] of another one */
-  size(s = this.shown) {
+  /** Diameter, wall and length. */
+  size() {
+    const s = this.shown;
     return s
       ? `D0 ${showLength(s.outer_diameter_mm)}, s ${showLength(s.wall_mm)}, L0 ${showLength(s.length_mm)}`
       : "";
   }
 
-  /** Muscle and words of a page as its address. @param {string} page @param {Partial<Words>} own */
-  place(page, own) {
-    write(address(page, { ...this.params(), ...own }));
+  /**
+   * A page's address with the muscle and what was typed there.
+   * @param {string} page @param {Record<string, string | undefined>} mine
+   */
+  linked(page, mine = this.params()) {
+    const own = wordsOf(page);
+    // Words of the muscle mean other things in a specification: it is one word there.
+    return address(page, page === "design" ? { ...own, m: this.word() } : { ...own, ...mine });
   }
-  /** Words of the address. */
-  params() {
-    return this.paramsOf(this.state);
-  }
-
   /**
    * The muscle as one word, for pages where its words mean other things; empty for the prototype.
    */
@@ -199,13 +214,14 @@ export class MuscleState {
     return plain ? "" : query(params);
   }
 
-  /** Words of the address with another state. @param {State} state */
-  paramsOf(state) {
-    const out = words(state, typed);
-    out.u = unitsInAddress() || undefined;
-    if (state === this.state) out.name = this.called || undefined;
-    for (const [key, text] of this.unknown) out[key] = text;
-    return out;
+  /** Words of the address. */
+  params() {
+    return {
+      ...words(this.state, typed),
+      ...Object.fromEntries(this.unknown),
+      u: unitsInAddress() || undefined,
+      name: this.called || undefined,
+    };
   }
 
   /**
@@ -220,14 +236,15 @@ export class MuscleState {
   /** @param {URLSearchParams} params @param {string[]} own */
   async #read(params, own) {
     unitsFromAddress(params.get("u") ?? "");
+    // In a word of another address it is compressed still.
+    params.set("file", unpacked(params.get("file") ?? ""));
     const [readings] = await Promise.all([
       understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
       this.known(),
     ]);
-    Object.assign(this, fromWords(params, readings));
-    this.called = (params.get("name") ?? "").slice(0, 80);
     const known = new Set([...keys(), "u", "name", ...own]);
     this.unknown = [...params].filter(([key]) => !known.has(key));
+    this.#put(fromWords(params, readings), (params.get("name") ?? "").slice(0, 80));
     // What cannot be read the page says when it asks for more.
     try {
       await this.look();
@@ -239,14 +256,12 @@ export class MuscleState {
   /** The sleeves of the library, once. */
   async known() {
     if (!this.sleeves.length)
-      this.sleeves = (
-        await engine().ask("parts-list", { kind: "sleeves" }, { lane: "read" })
-      ).sleeves;
+      this.sleeves = (await answerTo("parts-list", { kind: "sleeves" }, { lane: "read" })).sleeves;
   }
 
   /** What the engine reads of file and fields. */
   async look() {
-    this.shown = await engine().ask(
+    this.shown = await answerTo(
       "check",
       { muscle: this.fields(), only_data: true },
       { lane: "read" },
@@ -264,19 +279,18 @@ export class MuscleState {
       set = stated(text).get("job.pressure"),
       [, at] = /^points = .*?contraction = ([\d.]+)/m.exec(text) ?? [],
       request = { muscle: { file: { name, text } }, only_data: true };
-    const shown = await engine().ask("check", request, { lane: "read" });
+    const shown = await answerTo("check", request, { lane: "read" });
     // At what it was designed for.
     const [job] = await understood(set ? [{ text: set, kind: "pressure" }] : []);
     next.p = job?.value ?? next.p;
     next.e = Number(at ?? next.e);
-    await pack(text);
-    Object.assign(this, {
-      state: next,
-      shown,
-      called: called === nameIn(text) ? "" : called,
-      wrong: new Map(),
-    });
+    this.#put({ state: next, shown, wrong: new Map() }, called === nameIn(text) ? "" : called);
     return shown;
+  }
+
+  /** @param {object} parts @param {string} called */
+  #put(parts, called) {
+    batch(() => Object.assign(this, parts, { called }));
   }
 }
 export const muscle = new MuscleState();
@@ -285,9 +299,9 @@ export const muscle = new MuscleState();
  * Goes to a page with words over the kept ones; the muscle goes along.
  * @param {string} page @param {Record<string, string | undefined>} words
  */
-export async function visit(page, words) {
-  await Promise.all(Object.values(words).map((word) => pack(word ?? "")));
-  const to = address(page, { ...wordsOf(page), ...words, ...muscle.params() });
+export function visit(page, words) {
+  keepWords(page, { ...wordsOf(page), ...words });
+  const to = muscle.linked(page);
   if (to === location.hash)
     window.dispatchEvent(new PopStateEvent("popstate", { state: history.state }));
   else location.hash = to;

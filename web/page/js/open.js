@@ -1,9 +1,8 @@
-// Open: a file of any kind, a muscle of the gallery, of the library, or of the project.
+// Open: a file of any kind, a muscle of the gallery or of the library.
 import { TABLES, fileInput } from "./controls.js";
 import { block, dialog, el, mainButton, problemBox, rowOf } from "./dom.js";
 import { takeFiles } from "./drop.js";
 import { gallery, library } from "./gallery.js";
-import { shelf } from "./project.js";
 
 export function openDialog() {
   dialog("Open a muscle", (close) => {
@@ -21,14 +20,13 @@ export function openDialog() {
         el(
           "span",
           { class: "small soft" },
-          "A muscle, a joint or a drive (TOML), measured points (CSV, XLSX, ODS), or a project (JSON). You can also drop files " +
+          "A muscle, a joint or a drive (TOML), measured points (CSV, XLSX, ODS), or a formula (JSON). You can also drop files " +
             "anywhere on the page.",
         ),
       ),
       said,
       gallery(fail, close),
       library(fail, close),
-      shelf(fail, close),
     ];
   });
 }

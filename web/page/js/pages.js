@@ -5,12 +5,10 @@
  * @type {[name: string, text: string, short: string][]}
  */
 export const PLACES = [
-  ["design", "Design", "Design"],
+  ["design", "Ask", "Ask"],
   ["muscle", "Muscle", "Muscle"],
   ["joint", "Joint & motion", "Joint"],
-  ["data", "Measurements", "Measure"],
-  ["parts", "Parts & library", "Parts"],
-  ["files", "Build & export", "Build"],
+  ["data", "Measure", "Measure"],
 ];
 
 /** @typedef {{ name: string, place: string, text: string, about: string, help: string }} Page */
@@ -23,13 +21,12 @@ export const PAGES = [
     "workbench",
     "Drag the muscle, a slider or a curve: finite elements answer at once.",
   ],
-  ["start", "", "Start", "workbench", ""],
   [
     "design",
     "design",
-    "Design",
+    "Ask",
     "commands#commands",
-    "State the pull that you need: this page finds muscles that give it, and ranks them.",
+    "State the pull that you need: the answer is a muscle to build, with its chance.",
   ],
   [
     "joint",
@@ -46,13 +43,6 @@ export const PAGES = [
     "Open a valve: how fast the muscle fills, and how it moves its load.",
   ],
   [
-    "sweep",
-    "muscle",
-    "Sweep",
-    "workbench",
-    "Vary one measure of the muscle, the pressure or the contraction.",
-  ],
-  [
     "data",
     "data",
     "Points",
@@ -66,37 +56,19 @@ export const PAGES = [
     "rubber",
     "Fit laws to a test of your own rubber, and put it into the muscle.",
   ],
-  [
-    "formula",
-    "data",
-    "Formula",
-    "models",
-    "Compute a campaign of muscles, and fit one formula to it for a controller or a spreadsheet.",
-  ],
-  [
-    "compare",
-    "muscle",
-    "Compare",
-    "models",
-    "See two muscles, or two models of one muscle, side by side.",
-  ],
-  [
-    "parts",
-    "parts",
-    "Parts",
-    "parts",
-    "Tubes, sleeves and rubbers that you can buy or cast, and measured muscles.",
-  ],
-  [
-    "files",
-    "files",
-    "Files",
-    "workbench",
-    "Report, workshop, controllers, simulators and finite elements: the muscle as files.",
-  ],
-  ["about", "", "About", "verified", "How accurate the results are, and where the data come from."],
 ].map(([name, place, text, help, about]) => ({ name, place, text, help, about }));
+/** Pages of old links, and where they are now. @type {Record<string, string>} */
+export const MOVED = {
+  start: "design",
+  sweep: "muscle",
+  compare: "muscle",
+  parts: "muscle",
+  files: "muscle",
+  about: "muscle",
+  formula: "muscle",
+};
 /** @param {string} name */
-export const pageOf = (name) => PAGES.find((page) => page.name === name) ?? PAGES[0];
+export const pageOf = (name) =>
+  PAGES.find((page) => page.name === (MOVED[name] ?? name)) ?? PAGES[0];
 /** The views of a place. @param {string} place */
 export const viewsOf = (place) => PAGES.filter((page) => page.place === place);

@@ -7,13 +7,13 @@ export const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matc
 
 /**
  * `at` is told the share of the time; only three of them where motion is not wanted.
- * @param {string} text of the button @param {(share: number) => void} at
+ * @param {string} what moves @param {(share: number) => void} at
  * @param {() => number} long in milliseconds
- * @param {string} [title]
  */
-export function playing(text, at, long, title) {
+export function playing(what, at, long) {
   let running = 0;
-  const one = button(text, () => (running ? stop() : start()), { title });
+  const text = `Move ${what}`,
+    one = button(text, () => (running ? stop() : start()));
   function start() {
     const began = performance.now(),
       still = isStill();
@@ -25,7 +25,7 @@ export function playing(text, at, long, title) {
     };
     stop();
     running = 1;
-    one.textContent = "Stop";
+    one.textContent = `Stop ${what}`;
     step();
   }
   function stop() {

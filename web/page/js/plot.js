@@ -1,5 +1,6 @@
 // Spec and points as SVG: the same drawing on the page and in files. Nothing here asks the document
 // anything.
+import { svg } from "./svg.js";
 import { clamp, niceUp, number } from "./units.js";
 
 /**
@@ -7,7 +8,7 @@ import { clamp, niceUp, number } from "./units.js";
  * line.
  */
 export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#8a8a8a"];
-const DASHES = { solid: "", dash: ' stroke-dasharray="7 4"', dot: ' stroke-dasharray="2 3"' };
+const DASHES = { solid: undefined, dash: "7 4", dot: "2 3" };
 /**
  * Signs of points, from their middle: of no branch, of a muscle that shortens, and that lengthens.
  */
@@ -76,7 +77,7 @@ function axisReach(found, axis, spare) {
 }
 
 /** Round values between two others. @param {[number, number]} reach @param {number} most */
-export function ticks([low, high], most) {
+function ticks([low, high], most) {
   const step = niceUp((high - low) / Math.max(1, most)),
     first = Math.ceil(low / step - 1e-9),
     count = Math.floor(high / step + 1e-9) - first + 1;
@@ -148,13 +149,20 @@ function legends(spec, left, width) {
   });
 }
 
-const MIDDLE = ' text-anchor="middle"';
-/** @param {number} x @param {number} y @param {string} text @param {string} [more] attributes */
-const words = (x, y, text, more = "") =>
-  `<text x="${short(x)}" y="${short(y)}"${more}>${escaped(text)}</text>`;
+const MIDDLE = { "text-anchor": "middle" };
+/**
+ * @param {number} x @param {number} y @param {string} text
+ * @param {Record<string, string | number>} [more] attributes
+ */
+const words = (x, y, text, more = {}) =>
+  svg("text", { x: short(x), y: short(y), ...more }, escaped(text));
 /** Words on curves stand on paper. @param {Colours} colours @param {string} [fill] */
-const onPaper = ({ ink, paper }, fill = ink) =>
-  ` fill="${fill}" stroke="${paper}" stroke-width="3" paint-order="stroke"`;
+const onPaper = ({ ink, paper }, fill = ink) => ({
+  fill,
+  stroke: paper,
+  "stroke-width": 3,
+  "paint-order": "stroke",
+});
 
 /**
  * The whole drawing.
@@ -164,63 +172,68 @@ const onPaper = ({ ink, paper }, fill = ink) =>
 export function drawing(spec, at, colours, file = false) {
   const { width, height, left, top, w, h, px, py } = at,
     box = [left - 4, top - 4, w + 8, h + 8];
-  const inner = [
-    image(spec.picture, at),
-    ...spec.series.map((s, i) => band(s, i, at)),
-    ...spec.series.map((s, i) => curve(s, i, at)),
-  ].join("");
-  const marks = (spec.marks ?? [])
-    .map(
-      (m) =>
-        `<circle cx="${short(px(m.x))}" cy="${short(py(m.y))}" r="6" fill="none" ` +
-        `stroke="${colours.ink}" stroke-width="2"><title>${escaped(m.text)}</title></circle>`,
-    )
-    .join("");
-  const notes = (spec.notes ?? []).map(({ x, y, text }) =>
-    words(px(x), py(y), text, MIDDLE + onPaper(colours)),
+  // Bands lie below.
+  const inner = [true, false].flatMap((below) =>
+    spec.series.map((s, i) => (Boolean(s.band) === below ? curve(s, i, at) : "")),
   );
-  return (
-    `<svg xmlns="http://www.w3.org/2000/svg" class="curves" width="${width}" height="${height}" ` +
-    `viewBox="0 0 ${width} ${height}" font-family="system-ui, sans-serif" font-size="${FONT}" fill="${colours.ink}"` +
-    `${file ? `><rect width="${width}" height="${height}" fill="${colours.paper}"/>` : ' aria-hidden="true">'}` +
-    `${axes(spec, at, colours)}<svg x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" ` +
-    `viewBox="${box.join(" ")}" overflow="hidden">${inner}</svg>` +
-    `${marks}${labels(spec, at, colours)}${notes.join("")}${legend(spec, at)}</svg>`
+  const marks = (spec.marks ?? []).map((m) =>
+    svg(
+      "circle",
+      {
+        cx: short(px(m.x)),
+        cy: short(py(m.y)),
+        r: 6,
+        fill: "none",
+        stroke: colours.ink,
+        "stroke-width": 2,
+      },
+      svg("title", {}, escaped(m.text)),
+    ),
   );
-}
-
-/** @param {Picture | undefined} picture @param {Frame} at */
-function image(picture, { px, py }) {
-  if (!picture) return "";
-  const {
-    href,
-    x: [x0, x1],
-    y: [y0, y1],
-  } = picture;
-  return (
-    `<image href="${href}" x="${short(px(x0))}" y="${short(py(y1))}" width="${short(px(x1) - px(x0))}" ` +
-    `height="${short(py(y0) - py(y1))}" preserveAspectRatio="none"/>`
+  const viewBox = box.join(" ");
+  return svg(
+    "svg",
+    {
+      xmlns: "http://www.w3.org/2000/svg",
+      class: "curves",
+      width,
+      height,
+      viewBox: `0 0 ${width} ${height}`,
+      "font-family": "system-ui, sans-serif",
+      "font-size": FONT,
+      fill: colours.ink,
+      "aria-hidden": file ? undefined : "true",
+    },
+    file ? svg("rect", { width, height, fill: colours.paper }) : "",
+    ...axes(spec, at, colours),
+    svg(
+      "svg",
+      { x: box[0], y: box[1], width: box[2], height: box[3], viewBox, overflow: "hidden" },
+      ...inner,
+    ),
+    ...marks,
+    ...labels(spec, at, colours),
+    ...legend(spec, at),
   );
 }
 
 /** @param {Spec} spec @param {Frame} at @param {Colours} colours */
 function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint }) {
   const bottom = top + h,
-    rule = (/** @type {string} */ d) => `<path d="${d}" stroke="${faint}"/>`;
-  const down = along.map(
-    ({ value, text }) =>
-      rule(`M${short(px(value))} ${top}V${bottom}`) + words(px(value), bottom + 17, text, MIDDLE),
-  );
-  const over = across.map(
-    ({ value, text }) =>
-      rule(`M${left} ${short(py(value))}h${w}`) +
-      words(left - 6, py(value) + 4, text, ' text-anchor="end"'),
-  );
-  return (
-    `${down.join("")}${over.join("")}<path d="M${left} ${top}V${bottom}H${left + w}" fill="none" stroke="${line}"/>` +
-    words(left + w / 2, bottom + 34, spec.x, MIDDLE) +
-    words(0, 0, spec.y, `${MIDDLE} transform="translate(12 ${top + h / 2}) rotate(-90)"`)
-  );
+    rule = (/** @type {string} */ d, stroke = faint) => svg("path", { d, stroke, fill: "none" });
+  return [
+    ...along.flatMap(({ value, text }) => [
+      rule(`M${short(px(value))} ${top}V${bottom}`),
+      words(px(value), bottom + 17, text, MIDDLE),
+    ]),
+    ...across.flatMap(({ value, text }) => [
+      rule(`M${left} ${short(py(value))}h${w}`),
+      words(left - 6, py(value) + 4, text, { "text-anchor": "end" }),
+    ]),
+    rule(`M${left} ${top}V${bottom}H${left + w}`, line),
+    words(left + w / 2, bottom + 34, spec.x, MIDDLE),
+    words(0, 0, spec.y, { ...MIDDLE, transform: `translate(12 ${top + h / 2}) rotate(-90)` }),
+  ];
 }
 
 /**
@@ -243,54 +256,24 @@ const placed =
     `${short(px(s.x[i]))} ${short(py(Number(s.y[i])))}`;
 
 /** @param {Series} s @param {number} which @param {Frame} at */
-function band(s, which, at) {
-  if (!s.band) return "";
-  const place = placed(s, at);
-  return runs(s)
-    .map(
-      (run) =>
-        `<path d="M${run.map((i) => place(i)).join("L")}Z" fill="${colourOf(s, which)}" fill-opacity="0.14"/>`,
-    )
-    .join("");
-}
-
-/** A run as a cubic. @param {Series} s @param {number[]} run @param {Frame} at */
-function bent(s, run, { px, py }) {
-  const [x, y] = [run.map((i) => s.x[i]), run.map((i) => Number(s.y[i]))],
-    m = slopes(x, y);
-  const at = (/** @type {number} */ vx, /** @type {number} */ vy) =>
-    `${short(px(vx))} ${short(py(vy))}`;
-  return x
-    .map((v, i) => {
-      const h = (v - x[i - 1]) / 3;
-      return i
-        ? `C${at(x[i - 1] + h, y[i - 1] + m[i - 1] * h)} ${at(v - h, y[i] - m[i] * h)} ${at(v, y[i])}`
-        : `M${at(v, y[i])}`;
-    })
-    .join("");
-}
-
-/** @param {Series} s @param {number} which @param {Frame} at */
 function curve(s, which, at) {
-  if (s.band) return "";
   const place = placed(s, at),
+    colour = colourOf(s, which),
     all = runs(s),
-    drawn = (/** @type {string} */ d, /** @type {string} */ more) =>
-      `<path d="${d}" fill="none" stroke="${colourOf(s, which)}" ${more}/>`;
-  if (s.mode === "markers")
-    return drawn(
-      all
-        .flat()
-        .map((i) => `M${place(i)}${GLYPHS[s.glyph ?? "mean"]}`)
-        .join(""),
-      'stroke-width="1.4"',
-    );
-  return drawn(
-    all
-      .map((run) => (s.smooth ? bent(s, run, at) : `M${run.map((i) => place(i)).join("L")}`))
-      .join(""),
-    `stroke-width="${s.width ?? (s.strong ? 3 : 1.75)}" stroke-linejoin="round"${DASHES[s.dash ?? "solid"]}`,
-  );
+    lines = all.map((run) => `M${run.map((i) => place(i)).join("L")}`);
+  if (s.band) return svg("path", { d: `${lines.join("Z")}Z`, fill: colour, "fill-opacity": 0.14 });
+  const look = { fill: "none", stroke: colour };
+  if (s.mode === "markers") {
+    const d = all.flat().map((i) => `M${place(i)}${GLYPHS[s.glyph ?? "mean"]}`);
+    return svg("path", { d: d.join(""), ...look, "stroke-width": 1.4 });
+  }
+  return svg("path", {
+    d: lines.join(""),
+    ...look,
+    "stroke-width": s.strong ? 3 : 1.75,
+    "stroke-linejoin": "round",
+    "stroke-dasharray": DASHES[s.dash ?? "solid"],
+  });
 }
 
 /**
@@ -319,88 +302,90 @@ function labels(spec, { px, py, left, top, w, h, reach }, colours) {
     end.y = Math.min(end.y, below);
     below = end.y - 14;
   }
-  return ends
-    .map(({ x, y, text, strong, colour }) =>
-      words(x, y, text, onPaper(colours, colour) + (strong ? ' font-weight="600"' : "")),
-    )
-    .join("");
+  return ends.map(({ x, y, text, strong, colour }) =>
+    words(x, y, text, { ...onPaper(colours, colour), ...(strong ? { "font-weight": 600 } : {}) }),
+  );
 }
 
 /** @param {Spec} spec @param {Frame} at */
 const legend = (spec, { named }) =>
-  named
-    .map(({ text, i, x, y }) => {
-      const s = spec.series[i],
-        colour = colourOf(s, i);
-      const sign =
+  named.flatMap(({ text, i, x, y }) => {
+    const s = spec.series[i],
+      d =
         s.mode === "markers"
-          ? `<path d="M${x + 10} ${y - 4}${GLYPHS[s.glyph ?? "mean"]}" fill="none" stroke="${colour}" stroke-width="1.4"/>`
-          : `<path d="M${x} ${y - 4}h20" stroke="${colour}" stroke-width="2"${DASHES[s.dash ?? "solid"]}/>`;
-      return sign + words(x + 25, y, text);
-    })
-    .join("");
+          ? `M${x + 10} ${y - 4}${GLYPHS[s.glyph ?? "mean"]}`
+          : `M${x} ${y - 4}h20`;
+    return [
+      svg("path", {
+        d,
+        fill: "none",
+        stroke: colourOf(s, i),
+        "stroke-width": 1.75,
+        "stroke-dasharray": DASHES[s.dash ?? "solid"],
+      }),
+      words(x + 25, y, text),
+    ];
+  });
 
 /**
- * Slopes of a cubic through points that rises and falls with them (Fritsch and Carlson 1980); at
- * rest in a turn.
+ * Slopes of a cubic through points that rises and falls with them (Steffen 1990).
  * @param {number[]} x @param {number[]} y
  */
-export function slopes(x, y) {
-  if (x.length < 3) return x.map(() => (x.length < 2 ? 0 : (y[1] - y[0]) / (x[1] - x[0])));
+function slopes(x, y) {
   const h = x.slice(1).map((v, i) => v - x[i]),
     d = h.map((w, i) => (y[i + 1] - y[i]) / w),
-    n = d.length;
-  // Of the parabola through three points.
-  const end = (/** @type {number} */ a, /** @type {number} */ b) =>
-    ((2 * h[a] + h[b]) * d[a] - h[a] * d[b]) / (h[a] + h[b]);
-  const m = x.map((_, i) =>
-    i === 0
-      ? end(0, 1)
-      : i === n
-        ? end(n - 1, n - 2)
-        : d[i - 1] * d[i] <= 0
-          ? 0
-          : (h[i] * d[i - 1] + h[i - 1] * d[i]) / (h[i - 1] + h[i]),
-  );
-  d.forEach((slope, i) => {
-    const far = slope === 0 ? Infinity : Math.hypot(m[i] / slope, m[i + 1] / slope);
-    if (far > 3) for (const k of [i, i + 1]) m[k] *= 3 / far;
+    last = d.length;
+  const m = x.map((_, i) => {
+    const [a, b] = [d[i - 1], d[i]],
+      p = (a * h[i] + b * h[i - 1]) / (h[i - 1] + h[i]);
+    return (Math.sign(a) + Math.sign(b)) * Math.min(Math.abs(a), Math.abs(b), 0.5 * Math.abs(p));
   });
+  m[0] = last > 1 ? (3 * d[0] - m[1]) / 2 : d[0];
+  m[last] = last > 1 ? (3 * d[last - 1] - m[last - 1]) / 2 : d[0];
   return m;
 }
 
+/** Points between two of a smooth curve. */
+const FINE = 4;
 /**
- * A curve at a value of the lower axis: between its points by a line, or by its cubic.
- * @param {Series} s @param {number} x @param {"y" | "low" | "high"} [of]
+ * A smooth curve by its cubic, with points that lie closer; any other, and one with an interval, as
+ * it is. @param {Series} s
  */
-export function valueAt(s, x, of = "y") {
-  const list = s[of] ?? [];
+export function smoothed(s) {
+  if (!s.smooth || s.low) return s;
+  const x = /** @type {number[]} */ ([]),
+    y = /** @type {(number | null)[]} */ ([]);
+  for (const run of runs(s)) {
+    const [u, v] = [run.map((i) => s.x[i]), run.map((i) => Number(s.y[i]))],
+      m = slopes(u, v);
+    for (let i = 1; i < run.length; i++)
+      for (let k = 0; k < FINE; k++) {
+        const t = k / FINE,
+          back = 1 - t,
+          h = u[i] - u[i - 1];
+        x.push(u[i - 1] + t * h);
+        y.push(
+          v[i - 1] * back * back * (1 + 2 * t) +
+            m[i - 1] * h * t * back * back +
+            v[i] * t * t * (3 - 2 * t) -
+            m[i] * h * t * t * back,
+        );
+      }
+    x.push(u[u.length - 1], NaN);
+    y.push(v[v.length - 1], null);
+  }
+  return { ...s, x, y };
+}
+
+/**
+ * A curve at a value of the lower axis, on the line between its points.
+ * @param {{ x: number[], y: (number | null)[] }} s @param {number} x
+ */
+export function valueAt(s, x) {
   for (let i = 1; i < s.x.length; i++) {
-    const [a, b, ya, yb] = [s.x[i - 1], s.x[i], list[i - 1], list[i]];
-    if (
-      typeof ya !== "number" ||
-      typeof yb !== "number" ||
-      Math.min(a, b) > x ||
-      Math.max(a, b) < x ||
-      a === b
-    )
-      continue;
-    const t = (x - a) / (b - a);
-    if (of !== "y" || !s.smooth) return ya + t * (yb - ya);
-    const run = runs(s).find((list) => list.includes(i)) ?? [],
-      k = run.indexOf(i);
-    const m = slopes(
-      run.map((j) => s.x[j]),
-      run.map((j) => /** @type {number} */ (s.y[j])),
-    );
-    const [p, q] = [m[k - 1] * (b - a), m[k] * (b - a)],
-      back = 1 - t;
-    return (
-      ya * back * back * (1 + 2 * t) +
-      p * t * back * back +
-      yb * t * t * (3 - 2 * t) -
-      q * t * t * back
-    );
+    const [a, b, ya, yb] = [s.x[i - 1], s.x[i], s.y[i - 1], s.y[i]];
+    if (ya == null || yb == null || a === b || Math.min(a, b) > x || Math.max(a, b) < x) continue;
+    return ya + ((x - a) / (b - a)) * (yb - ya);
   }
   return undefined;
 }
@@ -422,7 +407,7 @@ export function nearest(spec, at, x, y) {
   };
   const value = at.x(x);
   spec.series.forEach((s, which) => {
-    if (s.band || s.silent) return;
+    if (s.band) return;
     if (s.mode === "markers")
       s.x.forEach((vx, i) => {
         const vy = s.y[i];

@@ -1,50 +1,32 @@
 // A small picture of a muscle: tube, braid and ends in proportion, from its measures alone.
 import { body } from "./body.js";
 import { el } from "./dom.js";
-
-const WIDTH = 96,
-  HEIGHT = 40;
-
-/**
- * Lengths by their logarithms, so that a muscle of 2 mm and one of 80 mm can both be seen.
- * @param {MuscleMeasures} of @returns {string} the inside of an SVG of 96 by 40
- */
-function drawing({ outer_diameter_mm: D, length_mm: L, angle_deg: angle }) {
-  const length = Math.min(74, Math.max(26, 30 + 20 * Math.log2(L / 100))),
-    diameter = Math.min(30, Math.max(6, 6 + 4.6 * Math.log2(D / 2)));
-  return (
-    `<g transform="translate(${(WIDTH - length) / 2} ${HEIGHT / 2})">` +
-    `${body({ length, diameter, bulged: 1.08 * diameter, angle })}</g>`
-  );
-}
+import { clamp } from "./units.js";
 
 /**
  * A card to click.
  * @param {() => unknown} act @param {Element} picture @param {string} title @param {string} about
  */
-export function card(act, picture, title, about) {
-  picture.classList.add("picture");
-  return el(
+export const card = (act, picture, title, about) =>
+  el(
     "button",
     { type: "button", class: "card", onclick: act },
     picture,
     el("b", title),
     el("span", { class: "small soft" }, about),
   );
-}
 
 /**
+ * Lengths by their logarithms, so that a muscle of 2 mm and one of 80 mm can both be seen.
  * @param {MuscleMeasures | undefined} of nothing leaves it empty
- * @param {string} [label] without one it is decoration
  */
-export function thumbnail(of, label) {
-  const box = el("span", {
-    class: "thumbnail",
-    ariaHidden: label ? undefined : "true",
-    role: label ? "img" : undefined,
-    ariaLabel: label,
-  });
-  const isThere = of && [of.outer_diameter_mm, of.wall_mm, of.length_mm].every((x) => x > 0);
-  box.innerHTML = `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}">${isThere ? drawing(of) : ""}</svg>`;
+export function thumbnail(of) {
+  const { outer_diameter_mm: D, length_mm: L, angle_deg: angle } = of ?? {},
+    length = clamp(30 + 20 * Math.log2((L ?? 0) / 100), 26, 74),
+    diameter = clamp(6 + 4.6 * Math.log2((D ?? 0) / 2), 6, 30);
+  const box = el("span", { class: "thumbnail", ariaHidden: "true" });
+  box.innerHTML = `<svg viewBox="${(length - 96) / 2} -20 96 40">${
+    of ? body({ length, diameter, bulged: 1.08 * diameter, angle }) : ""
+  }</svg>`;
   return box;
 }

@@ -1,6 +1,6 @@
 // Quantities as people read them. Inside everything is in mm, MPa, N, degrees; factors come from
 // the engine.
-import { signal } from "./life.js";
+import { signal } from "./watch.js";
 /** The engine's kind. @param {Kind} kind @returns {EngineKind} */
 export const kindOf = (kind) =>
   kind === "modulus" ? "pressure" : kind === "number" ? "ratio" : kind;
@@ -29,11 +29,10 @@ const CHOICES = {
   damping: ["N s/m", "N s/mm"],
   inertia: ["kg m2"],
 };
-/** @type {Record<string, string>} */
-const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]]));
-/** What a click changed, and what an address did. */
-const clicked = signal(),
-  read = signal();
+/** The units that are shown. */
+const chosen = signal(
+  Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => [kind, list[0]])),
+);
 
 /** @param {Pick<Commands["units"]["answer"], "kinds">} answer of `units` */
 export function takeUnits(answer) {
@@ -55,9 +54,9 @@ export const bareIn = (text, kind) =>
 /** The unit inside. @param {string} kind */
 const baseUnit = (kind) => kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";
 /** The kind of quantities that have a unit inside. @param {string} unit */
-export const kindInside = (unit) => [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
+const kindInside = (unit) => [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
 /** As the engine writes it. @param {string} kind */
-const writtenUnit = (kind) => chosen[kind] ?? baseUnit(kind);
+const writtenUnit = (kind) => chosen.value[kind] ?? baseUnit(kind);
 /** As people write it. @param {string} kind */
 export const unitName = (kind) => {
   const unit = writtenUnit(kind);
@@ -66,7 +65,7 @@ export const unitName = (kind) => {
 
 /** @param {string} kind */
 function factor(kind) {
-  const unit = kinds.get(kind)?.units.find((u) => u.name === chosen[kind]);
+  const unit = kinds.get(kind)?.units.find((u) => u.name === chosen.value[kind]);
   return unit ?? { multiply: 1, divide: 1 };
 }
 /** A value inside in the shown unit. @param {string} kind @param {number} inside */
@@ -138,10 +137,13 @@ export function typed(kind, value) {
  */
 const COMMA = /^([-+]?)(\d+),(\d+)(?![\d,.])(.*)$/s;
 /**
- * With a point in place of a decimal comma; points before it separate thousands.
+ * With a point in place of a decimal comma, and `1 1/4` as 1.25; points before it separate
+ * thousands.
  * @param {string} text
  */
 export function pointed(text) {
+  const [, first = 0, over, under, unit] = /^(?:(\d+) )?(\d+)\/(\d+)(.*)$/.exec(text) ?? [];
+  if (under) return `${Number(first) + Number(over) / Number(under)}${unit}`;
   if (/^[-+]?\d{1,3}(\.\d{3})+,\d+(?![\d,.])/.test(text))
     return text.replaceAll(".", "").replace(",", ".");
   const [, sign, whole, decimals, rest] = COMMA.exec(text) ?? [];
@@ -202,6 +204,14 @@ export function between(median, low, high, unit) {
   return `${m}${unit} (${l} to ${h}${unit})`;
 }
 /**
+ * A value with half of its interval, both to the digits that it leaves: `2.1 ± 2.4 mm`.
+ * @param {number} value @param {number} half @param {string} unit
+ */
+export function plusMinus(value, half, unit) {
+  const digits = clamp(1 - Math.floor(Math.log10(half)), 0, 12);
+  return `${value.toFixed(digits).replace("-", "−")} ±\u00a0${half.toFixed(digits)} ${unit}`;
+}
+/**
  * The same of a quantity.
  * @param {string} kind @param {(number | null | undefined)[]} list median, low and high
  */
@@ -218,44 +228,33 @@ export const builtPull = (q) =>
 /** The same in words. @param {Built} answer */
 export const asBuilt = (answer) => interval("force", builtPull(answer));
 /** @param {{ model: string, force_n: number }} answer */
-export const modelPull = ({ model, force_n: force }) => `${model} alone ${show("force", force)}`;
+export const modelPull = ({ model, force_n: force }) =>
+  `the model (${model}): ${show("force", force)}`;
 
 /** What axes of charts are called. */
 export const ratioAxis = "contraction ε [%]",
   forceAxis = () => `pull F [${unitName("force")}]`;
 
-/**
- * Changes a unit everywhere, to the next one or to one by name.
- * @param {string} kind @param {string} [name]
- */
-export function changeUnit(kind, name) {
-  const list = CHOICES[kind];
-  if (!list) return;
-  const next = name ?? list[(list.indexOf(chosen[kind]) + 1) % list.length];
-  if (!list.includes(next)) return;
-  chosen[kind] = next;
-  clicked.tell();
+/** Changes a unit everywhere, to the next one. @param {string} kind */
+export function changeUnit(kind) {
+  const list = CHOICES[kind],
+    next = list[(list.indexOf(chosen.value[kind]) + 1) % list.length];
+  chosen.value = { ...chosen.value, [kind]: next };
 }
 /** Names that are not the usual ones, as they stand in an address. */
 export const unitsInAddress = () =>
   Object.entries(CHOICES)
-    .filter(([kind, list]) => chosen[kind] !== list[0])
-    .map(([kind]) => chosen[kind])
+    .filter(([kind, list]) => chosen.value[kind] !== list[0])
+    .map(([kind]) => chosen.value[kind])
     .join(",");
 /** @param {string} names */
 export function unitsFromAddress(names) {
-  const before = JSON.stringify(chosen);
-  for (const [kind, list] of Object.entries(CHOICES))
-    chosen[kind] = names.split(",").find((n) => list.includes(n)) ?? list[0];
-  if (JSON.stringify(chosen) !== before) read.tell();
+  const next = Object.entries(CHOICES).map(([kind, list]) => [
+    kind,
+    names.split(",").find((n) => list.includes(n)) ?? list[0],
+  ]);
+  if (names !== unitsInAddress()) chosen.value = Object.fromEntries(next);
 }
-/** Is told of units that a click changed. */
-export const onUnits = clicked.on;
-/**
- * Is told of units that a click or an address changed: fields, which write nothing into it.
- * @param {() => void} tell
- */
-export const onAnyUnits = (tell) => [clicked, read].forEach((one) => one.on(tell));
 /** Whether it has several units to choose from. @param {string} kind */
 export const hasChoice = (kind) => (CHOICES[kind]?.length ?? 0) > 1;
 

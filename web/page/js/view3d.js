@@ -4,9 +4,9 @@
 // What the engine knows along the half muscle goes into one small texture; where each point of
 // surface or strand lies follows from it on the graphics processor, so that a new shape costs one
 // upload of a few kilobytes.
-import { body, pictures } from "./body.js";
+import { body } from "./body.js";
 import { el } from "./dom.js";
-import { atEnd } from "./life.js";
+import { atEnd, rested } from "./life.js";
 import { FRAGMENT, SURFACE, VIRIDIS } from "./shaders.js";
 
 /**
@@ -151,15 +151,88 @@ export function viewOf(stage, { contract, drawn } = {}) {
   /** Parts of the mesh. @type {Map<string, Piece>} */ let pieces = new Map();
   let matrix = new Float32Array(16);
   /** Half of what is seen, in mm. */
-  let half = 1,
-    rest = 0;
+  let half = 1;
   /** Of the stage, in pixels of the page; asking for it every time would lay the page out anew. */
   let { clientWidth: width, clientHeight: height } = stage;
-  const canvas = el("canvas", { role: "img", ariaLabel: "The deformed muscle" });
+  /** One pointer turns, or drags the end; two zoom. @type {Map<number, PointerEvent>} */
+  const down = new Map();
+  /** @type {{ x: number, y: number, turn: number[], end: boolean } | undefined} */ let from;
+  let apart = 0;
+  const distance = () => {
+    const [a, b] = [...down.values()];
+    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+  };
+  const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
+    if (!from) return;
+    const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
+    if (!from.end) return turnTo(from.turn[0] + 0.008 * dy, from.turn[1] + 0.008 * dx);
+    const along = (dx * perPixel()) / Math.max(0.3, Math.cos(turn[1]));
+    contract?.(-along / show.restLength, settled);
+  };
+  const up = (/** @type {PointerEvent} */ event) => {
+    down.delete(event.pointerId);
+    if (event.type === "pointerup") moved(event, true);
+    from = undefined;
+    canvas.style.cursor = "";
+  };
+  const canvas = el("canvas", {
+    role: "img",
+    ariaLabel: "The deformed muscle",
+    tabindex: 0,
+    onpointerup: up,
+    onpointercancel: up,
+    ondblclick: reset,
+    onpointerdown(/** @type {PointerEvent} */ event) {
+      if (!shape) return;
+      down.set(event.pointerId, event);
+      canvas.setPointerCapture(event.pointerId);
+      if (down.size > 1) {
+        from = undefined;
+        apart = distance();
+        return;
+      }
+      const box = canvas.getBoundingClientRect(),
+        end = isAtEnd((event.clientX - box.left) / box.width);
+      from = { x: event.clientX, y: event.clientY, turn: [...turn], end };
+      canvas.style.cursor = end ? "ew-resize" : "grabbing";
+    },
+    onpointermove(/** @type {PointerEvent} */ event) {
+      if (!down.has(event.pointerId)) return;
+      down.set(event.pointerId, event);
+      if (down.size < 2) return moved(event, false);
+      const now = distance();
+      if (apart > 0 && now > 0) zoomBy(now / apart);
+      apart = now;
+    },
+    onwheel(/** @type {WheelEvent} */ event) {
+      if (!event.ctrlKey && !event.shiftKey && document.activeElement !== canvas) return;
+      event.preventDefault();
+      zoomBy(Math.exp(-0.001 * event.deltaY));
+    },
+    onkeydown(/** @type {KeyboardEvent} */ event) {
+      const step = {
+        ArrowLeft: [0, -0.1],
+        ArrowRight: [0, 0.1],
+        ArrowUp: [-0.1, 0],
+        ArrowDown: [0.1, 0],
+      }[event.key];
+      if (event.key === "+" || event.key === "-") zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
+      else if (event.key === "0" || event.key === "Home") reset();
+      else if (step) turnTo(turn[0] + step[0], turn[1] + step[1]);
+      else return;
+      event.preventDefault();
+    },
+    onwebglcontextlost: (/** @type {Event} */ event) => event.preventDefault(),
+    onwebglcontextrestored() {
+      prepare();
+      upload();
+      draw();
+    },
+  });
   const gl = canvas.getContext("webgl2", { antialias: !software(), alpha: true });
 
-  /** @param {WebGL2RenderingContext} gl */
-  function prepare(gl) {
+  function prepare() {
+    if (!gl) return;
     painter = program(gl, SURFACE);
     places = {};
     texture = table(gl);
@@ -252,15 +325,13 @@ export function viewOf(stage, { contract, drawn } = {}) {
     fill(gl, texture, stations, across + 1, texels);
   }
 
+  const sharpen = rested(() => draw(true), 200);
   /** @param {boolean} [sharp] */
   function draw(sharp = false) {
     if (!gl || !shape) return;
     // Without a graphics processor a moving muscle is drawn coarser, and sharp when it rests.
     const coarse = software() && !sharp;
-    if (coarse) {
-      clearTimeout(rest);
-      rest = window.setTimeout(() => draw(true), 200);
-    }
+    if (coarse) sharpen();
     const ratio = coarse ? 0.6 : Math.min(2, devicePixelRatio || 1);
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (!w || !h) return;
@@ -422,40 +493,10 @@ export function viewOf(stage, { contract, drawn } = {}) {
   }
 
   function largest() {
-    let most = 0;
-    for (const r of shape?.arrays.r_mm ?? []) most = Math.max(most, r);
-    return most;
+    return Math.max(0, ...(shape?.arrays.r_mm ?? []));
   }
 
   const perPixel = () => (2 * half) / Math.max(1, width);
-
-  function listen() {
-    listenToPointers();
-    canvas.addEventListener(
-      "wheel",
-      (event) => {
-        if (!event.ctrlKey && !event.shiftKey && document.activeElement !== canvas) return;
-        event.preventDefault();
-        zoomBy(Math.exp(-0.001 * event.deltaY));
-      },
-      { passive: false },
-    );
-    canvas.tabIndex = 0;
-    canvas.addEventListener("keydown", (event) => {
-      const step = {
-        ArrowLeft: [0, -0.1],
-        ArrowRight: [0, 0.1],
-        ArrowUp: [-0.1, 0],
-        ArrowDown: [0.1, 0],
-      }[event.key];
-      if (event.key === "+" || event.key === "-") zoomBy(event.key === "+" ? 1.2 : 1 / 1.2);
-      else if (event.key === "0" || event.key === "Home") reset();
-      else if (step) turnTo(turn[0] + step[0], turn[1] + step[1]);
-      else return;
-      event.preventDefault();
-    });
-    canvas.addEventListener("dblclick", reset);
-  }
 
   /**
    * Whether a place, as a share of the width, is at the right end of the muscle: its last tenth and
@@ -467,55 +508,6 @@ export function viewOf(stage, { contract, drawn } = {}) {
     const now = shape?.length_mm ?? restLength;
     const place = 0.5 + ((now - 0.5 * restLength) * Math.cos(turn[1])) / (2 * half);
     return Boolean(contract) && share > place - 0.06 && share < place + 0.08;
-  }
-
-  /** One pointer turns, or drags the end; two zoom. */
-  function listenToPointers() {
-    /** @type {Map<number, PointerEvent>} */
-    const down = new Map();
-    /** @type {{ x: number, y: number, turn: number[], end: boolean } | undefined} */ let from;
-    let apart = 0;
-    const distance = () => {
-      const [a, b] = [...down.values()];
-      return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
-    };
-    const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
-      if (!from) return;
-      const [dx, dy] = [event.clientX - from.x, event.clientY - from.y];
-      if (!from.end) return turnTo(from.turn[0] + 0.008 * dy, from.turn[1] + 0.008 * dx);
-      const along = (dx * perPixel()) / Math.max(0.3, Math.cos(turn[1]));
-      contract?.(-along / show.restLength, settled);
-    };
-    canvas.addEventListener("pointerdown", (event) => {
-      if (!shape) return;
-      down.set(event.pointerId, event);
-      canvas.setPointerCapture(event.pointerId);
-      if (down.size > 1) {
-        from = undefined;
-        apart = distance();
-        return;
-      }
-      const box = canvas.getBoundingClientRect(),
-        end = isAtEnd((event.clientX - box.left) / box.width);
-      from = { x: event.clientX, y: event.clientY, turn: [...turn], end };
-      canvas.style.cursor = end ? "ew-resize" : "grabbing";
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      if (!down.has(event.pointerId)) return;
-      down.set(event.pointerId, event);
-      if (down.size < 2) return moved(event, false);
-      const now = distance();
-      if (apart > 0 && now > 0) zoomBy(now / apart);
-      apart = now;
-    });
-    const up = (/** @type {PointerEvent} */ event) => {
-      down.delete(event.pointerId);
-      if (event.type === "pointerup") moved(event, true);
-      from = undefined;
-      canvas.style.cursor = "";
-    };
-    canvas.addEventListener("pointerup", up);
-    canvas.addEventListener("pointercancel", up);
   }
 
   /** Without WebGL: the muscle from the side. */
@@ -542,30 +534,16 @@ export function viewOf(stage, { contract, drawn } = {}) {
     drawn?.();
   }
   if (gl) {
-    prepare(gl);
+    prepare();
     stage.prepend(canvas);
-    listen();
-    pictures.set(canvas, () => {
-      draw(true);
-      return canvas.toDataURL();
-    });
-    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-    canvas.addEventListener("webglcontextrestored", () => {
-      prepare(gl);
-      upload();
-      draw();
-    });
   }
   const sized = new ResizeObserver(() => {
-    // On paper the stage has no place, and its picture is made.
-    if (!stage.clientWidth) return;
     ({ clientWidth: width, clientHeight: height } = stage);
     draw(true);
   });
   sized.observe(stage);
   // Nothing of it is kept.
   atEnd(() => {
-    clearTimeout(rest);
     sized.disconnect();
     gl?.getExtension("WEBGL_lose_context")?.loseContext();
     canvas.remove();

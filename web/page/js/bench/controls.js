@@ -1,5 +1,5 @@
 // The controls of the page Muscle: its state, its measures, its ends.
-import { engine } from "../ask.js";
+import { answerTo } from "../ask.js";
 import { choice, quantity } from "../controls.js";
 import { block, capital, el, folded } from "../dom.js";
 import { inputs } from "../form.js";
@@ -16,6 +16,7 @@ import {
   about,
 } from "../state.js";
 import { braidName, niceUp, partName } from "../units.js";
+import { watch } from "../watch.js";
 
 /** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
 const GROUPS = { tube: "Tube", braid: "Braid", terminals: "Ends", friction: "Friction" };
@@ -36,15 +37,7 @@ export function controlsView(store) {
     return controls[spec.key].element;
   };
   const picks = choices(store);
-  /** What a named sleeve needs is beside it. */
-  const needed = block();
-  const element = section(make, picks, needed);
-  const homes = new Map(
-    STRANDS.map(({ key }) => [
-      key,
-      /** @type {HTMLElement} */ (controls[key].element.parentElement),
-    ]),
-  );
+  const element = section(make, picks);
   const clear = () => Object.values(controls).forEach((c) => c.mark(""));
 
   /** Opens what holds a control. @param {string} key */
@@ -62,15 +55,18 @@ export function controlsView(store) {
       (file && key !== "density_kg_per_m3" && muscle.value(key) !== undefined);
     [...ENDS, ...MORE].filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
   }
-  store.on("sync", () => {
+  watch(() => {
     sync(controls, picks);
-    place(controls, needed, homes);
+    // What a named sleeve needs is seen.
+    muscle.missing().forEach(reveal);
   });
-  store.on("answer", clear);
-  store.on("problem", ({ problem, state }) => {
+  watch(() => {
+    const found = store.problem.value;
+    clear();
+    if (!found) return;
+    const { problem, state } = found;
     const lacks = muscle.missing().filter((key) => state.said[key] === undefined),
       key = about(problem);
-    clear();
     if (lacks.length)
       lacks.forEach((key) =>
         controls[key].mark(
@@ -82,17 +78,16 @@ export function controlsView(store) {
       reveal(key);
     }
   });
-  store.on("facts", () => {
-    const { free_contraction: free, blocked_force_n: blocked } = store.facts.characteristics ?? {};
+  watch(() => {
+    const { free_contraction: free, blocked_force_n: blocked } =
+      store.facts.value.characteristics ?? {};
     if (free) controls.e.reach(0, Math.max(0.1, Math.ceil(free * 22) / 20));
     controls.F.reach(0, Math.max(10, niceUp(blocked ?? 1000)));
   });
-  engine()
-    .ask("parts-list", { kind: "rubbers" })
-    .then(
-      (answer) => picks.rubber.options(answer.rubbers.map(({ name }) => name)),
-      () => {},
-    );
+  answerTo("parts-list", { kind: "rubbers" }).then(
+    (answer) => picks.rubber.options(answer.rubbers.map(({ name }) => name)),
+    () => {},
+  );
   /** Sliders run around the muscle as it was opened, within its sleeve. */
   function anchor() {
     const sleeve = muscle.sleeves.find(
@@ -113,9 +108,8 @@ export function controlsView(store) {
 
 /**
  * @param {(spec: Measure) => HTMLElement} make @param {ReturnType<typeof choices>} picks
- * @param {Node} needed
  */
-function section(make, { rubber, braid, strands, held, branch }, needed) {
+function section(make, { rubber, braid, strands, held, branch }) {
   const state = [make(PRESSURE), held.element, make(CONTRACTION), make(LOAD), branch.element];
   const tube = [
     ...QUANTITIES.map(make),
@@ -123,7 +117,6 @@ function section(make, { rubber, braid, strands, held, branch }, needed) {
     braid.element,
     strands.element,
     make(STIFFNESS),
-    needed,
   ];
   return inputs(
     "Muscle",
@@ -136,8 +129,8 @@ function section(make, { rubber, braid, strands, held, branch }, needed) {
 
 /** @param {Store} store */
 function choices(store) {
-  const stiffness = () => Math.round(store.facts.stiffness_n_per_mm ?? 300);
-  const load = () => Math.max(1, Math.round(store.point?.force_n ?? 100));
+  const stiffness = () => Math.round(store.facts.value.stiffness_n_per_mm ?? 300);
+  const load = () => Math.max(1, Math.round(store.point.value?.force_n ?? 100));
   const names = /** @type {[string, string][]} */ ([
     ["", ""],
     ["inextensible", "inextensible"],
@@ -147,9 +140,9 @@ function choices(store) {
   const put = (/** @type {string} */ key) => (/** @type {string} */ name) =>
     store.changed(key, name, true);
   return {
-    rubber: choice("Rubber", [["", ""]], "", put("rubber")),
-    braid: choice("Braid", [["", ""]], "", put("braid")),
-    strands: choice("Strands", names, "", (name) =>
+    rubber: choice("Rubber", [["", ""]], put("rubber")),
+    braid: choice("Braid", [["", ""]], put("braid")),
+    strands: choice("Strands", names, (name) =>
       store.changed("k", name === "k" ? stiffness() : name, true),
     ),
     branch: choice(
@@ -160,7 +153,6 @@ function choices(store) {
         ["mean", "mean of both ways"],
         ["elongation", "while it lengthens"],
       ],
-      "",
       put("branch"),
     ),
     held: choice(
@@ -169,7 +161,6 @@ function choices(store) {
         ["e", "contraction"],
         ["F", "load"],
       ],
-      "e",
       (what) => store.changed("F", what === "F" ? load() : undefined, true),
     ),
   };
@@ -225,16 +216,4 @@ function sync(controls, { rubber, braid, strands, held, branch }) {
   // A named sleeve has its angle, and may need to be said what its strands are.
   controls.angle.enable(!(said.braid ?? shown?.sleeve) || said.angle !== undefined);
   controls.k.element.hidden = typeof said.k !== "number";
-}
-
-/**
- * @param {Record<string, ReturnType<typeof quantity>>} controls @param {HTMLElement} needed
- * @param {Map<string, HTMLElement>} homes
- */
-function place(controls, needed, homes) {
-  const lacks = muscle.missing();
-  for (const [key, home] of homes) {
-    const to = lacks.includes(key) ? needed : home;
-    if (controls[key].element.parentElement !== to) to.append(controls[key].element);
-  }
 }

@@ -1,261 +1,140 @@
 // Curves of the page Muscle: a family, the curve of the present state and as built, other models,
-// and measured points.
+// measured points, and one measure over a range.
 import { Slot } from "../ask.js";
-import { chartOf, builtAt } from "../chart.js";
-import { choice } from "../controls.js";
-import { folded, tabs } from "../dom.js";
-import { atEnd } from "../life.js";
+import { chartOf } from "../chart.js";
+import { tabs } from "../dom.js";
+import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
-import { onTheme } from "../theme.js";
 import { forceAxis, outside, ratioAxis, unitName } from "../units.js";
-import {
-  FAMILY,
-  OVERLAYS,
-  allowedOf,
-  along,
-  builtContraction,
-  familyOf,
-  familySeries,
-  overlay,
-  ownOf,
-  ownSeries,
-  permitted,
-  reachOf,
-} from "./family.js";
+import { signal, untracked, watch } from "../watch.js";
+import { allowedOf, along, familyOf, familySeries, ownOf, ownSeries, permitted } from "./family.js";
 import { pointsView } from "./points.js";
+import { sweepView } from "./sweep.js";
 
 const TESTS = /** @type {[string, string][]} */ ([
   ["isobaric", "Isobaric"],
   ["isometric", "Isometric"],
   ["isotonic", "Isotonic"],
   ["along", "Along the muscle"],
+  ["sweep", "Sweep"],
 ]);
+/** @typedef {{ test: string, top: number, family: CurveAnswer, own?: CurveAnswer }} Curves */
 
-/** @param {Store} store */
-export function curvesView(store) {
+/** @param {Store} store @param {() => Series[]} beside curves that lie over the isobars */
+export function curvesView(store, beside) {
   const slot = () => new Slot({ lane: "curves" }),
-    slots = { family: slot(), own: slot(), over: slot(), exact: slot() };
-  /** @type {{ test: string, answer: CurveAnswer, top: number } | undefined} */ let family;
-  /** @type {{ test: string, answer: CurveAnswer } | undefined} */ let own;
-  /** @type {CurveAnswer[]} */ let overlays = [];
-  /** What was asked last. */
-  const keys = { family: "", own: "", over: "" };
-  let timer = 0,
-    // Questions, and when the hand that moves gets curves again.
-    turn = 0,
+    slots = { family: slot(), own: slot() };
+  const curves = signal(/** @type {Curves | undefined} */ (undefined));
+  /** Answers by what was asked: along a family only the mark and the own curve move. */
+  const none = { key: "", answer: /** @type {CurveAnswer | undefined} */ (undefined) },
+    known = { family: none, own: none };
+  /** Questions, and when the hand that moves gets curves again. */
+  let turn = 0,
     due = 0;
-  const over = choice(
-    "Another model",
-    ["", ...OVERLAYS].map((name) => [name, name || "none"]),
-    store.wanted.over,
-    (name) => {
-      store.wanted.over = name;
-      ask();
-      store.settle();
-    },
-  );
-  const advanced = folded("Advanced", over.element);
-  const tab = tabs("Curves", TESTS, store.wanted.test, (test) => {
-    store.look({ test });
-    draw();
-    ask();
-  });
+  const tab = tabs("Curves", TESTS, "isobaric", (test) => store.look({ test }));
   const chart = chartOf("muscle-curves", {
     tools: tab.list,
     drag: (x, _, settled) => dragged(x, settled),
   });
-  const points = pointsView(store, () => {
-    keys.family = "";
-    ask();
-    draw();
-  });
-  store.on("answer", (pumped) => {
-    if (store.wanted.test === "along") draw();
-    else mark();
-    if (!pumped) soon();
-  });
-  store.on("problem", mark);
-  store.on("facts", soon);
-  onTheme(draw);
-  atEnd(() => clearTimeout(timer));
+  const points = pointsView(store),
+    sweep = sweepView(store, chart);
 
   /** The mark is dragged along its curve. @param {number} x @param {boolean} settled */
   function dragged(x, settled) {
-    const { test } = store.wanted,
+    const { test } = store.wanted.value,
       pressure = Math.round((x / outside("pressure", 1)) * 1000) / 1000;
     if (test === "isobaric") store.changed("e", Math.max(0, Math.round(x * 10) / 1000), settled);
     if (test === "isometric" || test === "isotonic")
       store.changed("p", Math.max(0, pressure), settled);
   }
 
-  /**
-   * Curves at rest; while the hand moves they take at most an eighth of the time: the muscle comes
-   * first.
-   */
-  function soon() {
-    clearTimeout(timer);
-    timer = window.setTimeout(ask, performance.now() > due ? 0 : 100);
-  }
-
   function ask() {
-    const { test } = store.wanted,
+    const { test } = store.wanted.value,
       mine = ++turn,
       began = performance.now();
-    if (test === "along") return draw();
-    const { request, top } = familyOf(store, points.pressures());
+    if (test === "along" || test === "sweep") return;
+    const { request, top } = familyOf(store, points.pressures()),
+      of = { test: /** @type {"isobaric"} */ (test), muscle: muscle.fields() };
     due = Infinity;
     const done = () => {
-      draw();
+      const { family, own } = known;
+      if (family.answer) curves.value = { test, top, family: family.answer, own: own.answer };
       if (mine !== turn) return;
       const now = performance.now();
       due = now + 7 * (now - began);
-      askOver();
-      points.ask();
     };
-    const askOwn = () =>
-      once(
-        "own",
-        { ...ownOf(store, top), ...(friction() ? { both: true } : {}) },
-        (answer) => {
-          own = answer && { test, answer };
-        },
-        done,
-      );
-    // Along a family only the mark and the own curve move. Both are drawn at once.
-    once(
-      "family",
-      request,
-      (answer) => {
-        if (answer) family = { test, answer, top };
-      },
-      () => (mine === turn ? askOwn() : draw()),
+    const both = typeof muscle.shown?.friction_coefficient === "number" || undefined;
+    // Both are drawn at once.
+    once("family", { ...of, ...request }, () =>
+      mine === turn ? once("own", { ...of, ...ownOf(store, top), both }, done) : done(),
     );
   }
 
   /**
    * Asks what was not asked yet.
-   * @param {"family" | "own"} what @param {object} request
-   * @param {(answer?: CurveAnswer) => void} take
+   * @param {"family" | "own"} what @param {Commands["curve"]["request"]} asked
    * @param {() => void} next
    */
-  function once(what, request, take, next) {
-    const test = /** @type {"isobaric" | "isometric" | "isotonic"} */ (store.wanted.test);
-    const asked = { test, muscle: muscle.fields(), ...request },
-      key = JSON.stringify(asked);
-    if (key === keys[what]) return next();
-    keys[what] = key;
-    slots[what].ask(
-      "curve",
-      asked,
-      (answer) => {
-        take(answer);
-        next();
-      },
-      () => {
-        keys[what] = "";
-        take();
-        next();
-      },
-    );
-  }
-
-  function askOver() {
-    const { test, over: name } = store.wanted;
-    const asked = {
-      test: /** @type {const} */ ("isobaric"),
-      muscle: muscle.fields(),
-      model: { name: test === "isobaric" ? name : "" },
-      extrapolate: true,
-      pressures_mpa: [muscle.p],
-      contractions: reachOf(store, FAMILY),
-    };
+  function once(what, asked, next) {
     const key = JSON.stringify(asked);
-    if (key === keys.over) return;
-    keys.over = key;
-    const take = (/** @type {CurveAnswer[]} */ ...answers) => {
-      overlays = answers;
-      draw();
+    if (key === known[what].key) return next();
+    const take = (/** @type {CurveAnswer | undefined} */ answer) => {
+      known[what] = { key: answer ? key : "", answer };
+      next();
     };
-    if (!asked.model.name) return take();
-    slots.over.ask("curve", asked, take, () => take());
+    slots[what].ask("curve", asked, take, () => take(undefined));
   }
 
-  function draw() {
-    const { test } = store.wanted;
-    advanced.hidden = points.element.hidden = test !== "isobaric";
+  const soon = rested(ask, 100);
+  /** Curves at rest; while the hand moves they take at most an eighth of the time. */
+  watch(() => {
+    void [store.point.value, store.facts.value, store.wanted.value, points.pressures()];
+    soon(performance.now() > due ? 0 : undefined);
+  });
+
+  watch(() => {
+    const { test } = store.wanted.value;
+    tab.set(test);
+    points.element.hidden = test !== "isobaric";
+    sweep.element.hidden = test !== "sweep";
+  });
+
+  watch(() => {
+    const { test } = store.wanted.value;
     if (test === "along") {
-      if (store.shape) chart.show(along(store.shape));
-      return chart.mark();
+      if (store.shape.value) chart.show(along(store.shape.value));
+      return;
     }
-    if (family?.test !== test) return;
-    const mine = own?.test === test ? own.answer : undefined,
-      { top, answer } = family;
+    if (curves.value?.test !== test) return;
+    const { family, own, top } = curves.value,
+      allowed = allowedOf(store);
     const series = [
-      ...familySeries(answer, test, top, mine, allowedOf(store)),
-      ...(mine ? ownSeries(mine, test, top) : []),
+      ...familySeries(family, test, top, own, allowed),
+      ...(own ? ownSeries(own, test, top) : []),
     ];
     if (test === "isobaric") {
-      series.unshift(...permitted(answer, allowedOf(store), store.facts.fitted_to_stretch));
-      series.push(...overlays.map(overlay), ...points.series(top));
+      series.unshift(...permitted(family, allowed, store.facts.value.fitted_to_stretch));
+      series.push(...beside(), ...points.series(top));
     }
-    const pressure = `pressure p [${unitName("pressure")}]`;
     chart.show({
-      x: test === "isobaric" ? ratioAxis : pressure,
+      x: test === "isobaric" ? ratioAxis : `pressure p [${unitName("pressure")}]`,
       y: test === "isotonic" ? ratioAxis : forceAxis(),
       series,
-      marks: test === "isobaric" ? required() : [],
-      exact,
+      marks: test === "isobaric" ? untracked(required) : [],
     });
-    mark();
-  }
+  });
 
-  /**
-   * A curve by finite elements where the pointer rests.
-   * @param {Series} s @param {number} x @param {(found: number[]) => void} take
-   */
-  function exact({ fixed, low }, x, take) {
-    const { test } = store.wanted,
-      of = muscle.fields();
-    if (fixed === undefined) return;
-    const pressure = x / outside("pressure", 1);
-    if (test === "isotonic")
-      return slots.exact.ask(
-        "contraction",
-        { muscle: of, force_n: fixed, pressure_mpa: pressure },
-        (a) => take(low ? builtContraction(a) : [100 * a.contraction]),
-      );
-    const at =
-      test === "isobaric"
-        ? { pressure_mpa: fixed, contraction: x / 100 }
-        : { pressure_mpa: pressure, contraction: fixed };
-    slots.exact.ask("force", { muscle: of, ...at }, (a) =>
-      take(low ? builtAt(a) : [outside("force", a.force_n)]),
-    );
-  }
-
-  function mark() {
-    const {
-      point,
-      wanted: { test },
-    } = store;
-    if (!point || test === "along") return chart.mark();
+  watch(() => {
+    const point = store.point.value,
+      { test } = store.wanted.value;
+    if (!point || test === "along" || test === "sweep") return chart.mark();
     const pull = outside("force", point.force_n),
       contraction = 100 * point.contraction;
     if (test === "isobaric") chart.mark(contraction, pull);
     else
       chart.mark(outside("pressure", point.pressure_mpa), test === "isotonic" ? contraction : pull);
-  }
-  return {
-    element: chart.element,
-    points,
-    advanced,
-    draw,
-    /** What the address says. */
-    load() {
-      tab.set(store.wanted.test);
-      over.set(store.wanted.over);
-    },
-  };
+  });
+  return [chart.element, sweep.element, points.element];
 }
 
 /** The points that the muscle's file says that it must reach. */
@@ -264,8 +143,6 @@ const required = () =>
     ([, force, contraction]) => ({
       x: 100 * Number(contraction),
       y: outside("force", Number(force)),
-      text: "required",
+      text: "asked",
     }),
   );
-/** Whether the muscle states its friction: its loop is known then. */
-const friction = () => typeof muscle.shown?.friction_coefficient === "number";

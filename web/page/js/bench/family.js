@@ -1,22 +1,20 @@
 // Families of curves of the page Muscle: what is asked for them, and their answers as series.
 import { KINDS, builtAt, isobar, isobars, pressureColour, shade, withBuilt } from "../chart.js";
 import { muscle } from "../muscle.js";
-import { evenly, inside, niceUp, outside, show, showPressure, unitName } from "../units.js";
+import { evenly, inside, niceUp, outside, show, unitName } from "../units.js";
 
 /** @typedef {CurveAnswer["points"][number]} Point */
 /** Which way a muscle moves, behind a name. @type {Record<string, string>} */
 export const MOVES = { contraction: " while it shortens", elongation: " while it lengthens" };
-/** Other models that can be laid over. */
-export const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
 /** Points of a curve of the family, and of that of the state. */
-export const FAMILY = 13,
+const FAMILY = 13,
   FINE = 21;
 /** Closer where curves bend: at the beginning. @param {number} count @param {number} end */
 const steps = (count, end) => evenly(0, 1, count).map((t) => end * t * (0.4 + 0.6 * t));
 
 /** Contractions up to a little beyond the free one. @param {Store} store @param {number} count */
 export function reachOf(store, count) {
-  const end = Math.max(0.1, (store.facts.characteristics?.free_contraction ?? 0.28) * 1.08);
+  const end = Math.max(0.1, (store.facts.value.characteristics?.free_contraction ?? 0.28) * 1.08);
   return steps(count, end).map((e) => Math.round(1e4 * e) / 1e4);
 }
 
@@ -25,7 +23,7 @@ export function reachOf(store, count) {
  * @param {Store} store @param {number[]} measured
  */
 export function familyOf(store, measured) {
-  const { test } = store.wanted,
+  const { test } = store.wanted.value,
     contractions = reachOf(store, FAMILY);
   const shown = outside("pressure", Math.max(muscle.p, 0.02)),
     step = niceUp(shown / 5);
@@ -44,13 +42,14 @@ export function familyOf(store, measured) {
   }
   if (test === "isometric")
     return { top, request: { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: over } };
-  const blocked = store.facts.characteristics?.blocked_force_n ?? 500;
+  const blocked = store.facts.value.characteristics?.blocked_force_n ?? 500;
   const forces = [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, Number((x * blocked).toPrecision(2))));
   return { top, request: { forces_n: forces, pressures_mpa: over.slice(1) } };
 }
 
 /** The pressure that the muscle may have. @param {Store} store */
-export const allowedOf = ({ facts }) => facts.characteristics?.allowed_pressure_mpa ?? Infinity;
+export const allowedOf = ({ facts }) =>
+  facts.value.characteristics?.allowed_pressure_mpa ?? Infinity;
 
 /**
  * What is permitted: up to the allowed pressure, and to the stretch that the law was fitted to.
@@ -67,10 +66,9 @@ export function permitted({ fixed, points }, allowed, most) {
   const { x, y } = isobar(list);
   return [
     {
-      name: "permitted",
+      name: "",
       legend: "permitted",
       band: true,
-      silent: true,
       colour: "#009E73",
       x: [0, ...x, x[x.length - 1]],
       y: [0, ...y, 0],
@@ -80,12 +78,12 @@ export function permitted({ fixed, points }, allowed, most) {
 
 /** The curve through the present state. @param {Store} store @param {number} top */
 export function ownOf(store, top) {
-  const { test } = store.wanted,
+  const { test } = store.wanted.value,
     over = steps(FINE, top);
   if (test === "isobaric") return { pressures_mpa: [muscle.p], contractions: reachOf(store, FINE) };
   if (test === "isometric") return { contractions: [muscle.e], pressures_mpa: over };
   return {
-    forces_n: [Math.max(1e-3, store.point?.force_n ?? muscle.state.F ?? 1)],
+    forces_n: [Math.max(1e-3, store.point.value?.force_n ?? muscle.state.F ?? 1)],
     pressures_mpa: over.slice(1),
   };
 }
@@ -112,7 +110,7 @@ function line(list, test) {
 }
 
 /** The same of its contraction in %. @param {Point | Commands["contraction"]["answer"]} q */
-export const builtContraction = (q) =>
+const builtContraction = (q) =>
   "force_n" in q && typeof q.predicted === "number"
     ? [q.predicted, q.predicted_low, q.predicted_high].map((e) => 100 * Number(e))
     : [];
@@ -139,7 +137,6 @@ export function familySeries(answer, test, top, own, most) {
         at: test === "isobaric" ? "start" : "end",
         colour,
         smooth: true,
-        fixed,
         ...line(answer.points.slice(i * count, (i + 1) * count), test),
       }),
     ];
@@ -166,7 +163,6 @@ export function ownSeries(answer, test, top) {
       colour,
       strong: true,
       smooth: true,
-      fixed: branches.length > 1 ? undefined : answer.fixed[0],
       dash: branch === "elongation" ? "dot" : "solid",
     });
     if (test === "isobaric") return isobars(model, list);
@@ -176,21 +172,8 @@ export function ownSeries(answer, test, top) {
   });
 }
 
-/** @param {CurveAnswer} answer of another model */
-export function overlay(answer) {
-  const colour = KINDS[OVERLAYS.indexOf(answer.model) + 1] ?? KINDS[6];
-  return /** @type {Series} */ ({
-    name: `${answer.model} at ${showPressure(answer.fixed[0], 3)}`,
-    end: answer.model,
-    dash: "dash",
-    colour,
-    smooth: true,
-    ...isobar(answer.points),
-  });
-}
-
 // Radii and strand angle along the muscle.
-/** @param {NonNullable<Store["shape"]>} shape @returns {Spec} */
+/** @param {NonNullable<Store["shape"]["value"]>} shape @returns {Spec} */
 export function along({ arrays, stations, across }) {
   /**
    * Of the half muscle, that of the whole. @param {(j: number) => number} at @param {number} sign

@@ -1,12 +1,11 @@
 // The numbers of the page Muscle: the pull of the model and as built, the parts of the ±, the
 // margins, and what the engine warns of.
-import { button, capital, el, remark } from "../dom.js";
+import { button, capital, el, remark, termsOf } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
   asBuilt,
   inWords,
   interval,
-  modelPull,
   number,
   show,
   showForce,
@@ -14,7 +13,10 @@ import {
   showPressure,
   showRatio,
 } from "../units.js";
+import { watch } from "../watch.js";
 import { solveView, tornadoView } from "./what-if.js";
+
+/** @typedef {NonNullable<Store["point"]["value"]>} Point */
 
 /** @param {Store} store */
 export function numbersView(store) {
@@ -23,8 +25,7 @@ export function numbersView(store) {
   const parts = partsView(store),
     tornado = tornadoView(store),
     solve = solveView(store);
-  /** @type {[name: HTMLElement, value: HTMLElement][]} */ const values = [];
-  let noted = "";
+  const list = el("dl");
   const built = button(
     "",
     () => {
@@ -34,61 +35,48 @@ export function numbersView(store) {
     { class: "bare", ariaExpanded: "false", title: "What the ± is made of" },
   );
 
-  function paint() {
-    const { point } = store;
+  const remarks = remark(
+    "As built: median and 95 % of muscles like this one. Model: finite elements (fe), mean of both " +
+      "ways. Take-up: the way that the sleeve gives before it bears.",
+  );
+  watch(() => {
+    const point = store.point.value;
     if (!point) return;
-    const list = rows(store, point);
-    if (!values.length) {
-      const lines = list.flatMap(([name]) => {
-        /** @type {[HTMLElement, HTMLElement]} */ const line = [el("dt", name), el("dd")];
-        values.push(line);
-        return line;
-      });
-      const head = [el("dt", "Pull as built"), el("dd", { class: "head" }, built)];
-      element.replaceChildren(
-        el("dl", ...head, ...lines),
-        parts.element,
-        notes,
-        solve.element,
-        tornado.element,
-        remark("As built: median and 95 % of muscles like this one."),
-      );
-    }
-    put(built, asBuilt(point));
-    list.forEach(([, text], i) => {
-      put(values[i][1], text);
-      for (const part of values[i]) part.hidden = text === "–";
-    });
-    const said = warned(store, point);
-    if (said.join() === noted) return;
-    noted = said.join();
-    notes.replaceChildren(...said.map((w) => el("li", w)));
-  }
-  store.on("answer", paint);
-  store.on("facts", paint);
-  return { element, paint };
+    built.textContent = asBuilt(point);
+    list.replaceChildren(
+      ...termsOf(rows(store.facts.value, point).filter(([, text]) => text !== "–")),
+    );
+    notes.replaceChildren(...warned(point).map((w) => el("li", w)));
+    if (element.hasChildNodes()) return;
+    const head = [el("dt", "Pull as built"), el("dd", { class: "head" }, built)];
+    element.append(
+      el("dl", ...head),
+      parts.element,
+      list,
+      notes,
+      solve.element,
+      tornado.element,
+      remarks,
+    );
+  });
+  return { element };
 }
 
-/** @param {HTMLElement} element @param {string} text */
-const put = (element, text) => {
-  if (element.textContent !== text) element.textContent = text;
-};
-
-/** @param {Store} store @param {NonNullable<Store["point"]>} point @returns {[string, string][]} */
-function rows({ facts }, point) {
+/**
+ * @param {Store["facts"]["value"]} facts @param {Point} point
+ * @returns {[string, string][]}
+ */
+function rows(facts, point) {
   const c = facts.characteristics,
+    as = muscle.assessed,
     burst = c?.least_burst_pressure_mpa ?? c?.burst_pressure_mpa;
   return [
-    ["Model", point.slack ? "slack" : modelPull(point)],
+    [`Model ${point.model}`, point.slack ? "slack" : showForce(point.force_n)],
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
     ["Contraction", showRatio(point.contraction, 3)],
     [
       "Contraction as built",
-      interval("ratio", [
-        facts.said?.predicted,
-        facts.said?.predicted_low,
-        facts.said?.predicted_high,
-      ]),
+      interval("ratio", [as?.predicted, as?.predicted_low, as?.predicted_high]),
     ],
     [
       "Stretch of the rubber",
@@ -98,7 +86,7 @@ function rows({ facts }, point) {
     ],
     ["Bulged diameter", showLength(point.bulged_diameter_mm)],
     ["Cavity", point.volume_mm3 ? show("volume", point.volume_mm3, 3) : "–"],
-    ["Threshold pressure", showPressure(facts.start, 3)],
+    ["Threshold pressure", showPressure(as?.start_pressure_mpa, 3)],
     ["Blocked force", showForce(c?.blocked_force_n)],
     ["Free contraction", showRatio(c?.free_contraction, 3)],
     ["Least burst pressure", burst ? showPressure(burst, 3) : "unknown"],
@@ -111,12 +99,11 @@ function rows({ facts }, point) {
   ];
 }
 
-/** @param {Store} store @param {NonNullable<Store["point"]>} point */
-function warned({ facts }, point) {
-  const own = facts.said?.state === muscle.state ? facts.said.warnings : [];
+/** @param {Point} point */
+function warned(point) {
   const unknown = muscle.unknown.map(([key]) => key).join(", ");
   const list = new Set([
-    ...[...own, ...(point.warnings ?? [])].map((w) => w.message),
+    ...[...muscle.warnings, ...(point.warnings ?? [])].map((w) => w.message),
     ...muscle.wrong.values(),
     unknown && `Not understood in the address: ${unknown}`,
   ]);
@@ -134,7 +121,7 @@ const PARTS = {
 };
 
 /** @param {Store} store */
-export function partsView(store) {
+function partsView(store) {
   const list = el("dl", { class: "parts" }),
     note = remark();
   const element = el(
@@ -143,27 +130,20 @@ export function partsView(store) {
     list,
     note,
   );
-  let key = "";
-  function paint() {
-    const { point, facts } = store;
-    const parts = Object.entries(point?.uncertainty_parts_n ?? {})
+  watch(() => {
+    const parts = Object.entries(store.point.value?.uncertainty_parts_n ?? {})
       .filter((pair) => typeof pair[1] === "number")
       .sort((a, b) => b[1] - a[1]);
-    const words = facts.said?.state === muscle.state ? facts.said.words : undefined;
+    const words = muscle.assessed?.uncertainty_words;
     const said = [
       words?.built && `As built ${words.built}.`,
       "95 % half-widths; they add as squares.",
       words?.bench && `To measure: ${words.bench}.`,
     ].filter(Boolean);
-    const next = JSON.stringify([parts.map(([name, value]) => [name, showForce(value, 2)]), said]);
-    if (next === key) return;
-    key = next;
     const most = Math.max(...parts.map(([, value]) => value));
     list.replaceChildren(...parts.flatMap(([name, value]) => row(name, value, most)));
     note.textContent = inWords(said.join(" "));
-  }
-  store.on("answer", paint);
-  store.on("facts", paint);
+  });
   return { element };
 }
 

@@ -2,95 +2,68 @@
 import { Slot } from "../ask.js";
 import { pressureColour } from "../chart.js";
 import { block, button, el, problemBox } from "../dom.js";
-import { job } from "../form.js";
+import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { evenly, outside, showForce, showPressure } from "../units.js";
 import { MOVES } from "./family.js";
-import { measured, onMeasured } from "../kept.js";
+import { measured } from "../kept.js";
+import { signal, watch } from "../watch.js";
 
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;
 
-/** @param {Store} store @param {() => void} changed */
-export function pointsView(store, changed) {
-  const slots = { read: new Slot(), compare: new Slot() };
-  /** @type {import("../kept.js").Point[]} */ let list = [];
-  let key = "";
+/** After a change it waits so long, in milliseconds. */
+const REST = 250;
+
+/** @param {Store} store */
+export function pointsView(store) {
+  const slot = new Slot(),
+    found = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
   const words = el("span"),
     said = block();
-  /** The question of an identification. @param {TextFile} table */
-  const request = (table) => ({ muscle: muscle.fields(), data: [table], free: ["modulus"] });
   // The shear modulus that fits them best becomes the muscle's.
-  const fit = job(
-    "Fit the rubber",
-    "identify",
-    async () => measured.file && request(measured.file),
-    async ({ muscle_file: file }) => {
-      await muscle.take(file);
-      store.tell("sync");
-      store.ask();
-      store.follow();
-      store.settle();
-    },
-  );
+  const fit = button("Fit the rubber", async () => {
+    await muscle.take(found.value?.muscle_file ?? "");
+    store.ask();
+    store.follow();
+  });
   const remove = button("Remove the points", () => measured.set(undefined));
-  const line = el("div", { class: "row small", hidden: true }, words, fit.element, remove);
-  const show = (/** @type {typeof list} */ next) => {
-    list = next;
-    changed();
-  };
-  const fail = (/** @type {Problem} */ problem) => said.replaceChildren(problemBox(problem));
+  const line = el("div", { class: "row small", hidden: true }, words, fit, remove);
+  const list = () => found.value?.points.filter((q) => q.measured === "force") ?? [];
 
-  /** The points themselves, once for a table. */
-  function read() {
+  const soon = rested(() => {
     const of = measured.file;
-    key = "";
+    if (of)
+      slot.ask(
+        "identify",
+        { muscle: muscle.fields(), data: [of], free: ["modulus"] },
+        (answer) => (found.value = answer),
+        (problem) => said.replaceChildren(problemBox(problem)),
+      );
+  }, REST);
+  watch(() => {
+    const of = measured.file,
+      { said: over, file } = muscle.state;
+    void [over, file];
+    soon();
     said.replaceChildren();
     line.hidden = !of;
-    if (!of) return show([]);
-    slots.read.ask(
-      "identify",
-      request(of),
-      ({ points }) => show(points.filter((q) => q.measured === "force")),
-      (problem) => {
-        fail(problem);
-        show([]);
-      },
-    );
-  }
-  onMeasured(read);
+    if (!of) found.value = undefined;
+  });
+  watch(() => {
+    const answer = found.value;
+    if (answer)
+      words.textContent =
+        `${measured.file?.name}: ${list().length} points. Residuals: ${showForce(answer.rms_before_n, 3)} ` +
+        `rms; ${showForce(answer.rms_n, 3)} with the rubber that fits best.`;
+  });
   return {
     element: block("points", line, said),
-    read,
     /** As series. @param {number} top the pressure that has the last colour */
-    series: (top) => pointSeries(list, top),
-
-    /** How far the muscle is from them now. */
-    ask() {
-      const data = measured.file;
-      if (!data) return;
-      const asked = { muscle: muscle.fields(), data: [data], models: ["fe"], extrapolate: true };
-      const next = JSON.stringify(asked);
-      if (next === key) return;
-      key = next;
-      slots.compare.ask(
-        "compare",
-        asked,
-        ({ models: [m], points: count }) => {
-          if (!m || m.rms_n == null) return;
-          const residuals = `${showForce(m.rms_n, 3)} rms, ${showForce(m.max_n, 3)} the largest`;
-          words.textContent = `${data.name}: ${count} points. Residuals: ${residuals}.`;
-        },
-        (problem) => {
-          key = "";
-          fail(problem);
-        },
-      );
-    },
-
+    series: (top) => pointSeries(list(), top),
     /** Pressures of the isobars to draw: some of them, where the points have too many. */
     pressures() {
-      const all = [...new Set(list.map((q) => q.pressure_mpa))]
+      const all = [...new Set(list().map((q) => q.pressure_mpa))]
         .sort((a, b) => a - b)
         .filter((p) => p > 0);
       if (all.length <= MOST) return all;

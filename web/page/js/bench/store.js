@@ -1,173 +1,109 @@
 // What the views of the page Muscle share: what is to be shown, the newest answers, and the
 // questions that lead to them.
-import { Slot } from "../ask.js";
-import { atEnd } from "../life.js";
+import { Slot, answerTo } from "../ask.js";
+import { keepWords } from "../kept.js";
+import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { PRESSURE, point as pointOf } from "../state.js";
 import { reach } from "../view3d.js";
 import { niceUp } from "../units.js";
+import { batch, signal } from "../watch.js";
 
-/** Keys of the address that are the page's own. */
-export const OWN = ["test", "show", "cut", "over"];
+/** Keys of the address that are the page's own, with their usual words. */
+export const OWN = {
+  test: "isobaric",
+  show: "max_stretch",
+  cut: "",
+  over: "",
+  held: "",
+  x: "p",
+  y: "F",
+  from: "",
+  to: "",
+};
 /** @typedef {Commands["shape"]["answer"] & { arrays: Record<string, Float32Array> }} Shape */
-/**
- * What views are told: of an answer whether it belongs to the pump, of a problem the state that it
- * is about.
- * @typedef {{ answer: boolean, problem: { problem: Problem, state: State }, facts: undefined,
- *   sync: undefined, changed: undefined, look: undefined, ranges: undefined }} Told
- * @typedef {keyof Told} Event
- */
-/**
- * `start`: P′; `said`: what `force` has to say of a state.
- * @typedef {Partial<Commands["check"]["answer"]> & { start?: number | null,
- * said?: Pick<Commands["contraction"]["answer"], "warnings" | "predicted" | "predicted_low" |
- * "predicted_high"> &
- *   { state: unknown, words?: Commands["force"]["answer"]["uncertainty_words"] } }} Facts
- */
+
+/** @template T @param {T | undefined} [first] */
+const nothing = (first) => signal(/** @type {T | undefined} */ (first));
 
 export class Store {
+  wanted = signal({ ...OWN });
+  /** What is drawn. @type {ReturnType<typeof nothing<Shape>>} */ shape = nothing();
+  /** The same where it is of the present muscle. @type {typeof this.shape} */ point = nothing();
+  /**
+   * Why the present muscle has none.
+   * @type {ReturnType<typeof nothing<{ problem: Problem, state: State }>>}
+   */
+  problem = nothing();
+  /** What the muscle does at this pressure. */
+  facts = signal(/** @type {Partial<Commands["check"]["answer"]>} */ ({}));
+  /**
+   * Ends of the colour scales, by field: of the muscle up to its supply.
+   * @type {ReturnType<typeof nothing<Record<string, [number, number]>>>}
+   */
+  ranges = nothing();
+  rangesKey = "";
+  soon = rested(() => this.follow(), 120);
+
   /** @param {(on: boolean) => void} busy */
   constructor(busy) {
-    this.wanted = { test: "isobaric", show: "max_stretch", cut: "", over: "" };
-    /** @type {Shape | undefined} */ this.shape = undefined;
-    /** The same where it is of the present muscle. @type {Shape | undefined} */ this.point =
-      undefined;
-    /** @type {Facts} */ this.facts = {};
-    /**
-     * Ends of the colour scales, by field: of the muscle up to its supply.
-     * @type {Record<string, [number, number]> | undefined}
-     */
-    this.ranges = undefined;
-    this.rangesKey = "";
-    /** @type {Map<Event, ((more: never) => void)[]>} */ this.listeners = new Map();
-    this.slots = {
-      state: new Slot({ lane: "state", busy }),
-      fact: new Slot(),
-      start: new Slot(),
-      range: new Slot(),
-    };
-    this.timers = { follow: 0, start: 0 };
-    atEnd(() => Object.values(this.timers).forEach(clearTimeout));
-  }
-
-  /** @template {Event} E @param {E} what @param {(more: Told[E]) => void} tell */
-  on(what, tell) {
-    this.listeners.set(what, [...(this.listeners.get(what) ?? []), tell]);
-  }
-  /** @template {Event} E @param {E} what @param {Told[E]} [more] */
-  tell(what, more) {
-    this.listeners.get(what)?.forEach((tell) => tell(/** @type {never} */ (more)));
+    this.slots = { state: new Slot({ lane: "state", busy }), fact: new Slot() };
   }
 
   /** @param {string} key @param {number | string | undefined} value @param {boolean} settled */
   changed(key, value, settled) {
-    this.tell("changed");
     muscle.set(key, value);
-    this.tell("sync");
     this.ask();
-    clearTimeout(this.timers.follow);
-    if (settled) {
-      this.settle();
-      this.follow();
-    } else this.timers.follow = window.setTimeout(() => this.follow(), 120);
+    this.soon(settled ? 0 : undefined);
   }
 
-  /** @param {Partial<Store["wanted"]>} wish */
+  /** @param {Partial<typeof OWN>} wish */
   look(wish) {
-    Object.assign(this.wanted, wish);
-    this.tell("look");
-    this.settle();
+    this.wanted.value = { ...this.wanted.peek(), ...wish };
+    const own = Object.entries(this.wanted.peek()).filter(
+      ([key, word]) => word !== /** @type {Words} */ (OWN)[key],
+    );
+    keepWords("muscle", Object.fromEntries(own));
   }
 
-  settle() {
-    const { test, show, cut, over } = this.wanted;
-    const own = {
-      test: test === "isobaric" ? "" : test,
-      show: show === "max_stretch" ? "" : show,
-      cut,
-      over,
-    };
-    muscle.place("muscle", own);
-  }
-
-  /**
-   * The point and its shape.
-   * @param {{ pressure_mpa: number, contraction: number }} [shown] in place of the state's
-   */
-  ask(shown) {
-    const { state } = muscle,
-      request = { muscle: muscle.fields(), ...(shown ?? pointOf(state)) };
+  /** The point and its shape. */
+  ask() {
+    const { state } = muscle;
     this.slots.state.ask(
       "shape",
-      request,
-      (answer) => {
-        this.shape = this.point = /** @type {Shape} */ (answer);
-        if (muscle.state === state) this.take(state, this.point);
-        this.tell("answer", shown !== undefined);
-      },
-      (problem) => {
-        this.point = undefined;
-        this.tell("problem", { problem, state });
-      },
+      { muscle: muscle.fields(), ...pointOf(state) },
+      (answer) =>
+        batch(() => {
+          this.shape.value = this.point.value = /** @type {Shape} */ (answer);
+          this.problem.value = undefined;
+          if (muscle.state !== state) return;
+          muscle.shown = { ...muscle.shown, ...answer.muscle };
+          if (state.F !== undefined) muscle.state = { ...state, e: answer.contraction };
+        }),
+      (problem) =>
+        batch(() => {
+          this.point.value = undefined;
+          this.problem.value = { problem, state };
+        }),
     );
   }
 
-  /** @param {State} state @param {Shape} answer */
-  take(state, answer) {
-    muscle.shown = { ...muscle.shown, ...answer.muscle };
-    if (state.F !== undefined) {
-      muscle.state = { ...state, e: answer.contraction };
-      clearTimeout(this.timers.start);
-      this.timers.start = window.setTimeout(() => this.starts(), 120);
-    }
-    this.tell("sync");
-  }
-
-  /** What comes after: P′, and what the muscle does at this pressure. */
+  /** What comes after: what the muscle does at this pressure. */
   follow() {
     const { state } = muscle;
     this.slots.fact.ask("check", { muscle: muscle.fields(), pressure_mpa: state.p }, (answer) => {
-      this.facts = { ...answer, start: this.facts.start, said: this.facts.said };
-      if (muscle.state.said === state.said) {
-        muscle.shown = answer;
-        this.tell("sync");
-      }
-      this.tell("facts");
+      batch(() => {
+        this.facts.value = answer;
+        if (muscle.state.said === state.said) muscle.shown = answer;
+      });
       this.range();
     });
-    // Of a load the contraction is known with its shape.
-    if (state.F === undefined) this.starts();
   }
 
-  /**
-   * P′ at the contraction of the state, and what `force` has to say: whether it bursts takes more
-   * than a shape.
-   */
-  starts() {
-    const { state } = muscle;
-    this.slots.start.ask(
-      state.F === undefined ? "force" : "contraction",
-      { muscle: muscle.fields(), ...pointOf(state) },
-      (answer) => {
-        this.facts = {
-          ...this.facts,
-          start: answer.start_pressure_mpa,
-          said: { ...answer, state, words: answer.uncertainty_words },
-        };
-        this.tell("facts");
-      },
-      () => {
-        this.facts = { ...this.facts, start: undefined };
-      },
-    );
-  }
-
-  /**
-   * The pressure that the colours reach to: that of the gauge, or the one that the muscle may have.
-   */
+  /** The pressure that the colours reach to: the usual one, or the one that the muscle may have. */
   supply() {
-    const allowed =
-      this.facts.characteristics?.allowed_pressure_mpa ?? this.facts.rated_pressure_mpa ?? Infinity;
+    const { characteristics, rated_pressure_mpa } = this.facts.value;
+    const allowed = characteristics?.allowed_pressure_mpa ?? rated_pressure_mpa ?? Infinity;
     const usual = Math.min(PRESSURE.high, allowed);
     return muscle.p > usual ? niceUp(muscle.p) : usual;
   }
@@ -176,7 +112,7 @@ export class Store {
    * Between which values the colours run: what the muscle shows anywhere between blocked and free,
    * up to its supply.
    */
-  range() {
+  async range() {
     const of = muscle.fields(),
       supply = this.supply(),
       key = JSON.stringify([of, supply]);
@@ -187,19 +123,12 @@ export class Store {
       { pressure_mpa: supply, force_n: 0 },
       { pressure_mpa: supply / 10, contraction: 0 },
     ];
+    const shapes = await Promise.all(
+      states.map((at) => answerTo("shape", { muscle: of, ...at }).catch(() => undefined)),
+    );
     const found = /** @type {Record<string, [number, number]>} */ ({});
-    const done = () => {
-      if (this.rangesKey !== key) return;
-      const at = states.shift(),
-        take = (/** @type {object} */ answer) => {
-          widen(found, /** @type {Shape} */ (answer));
-          done();
-        };
-      if (at) return this.slots.range.ask("shape", { muscle: of, ...at }, take, done);
-      this.ranges = Object.keys(found).length ? found : undefined;
-      this.tell("ranges");
-    };
-    done();
+    for (const shape of shapes) if (shape) widen(found, /** @type {Shape} */ (shape));
+    if (this.rangesKey === key) this.ranges.value = shapes.some(Boolean) ? found : undefined;
   }
 }
 

@@ -1,16 +1,18 @@
 // Which pressure, contraction, diameter, wall or angle gives a wanted pull; the others stay as they
 // are.
-import { engine } from "../ask.js";
+import { answerTo } from "../ask.js";
 import { block, button, el, folded, remark } from "../dom.js";
 import { isAbort } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
 import { atEnd, renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
-import { inWords, number, outside, show, showForce, unitName } from "../units.js";
+import { evenly, inWords, number, outside, show, showForce, unitName } from "../units.js";
+import { watch } from "../watch.js";
 
-/** Secants at most, and as near as this, as a share of the wanted pull. */
-const MOST = 12,
+/** Values that are tried first, secants at most, and as near as this, as a share of the pull. */
+const POINTS = 13,
+  MOST = 12,
   NEAR = 2e-4;
 
 /** @param {Store} store */
@@ -56,67 +58,45 @@ export function solveView(store) {
 }
 
 /**
+ * The value of a measure with which the muscle pulls so much: between the ends of its slider where
+ * the difference changes its sign, nearest to the present one, then by secants that keep it between
+ * (Illinois).
  * @param {Measure} measure @param {number} force @param {AbortSignal} signal
  * @returns {Promise<number>}
  */
-async function solved(measure, force, signal) {
-  const { state } = muscle,
-    options = { signal },
-    asked = { muscle: muscle.fields(), force_n: force };
-  // Both have an inverse of their own.
-  if (measure.key === "p") {
-    const request = { ...asked, contraction: state.e };
-    return (await engine().ask("pressure", request, options)).pressure_mpa;
-  }
-  if (measure.key === "e") {
-    const request = { ...asked, pressure_mpa: state.p };
-    return (await engine().ask("contraction", request, options)).contraction;
-  }
-  const over = async (/** @type {number} */ value) => {
-    const changed = say({ ...state, F: undefined }, measure.key, value);
-    return (await engine().ask("force", question(changed), options)).force_n - force;
-  };
-  return root(over, Number(muscle.value(measure.key)), measure, NEAR * Math.abs(force));
-}
-
-/**
- * Where a function is zero between the ends of a slider: outwards from a value to both sides until
- * its sign changes, then secants that keep it between (Illinois).
- * @param {(value: number) => Promise<number>} of @param {number} from @param {Measure} measure
- * @param {number} near
- */
-async function root(of, from, { low = 0, high = 1, around, label, kind }, near) {
+async function solved({ key, low = 0, high = 1, around, label, kind }, force, signal) {
+  const state = { ...muscle.state, F: undefined },
+    from = Number(muscle.value(key)),
+    [least, most] = around ? [0.3 * from, 3 * from] : [low, high];
   // A muscle that cannot be has no value.
   const at = async (/** @type {number} */ x) => ({
     x,
-    f: await of(x).catch((problem) => {
-      if (isAbort(problem)) throw problem;
-      return NaN;
-    }),
+    f: await answerTo("force", question(say(state, key, x)), { signal }).then(
+      (answer) => answer.force_n - force,
+      (problem) => {
+        if (isAbort(problem)) throw problem;
+        return NaN;
+      },
+    ),
   });
-  const start = await at(from),
-    ends = around ? [0.3 * from, 3 * from] : [low, high];
-  let a = start,
-    b = start;
-  for (const share of [0.12, 0.3, 0.5, 0.75, 1]) {
-    const both = await Promise.all(ends.map((end) => at(from + share * (end - from))));
-    b = both.find(({ f }) => f * start.f <= 0) ?? start;
-    if (b !== start || Math.abs(start.f) <= near) break;
-  }
-  if (b === start && !(Math.abs(start.f) <= near))
+  const all = await Promise.all(evenly(least, most, POINTS).map(at));
+  const [between] = all
+    .slice(1)
+    .map((b, i) => [all[i], b])
+    .filter(([a, b]) => a.f * b.f <= 0)
+    .sort(([a], [b]) => Math.abs(a.x - from) - Math.abs(b.x - from));
+  if (!between)
     throw new Error(
-      `No ${label.toLowerCase()} between ${show(kind, ends[0])} and ${show(kind, ends[1])} gives this ` +
+      `No ${label.toLowerCase()} between ${show(kind, least)} and ${show(kind, most)} gives this ` +
         "pull with all else as it is.",
     );
-  for (let i = 0; i < MOST && Math.abs(b.f) > near; i++) {
+  let [a, b] = between;
+  for (let i = 0; i < MOST && Math.abs(b.f) > NEAR * force; i++) {
     const next = await at((a.x * b.f - b.x * a.f) / (b.f - a.f));
     a = next.f * b.f > 0 ? { ...a, f: a.f / 2 } : b;
     b = next;
   }
-  if (Math.abs(b.f) <= near) return b.x;
-  throw new Error(
-    `The search did not converge in ${MOST} steps: give a value that is nearer to the wanted one.`,
-  );
+  return b.x;
 }
 
 // What a small change of each measure does to the pull: one millimetre, a degree, 0.1 bar. Each is
@@ -132,58 +112,46 @@ export function tornadoView(store) {
     words = remark();
   const element = folded("What a small change does", bars, words);
   const begin = renewing();
-  let of = "",
-    timer = 0;
+  let timer = 0;
 
   async function start() {
-    const { state } = muscle,
-      { point: at } = store;
-    const key = JSON.stringify([state, ...["force", "length", "pressure"].map(unitName)]);
-    if (!element.open || !at || at.slack || key === of) return;
-    of = key;
-    const signal = begin();
+    const at = store.point.value;
+    if (!element.open || !at || at.slack) return;
+    const signal = begin(),
+      held = muscle.state.F !== undefined,
+      state = { ...muscle.state, F: undefined, e: at.contraction };
     words.textContent = "Computing …";
     const list = /** @type {Measure[]} */ ([...QUANTITIES, PRESSURE, CONTRACTION]).filter(
-      (m) =>
-        (m.key !== "angle" || !muscle.shown?.sleeve) && !(m.key === "e" && state.F !== undefined),
+      ({ key }) => !(key === "angle" && muscle.shown?.sleeve) && !(key === "e" && held),
     );
-    /** @type {[Measure, number[]][]} */ const found = [];
-    for (const m of list) {
-      const value = muscle.value(m.key) ?? NaN,
-        changes = [];
-      for (const sign of [-1, 1]) {
-        const changed = say(
-          { ...state, F: undefined, e: at.contraction },
-          m.key,
-          value + sign * STEPS[m.key],
-        );
-        const answer = await engine()
-          .ask("force", question(changed), { signal })
-          .catch(() => undefined);
-        if (signal.aborted) return;
-        if (answer) changes.push(answer.force_n - at.force_n);
-      }
-      if (changes.length) found.push([m, changes]);
-    }
-    const size = (/** @type {number[]} */ changes) => Math.max(...changes.map(Math.abs));
-    found.sort(([, a], [, b]) => size(b) - size(a));
+    const change = (/** @type {string} */ key, /** @type {number} */ sign) =>
+      answerTo("force", question(say(state, key, Number(muscle.value(key)) + sign * STEPS[key])), {
+        signal,
+      }).then(
+        ({ force_n: force }) => [force - at.force_n],
+        () => [],
+      );
+    const found = await Promise.all(
+      list.map(async (m) => {
+        const changes = (await Promise.all([change(m.key, -1), change(m.key, 1)])).flat();
+        return { m, changes, size: Math.max(0, ...changes.map(Math.abs)) };
+      }),
+    );
+    if (signal.aborted) return;
+    found.sort((a, b) => b.size - a.size);
     bars.replaceChildren(
-      ...found.map(([m, changes]) => bar(m, changes, Math.max(1e-9, size(found[0][1])))),
+      ...found.map(({ m, changes }) => bar(m, changes, Math.max(1e-9, found[0].size))),
     );
     words.textContent = `Change of the pull of ${showForce(at.force_n, 3)}, all else as it is: to the right more pull.`;
   }
 
-  const soon = () => {
+  element.addEventListener("toggle", start);
+  watch(() => {
+    void [muscle.state, store.point.value, unitName("force")];
     // What belongs to another muscle is given up at once.
-    of = "";
     begin();
     clearTimeout(timer);
     timer = window.setTimeout(start, REST);
-  };
-  element.addEventListener("toggle", start);
-  store.on("changed", soon);
-  store.on("answer", () => {
-    if (element.open && of === "") soon();
   });
   atEnd(() => clearTimeout(timer));
   return { element };

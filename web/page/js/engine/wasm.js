@@ -18,125 +18,67 @@ const LIVE = [
 /** What it lists. */
 const LISTED = ["sleeves", "rubbers", "models"];
 
-/** @typedef {ConstructorParameters<typeof Problem>[0]} Said */
-/** What a worker answers: how far it is, an answer, a problem, or its end. */
-/**
- * @typedef {{ id: number, done: number, total?: number, answer?: unknown, problem?: Said, dead?:
- * string }} Told
- */
-/**
- * A question, with who waits for it.
- * @typedef {{ id: number, command: string, request: string, posted: boolean, signal?: AbortSignal,
- * stop: () => void,
- *   resolve: (answer: never) => void, reject: (problem: unknown) => void,
- *   progress?: (done: number, total: number) => void }} Asked
- */
+const cancelled = () => new DOMException("cancelled", "AbortError");
 
 /**
  * A worker, asked one question after the other: one that is given up costs those behind it nothing.
  */
 class Lane {
   /** @type {Worker | undefined} */ worker;
-  /** Questions; the first is the one that the worker has. @type {Asked[]} */ open = [];
-  next = 1;
+  /** Until the question before has ended. @type {Promise<unknown>} */ before = Promise.resolve();
 
   /** @param {() => Promise<WebAssembly.Module>} module */
   constructor(module) {
     this.module = module;
   }
 
-  async start() {
-    if (this.worker) return this.worker;
-    const module = await this.module();
-    if (this.worker) return this.worker;
-    const worker = new Worker(new URL("engine/worker.js", SCRIPTS), { type: "module" });
+  async #start() {
+    const module = await this.module(),
+      worker = new Worker(new URL("engine/worker.js", SCRIPTS), { type: "module" });
     worker.postMessage({ module });
-    worker.onmessage = ({ data }) => this.take(data);
-    worker.onerror = (event) => this.end(event.message || "the worker ended");
-    this.worker = worker;
     return worker;
   }
 
-  /** The first question goes to the worker, where it is not there yet. */
-  async go() {
-    const [first] = this.open;
-    if (!first || first.posted) return;
-    first.posted = true;
-    try {
-      const worker = await this.start();
-      // It may have been given up meanwhile.
-      const { id, command, request } = first;
-      if (this.open[0] === first) worker.postMessage({ id, command, request });
-    } catch (problem) {
-      this.refuse(problem);
-    }
-  }
-
-  /** No question that is open has an answer. @param {unknown} problem */
-  refuse(problem) {
-    this.open.splice(0).forEach((asked) => this.close(asked, () => asked.reject(problem)));
-  }
-
-  /** @param {Asked} asked @param {() => void} act */
-  close(asked, act) {
-    asked.signal?.removeEventListener("abort", asked.stop);
-    act();
-  }
-
-  /** @param {Told} data */
-  take(data) {
-    if (data.dead) return this.end(data.dead);
-    const [asked] = this.open;
-    if (!asked || asked.id !== data.id) return;
-    if (data.total !== undefined && data.answer === undefined && !data.problem)
-      return asked.progress?.(data.done, data.total);
-    this.open.shift();
-    this.go();
-    const { problem, answer } = data;
-    this.close(asked, () =>
-      problem ? asked.reject(new Problem(problem)) : asked.resolve(/** @type {never} */ (answer)),
-    );
-  }
-
-  /** The worker is given up; the next question starts another. @param {string} why */
-  end(why) {
-    this.worker?.terminate();
-    this.worker = undefined;
-    this.refuse(gone(why));
+  /** @param {string} command @param {string} request @param {How} how @returns {Promise<never>} */
+  async #answer(command, request, { signal, progress }) {
+    signal?.throwIfAborted();
+    const worker = (this.worker ??= await this.#start());
+    return new Promise((resolve, reject) => {
+      /** The worker is given up; the next question starts another. @param {unknown} problem */
+      const end = (problem) => {
+        worker.terminate();
+        this.worker = undefined;
+        reject(problem);
+      };
+      // Work in WebAssembly cannot be asked to stop: it ends with its worker.
+      const stop = () => end(cancelled());
+      signal?.addEventListener("abort", stop);
+      worker.onerror = (event) => end(gone(event.message || "the worker ended"));
+      worker.onmessage = ({ data: { dead, answer, problem, done, total } }) => {
+        if (dead) return end(gone(dead));
+        if (!answer && !problem) return progress?.(done, total);
+        signal?.removeEventListener("abort", stop);
+        if (problem) reject(new Problem(problem));
+        else resolve(/** @type {never} */ (answer));
+      };
+      worker.postMessage({ command, request });
+    });
   }
 
   /** @param {string} command @param {object} request @param {How} how */
-  ask(command, request, { signal, progress } = {}) {
-    signal?.throwIfAborted();
-    return new Promise((resolve, reject) => {
-      /** @type {Asked} */
-      const asked = {
-        id: this.next++,
-        command,
-        request: JSON.stringify(request),
-        resolve,
-        reject,
-        signal,
-        progress,
-        posted: false,
-        stop: () => {},
-      };
-      asked.stop = () => {
-        const at = this.open.indexOf(asked);
-        if (at < 0) return;
-        this.open.splice(at, 1);
-        // Work in WebAssembly cannot be asked to stop: it ends with its worker.
-        if (asked.posted) {
-          this.worker?.terminate();
-          this.worker = undefined;
-          this.go();
-        }
-        reject(new DOMException("cancelled", "AbortError"));
-      };
-      signal?.addEventListener("abort", asked.stop, { once: true });
-      this.open.push(asked);
-      this.go();
-    });
+  ask(command, request, how) {
+    const text = JSON.stringify(request),
+      answer = this.before.then(() => this.#answer(command, text, how)),
+      ended = answer.then(
+        () => {},
+        () => {},
+      );
+    this.before = ended;
+    // One that waits is given up at once.
+    const given = new Promise((_, reject) =>
+      how.signal?.addEventListener("abort", () => reject(cancelled())),
+    );
+    return Promise.race([answer, given]);
   }
 }
 

@@ -9,7 +9,6 @@ import { unpack } from "./packed.js";
  */
 let engine;
 /** @type {Promise<void> | undefined} */ let ready;
-let current = 0;
 const encoder = new TextEncoder(),
   decoder = new TextDecoder();
 
@@ -34,7 +33,7 @@ function ask(command, request) {
 async function begin(module) {
   const host = {
     progress: (/** @type {number} */ done, /** @type {number} */ total) =>
-      self.postMessage({ id: current, done, total }),
+      self.postMessage({ done, total }),
   };
   engine = /** @type {typeof engine} */ ((await WebAssembly.instantiate(module, { host })).exports);
   engine.start();
@@ -47,13 +46,12 @@ self.onmessage = async ({ data }) => {
   }
   // A module that cannot begin ends the worker.
   await ready;
-  current = data.id;
   try {
     const { problem, answer, buffers } = ask(data.command, data.request);
-    self.postMessage({ id: data.id, problem, answer }, { transfer: buffers ?? [] });
+    self.postMessage({ problem, answer }, { transfer: buffers ?? [] });
   } catch (error) {
     // A trap: the instance cannot be used any more; its last words stand where the answer would.
     const words = decoder.decode(said());
-    self.postMessage({ id: data.id, dead: words || String(error) });
+    self.postMessage({ dead: words || String(error) });
   }
 };

@@ -1,6 +1,7 @@
 // Measured points: seen over the models, and constants identified from them.
 import { Slot } from "../ask.js";
 import { pointSeries } from "../bench/points.js";
+import { pressureColour } from "../chart.js";
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
 import {
@@ -19,10 +20,21 @@ import {
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { GALLERY, gallery, library, muscleButtons } from "../gallery.js";
-import { fileOf, keepFile, measured } from "../kept.js";
+import { fileOf, keepFile, keepWords, measured } from "../kept.js";
 import { muscle } from "../muscle.js";
 import { MEASURES } from "../state.js";
-import { keyed, number, onUnits, ratioAxis, show, showForce, unitName, worded } from "../units.js";
+import {
+  keyed,
+  number,
+  outside,
+  plusMinus,
+  ratioAxis,
+  showForce,
+  showPressure,
+  unitName,
+  worded,
+} from "../units.js";
+import { signal, untracked, watch } from "../watch.js";
 
 const CONSTANTS = "constants";
 
@@ -30,20 +42,30 @@ const CONSTANTS = "constants";
  * Constants with their ±, and what to do with them. @param {Commands["identify"]["answer"]} answer
  */
 function identifiedView(answer) {
-  const rows = answer.parameters.map((p) => {
-    const kind = MEASURES.find(({ filed }) => filed === p.name)?.kind;
-    const said = (/** @type {number} */ v, /** @type {number} */ digits) =>
-      kind ? show(kind, v, digits) : `${number(v, digits)} ${p.unit ?? ""}`;
-    return [
-      capital(worded(p.name)),
-      said(p.value, 5),
-      p.half_width_95 ? `± ${said(p.half_width_95, 2)}` : "–",
-      p.identifiable ? "" : "not identifiable",
-    ];
-  });
+  const row = (/** @type {typeof answer.parameters[number]} */ p) => {
+    const kind = MEASURES.find(({ filed }) => filed === p.name)?.kind,
+      half = p.half_width_95,
+      scale = kind ? outside(kind, 1) : 1,
+      unit = kind ? unitName(kind) : (p.unit ?? "");
+    // As many digits as the ± leaves.
+    const value = half
+      ? plusMinus(p.value * scale, half * scale, unit)
+      : `${number(p.value * scale, 5)} ${unit}`;
+    return [capital(worded(p.name)), value.trim()];
+  };
+  const list = (/** @type {boolean} */ told) =>
+    answer.parameters.filter((p) => p.identifiable === told).map(row);
+  const head = ["constant", "value (95 %)"],
+    open = list(false);
   return [
     heading("Identified"),
-    table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }),
+    table(head, list(true), { label: "constants" }),
+    open.length
+      ? folded(
+          "Not determined by these points",
+          table(head, open, { label: "constants that are not determined" }),
+        )
+      : "",
     paragraph(
       `Residuals ${showForce(answer.rms_n, 3)} rms, ${showForce(answer.rms_before_n, 3)} before.`,
     ),
@@ -75,14 +97,14 @@ export const FIELDS = fieldsOf([
 
 /** @type {Mount} */
 export const mount = (main) => {
-  /** @type {Commands["compare"]["answer"] | undefined} */ let compared;
-  /** @type {Commands["identify"]["answer"] | undefined} */ let known;
-  let data = measured.file;
+  const compared = signal(/** @type {Commands["compare"]["answer"] | undefined} */ (undefined)),
+    known = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
   const looking = new Slot(),
     reading = new Slot();
   const what = form(FIELDS, look),
+    take = (/** @type {string} */ name, /** @type {string} */ text) => measured.set({ name, text }),
     cells = grid(["pressure [bar]", "contraction [%]", "pull [N]", "branch"], (text) =>
-      take(data?.name ?? "typed.csv", text),
+      take(measured.file?.name ?? "typed.csv", text),
     );
   const understood = block(),
     errors = block(),
@@ -90,25 +112,14 @@ export const mount = (main) => {
     figures = new Figures("data"),
     fitted = new Figures("identified");
   const fail = (/** @type {unknown} */ why) => understood.replaceChildren(problemBox(why));
-  const place = () => muscle.place("data", what.texts());
   /** What is shown of the comparison belongs to an older table. @param {boolean} on */
   const stale = (on) => dim([errors, figures.element], on);
-  // What there is to begin with: an example, and muscles that were measured.
-  if (!data)
-    understood.append(
-      faded("Drop a table of measured points, paste its cells, or type them into Table."),
-      gallery(
-        fail,
-        undefined,
-        GALLERY.filter(([, , , of]) => of.data),
-      ),
-      library(fail),
-    );
   const identify = job(
     "Identify",
     "identify",
     async () => {
-      const read = await what.read();
+      const read = await what.read(),
+        data = measured.file;
       if (data && read)
         return {
           muscle: muscle.fields(),
@@ -119,10 +130,8 @@ export const mount = (main) => {
       found.replaceChildren(faded("Open a table first."));
     },
     (answer) => {
-      known = answer;
+      known.value = answer;
       keepFile(CONSTANTS, true);
-      paint();
-      fitted.show(answer.figure);
     },
     // What the comparison says of the table is said.
     { fields: { at: () => understood.querySelector(".problem") }, shown: [found, fitted.element] },
@@ -133,9 +142,7 @@ export const mount = (main) => {
       [
         heading("Measured points"),
         fileField("Open a table (CSV, XLSX, ODS)", TABLES, take),
-        remark(
-          "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading.",
-        ),
+        remark("Pressures, contractions (or lengths) and pulls, with their units in the heading."),
         cells.element,
         folded("Advanced", what.element, rowOf(button("Compare", look))),
         identify.element,
@@ -144,41 +151,20 @@ export const mount = (main) => {
     ),
   );
 
-  /** @param {string} name @param {string} text */
-  async function take(name, text) {
-    measured.set({ name, text });
-    data = measured.file;
-    keepFile(CONSTANTS, undefined);
-    compared = known = undefined;
-    begin();
-    found.replaceChildren();
-    fitted.show(undefined);
-    await look();
-  }
-  function begin() {
-    if (data) cells.show(data.text);
-  }
-
   async function look() {
     const read = await what.read(),
-      of = data;
-    if (!of || !read || !understood.isConnected) return;
-    place();
+      data = measured.file;
+    if (!data || !read || !understood.isConnected) return;
+    keepWords("data", what.texts());
+    const of = { muscle: muscle.fields(), data: [data] };
     looking.ask(
       "compare",
-      {
-        muscle: muscle.fields(),
-        data: [of],
-        models: read.models,
-        extrapolate: true,
-        figure: unitName("pressure"),
-      },
+      { ...of, models: read.models, extrapolate: true, figure: unitName("pressure") },
       (answer) => {
-        compared = answer;
-        paint();
+        compared.value = answer;
         stale(false);
         figures.show(answer.figure);
-        colour(of);
+        reading.ask("identify", { ...of, free: ["modulus"] }, colour);
       },
       (why) => {
         fail(why);
@@ -190,53 +176,79 @@ export const mount = (main) => {
 
   /**
    * Pulls over contraction have the colour of their pressure and the sign of their branch.
-   * @param {TextFile} of
+   * @param {Commands["identify"]["answer"]} answer
    */
-  function colour(of) {
+  function colour({ points }) {
     const [chart] = figures.charts,
       spec = chart?.spec;
     if (spec?.x !== ratioAxis) return;
-    reading.ask(
-      "identify",
-      { muscle: muscle.fields(), data: [of], free: ["modulus"] },
-      ({ points }) => {
-        const list = points.filter((q) => q.measured === "force"),
-          top = Math.max(...list.map((q) => q.pressure_mpa));
-        chart.show({
-          ...spec,
-          series: [...spec.series.filter((s) => s.mode !== "markers"), ...pointSeries(list, top)],
-        });
-      },
-    );
+    const list = points.filter((q) => q.measured === "force"),
+      top = Math.max(...list.map((q) => q.pressure_mpa)),
+      lines = spec.series.filter((s) => s.mode !== "markers"),
+      colours = new Map(
+        list.map(({ pressure_mpa: p }) => [showPressure(p, 3), pressureColour(p, top)]),
+      );
+    // The lines that are named have it too, and their bands.
+    const named = lines.flatMap(({ end }) => (end ? colours.get(end) : [])),
+      ofBands = [...named];
+    const tinted = lines.map((s) => ({
+      ...s,
+      colour: (s.band ? ofBands : s.end ? named : []).shift() ?? s.colour,
+    }));
+    chart.show({ ...spec, series: [...tinted, ...pointSeries(list, top)] });
   }
 
-  function paint() {
-    if (compared && data) {
-      const u = compared.understood?.[0] ?? compared.understood;
-      const said = [...(measured.said ? [measured.said] : []), ...(compared.warnings ?? [])];
-      const line = `${data.name}: ${compared.points} points. ${columnLine(u?.columns ?? [])}`;
-      understood.replaceChildren(paragraph(line), warnings(said));
-      errors.replaceChildren(errorTable(compared.models));
-    }
+  /** The table for which there are constants. @type {TextFile | undefined} */ let of =
+    measured.file;
+  watch(() => {
+    const data = measured.file;
+    if (data) cells.show(data.text);
+    // What there is to begin with: an example, and muscles that were measured.
+    else
+      understood.replaceChildren(
+        faded("Drop a table of measured points, paste its cells, or type them into Table."),
+        gallery(
+          fail,
+          undefined,
+          GALLERY.filter(([, , , entry]) => entry.data),
+        ),
+        library(fail),
+      );
+    if (data === of) return;
+    of = data;
+    compared.value = known.value = undefined;
+    untracked(() => keepFile(CONSTANTS, undefined));
+    look();
+  });
+  watch(() => {
+    const answer = compared.value,
+      data = measured.file;
+    if (!answer || !data) return;
+    const u = answer.understood?.[0] ?? answer.understood;
+    const said = [...(measured.said ? [measured.said] : []), ...(answer.warnings ?? [])];
+    const line = `${data.name}: ${answer.points} points. ${columnLine(u?.columns ?? [])}`;
+    understood.replaceChildren(paragraph(line), warnings(said));
+    errors.replaceChildren(errorTable(answer.models));
+  });
+  watch(() => {
+    const answer = known.value;
     // What matters most then is the muscle.
-    identify.element.querySelector("button")?.classList.toggle("main", !known);
-    if (known) found.replaceChildren(...identifiedView(known));
-  }
+    identify.element.querySelector("button")?.classList.toggle("main", !answer);
+    found.replaceChildren(...(answer ? identifiedView(answer) : []));
+    fitted.show(answer?.figure);
+  });
   // Figures are drawn by the engine in the units that are asked for.
-  onUnits(() => {
-    paint();
-    place();
-    if (compared) look();
+  watch(() => {
+    unitName("pressure");
+    if (compared.peek()) look();
   });
   return {
     async load(params) {
       await muscle.read(params, what.keys);
       what.set(params);
-      data = measured.file;
-      begin();
-      if (data) await look();
+      await look();
       // What was identified before is there again.
-      if (data && fileOf(CONSTANTS)) identify.run();
+      if (measured.file && fileOf(CONSTANTS)) identify.run();
     },
   };
 };

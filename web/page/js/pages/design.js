@@ -1,33 +1,42 @@
-// From a specification to ranked muscles, with a map of what is feasible and why the rest is not.
-import { engine } from "../ask.js";
-import { address, write } from "../address.js";
-import { picture } from "../body.js";
-import { designMap } from "../design-map.js";
-import { designTarget } from "../design-target.js";
-import { closestView, foundView, headView, rejectedView } from "../design-view.js";
-import { block, folded, heading } from "../dom.js";
-import { fieldsOf, form, inputs, job, kindsOf } from "../form.js";
+// Ask: what a McKibben muscle is, one question, its answer with its chance, and all that fits.
+import { answerTo, engine } from "../ask.js";
+import { chanceCurve, verdict } from "../chance.js";
+import {
+  choicesView,
+  closestView,
+  foundView,
+  headView,
+  openCandidate,
+  rejectedView,
+  widthOf,
+} from "../design-view.js";
+import { block, button, dim, el, folded, mainButton, rowOf } from "../dom.js";
+import { fieldsOf, form, job, kindsOf } from "../form.js";
+import { keepWords } from "../kept.js";
+import { rested } from "../life.js";
+import { liftView } from "../lift.js";
 import { muscle } from "../muscle.js";
-import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
-import { onUnits, typed } from "../units.js";
+import { openDialog } from "../open.js";
+import { STIFFNESS_NAMES, missing } from "../state.js";
+import { showLength, showPressure } from "../units.js";
+import { signal, watch } from "../watch.js";
 
+/** @typedef {{ answer: Design["answer"], asked: Design["request"] }} Found */
 const OBJECTIVES = /** @type {[string, string][]} */ ([
+  ["bulged-diameter", "recommended: slim, sold"],
   ["diameter", "slimmest at rest"],
   ["pressure", "lowest pressure"],
   ["air", "least air or liquid"],
-  ["margin", "largest margin of pull"],
-  ["bulged-diameter", "recommended: slim, sold, sure"],
   ["length", "shortest"],
 ]);
-/** @type {Field[]} */
+/** The question. @type {Field[]} */
 export const WANTED = fieldsOf([
-  ["F", "force_n", "Pull", "force", "300 N"],
-  ["e", "contraction", "at a contraction of", "ratio", "15 %"],
+  ["F", "force_n", "It must pull", "force", "300 N"],
+  ["e", "contraction", "while it shortens by", "ratio", "15 %"],
   [
     "at",
     "points",
-    "Pulls",
-
+    "It must reach",
     {
       pair: [
         ["force", "force_n"],
@@ -39,8 +48,7 @@ export const WANTED = fieldsOf([
   [
     "joint",
     "torques",
-    "Torques",
-
+    "It must turn with",
     {
       pair: [
         ["torque", "torque_nm"],
@@ -49,28 +57,28 @@ export const WANTED = fieldsOf([
       hint: "8 N m at 45°",
     },
   ],
-  ["load", "load", "Load", { hint: "20 kg" }],
-  ["stroke", "stroke_mm", "Stroke", "length", { hint: "40 mm" }],
-  ["pmax", "max_pressure_mpa", "Pressure of the supply", "pressure", "2.5 bar"],
-  ["bulge", "max_bulged_diameter_mm", "Largest bulged diameter", "length", { hint: "60 mm" }],
-  ["sure", "guaranteed", "Certainty", "ratio", { hint: "95 %" }],
-  ["for", "objective", "Rank by", { options: OBJECTIVES, value: "bulged-diameter" }],
+  ["load", "load", "It must lift", { hint: "20 kg" }],
+  ["stroke", "stroke_mm", "over a stroke of", "length", { hint: "any" }],
+  ["pmax", "max_pressure_mpa", "at", "pressure", "2.5 bar"],
 ]);
 /** What the muscle must do, each with its fields. @type {[string, string, string[]][]} */
 const KINDS = [
   ["F", "Pull", ["F", "e", "stroke"]],
-  ["at", "Pulls", ["at", "stroke"]],
+  ["at", "Several pulls", ["at", "stroke"]],
   ["joint", "Joint", ["joint"]],
-  ["load", "Load", ["load", "e", "stroke"]],
+  ["load", "Load", ["load", "stroke"]],
 ];
-/** @type {() => Field[]} */
+/** What else may be asked, and what is searched. @type {() => Field[]} */
 export const choices = () =>
   fieldsOf([
+    ["sure", "certainty", "Certainty", "ratio", { hint: "90 %" }],
+    ["for", "objective", "Rank by", { options: OBJECTIVES, value: "bulged-diameter" }],
+    ["bulge", "max_bulged_diameter_mm", "Largest bulged diameter", "length", { hint: "60 mm" }],
     ["D", "outer_diameter_mm", "Outer diameters", "length", { list: true, hint: "10..60 mm" }],
     ["s", "wall_mm", "Walls", "length", { list: true, hint: "1..4:0.5 mm" }],
     ["L", "length_mm", "Length", "length", { list: true, hint: "285 mm" }],
     ["angle", "angle_deg", "Braid angles", "angle", { list: true, hint: "28 deg" }],
-    ["rubber", "rubbers", "Rubbers", { words: true, hint: "paper, ecoflex-00-30" }],
+    ["rubber", "rubbers", "Rubbers", { words: true, hint: "latex, ecoflex-00-30" }],
     ["braid", "braids", "Sleeves as sold", { words: true, hint: "names of the list" }],
     [
       "sd",
@@ -109,54 +117,47 @@ export const choices = () =>
 function specification(submit) {
   const wanted = form(WANTED, submit),
     choice = form(choices(), submit),
-    forms = [wanted, choice];
-  const vary = folded("Search space", choice.element);
-  const others = KINDS.slice(1).map(([kind]) => kind);
+    forms = [wanted, choice],
+    more = folded("More requirements", choice.element);
+  const hint = (/** @type {string} */ key) => WANTED.find((f) => f.key === key)?.hint ?? "";
   const kinds = kindsOf(wanted, KINDS, (kind) => {
-    const { hint = "" } = WANTED.find(({ key }) => key === kind) ?? {};
-    for (const key of others) wanted.put(key, key === kind ? hint : "");
+    for (const key of ["at", "joint", "load"]) wanted.put(key, key === kind ? hint(key) : "");
+    wanted.put("stroke", kind === "load" ? "40 mm" : "");
     submit();
   });
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
     const k = choice.text("k"),
-      names = choice
-        .text("braid")
-        .split(",")
-        .map((name) => name.trim())
-        .filter(Boolean);
-    return [
-      ...new Set(
-        names.flatMap((braid) => missing({ said: k ? { braid, k } : { braid } }, muscle.sleeves)),
-      ),
-    ];
+      names = choice.text("braid").split(/\s*,\s*/);
+    return names.flatMap((braid) =>
+      missing({ said: k ? { braid, k } : { braid } }, muscle.sleeves),
+    );
   };
   const offer = () => {
     const lacks = lacking();
     for (const key of ["sd", "sE"]) choice.shown(key, lacks.includes(key));
-    if (lacks.length) vary.open = true;
   };
   choice.element.addEventListener("input", offer);
   return {
-    elements: [kinds.list, wanted.element, vary],
-    offer,
-    wanted,
-    choice,
+    element: block("", kinds.list, wanted.element, more),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
-    set(/** @type {URLSearchParams} */ params) {
+    /** @param {URLSearchParams} params */
+    set(params) {
       forms.forEach((f) => f.set(params));
-      kinds.select(others.find((key) => wanted.text(key)) ?? "F");
+      kinds.select(["at", "joint", "load"].find((key) => wanted.text(key)) ?? "F");
+      more.open = Object.values(choice.texts()).some(Boolean);
+      choice.options(
+        "braid",
+        muscle.sleeves.map((s) => s.name),
+      );
+      offer();
     },
-    /**
-     * The request, or nothing where a text cannot be read.
-     * @returns {Promise<Design["request"] | undefined>}
-     */
+    /** @returns {Promise<Design["request"] | undefined>} nothing where a text cannot be read */
     async read() {
       const [want, space] = await Promise.all([wanted.read(), choice.read({ intervals: true })]);
-      if (!want || !space) return undefined;
-      // The stroke of a load says how far.
-      if (want.load && want.stroke_mm) delete want.contraction;
-      return { ...want, ...space };
+      // What it must lift is a mass.
+      const load = want?.load?.replace(/^[-\d.]+$/, "$& kg");
+      return want && space && { ...want, ...space, load };
     },
     /** @param {Problem} problem */
     at(problem) {
@@ -166,122 +167,167 @@ function specification(submit) {
             key,
             "The source of the sleeve does not state it: measure it, or give a stiffness.",
           );
-      return forms.some((f) => f.at(problem));
+      return forms.map((f) => f.at(problem)).some(Boolean);
     },
   };
 }
 
 /** Prices of tubes; asked once. @type {Promise<Map<string, string>> | undefined} */ let prices;
 const priced = () =>
-  (prices ??= engine()
-    .ask("parts-list", { kind: "tubes" })
-    .then(
-      ({ tubes }) =>
-        new Map(
-          tubes.flatMap((part) => {
-            const { price } = /** @type {{ price?: string | null }} */ (part);
-            return price ? [/** @type {[string, string]} */ ([part.name, price])] : [];
-          }),
-        ),
-      () => new Map(),
-    ));
+  (prices ??= answerTo("parts-list", { kind: "tubes" }).then(
+    ({ tubes }) => new Map(tubes.flatMap(({ name, price }) => (price ? [[name, price]] : []))),
+    () => new Map(),
+  ));
 
-/**
- * The address of a muscle of the search: that muscle, and nothing of the one of the other pages.
- * @param {Chosen} c @param {Design["request"]} of the request @param {{ p: number, e: number }} at
- */
-const linked = (c, of, at) => address("muscle", muscle.paramsOf(candidate(c, of, at)));
+/** What to set, and how wide it gets. @param {Candidate} c */
+const inUse = (c) =>
+  `${showPressure(c.pressure_mpa, 3)}, ${c.count > 1 ? `${c.count} × ` : ""}` +
+  `${showLength(widthOf(c), 3)} wide`;
 
 /** @type {Mount} */
 export const mount = (main) => {
-  /** @type {Design["answer"] | undefined} */ let found;
-  /**
-   * What the answer that is shown was asked by, and the newest question. @type {Design["request"]}
-   */
-  let of = {},
-    /** @type {Design["request"] | undefined} */ asked;
-  const spec = specification(() => search.run());
-  const drawn = block("best"),
-    side = block(),
-    list = block("below");
-  const map = designMap((c, at) => linked(c, of, at));
-  const target = designTarget({
-    moved: (to) => map.preview(to),
-    settled(to) {
-      spec.wanted.put("F", typed("force", to.force_n));
-      spec.wanted.put("e", typed("ratio", to.contraction));
-      search.run();
-    },
-  });
-  const search = job(
-    "Design",
+  const first = signal(/** @type {Found | undefined} */ (undefined)),
+    all = signal(/** @type {Found | undefined} */ (undefined)),
+    known = signal(/** @type {Map<string, string>} */ (new Map()));
+  /** The question of the answer that comes. */
+  const question = signal(/** @type {Design["request"] | undefined} */ (undefined));
+  const spec = specification(() => ask.run());
+  const head = el("h2", { class: "grow", ariaLive: "polite" }),
+    act = rowOf(),
+    result = block(),
+    others = block(),
+    list = block("below"),
+    lift = liftView();
+  const ask = job(
+    "Find a muscle",
     "design",
     async () => {
-      asked = await spec.read();
-      if (asked) place();
-      return asked;
+      const asked = await spec.read();
+      first.value = all.value = undefined;
+      question.value = asked;
+      if (asked) keepWords("design", spec.texts());
+      return asked && { ...asked, top: 1 };
     },
     (answer) => {
-      [found, of] = [answer, asked ?? {}];
-      paint();
-      target.show(found, of);
-      map.show(found, of);
+      first.value = { answer, asked: question.value ?? {} };
+      if (answer.candidates.length) whole.run();
     },
-    { fields: spec, shown: [drawn, side, list, target.element, ...map.elements] },
+    {
+      fields: {
+        at(problem) {
+          question.value = undefined;
+          return spec.at(problem);
+        },
+      },
+    },
   );
-  const place = () => write(address("design", { ...spec.texts(), m: muscle.word() }));
-
-  async function paint() {
-    if (!found) return;
-    const answer = found;
-    const certain = () => {
-      spec.wanted.put("sure", "95 %");
-      search.run();
-    };
-    const [best] = answer.candidates;
-    drawn.hidden = !best;
-    if (best)
-      drawn.innerHTML = picture(
-        best,
-        best.length_mm,
-        best.bulged_diameter_mm ?? best.outer_diameter_mm,
-      );
-    side.replaceChildren(...(best ? headView(answer, certain) : closestView(answer)));
-    const show = (/** @type {Map<string, string>} */ known) =>
-      list.replaceChildren(...(best ? foundView(answer, known) : []), ...rejectedView(answer));
-    show(new Map());
-    if (!answer.candidates.some((c) => c.tube || c.sleeve)) return;
-    const known = await priced();
-    if (answer === found && known.size) show(known);
+  const whole = job(
+    "All that fit",
+    "design",
+    async () => question.value,
+    (answer) => {
+      all.value = { answer, asked: question.value ?? {} };
+      priced().then((map) => (known.value = map));
+    },
+    { minor: true },
+  );
+  /** Another muscle of the same question: the one of that certainty. @param {number} certainty */
+  function pick(certainty) {
+    const asked = /** @type {Design["request"]} */ ({ ...question.value, certainty });
+    answerTo("design", { ...asked, top: 1 }, { lane: "job" }).then(
+      (answer) => (first.value = { answer, asked }),
+    );
   }
+  const curve = chanceCurve(({ chance }) => pick(chance));
 
+  watch(() => {
+    const found = first.value,
+      best = found?.answer.candidates[0];
+    // Until the answer comes no number of another muscle stands beside the question.
+    for (const part of [head, result, lift.element]) part.classList.toggle("skeleton", !found);
+    act.hidden = !best;
+    lift.show(best);
+    if (!found) {
+      head.textContent = question.value ? "Searching …" : "";
+      return result.replaceChildren();
+    }
+    const { answer, asked: of } = found;
+    if (!best) {
+      head.textContent = "";
+      return result.replaceChildren(...closestView(answer), rejectedView(answer));
+    }
+    const said = verdict(/** @type {{ chance?: number }} */ (best).chance);
+    head.textContent = `${said ? `${said}: set` : "Set"} ${inUse(best)}.`;
+    act.replaceChildren(mainButton("Open this muscle", () => openCandidate(answer, of)));
+    result.replaceChildren(...headView(answer));
+  });
+  watch(() => {
+    const { choices = [], candidates = [] } = first.value?.answer ?? {},
+      possible = /** @type {import("../design-view.js").Choice[]} */ (choices);
+    others.replaceChildren(
+      choicesView(possible, (i) => pick(Number(possible[i].chance))),
+      curve.element,
+    );
+    curve.show(
+      [...possible, ...candidates].flatMap((c) => {
+        const {
+          chance,
+          width_mm,
+          name = "",
+        } = /** @type {{ chance?: number, width_mm?: number, name?: string }} */ (c);
+        return chance == null || width_mm == null ? [] : [{ chance, width_mm, name }];
+      }),
+    );
+  });
+  watch(() => {
+    const found = all.value;
+    list.replaceChildren(
+      ...(found
+        ? [...foundView(found.answer, found.asked, known.value), rejectedView(found.answer)]
+        : []),
+    );
+    dim([list], !found);
+    whole.element.hidden = !first.value?.answer.candidates.length;
+  });
+
+  /** A page that brings its engine loads that of the search when it is asked for. */
+  let large = Boolean(engine().files?.length);
+  const soon = rested(ask.run, 300);
+  spec.element.addEventListener("input", () => {
+    if (!large) soon();
+  });
+  spec.element.addEventListener("focusin", () => {
+    if (large) ask.run();
+    large = false;
+  });
   main.replaceChildren(
     block(
-      "bench",
-      inputs("Specification", heading("Specification"), ...spec.elements, search.element),
-      block("middle", drawn, ...map.elements, target.element),
-      block("side", side),
-      list,
+      "start",
+      lift.element,
+      block(
+        "question",
+        el(
+          "h1",
+          "A McKibben muscle is a rubber tube in a braided sleeve that gets thicker and shorter under pressure and pulls.",
+        ),
+        spec.element,
+        ask.element,
+        block("row", head, act),
+        result,
+        button("Open a muscle", openDialog, { class: "bare" }),
+      ),
     ),
+    others,
+    whole.element,
+    list,
   );
-  onUnits(() => {
-    paint();
-    target.draw();
-    map.draw();
-  });
   return {
     async load(params) {
       // The muscle's own words mean other things here: it is one word.
       const own = params.get("m");
-      if (own) await muscle.read(new URLSearchParams(own));
-      else await Promise.all([muscle.known(), muscle.shown ?? muscle.look()]);
+      if (own || !muscle.shown) await muscle.read(new URLSearchParams(own ?? ""));
       spec.set(params);
-      spec.choice.options(
-        "braid",
-        muscle.sleeves.map((s) => s.name),
-      );
-      spec.offer();
-      await search.run();
+      if (!large || [...params.keys()].some((key) => key !== "m")) await ask.run();
     },
   };
 };

@@ -11,15 +11,15 @@ import {
   IN_FILE,
   JointWords,
   KEYS,
-  KINDS_OF,
-  STATED,
+  kindOf,
+  stateAt,
   angles,
   drive,
 } from "../joint-words.js";
-import { atEnd } from "../life.js";
 import { muscle, visit } from "../muscle.js";
-import { clamp, evenly, onUnits } from "../units.js";
-import { pack } from "../address.js";
+import { clamp, evenly } from "../units.js";
+import { keepWords } from "../kept.js";
+import { signal, watch } from "../watch.js";
 
 /** @typedef {Commands["joint"]["request"]} Request */
 /** @typedef {import("../joint-words.js").Key} Key */
@@ -34,6 +34,7 @@ const GROUPS = [
     "Required",
     [
       ["phi", "Angle", -60, 60, "φ"],
+      ["M", "Torque that it holds", -30, 30, "τ"],
       ["K", "Stiffness (0: lowest pressures)", 0, 30],
     ],
   ],
@@ -75,7 +76,7 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
           key,
           label,
           symbol,
-          kind: KINDS_OF[key],
+          kind: kindOf(key),
           low,
           high,
           value: v[key],
@@ -88,32 +89,22 @@ function controlsOf(v, { changed, takeSecond, takeJoint }) {
       }),
     ),
   );
-  const back = button("Use the same muscle twice", () => takeSecond(""), { hidden: true });
-  const leave = button("Close the joint file", () => takeJoint(""), { hidden: true });
   const element = inputs(
     "Joint",
     ...groups,
     folded(
       "Different second muscle",
       fileField("Open muscle 2 (TOML)", ".toml", (_, text) => takeSecond(text)),
-      back,
+      button("Use the same muscle twice", () => takeSecond("")),
     ),
     folded(
       "Joint file",
       remark("A joint file can state a spring and the weight of the arm."),
       fileField("Open a joint file (TOML)", ".toml", (_, text) => takeJoint(text)),
-      leave,
+      button("Close the joint file", () => takeJoint("")),
     ),
   );
-  return {
-    element,
-    controls,
-    /** @param {{ joint: string, file2: string }} files */
-    show({ joint: file, file2 }) {
-      back.hidden = !file2;
-      leave.hidden = !file;
-    },
-  };
+  return { element, controls };
 }
 
 /**
@@ -124,21 +115,9 @@ function moveBox(v, question) {
   const to = { angle: -20, seconds: 1 };
   const field = (
     /** @type {"angle" | "seconds"} */ key,
-    /** @type {string} */ label,
-    /** @type {Kind} */ kind,
-    /** @type {number} */ low,
-    /** @type {number} */ high,
+    /** @type {{ label: string, kind: Kind, low: number, high: number }} */ spec,
   ) =>
-    quantity({
-      label,
-      kind,
-      low,
-      high,
-      value: to[key],
-      change(value) {
-        if (value !== undefined) to[key] = value;
-      },
-    }).element;
+    quantity({ ...spec, value: to[key], change: (value = to[key]) => (to[key] = value) }).element;
   const play = job(
     "Play in Motion",
     "joint",
@@ -153,8 +132,8 @@ function moveBox(v, question) {
     element: folded(
       "Move the arm",
       remark(about),
-      field("angle", "Move to", "angle", -60, 60),
-      field("seconds", "Within", "time", 0.1, 5),
+      field("angle", { label: "Move to", kind: "angle", low: -60, high: 60 }),
+      field("seconds", { label: "Within", kind: "time", low: 0.1, high: 5 }),
       play.element,
     ),
   };
@@ -166,93 +145,47 @@ function moveBox(v, question) {
  */
 const wanted = (v, list) => ({
   angles_deg: list,
+  ...(v.M ? { torque_nm: v.M } : {}),
   max_pressure_mpa: v.pmax,
   ...(v.K ? { stiffness_nm_per_rad: v.K } : {}),
 });
 
-/**
- * Questions about a joint: a point, by formulas while one drags and by finite elements at rest, and
- * its family of torques.
- * @param {{ take: (answer: JointAnswer) => void, fail: (problem: Problem) => void, family: (family:
- * Family) => void }} act
- */
-function questions({ take, fail, family }) {
-  let settling = 0,
-    asking = 0,
-    decided = 0;
-  atEnd(() => clearTimeout(settling));
-  const point = new Slot(),
-    elements = new Slot(),
-    curves = new Slot();
-  return {
-    /** @param {Request} request @param {Values} v @param {boolean} settled */
-    ask(request, v, settled) {
-      const mine = ++asking,
-        at = wanted(v, [v.phi]);
-      /** @template T @param {(said: T) => void} act @param {boolean} [last] what decides */
-      const unless = (act, last) => (/** @type {T} */ said) => {
-        if (last) decided = mine;
-        else if (decided === mine) return;
-        act(said);
-      };
-      point.ask("joint", { ...request, ...at }, unless(take), unless(fail));
-      // What stays is what finite elements say.
-      clearTimeout(settling);
-      elements.end();
-      const last = () =>
-        elements.ask(
-          "joint",
-          { ...request, model: { name: "fe" }, extrapolate: false, ...at },
-          unless(take, true),
-          unless(fail, true),
-        );
-      if (settled) settling = window.setTimeout(last, 50);
-      const angles = evenly(v.low, v.high, 25);
-      const pairs = [
-        [1, 0],
-        [0.75, 0.25],
-        [0.5, 0.5],
-        [0.25, 0.75],
-        [0, 1],
-      ].map((pair) => pair.map((x) => x * v.pmax));
-      curves.ask("joint", { ...request, pressures_mpa: pairs, angles_deg: angles }, (answer) =>
-        family({ answer, angles, pairs }),
-      );
-    },
-  };
-}
+/** Shares of the supply in both muscles along the curves. */
+const PAIRS = [
+  [1, 0],
+  [0.75, 0.25],
+  [0.5, 0.5],
+  [0.25, 0.75],
+  [0, 1],
+];
 
 /** @type {Mount} */
 export const mount = (main) => {
   const joint = new JointWords(),
     { v, files } = joint;
-  /** @type {JointPoint | undefined} */ let point;
-  /** @type {Family | undefined} */ let family;
-  /** @type {JointAnswer["map"]} */ let reached;
+  const point = signal(/** @type {JointPoint | undefined} */ (undefined)),
+    family = signal(/** @type {Family | undefined} */ (undefined)),
+    reached = signal(/** @type {JointAnswer["map"]} */ (undefined));
   /** The file that says what the muscle of the page Muscle is. */
   let first = "";
   const arm = el("div", { class: "stage", role: "img", ariaLabel: "The joint" }),
     numbers = el("section", { class: "numbers", ariaLabel: "Numbers" }),
     said = block(),
     notes = block();
-  const { element, controls, show } = controlsOf(v, {
+  const { element, controls } = controlsOf(v, {
     changed(key, settled) {
       joint.over.add(key);
       ask(settled);
     },
-    async takeSecond(text) {
-      await pack(text);
+    takeSecond(text) {
       files.file2 = text;
-      show(files);
       ask(true);
     },
     async takeJoint(text) {
-      await pack(text);
       files.joint = text;
       joint.over = new Set();
       await joint.fromFile();
       set();
-      show(files);
       ask(true);
       map.run();
     },
@@ -264,8 +197,7 @@ export const mount = (main) => {
   function mark(problem) {
     if (files.joint) return false;
     const message = problem.message.replace(/^joint\.toml[:\d]*: (\S+ = "[^"]*": )?/, ""),
-      of = (/** @type {(typeof IN_FILE)[number]} */ key) =>
-        STATED[key] && problem.message.includes(STATED[key]),
+      of = (/** @type {Key} */ key) => stateAt(key) && problem.message.includes(stateAt(key)),
       wrong = problem.field === "max_pressure_mpa" ? "pmax" : IN_FILE.find(of);
     if (wrong) controls[wrong].mark(message);
     problem.message = message;
@@ -279,29 +211,26 @@ export const mount = (main) => {
   const map = job(
     "Map of the reachable states",
     "joint",
-    async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }),
-    (answer) => mapped(answer.map),
+    async () => ({ ...byFormula(), map: 25, max_pressure_mpa: v.pmax }),
+    (answer) => (reached.value = answer.map),
     { fields: { at: mark } },
   );
-  const asks = questions({
-    take(answer) {
-      stale(false);
-      for (const key of KEYS) controls[key].mark("");
-      said.replaceChildren();
-      notes.replaceChildren(warnings(answer.warnings));
-      point = { ...answer.points[0], model: answer.model, words: answer.uncertainty_text };
-      paint();
-    },
-    fail(problem) {
-      said.replaceChildren(mark(problem) ? "" : problemBox(problem));
-      if (point) stale(true);
-      else drawArm();
-    },
-    family(found) {
-      family = found;
-      torque.show(torqueChart(family, point));
-    },
-  });
+  const slots = { first: new Slot(), final: new Slot(), curves: new Slot() };
+  let turn = 0;
+  /** @param {JointAnswer} answer */
+  function take(answer) {
+    stale(false);
+    for (const key of KEYS) controls[key].mark("");
+    said.replaceChildren();
+    notes.replaceChildren(warnings(answer.warnings));
+    const { model, uncertainty_text: words } = answer;
+    point.value = { ...answer.points[0], model, words };
+  }
+  /** @param {Problem} problem */
+  function fail(problem) {
+    said.replaceChildren(mark(problem) ? "" : problemBox(problem));
+    stale(Boolean(point.value));
+  }
   const move = moveBox(v, (list) => ({ ...joint.request(first), ...wanted(v, list) }));
   element.append(move.element);
   main.replaceChildren(
@@ -323,7 +252,8 @@ export const mount = (main) => {
     controls.phi.set(v.phi);
     ask(settled);
   }
-  const request = () => ({
+  /** Curves and map are drawn by a formula. */
+  const byFormula = () => ({
     ...joint.request(first),
     model: { name: "universal" },
     extrapolate: true,
@@ -331,49 +261,67 @@ export const mount = (main) => {
   /** @param {boolean} settled */
   function ask(settled) {
     controls.phi.reach(v.low, v.high);
-    asks.ask(request(), v, settled);
-    if (settled) place();
-  }
-  const place = () => muscle.place("joint", joint.words());
-  /** @param {JointAnswer["map"]} found */
-  function mapped(found) {
-    reached = found;
-    if (found) reach.show(reachChart(found));
+    const mine = ++turn,
+      at = wanted(v, [v.phi]);
+    slots.final.end();
+    // What stays is what finite elements say; they may take seconds.
+    const last = () => {
+      if (settled && mine === turn)
+        slots.final.ask("joint", { ...joint.request(first), ...at }, take, fail);
+    };
+    slots.first.ask(
+      "joint",
+      { ...byFormula(), ...at },
+      (answer) => {
+        take(answer);
+        last();
+      },
+      (problem) => {
+        fail(problem);
+        last();
+      },
+    );
+    const angles = evenly(v.low, v.high, 25),
+      pairs = PAIRS.map((pair) => pair.map((share) => share * v.pmax));
+    slots.curves.ask(
+      "joint",
+      { ...byFormula(), pressures_mpa: pairs, angles_deg: angles },
+      (answer) => (family.value = { answer, angles, pairs }),
+    );
+    if (settled) keepWords("joint", joint.words());
   }
   const stale = (/** @type {boolean} */ on) => dim([arm, numbers], on);
-  function drawArm() {
-    const {
-      length_mm: length = 285,
-      outer_diameter_mm: diameter = 30,
-      angle_deg: angle = 28,
-    } = muscle.shown ?? {};
-    arm.innerHTML = jointDrawing(point, point?.angle_deg ?? v.phi, v.pmax, {
+  watch(() => {
+    const found = point.value,
+      {
+        length_mm: length = 285,
+        outer_diameter_mm: diameter = 30,
+        angle_deg: angle = 28,
+      } = muscle.shown ?? {};
+    arm.innerHTML = jointDrawing(found, found?.angle_deg ?? v.phi, v.pmax, {
       ...v,
       length,
       diameter,
       angle,
     });
-  }
-  function paint() {
     const which = files.file2 ? "Muscle 2 is that of its file." : "Both muscles are the one above.";
-    drawArm();
-    if (family) torque.show(torqueChart(family, point));
-    numbers.replaceChildren(...(point ? numbersView(point, which) : []));
-  }
+    numbers.replaceChildren(...(found ? numbersView(found, which) : []));
+  });
+  watch(() => {
+    const asked = v.M ? { angle: v.phi, torque: v.M } : undefined;
+    if (family.value) torque.show(torqueChart(family.value, point.value, asked));
+  });
+  watch(() => {
+    if (reached.value) reach.show(reachChart(reached.value));
+  });
   function set() {
     for (const key of KEYS) controls[key].set(v[key]);
   }
-  onUnits(() => {
-    paint();
-    mapped(reached);
-    place();
-  });
   return {
     async load(params) {
       await joint.read(params);
       await muscle.read(params, [...KEYS, ...FILES, "range"]);
       set();
-      show(files);
       try {
         first = await muscle.file();
       } catch (problem) {

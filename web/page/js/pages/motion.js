@@ -6,22 +6,14 @@ import { block, button, el, folded, heading, problemBox, remark } from "../dom.j
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
-import { wordsOf } from "../kept.js";
+import { keepWords, wordsOf } from "../kept.js";
 import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { motion } from "../state.js";
 import { stated } from "../toml.js";
-import {
-  number,
-  onUnits,
-  outside,
-  ratioAxis,
-  showPressure,
-  showRatio,
-  unitName,
-} from "../units.js";
+import { number, outside, ratioAxis, showPressure, showRatio, unitName } from "../units.js";
 import { viewOf } from "../view3d.js";
-import { pack } from "../address.js";
+import { signal, watch } from "../watch.js";
 
 /** @type {Field[]} */
 export const STEP = fieldsOf([
@@ -83,7 +75,7 @@ function player() {
       at(Number(slider.value) / 1000);
     },
   });
-  const play = playing("Play", at, () => 1000 * (run?.series.time_s.at(-1) ?? 1));
+  const play = playing("the muscle", at, () => 1000 * (run?.series.time_s.at(-1) ?? 1));
 
   /** The state at a share of the time. @param {number} share */
   function at(share) {
@@ -138,25 +130,7 @@ function driveBox(take) {
   };
 }
 
-/** Pressure and way over time. */
-function chartsOf() {
-  const pressure = chartOf("motion-pressure", { tools: heading("Pressure over time") });
-  const title = el("h2"),
-    way = chartOf("motion-contraction", { tools: title });
-  return {
-    element: block("charts", pressure.element, way.element),
-    /** @param {Run} run */
-    show(run) {
-      pressure.show(pressureChart(run));
-      title.textContent = `${isJoint(run) ? "Angle" : "Contraction"} over time`;
-      way.show(wayChart(run));
-    },
-  };
-}
-
 // A motion as people see it: pressures, the way of muscle or joint over time, and its figures.
-/** Whether it is a joint's. @param {Run} run */
-const isJoint = (run) => Boolean(run.series.angle_deg);
 /**
  * Series of pressures of a muscle or of a joint: what each is called, and its colour; commands are
  * dotted.
@@ -191,35 +165,25 @@ const pressureChart = ({ series: s }) => ({
 });
 
 /** @param {Run} run @returns {Spec} */
-function wayChart(run) {
-  const { series: s } = run;
-  if (isJoint(run))
-    return {
-      x: "time [s]",
-      y: "angle φ [°]",
-      yaxis: {},
-      series: [{ name: "angle", x: s.time_s, y: s.angle_deg ?? [], colour: KINDS[1] }],
-    };
-  return {
-    x: "time [s]",
-    y: ratioAxis,
-    series: [
-      {
-        name: "contraction",
-        x: s.time_s,
-        y: (s.contraction ?? []).map((e) => 100 * e),
-        colour: KINDS[1],
-      },
-    ],
-  };
-}
+const wayChart = ({ series: { time_s: x, angle_deg: angle, contraction = [] } }) => ({
+  x: "time [s]",
+  y: angle ? "angle φ [°]" : ratioAxis,
+  yaxis: angle ? {} : undefined,
+  series: [
+    {
+      name: angle ? "angle" : "contraction",
+      x,
+      y: angle ?? (contraction ?? []).map((e) => 100 * e),
+      colour: KINDS[1],
+    },
+  ],
+});
 
 /** Largest speed, of the motion itself. @param {Run} run */
-function speed(run) {
-  if (isJoint(run)) return `${number(run.largest_velocity_deg_per_s ?? 0, 3)} °/s`;
-  const inside = run.largest_velocity_mm_per_s ?? 0;
-  return `${number(outside("length", inside), 3)} ${unitName("length")}/s`;
-}
+const speed = ({ largest_velocity_deg_per_s: turn, largest_velocity_mm_per_s: way }) =>
+  turn == null
+    ? `${number(outside("length", way ?? 0), 3)} ${unitName("length")}/s`
+    : `${number(turn, 3)} °/s`;
 
 /** @param {Run} run */
 function figures(run) {
@@ -243,13 +207,13 @@ function figures(run) {
 }
 
 /** The state at a place of the record, in a line. @param {Run} run @param {number} i */
-function stateLine(run, i) {
-  const { series: s } = run;
+function stateLine({ series: s }, i) {
   const both = [s.pressure_1_mpa, s.pressure_2_mpa].flatMap((p) =>
     p ? [showPressure(p[i], 3)] : [],
   );
-  if (isJoint(run)) return `${number(s.angle_deg?.[i], 3)}°, ${both.join(" and ")}`;
-  return `${showPressure(s.pressure_mpa?.[i], 3)}, ${showRatio(s.contraction?.[i], 3)}`;
+  return s.angle_deg
+    ? `${number(s.angle_deg[i], 3)}°, ${both.join(" and ")}`
+    : `${showPressure(s.pressure_mpa?.[i], 3)}, ${showRatio(s.contraction?.[i], 3)}`;
 }
 
 /**
@@ -263,13 +227,15 @@ function stateAt({ series: s }, i) {
 
 /** @type {Mount} */
 export const mount = (main) => {
-  /** @type {Run | undefined} */ let run;
+  const run = signal(/** @type {Run | undefined} */ (undefined));
   let drive = "";
   const fields = form(STEP, () => go.run()),
     shown = player();
   fields.element.append(folded("Advanced", fields.rows.get("model")?.row));
-  const charts = chartsOf();
-  const numbers = block();
+  const pressure = chartOf("motion-pressure", { tools: heading("Pressure over time") }),
+    way = chartOf("motion-contraction", { tools: heading("Movement over time") }),
+    charts = block("charts", pressure.element, way.element),
+    numbers = block();
   const box = driveBox((text) => take(text));
   const title = heading("A step on a valve");
   const go = job(
@@ -277,32 +243,29 @@ export const mount = (main) => {
     "motion",
     request,
     (answer) => {
-      run = answer;
-      paint();
-      shown.show(run);
+      run.value = answer;
+      shown.show(answer);
     },
-    { fields, shown: [shown.stage, numbers, charts.element] },
+    { fields, shown: [shown.stage, numbers, charts] },
   );
   main.replaceChildren(
     bench(
       "Step",
       [title, fields.element, go.element, numbers, box.element],
-      [shown.stage, shown.row, charts.element],
+      [shown.stage, shown.row, charts],
     ),
   );
-  const place = () => muscle.place("motion", { ...fields.texts(), drive });
 
   async function request() {
     const read = await fields.read();
     if (!read) return undefined;
-    place();
+    keepWords("motion", { ...fields.texts(), drive });
     const file = await muscle.file();
     return drive ? driven(drive, file, read.model) : motion(file, read);
   }
 
   /** @param {string} text a drive file; empty for a step */
   async function take(text) {
-    await pack(text);
     drive = text;
     offer();
     await go.run();
@@ -315,16 +278,13 @@ export const mount = (main) => {
     title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
   }
 
-  function paint() {
-    if (!run) return;
-    charts.show(run);
-    numbers.replaceChildren(figures(run), warnings(run.warnings));
-  }
-
-  onUnits(() => {
-    paint();
+  watch(() => {
+    const answer = run.value;
+    if (!answer) return;
+    pressure.show(pressureChart(answer));
+    way.show(wayChart(answer));
+    numbers.replaceChildren(figures(answer), warnings(answer.warnings));
     shown.again();
-    place();
   });
   return {
     async load(params) {

@@ -1,4 +1,5 @@
 // The muscle, alive: its measures as sliders, the deformed body, curves, and numbers.
+import { besideView } from "../bench/beside.js";
 import { controlsView } from "../bench/controls.js";
 import { curvesView } from "../bench/curves.js";
 import { numbersView } from "../bench/numbers.js";
@@ -6,7 +7,8 @@ import { stageView } from "../bench/stage.js";
 import { OWN, Store } from "../bench/store.js";
 import { block, dim, mainButton, problemBox, remark, say } from "../dom.js";
 import { muscle } from "../muscle.js";
-import { asBuilt, modelPull, onUnits } from "../units.js";
+import { asBuilt, modelPull } from "../units.js";
+import { watch } from "../watch.js";
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -14,8 +16,9 @@ export const mount = (main) => {
     said = block();
   const store = new Store((on) => busy.classList.toggle("on", on));
   const controls = controlsView(store);
-  const stage = stageView(store, busy),
-    curves = curvesView(store),
+  const beside = besideView(store),
+    stage = stageView(store, busy),
+    curves = curvesView(store, beside.series),
     numbers = numbersView(store);
   main.replaceChildren(
     block(
@@ -24,58 +27,39 @@ export const mount = (main) => {
       block(
         "middle",
         stage.stage,
-        stage.tools,
-        curves.element,
-        curves.points.element,
-        curves.advanced,
+        block("row", ...stage.tools, beside.hold),
+        ...curves,
+        beside.model,
+        beside.numbers,
       ),
       block("side", said, numbers.element),
     ),
   );
 
-  /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */
-  const stale = (on) => dim([stage.stage, numbers.element, curves.element], on);
-  store.on("answer", (pumped) => {
+  watch(() => {
+    const point = store.point.value;
+    if (point) say(`Pulls ${asBuilt(point)} as built, ${modelPull(point)}`);
+  });
+  watch(() => {
+    const problem = store.problem.value?.problem;
+    // What is shown belongs to the last muscle that had an answer.
+    dim([stage.stage, numbers.element, curves[0]], Boolean(problem));
     said.replaceChildren();
-    stale(false);
-    const { point } = store;
-    if (!pumped && point) say(`Pulls ${asBuilt(point)} as built, ${modelPull(point)}`);
-  });
-  store.on("problem", ({ problem }) => {
-    const again = mainButton("Try again", () => store.ask());
-    const old = remark("The last result is shown.");
-    said.replaceChildren(
-      problemBox(problem),
-      store.shape ? old : "",
-      problem.kind === "engine" ? again : "",
-    );
-    stale(true);
-  });
-  onUnits(() => {
-    stage.units();
-    numbers.paint();
-    curves.draw();
-    store.settle();
+    if (!problem) return;
+    said.append(problemBox(problem), store.shape.peek() ? remark("The last result is shown.") : "");
+    if (problem.kind === "engine") said.append(mainButton("Try again", () => store.ask()));
   });
 
   return {
     async load(params) {
-      await muscle.read(params, OWN);
+      await muscle.read(params, Object.keys(OWN));
       controls.braids();
-      const word = (/** @type {string} */ key, usual = "") => params.get(key) ?? usual;
-      Object.assign(store.wanted, {
-        test: word("test", "isobaric"),
-        show: word("show", "max_stretch"),
-        cut: word("cut"),
-        over: word("over").split(",")[0],
-      });
-      curves.load();
-      store.tell("sync");
+      const words = Object.entries(OWN).map(([key, usual]) => [key, params.get(key) ?? usual]);
+      store.wanted.value = Object.fromEntries(words);
       controls.anchor();
       controls.revealAll();
       store.ask();
       store.follow();
-      curves.points.read();
     },
   };
 };

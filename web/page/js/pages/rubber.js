@@ -6,9 +6,10 @@ import { block, capital, folded, heading, paragraph, remark } from "../dom.js";
 import { Figures } from "../figure.js";
 import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
 import { example, muscleButtons } from "../gallery.js";
-import { fileOf, keepFile } from "../kept.js";
+import { fileOf, keepFile, keepWords } from "../kept.js";
 import { muscle } from "../muscle.js";
-import { number, onUnits, show } from "../units.js";
+import { number, show } from "../units.js";
+import { signal, watch } from "../watch.js";
 
 /** @typedef {Commands["rubber"]["answer"]} Answer */
 /** @typedef {Answer["laws"][number]} Law */
@@ -61,7 +62,7 @@ function row(law, answer) {
 
 /** @type {Mount} */
 export const mount = (main) => {
-  /** @type {Answer | undefined} */ let found;
+  const found = signal(/** @type {Answer | undefined} */ (undefined));
   let data = fileOf("rubber");
   const fields = form(FIELDS, () => fit.run()),
     figures = new Figures("rubber");
@@ -74,7 +75,7 @@ export const mount = (main) => {
     async () => {
       const read = await fields.read();
       if (!read) return;
-      place();
+      keepWords("rubber", fields.texts());
       // Until there is a table of one's own the page shows what it does.
       data ??= { name: EXAMPLE, text: await example(EXAMPLE) };
       cells.show(data.text);
@@ -90,8 +91,7 @@ export const mount = (main) => {
       };
     },
     (answer) => {
-      found = answer;
-      paint();
+      found.value = answer;
       figures.show(answer.figure);
     },
     { fields, shown: [laws, figures.element], minor: true },
@@ -112,7 +112,6 @@ export const mount = (main) => {
       [understood, laws, figures.element],
     ),
   );
-  const place = () => muscle.place("rubber", fields.texts());
 
   /** @param {string} name @param {string} text */
   function take(name, text) {
@@ -120,10 +119,10 @@ export const mount = (main) => {
     keepFile("rubber", data);
     return fit.run();
   }
-  function paint() {
-    if (!found) return;
-    const answer = found,
-      file = answer.muscle_file;
+  watch(() => {
+    const answer = found.value;
+    if (!answer) return;
+    const file = answer.muscle_file;
     understood.textContent =
       `${fileOf("rubber") ? "" : "An example, Treloar (1944): "}${answer.understood.map(({ data }) => data).join(", ")}: ${answer.points} points up to a ` +
       `stretch of ${number(answer.fitted_to_stretch, 3)}. ${columnLine(answer.understood[0].columns)}`;
@@ -149,10 +148,6 @@ export const mount = (main) => {
           )
         : "",
     );
-  }
-  onUnits(() => {
-    paint();
-    place();
   });
   return {
     async load(params) {

@@ -5,3 +5,5 @@ export function unzipSync(
   bytes: Uint8Array,
   options?: { filter?: (file: { name: string; originalSize: number }) => boolean },
 ): Files;
+export function deflateSync(bytes: Uint8Array): Uint8Array<ArrayBuffer>;
+export function inflateSync(bytes: Uint8Array): Uint8Array<ArrayBuffer>;

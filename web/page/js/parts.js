@@ -1,22 +1,11 @@
 // Parts that one can buy or cast: tubes, sleeves and rubbers; a button puts one into the muscle.
-import { engine } from "../ask.js";
-import { address } from "../address.js";
-import { choice } from "../controls.js";
-import {
-  block,
-  button,
-  capital,
-  el,
-  folded,
-  notice,
-  noticeProblem,
-  problemBox,
-  textField,
-} from "../dom.js";
-import { table } from "../form.js";
-import { muscle } from "../muscle.js";
-import { inWords, number, onUnits, show, showLength, showPressure, showRatio } from "../units.js";
-import { library } from "../gallery.js";
+import { answerTo } from "./ask.js";
+import { choice } from "./controls.js";
+import { block, button, capital, dialog, el, folded, problemBox, textField } from "./dom.js";
+import { problemOf } from "./engine/problem.js";
+import { table } from "./form.js";
+import { muscle, visit } from "./muscle.js";
+import { inWords, number, show, showLength, showPressure, showRatio } from "./units.js";
 
 /** @typedef {Commands["parts-list"]["answer"]} Parts */
 /** @typedef {"tubes" | "sleeves" | "rubbers"} Kind */
@@ -25,10 +14,8 @@ import { library } from "../gallery.js";
  * Said
  */
 /**
- * A row: the name, cells, words that a filter looks at too, its outer or possible diameters, and
- * what it says of the muscle.
- * @typedef {{ name: string, cells: (string | Node)[], words: string, low: number, high: number,
- * said: Said }} Row
+ * A row: the name, cells, the diameters that a sleeve is for, and what it says of the muscle.
+ * @typedef {{ name: string, cells: (string | Node)[], low?: number, high?: number, said: Said }} Row
  */
 
 const estimate = (/** @type {string} */ text) => el("span", { class: "estimated" }, text);
@@ -46,9 +33,6 @@ const LISTS = {
     rows: ({ tubes }) =>
       tubes.map((t) => ({
         name: t.name,
-        low: t.outer_diameter_mm,
-        high: t.outer_diameter_mm,
-        words: `${t.source} ${t.note}`,
         said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
         cells: [
           showLength(t.inner_diameter_mm),
@@ -80,7 +64,6 @@ const LISTS = {
         name: s.name,
         low: s.least_diameter_mm,
         high: s.largest_diameter_mm,
-        words: s.source,
         said: { braid: s.name },
         cells: [
           s.title,
@@ -99,9 +82,6 @@ const LISTS = {
     rows: ({ rubbers }) =>
       rubbers.map((r) => ({
         name: r.name,
-        low: 0,
-        high: Infinity,
-        words: r.source,
         said: { rubber: r.name },
         cells: [
           r.title,
@@ -115,10 +95,7 @@ const LISTS = {
 };
 
 const LISTED = /** @type {Kind[]} */ (Object.keys(LISTS));
-const KINDS = /** @type {[string, string][]} */ ([
-  ...LISTED.map((kind) => [kind, capital(kind)]),
-  ["muscles", "Measured muscles"],
-]);
+const KINDS = LISTED.map((kind) => /** @type {[string, string]} */ ([kind, capital(kind)]));
 
 /**
  * What of a sleeve no seller states.
@@ -138,33 +115,31 @@ function estimated({ missing, stiffness_factor: factor }) {
 }
 
 /** Whether all words occur. @param {Row} row @param {string} find */
-function fitsFilter(row, find) {
-  const cells = row.cells.filter((cell) => typeof cell === "string").join(" ");
-  const words = `${row.name} ${row.words} ${cells}`.toLowerCase();
+function fitsFilter({ name, cells }, find) {
+  const text = [name, ...cells.map((cell) => (typeof cell === "string" ? cell : cell.textContent))];
   return find
     .toLowerCase()
     .split(/[\s,]+/)
-    .every((word) => words.includes(word));
+    .every((word) => text.join(" ").toLowerCase().includes(word));
 }
 
 /** Whether a sleeve can have the diameter of the muscle. @param {Row} row */
-function isFor({ low, high }) {
-  const d = muscle.shown?.outer_diameter_mm;
-  return d === undefined || (d >= low - 1e-9 && d <= high + 1e-9);
+function isFor({ low = 0, high = Infinity }) {
+  const d = muscle.shown?.outer_diameter_mm ?? low;
+  return d >= low - 1e-9 && d <= high + 1e-9;
 }
 
-/** A part in the muscle, where it can be there. @param {Row} row */
+/** A part in the muscle, where it can be there; else why not. @param {Row} row */
 async function putInto(row) {
   const before = muscle.state;
   for (const [key, value] of Object.entries(row.said)) muscle.set(key, value);
   try {
     await muscle.look();
-    return true;
+    return "";
   } catch (problem) {
     muscle.state = before;
     await muscle.look().catch(() => {});
-    noticeProblem(problem, `${row.name} does not go into this muscle:`);
-    return false;
+    return inWords(problemOf(problem).message);
   }
 }
 
@@ -174,109 +149,86 @@ function check(id, text, changed) {
   return { box, row: el("label", { for: id }, box, ` ${text}`) };
 }
 
-/** @type {Mount} */
-export const mount = (main) => {
-  /** @type {Parts | undefined} */ let parts;
-  const state = { kind: "tubes", find: "" };
-  const kind = choice("Show", KINDS, state.kind, (name) => {
-    state.kind = name;
-    changed();
+/** Which list is shown, and what is looked for: as it was left. */
+const wanted = { kind: "tubes", find: "" };
+/** @type {Promise<Parts> | undefined} */ let asked;
+/** All parts, once. */
+async function allParts() {
+  const ask = (/** @type {Kind} */ kind) => answerTo("parts-list", { kind }),
+    [tubes, { sleeves }, { rubbers }] = await Promise.all(LISTED.map(ask));
+  return { ...tubes, sleeves, rubbers };
+}
+
+/** Parts in a window over the page. */
+export function partsDialog() {
+  const kind = choice("Show", KINDS, (name) => {
+    wanted.kind = name;
+    paint();
   });
+  kind.set(wanted.kind);
   const find = textField({
     id: "parts-find",
     placeholder: "latex, silicone, 10 mm",
+    value: wanted.find,
     oninput: () => {
-      state.find = find.value.trim();
-      changed();
+      wanted.find = find.value.trim();
+      paint();
     },
   });
-  const fits = check("parts-fits", "fits the muscle's diameter", changed),
-    cast = check("parts-sold", "sold only", changed);
+  const fits = check("parts-fits", "fits the muscle's diameter", () => paint()),
+    sold = check("parts-sold", "sold only", () => paint());
   const list = block("parts-list"),
     count = el("p", { class: "small soft", role: "status" }),
     filter = el("label", { for: "parts-find" }, "Filter");
+  const fail = (/** @type {unknown} */ problem) => list.replaceChildren(problemBox(problem));
+  /** @type {Parts | undefined} */ let parts;
+
+  const matches = (/** @type {Row} */ row) =>
+    fitsFilter(row, wanted.find) &&
+    (!fits.box.checked || isFor(row)) &&
+    !(sold.box.checked && wanted.kind === "tubes" && row.cells.includes("cast"));
+
+  function paint() {
+    sold.row.hidden = wanted.kind !== "tubes";
+    fits.row.hidden = wanted.kind !== "sleeves";
+    if (!parts) return;
+    const { head, text, rows } = LISTS[/** @type {Kind} */ (wanted.kind)],
+      all = rows(parts),
+      shown = all.filter(matches);
+    count.textContent = `${shown.length} of ${all.length} ${wanted.kind}. Values missing from data sheets are marked "estimated".`;
+    const use = `Use this ${wanted.kind.slice(0, -1)}`;
+    const put = (/** @type {Row} */ row) =>
+      button(use, () => take(row), { ariaLabel: `${use}: ${row.name}` });
+    const cells = shown.map((row) => [row.name, put(row), ...row.cells]);
+    list.replaceChildren(table(head, cells, { text, label: wanted.kind }));
+  }
+
+  /** @param {Row} row */
+  async function take(row) {
+    const problem = await putInto(row);
+    count.textContent = problem
+      ? `${row.name} does not go into this muscle: ${problem}`
+      : `${row.name} is in the muscle now.`;
+    if (!problem) visit(document.body.dataset.page ?? "muscle", {});
+  }
+
   const line = block(
     "parts-filter",
     kind.element,
     block("choice", filter, find),
     fits.row,
-    cast.row,
+    sold.row,
   );
-  main.replaceChildren(line, count, list);
-
-  const place = () =>
-    muscle.place("parts", {
-      kind: state.kind === "tubes" ? "" : state.kind,
-      find: state.find,
-      fits: fits.box.checked ? "1" : "",
-      sold: cast.box.checked ? "1" : "",
-    });
-  function changed() {
-    place();
-    paint();
-  }
-
-  const matches = (/** @type {Row} */ row) =>
-    fitsFilter(row, state.find) &&
-    !(fits.box.checked && state.kind === "sleeves" && !isFor(row)) &&
-    !(cast.box.checked && state.kind === "tubes" && row.cells.includes("cast"));
-
-  function paint() {
-    if (!parts) return;
-    find.disabled = state.kind === "muscles";
-    cast.row.hidden = state.kind !== "tubes";
-    fits.row.hidden = state.kind !== "sleeves";
-    if (find.disabled) {
-      count.textContent = "Muscles whose pulls were measured. Open one: it becomes the muscle.";
-      return list.replaceChildren(library((problem) => list.replaceChildren(problemBox(problem))));
-    }
-    const { head, text, rows } = LISTS[/** @type {Kind} */ (state.kind)],
-      all = rows(parts),
-      shown = all.filter(matches);
-    count.textContent = `${shown.length} of ${all.length} ${state.kind}. Values missing from data sheets are marked "estimated".`;
-    const use = `Use this ${state.kind.slice(0, -1)}`;
-    const put = (/** @type {Row} */ row) =>
-      button(use, () => take(row), { ariaLabel: `${use}: ${row.name}` });
-    const cells = shown.map((row) => [row.name, put(row), ...row.cells]);
-    list.replaceChildren(table(head, cells, { text, label: state.kind }));
-  }
-
-  /** @param {Row} row */
-  async function take(row) {
-    if (!(await putInto(row))) return;
-    place();
-    paint();
-    notice(
-      `${row.name} is in the muscle now.`,
-      el("a", { href: address("muscle", muscle.params()) }, "See it move"),
-    );
-  }
-
-  onUnits(() => {
-    paint();
-    place();
-  });
-  return {
-    async load(params) {
-      await muscle.read(params, ["kind", "find", "fits", "sold"]);
-      const asked = params.get("kind") ?? "tubes";
-      state.kind = KINDS.some(([name]) => name === asked) ? asked : "tubes";
-      kind.set(state.kind);
-      if (document.activeElement !== find) find.value = params.get("find") ?? "";
-      state.find = find.value.trim();
-      fits.box.checked = params.has("fits");
-      cast.box.checked = params.has("sold");
-      try {
-        if (!parts) {
-          const kinds = await Promise.all(
-            LISTED.map((kind) => engine().ask("parts-list", { kind })),
-          );
-          parts = { ...kinds[0], sleeves: kinds[1].sleeves, rubbers: kinds[2].rubbers };
-        }
-        paint();
-      } catch (problem) {
-        list.replaceChildren(problemBox(problem));
-      }
+  dialog("Parts", () => [line, count, list]);
+  asked ??= allParts();
+  asked.then(
+    (found) => {
+      parts = found;
+      paint();
     },
-  };
-};
+    (problem) => {
+      asked = undefined;
+      fail(problem);
+    },
+  );
+}
