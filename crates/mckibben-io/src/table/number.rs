@@ -66,11 +66,10 @@ fn cut(text: &str) -> Option<(&str, &str)> {
     let mut seen = false;
     for (at, c) in text.char_indices() {
         let behind = &text[at + c.len_utf8()..];
-        let digit_follows = behind.starts_with(|c: char| c.is_ascii_digit());
         let inside = match c {
             '0'..='9' => true,
             '+' | '-' | '−' | '–' => at == 0 || text[..at].ends_with(['e', 'E']),
-            '.' | ',' => seen || digit_follows,
+            '.' | ',' => seen || behind.starts_with(|c: char| c.is_ascii_digit()),
             'e' | 'E' => seen && exponent_follows(behind) && !text[..at].contains(['e', 'E']),
             c if is_space(c) => seen && groups_follow(behind),
             _ => false,
@@ -107,11 +106,11 @@ pub fn number(text: &str, decimal: Decimal) -> Result<(f64, &str), NoNumber> {
         .filter(|c| !is_space(*c))
         .map(|c| if matches!(c, '−' | '–') { '-' } else { c })
         .collect();
-    let plain = match (decimal, evidence(number)) {
-        (_, None) if !plain.contains(['.', ',']) => plain,
-        (Decimal::Unknown, _) => return Err(NoNumber::Ambiguous),
-        (Decimal::Point, _) => without_groups(&plain, ',', '.').ok_or(NoNumber::Ambiguous)?,
-        (Decimal::Comma, _) => without_groups(&plain, '.', ',')
+    let plain = match decimal {
+        _ if !plain.contains(['.', ',']) => plain,
+        Decimal::Unknown => return Err(NoNumber::Ambiguous),
+        Decimal::Point => without_groups(&plain, ',', '.').ok_or(NoNumber::Ambiguous)?,
+        Decimal::Comma => without_groups(&plain, '.', ',')
             .ok_or(NoNumber::Ambiguous)?
             .replace(',', "."),
     };
