@@ -245,48 +245,15 @@ fn point_of(
 }
 
 /// A muscle that does not fit, and why.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Rejected {
-    /// Outer diameter D0, mm.
-    pub outer_diameter_mm: f64,
-    /// Wall s, mm.
-    pub wall_mm: f64,
-    /// Length L0, mm.
-    pub length_mm: f64,
-    /// Braid angle θ0, degrees.
-    pub angle_deg: f64,
+    pub muscle: Muscle,
     /// So many of it side by side.
     pub count: u32,
-    /// Name of the rubber, where it has one.
-    pub rubber: Option<String>,
-    /// Name of the sleeve, where it has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sleeve: Option<String>,
     /// The probability that it meets every point, apart from its other limits.
     pub chance: Option<f64>,
     /// The shares by which it misses its limits, summed.
     pub misses_by: f64,
     /// The bound it breaks by most.
-    #[serde(skip)]
     pub check: Check,
-    #[serde(skip)]
-    pub muscle: Muscle,
-}
-
-impl Rejected {
-    pub(crate) fn new(muscle: Muscle, held: &Held, check: Check) -> Self {
-        Self {
-            outer_diameter_mm: muscle.outer_diameter_mm(),
-            wall_mm: muscle.wall_mm(),
-            length_mm: muscle.length_mm(),
-            angle_deg: muscle.braid().angle_deg,
-            count: held.count,
-            rubber: muscle.tube().rubber.name.clone(),
-            sleeve: muscle.braid().sleeve.as_ref().map(|s| s.name.clone()),
-            chance: held.chance,
-            misses_by: held.miss(),
-            check,
-            muscle,
-        }
-    }
 }

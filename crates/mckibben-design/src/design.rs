@@ -1,15 +1,18 @@
 //! The main job: what to take, what else there is, and where nothing does what would have to give.
 
 use crate::{
-    Candidate, Limits, Models, Rejected, Relaxation, Spec, SpecError,
+    Candidate, Limits, Models, Objective, Rejected, Relaxation, Spec, SpecError,
     assess::Assessed,
     bundle::{Bundle, of_candidate},
     enumerate::Place,
     held::{Held, Job, Precision},
     relaxation::relaxations,
-    search::{Query, Search},
+    search::Search,
 };
-use mckibben_core::progress::{Progress, Silent};
+use mckibben_core::{
+    muscle::{Muscle, Tube},
+    progress::{Progress, Silent},
+};
 use serde::Serialize;
 
 /// Chances for which the width of a muscle is told.
@@ -86,12 +89,11 @@ pub fn design_with(
         ..spec.clone()
     };
     let search = Search::new(spec, models, progress)?;
-    let query = query_of(spec);
-    let held = search.answer(query, spec.top);
+    let held = search.answer(spec, None, spec.top);
     let candidates: Vec<Candidate> = held.iter().filter_map(|h| search.candidate(h)).collect();
     let choices = match candidates.first() {
-        Some(first) => search.choices(query, first),
-        None => search.best_chances(query),
+        Some(first) => search.choices(first),
+        None => search.best_chances(),
     };
     progress.check()?;
     let relaxations = match candidates.is_empty() {
@@ -102,7 +104,7 @@ pub fn design_with(
     let outcome = Outcome {
         bundle: bundle.map(|first| of_candidate(spec, models.decides(), first)),
         choices,
-        rejected: search.rejected(),
+        rejected: search.rejected(candidates.is_empty()),
         looked_at: (
             search.looked_at,
             search.screened.iter().filter(|held| held.fits()).count(),
@@ -114,89 +116,79 @@ pub fn design_with(
     Ok(outcome)
 }
 
-/// What a specification asks of its list.
-pub fn query_of(spec: &Spec) -> Query {
-    Query {
-        certainty: spec.certainty,
-        counts: (spec.count, spec.most_side_by_side.max(spec.count)),
-        cast: None,
-        by_chance: false,
-    }
-}
-
 impl Search<'_> {
-    fn best(&self, kind: ChoiceKind, query: Query) -> Option<Choice> {
-        let candidate = self.candidate(self.answer(query, 1).first()?)?;
+    fn best(&self, kind: ChoiceKind, spec: &Spec, cast: Option<bool>) -> Option<Choice> {
+        let candidate = self.candidate(self.answer(spec, cast, 1).first()?)?;
         Some(Choice { kind, candidate })
     }
 
     /// The first beside those of other chances, of the other make and number, and as sold.
-    fn choices(&self, query: Query, first: &Candidate) -> Vec<Choice> {
-        let (least, most) = query.counts;
-        let mut queries = vec![];
-        if let Some(certainty) = query.certainty {
-            let others = CHANCES.into_iter().filter(|chance| *chance != certainty);
-            queries.extend(others.map(|chance| {
-                let query = Query {
-                    certainty: Some(chance),
-                    ..query
-                };
-                (ChoiceKind::Chance, query)
-            }));
-        }
-        let (make, number) = match first.is_cast {
-            true => (ChoiceKind::Sold, (ChoiceKind::One, (least, least))),
-            false => (ChoiceKind::Cast, (ChoiceKind::One, (least, least))),
+    fn choices(&self, first: &Candidate) -> Vec<Choice> {
+        let spec = self.spec;
+        let others = CHANCES
+            .into_iter()
+            .filter(|chance| spec.certainty.is_some_and(|c| c != *chance));
+        let of_chance = |chance: f64| {
+            let spec = Spec {
+                certainty: Some(chance),
+                ..spec.clone()
+            };
+            self.best(ChoiceKind::Chance, &spec, None)
         };
-        if !self.spec.tubes.is_empty() {
-            let cast = Some(!first.is_cast);
-            queries.push((make, Query { cast, ..query }));
-        }
-        if first.count > least {
-            queries.push((
-                number.0,
-                Query {
-                    counts: number.1,
-                    ..query
-                },
-            ));
-        } else if most > least {
-            let counts = (least + 1, most);
-            queries.push((ChoiceKind::Several, Query { counts, ..query }));
-        }
-        let take = Choice {
+        let make = if first.is_cast {
+            ChoiceKind::Sold
+        } else {
+            ChoiceKind::Cast
+        };
+        let of_make = (!spec.tubes.is_empty())
+            .then(|| self.best(make, spec, Some(!first.is_cast)))
+            .flatten();
+        let (number, counts) = match first.count > spec.count {
+            true => (ChoiceKind::One, (spec.count, spec.count)),
+            false => (
+                ChoiceKind::Several,
+                (spec.count + 1, spec.most_side_by_side),
+            ),
+        };
+        let of_number = (counts.0 <= counts.1)
+            .then(|| self.best(number, &of_counts(spec, counts), None))
+            .flatten();
+        let is_other = |choice: &Choice| {
+            let is_smaller = choice.candidate.envelope_mm() < first.envelope_mm();
+            choice.candidate.muscle != first.muscle
+                && (choice.kind != ChoiceKind::Several || is_smaller)
+        };
+        let mut choices = vec![Choice {
             kind: ChoiceKind::Take,
             candidate: first.clone(),
-        };
-        let others = queries
-            .into_iter()
-            .filter_map(|(kind, query)| self.best(kind, query));
-        let is_other = |choice: &Choice| {
-            let same = choice.candidate.muscle == first.muscle;
-            let smaller = choice.candidate.envelope_mm() < first.envelope_mm();
-            !same && (choice.kind != ChoiceKind::Several || smaller)
-        };
-        let mut choices = vec![take];
+        }];
+        let others = others.filter_map(of_chance).chain(of_make).chain(of_number);
         choices.extend(others.filter(is_other));
         choices.extend(self.products(first.radius_mm));
         choices
     }
 
     /// Where nothing reaches the certainty: the best chance of one, and of as many as may be.
-    fn best_chances(&self, query: Query) -> Vec<Choice> {
-        let (least, most) = query.counts;
-        let numbers = [(ChoiceKind::One, least), (ChoiceKind::Several, most)];
-        let numbers = numbers.into_iter().take(if most > least { 2 } else { 1 });
+    fn best_chances(&self) -> Vec<Choice> {
+        let spec = self.spec;
+        let numbers = [
+            (ChoiceKind::One, spec.count),
+            (ChoiceKind::Several, spec.most_side_by_side),
+        ];
         let best = |(kind, count): (ChoiceKind, u32)| {
-            let query = Query {
-                certainty: Some(query.certainty?.min(LEAST_CHANCE)),
-                counts: (count, count),
-                by_chance: true,
-                ..query
+            let spec = Spec {
+                certainty: Some(spec.certainty?.min(LEAST_CHANCE)),
+                objective: Objective::Chance,
+                ..of_counts(spec, (count, count))
             };
-            self.best(kind, query)
+            self.best(kind, &spec, None)
         };
-        numbers.filter_map(best).collect()
+        let several = usize::from(spec.most_side_by_side > spec.count);
+        numbers
+            .into_iter()
+            .take(1 + several)
+            .filter_map(best)
+            .collect()
     }
 
     /// The muscles as sold that would do. Burst, strands and rubber are their seller's matter.
@@ -213,11 +205,12 @@ impl Search<'_> {
                 products: vec![],
                 ends: None,
                 limits: Limits {
-                    bulged_diameter_mm: spec.limits.bulged_diameter_mm,
-                    envelope_mm: spec.limits.envelope_mm,
-                    mass_g: spec.limits.mass_g,
-                    liquid_volume_mm3: spec.limits.liquid_volume_mm3,
-                    ..Limits::default()
+                    burst_margin: None,
+                    tube_margin: None,
+                    strand_strain: None,
+                    stretch: None,
+                    fitted_stretch: false,
+                    ..spec.limits
                 },
                 ..spec.clone()
             };
@@ -244,12 +237,18 @@ impl Search<'_> {
     }
 }
 
+/// A specification of other numbers side by side.
+fn of_counts(spec: &Spec, (count, most_side_by_side): (u32, u32)) -> Spec {
+    Spec {
+        count,
+        most_side_by_side,
+        ..spec.clone()
+    }
+}
+
 /// A muscle as sold at the length that is stated, to which it is cut; `None` where its own lies
 /// outside of the lengths that are searched.
-fn cut(
-    spec: &Spec,
-    muscle: &mckibben_core::muscle::Muscle,
-) -> Option<mckibben_core::muscle::Muscle> {
+fn cut(spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
     if let Some(lengths) = &spec.length_mm {
         let (low, high) = lengths.bounds();
         let is_inside = (low..=high).contains(&muscle.length_mm());
@@ -259,7 +258,7 @@ fn cut(
         return Some(muscle.clone());
     }
     // The ± of its bench is that of its own length: the other one has the general ±.
-    let tube = mckibben_core::muscle::Tube {
+    let tube = Tube {
         length_mm: spec.base.length_mm(),
         ..muscle.tube().clone()
     };

@@ -1,8 +1,7 @@
 //! Where nothing fits: the list again with one requirement freed, the smallest change of each kind.
 
 use crate::{
-    Below, Demand, Lift, Limit, OperatingPoint, Spec, assess::Assessed, held::Held, limits::Show,
-    search::Search,
+    Below, Demand, Lift, Limit, Spec, assess::Assessed, held::Held, limits::Show, search::Search,
 };
 use mckibben_core::{
     analysis::{LEAST_SAFETY, PROVED, RELIEF, find_root},
@@ -25,15 +24,11 @@ pub enum Relaxation {
     Force {
         /// The share of what is wanted: of the pulls, of the load, or of the torques.
         share: f64,
-        /// The operating points as they could be.
-        points: Vec<OperatingPoint>,
     },
     /// Accept these contractions.
     Contraction {
         /// The share of what is wanted: of the contractions, or of the stroke.
         share: f64,
-        /// The operating points as they could be.
-        points: Vec<OperatingPoint>,
     },
     /// Accept this chance.
     Certainty {
@@ -80,8 +75,8 @@ impl Relaxation {
             Self::MaxPressure { pressure_mpa } => {
                 (spec.max_pressure_mpa, spec.extrapolate) = (*pressure_mpa, true);
             }
-            Self::Force { share, .. } => spec.wanted = spec.wanted.times(*share),
-            Self::Contraction { share, .. } => spec.wanted = spec.wanted.shorter(*share),
+            Self::Force { share } => spec.wanted = spec.wanted.times(*share),
+            Self::Contraction { share } => spec.wanted = spec.wanted.shorter(*share),
             Self::Certainty { certainty } => spec.certainty = Some(*certainty),
             Self::MaxBulgedDiameter { bulged_diameter_mm } => {
                 limits.bulged_diameter_mm = Some(*bulged_diameter_mm);
@@ -110,8 +105,13 @@ impl Relaxation {
                     show(Dimension::Pressure, *pressure_mpa)
                 )
             }
-            Self::Force { points, share } => match &spec.wanted {
-                Demand::Points(_) => format!("reduce the pull to {}", listed(points, show)),
+            Self::Force { share } => match &spec.wanted {
+                Demand::Points(_) => {
+                    format!(
+                        "reduce the pull to {}",
+                        listed(&spec.wanted.times(*share), show)
+                    )
+                }
                 Demand::Load { .. } => format!("reduce the load to {} of it", percent(*share)),
                 Demand::Joint(joint) => {
                     let torques = joint.torques.iter().map(|t| {
@@ -121,12 +121,15 @@ impl Relaxation {
                     format!("reduce the torque to {}", joined(torques, " and "))
                 }
             },
-            Self::Contraction { points, share } => match spec.wanted {
+            Self::Contraction { share } => match spec.wanted {
                 Demand::Load {
                     way: Lift::Stroke(stroke_mm),
                     ..
                 } => format!("reduce the stroke to {}", mm(share * stroke_mm)),
-                _ => format!("reduce the contraction: {}", listed(points, show)),
+                _ => format!(
+                    "reduce the contraction: {}",
+                    listed(&spec.wanted.shorter(*share), show)
+                ),
             },
             Self::Certainty { certainty } => {
                 format!("accept a chance of {} (`certainty`)", percent(*certainty))
@@ -156,7 +159,8 @@ impl Relaxation {
 }
 
 /// Operating points with the pull of all muscles together.
-fn listed(points: &[OperatingPoint], show: Show<'_>) -> String {
+fn listed(wanted: &Demand, show: Show<'_>) -> String {
+    let points = wanted.points(1.0);
     let points = points.iter().map(|q| {
         let force = show(Dimension::Force, q.force_n);
         format!("{force} at {}", percent(q.contraction))
@@ -292,19 +296,16 @@ fn change(search: &Search<'_>, held: &Held, freed: Freed) -> Option<Change> {
         checks.max_by_number(|c| c.excess())
     };
     let wanted = spec.wanted.on_radius(held.radius_mm);
-    let length_mm = held.place.length_mm;
     match freed {
         Freed::Pull => {
             let pull = of(Limit::Force)?;
             let share = Some(pull.value / pull.bound).filter(|share| *share > 0.0)?;
             let share = three_digits(share * wanted.size(), false) / wanted.size();
-            let points = wanted.times(share).points(length_mm).into_owned();
-            Some((-share.ln(), Relaxation::Force { share, points }))
+            Some((-share.ln(), Relaxation::Force { share }))
         }
         Freed::Way => {
             let share = shorter(search, held, wanted.way()?)?;
-            let points = wanted.shorter(share).points(length_mm).into_owned();
-            Some((-share.ln(), Relaxation::Contraction { share, points }))
+            Some((-share.ln(), Relaxation::Contraction { share }))
         }
         Freed::Certainty => {
             let certainty = (100.0 * held.chance?).floor() / 100.0;

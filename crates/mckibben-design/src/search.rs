@@ -37,19 +37,6 @@ const CHUNK: usize = 4;
 /// More near misses than are printed: others may be closer by the model that decides.
 const SPARE: usize = 3;
 
-/// What is asked of the list.
-#[derive(Clone, Copy)]
-pub struct Query {
-    /// The chance that is required; none where the median decides.
-    pub certainty: Option<f64>,
-    /// Fewest and most side by side.
-    pub counts: (u32, u32),
-    /// Only tubes that are cast, or only such that are not.
-    pub cast: Option<bool>,
-    /// Whether what has the best chance is the first.
-    pub by_chance: bool,
-}
-
 /// The list of a specification.
 pub struct Search<'a> {
     pub spec: &'a Spec,
@@ -122,62 +109,57 @@ impl<'a> Search<'a> {
         by_ideal: bool,
     ) -> Result<Vec<Held>, MuscleError> {
         let muscle = place.muscle(self.spec)?;
-        let ideal = Ideal::between_ends(&muscle);
-        let supply_mpa = self.spec.supply_share * self.spec.max_pressure_mpa;
-        let count = f64::from(self.spec.count);
         let screens = |m: &Muscle| self.models.screens(m);
-        let on = |assessed: &mut Assessed<'_>, radius_mm: f64| {
-            let whole = self.spec.wanted.on_radius(radius_mm);
-            let points = whole.points(muscle.length_mm());
-            let most = muscle.max_ideal_contraction();
-            let rest_mm = muscle.outer_diameter_mm();
-            let room = room_on_pulley_mm(&whole, radius_mm, rest_mm);
-            let is_weak = |q: &OperatingPoint| {
-                let is_below = count * ideal.pull(supply_mpa, q.contraction) < q.force_n;
-                q.contraction >= most || by_ideal && is_below
-            };
-            if room.is_some_and(|room_mm| room_mm < rest_mm) || points.iter().any(is_weak) {
-                return None;
-            }
-            let (highest_mpa, below) = (assessed.highest_mpa, assessed.below);
+        let Ok(mut assessed) = Assessed::new(self.spec, &screens, &muscle) else {
+            return Ok(vec![]);
+        };
+        let (highest_mpa, below) = (assessed.highest_mpa, assessed.below);
+        let radii = radii.iter().filter(|r| self.may_do(&muscle, **r, by_ideal));
+        let on = |&radius_mm: &f64| {
+            (assessed.highest_mpa, assessed.below) = (highest_mpa, below);
             let job = Job {
                 place,
                 radius_mm,
                 count: None,
             };
-            let held = Held::new(assessed, job, Precision::Rough).ok();
-            (assessed.highest_mpa, assessed.below) = (highest_mpa, below);
-            held
+            Held::new(&mut assessed, job, Precision::Rough).ok()
         };
-        let Ok(mut assessed) = Assessed::new(self.spec, &screens, &muscle) else {
-            return Ok(vec![]);
-        };
-        let held = radii.iter().filter_map(|r| on(&mut assessed, *r));
-        Ok(held.collect())
+        Ok(radii.filter_map(on).collect())
     }
 
-    /// What holds by the model that decides, best first.
-    pub fn answer(&self, query: Query, top: usize) -> Vec<Held> {
-        let objective = if query.by_chance {
-            Objective::Chance
-        } else {
-            self.spec.objective
+    /// Whether a muscle contracts far enough, has room on the pulley, and where that is asked pulls
+    /// enough without a wall and rubber.
+    fn may_do(&self, muscle: &Muscle, radius_mm: f64, by_ideal: bool) -> bool {
+        let spec = self.spec;
+        let wanted = spec.wanted.on_radius(radius_mm);
+        let rest_mm = muscle.outer_diameter_mm();
+        let room = room_on_pulley_mm(&wanted, radius_mm, rest_mm);
+        let (most, ideal) = (muscle.max_ideal_contraction(), Ideal::between_ends(muscle));
+        let supply_mpa = spec.supply_share * spec.max_pressure_mpa;
+        let does = |q: &OperatingPoint| {
+            let pull_n = f64::from(spec.count) * ideal.pull(supply_mpa, q.contraction);
+            q.contraction / most < 1.0 && !(by_ideal && pull_n < q.force_n)
         };
-        let spec = Spec {
-            certainty: query.certainty,
-            count: query.counts.0,
-            most_side_by_side: query.counts.1,
-            objective,
-            ..self.spec.clone()
-        };
+        let points = wanted.points(muscle.length_mm());
+        room.is_none_or(|room_mm| rest_mm <= room_mm) && points.iter().all(does)
+    }
+
+    /// What holds by the model that decides, best first: by the objective, the certainty and the
+    /// counts of another specification of the same list, of one make where that is asked.
+    pub fn answer(&self, spec: &Spec, cast: Option<bool>, top: usize) -> Vec<Held> {
         let job = |held: &Held| {
             let job = Job {
                 count: None,
                 ..held.job()
             };
-            Some((least_rank(&spec, held, query)?, job))
+            Some((least_rank(spec, held)?, job))
         };
-        let mut likely: Vec<(f64, Job)> = self.screened.iter().filter_map(job).collect();
+        let mut likely: Vec<(f64, Job)> = self
+            .screened
+            .iter()
+            .filter(|held| cast.is_none_or(|cast| cast == held.is_cast))
+            .filter_map(job)
+            .collect();
         likely.sort_by_number(|one| one.0);
         let mut found: Vec<(f64, Held)> = vec![];
         for some in likely.chunks(CHUNK) {
@@ -188,15 +170,22 @@ impl<'a> Search<'a> {
             {
                 break;
             }
-            let one = |(_, job): &(f64, Job)| self.exact(&spec, *job).filter(Held::fits);
+            let one = |(_, job): &(f64, Job)| self.exact(spec, *job).filter(Held::fits);
             let held = threads::map(some, one).into_iter().flatten();
             found.extend(held.map(|held| {
-                let rank = preferred(&spec, &held, held.count, held.score[0]);
+                let rank = preferred(spec, &held, held.count, held.score[0]);
                 (rank, held)
             }));
             found.sort_by(|a, b| {
                 a.0.total_cmp(&b.0)
                     .then(a.1.score[1].total_cmp(&b.1.score[1]))
+            });
+            // Of the radii of a joint the best one stands for its muscle.
+            let mut known: Vec<Place> = vec![];
+            found.retain(|(_, held)| {
+                let is_new = !known.contains(&held.place);
+                known.push(held.place);
+                is_new
             });
         }
         let mut found = best_chance_first(found, spec.objective);
@@ -221,16 +210,23 @@ impl<'a> Search<'a> {
         Candidate::new(&mut assessed, held).ok()
     }
 
-    /// The muscles that miss by least, by the model that decides.
-    pub fn rejected(&self) -> Vec<Rejected> {
-        let mut near: Vec<&Held> = self.screened.iter().filter(|held| !held.fits()).collect();
+    /// The muscles that miss by least, by the model that decides; where none fits by it those that
+    /// fit by the fast one are among them.
+    pub fn rejected(&self, none_fits: bool) -> Vec<Rejected> {
+        let misses = |held: &&Held| none_fits || !held.fits();
+        let mut near: Vec<&Held> = self.screened.iter().filter(misses).collect();
         near.sort_by_number(|held| held.miss());
         near.truncate(self.spec.top + SPARE);
         let reject = |held: &&Held| {
             let exact = self.exact(self.spec, held.job())?;
-            let worst: Check = *exact.worst().filter(|c| c.excess() > 0.0)?;
-            let muscle = held.place.muscle(self.spec).ok()?;
-            Some(Rejected::new(muscle, &exact, worst))
+            let worst = *exact.worst().filter(|c| c.excess() > 0.0)?;
+            Some(Rejected {
+                muscle: held.place.muscle(self.spec).ok()?,
+                count: exact.count,
+                chance: exact.chance,
+                misses_by: exact.miss(),
+                check: worst,
+            })
         };
         let mut rejected: Vec<Rejected> =
             threads::map(&near, reject).into_iter().flatten().collect();
@@ -259,8 +255,8 @@ fn preferred(spec: &Spec, held: &Held, count: u32, score: f64) -> f64 {
 }
 
 /// The least that a muscle may be ranked by with the model that decides; `None` where it does not
-/// answer the query.
-fn least_rank(spec: &Spec, held: &Held, query: Query) -> Option<f64> {
+/// fit.
+fn least_rank(spec: &Spec, held: &Held) -> Option<f64> {
     let is_far_off = held.slenderness < SHORT || held.angle_deg > STEEP_DEG;
     let (rank, nearly) = if is_far_off { FAR_OFF } else { USUAL };
     let needed = least_count(&held.pulls, spec.deviations(), 1.0 - nearly);
@@ -276,7 +272,7 @@ fn least_rank(spec: &Spec, held: &Held, query: Query) -> Option<f64> {
         .iter()
         .filter(is_same)
         .any(|c| c.excess() > nearly);
-    if query.cast.is_some_and(|cast| cast != held.is_cast) || needed > f64::from(count) || missed {
+    if needed > f64::from(count) || missed {
         return None;
     }
     let score = match spec.objective {

@@ -334,6 +334,7 @@ impl Spec {
                 "the radius of the pulley",
                 self.radius_mm.as_ref().map(Values::bounds),
             ),
+            ("the pitch", self.pitch_mm.and_then(one)),
             ("`top`", one(self.top as f64)),
             ("`count`", one(f64::from(self.count))),
         ];

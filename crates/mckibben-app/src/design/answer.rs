@@ -179,41 +179,19 @@ pub struct CandidateJoint {
 }
 
 /// One of the choices of the decision.
-#[skip_serializing_none]
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ChoiceAnswer {
     /// What it is.
     pub kind: ChoiceKind,
     /// The chance in words, with how many there are side by side.
     pub name: String,
-    /// So many side by side.
-    pub count: u32,
     /// Tube and sleeve, or the product.
     pub parts: String,
-    /// The probability that a built one meets every point.
-    pub chance: Option<f64>,
-    /// Length between the terminals, mm.
-    pub length_mm: f64,
-    /// The larger of the bulged tube and its ends, of one, mm.
-    pub width_mm: f64,
     /// Diameter of the circle around all of them, mm.
     pub envelope_mm: f64,
-    /// Pressure to begin with, MPa.
-    pub pressure_mpa: f64,
-    /// Of those that do: nine of ten do at a pressure from this one, MPa,
-    pub pressure_low_mpa: Option<f64>,
-    /// to this one.
-    pub pressure_high_mpa: Option<f64>,
-    /// What is required of all of them at the first point, N.
-    pub force_n: f64,
-    /// The 95 % interval of what they pull there at the pressure to begin with, N.
-    pub predicted_low_n: Option<f64>,
-    /// Its upper end.
-    pub predicted_high_n: Option<f64>,
-    /// Air per stroke, normal litres.
-    pub air_normal_litres: Option<f64>,
-    /// Liquid per stroke, mm³.
-    pub liquid_volume_mm3: Option<f64>,
+    /// The muscle.
+    #[serde(flatten)]
+    pub candidate: CandidateAnswer,
 }
 
 /// A muscle that does not fit.
@@ -222,7 +200,13 @@ pub struct ChoiceAnswer {
 pub struct RejectedAnswer {
     /// The muscle.
     #[serde(flatten)]
-    pub muscle: Rejected,
+    pub muscle: MuscleSummary,
+    /// So many of it side by side.
+    pub count: u32,
+    /// The probability that it meets every point, apart from its other limits.
+    pub chance: Option<f64>,
+    /// The shares by which it misses its limits, summed.
+    pub misses_by: f64,
     /// The limit that it misses by most, in a sentence.
     pub reason: String,
     /// That limit.
@@ -382,7 +366,10 @@ impl CandidateAnswer {
 impl From<&Rejected> for RejectedAnswer {
     fn from(r: &Rejected) -> Self {
         Self {
-            muscle: r.clone(),
+            muscle: (&r.muscle).into(),
+            count: r.count,
+            chance: r.chance,
+            misses_by: r.misses_by,
             reason: r.check.describe(&|kind, v| Units::default().show(kind, v)),
             limit: r.check.limit,
         }

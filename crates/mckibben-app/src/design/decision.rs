@@ -1,7 +1,7 @@
 //! The decision: what to take and with which chance, which pressure to set, what it pulls, what to
 //! measure, and what limits it.
 
-use super::answer::ChoiceAnswer;
+use super::answer::{CandidateAnswer, ChoiceAnswer};
 use crate::{PressureLimits, UncertaintyWords, Units, number, percent, words::within};
 use mckibben_build::{proof_mpa, relief_mpa};
 use mckibben_core::{
@@ -183,11 +183,8 @@ impl Decision<'_> {
     }
 }
 
-impl From<&Choice> for ChoiceAnswer {
-    fn from(Choice { kind, candidate: c }: &Choice) -> Self {
-        let many = f64::from(c.count);
-        let point = c.points.first();
-        let built = point.and_then(|q| q.built);
+impl ChoiceAnswer {
+    pub(super) fn new(Choice { kind, candidate: c }: &Choice, spec: &Spec) -> Self {
         let is = match kind {
             ChoiceKind::Take => "take: ",
             ChoiceKind::Sold => "sold: ",
@@ -203,20 +200,9 @@ impl From<&Choice> for ChoiceAnswer {
         Self {
             kind: *kind,
             name: format!("{is}{chance}, {together}"),
-            count: c.count,
             parts: short_parts(c),
-            chance: c.chance,
-            length_mm: c.muscle.length_mm(),
-            width_mm: c.width_mm,
             envelope_mm: c.envelope_mm(),
-            pressure_mpa: c.pressure_mpa,
-            pressure_low_mpa: c.pressure_low_mpa,
-            pressure_high_mpa: c.pressure_high_mpa,
-            force_n: many * point.map_or(0.0, |q| q.wanted.force_n),
-            predicted_low_n: built.map(|built| many * built.predicted_low_n),
-            predicted_high_n: built.map(|built| many * built.predicted_high_n),
-            air_normal_litres: c.largest(|q| q.air_normal_litres).map(|l| many * l),
-            liquid_volume_mm3: c.largest(|q| q.liquid_volume_mm3).map(|v| many * v),
+            candidate: CandidateAnswer::new(c, spec),
         }
     }
 }

@@ -32,6 +32,7 @@ use mckibben_design::{Build, Candidate, CandidatePoint, Demand, Outcome, Spec, d
 use mckibben_report::Figure;
 use remedies::RelaxationAnswer;
 use spec::Search;
+pub use spec::design_ends;
 
 /// Curves are drawn of so many candidates.
 const DRAWN: usize = 3;
@@ -70,7 +71,7 @@ fn answered(search: &Search, found: &Outcome) -> Result<DesignAnswer> {
         policy,
         stated,
     } = search;
-    let candidates = found.candidates.iter();
+    let (candidates, choices) = (found.candidates.iter(), found.choices.iter());
     let decide = |m: &Muscle| policy.model.bound(m);
     let uncertainty_words = words(spec, &decide, found.candidates.first());
     let decision = Decision {
@@ -100,7 +101,7 @@ fn answered(search: &Search, found: &Outcome) -> Result<DesignAnswer> {
             .clone()
             .map(|c| CandidateAnswer::new(c, spec))
             .collect(),
-        choices: found.choices.iter().map(ChoiceAnswer::from).collect(),
+        choices: choices.map(|c| ChoiceAnswer::new(c, spec)).collect(),
         rejected: found.rejected.iter().map(RejectedAnswer::from).collect(),
         warnings: warnings(spec, found)?,
         closest: closest.map(|rejected| ClosestAnswer {

@@ -1,12 +1,11 @@
 //! A design as people read it.
 
-use super::{CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer};
+use super::{CandidateJoint, ClosestAnswer, DesignAnswer, RejectedAnswer};
 use crate::{
-    Units, number, percent,
+    Units, number,
     print::{Csv, Page, Rows, Show},
-    units::NEWTON_METRES,
 };
-use mckibben_core::{joined, units::rounded, warning::Warning};
+use mckibben_core::{units::rounded, warning::Warning};
 
 /// Columns of the choices.
 const CHOICES: [&str; 8] = [
@@ -32,6 +31,15 @@ const CANDIDATES: [&str; 11] = [
     "highest_pressure_mpa",
     "mass_g",
     "sleeve",
+];
+/// Columns of muscles that do not fit.
+const NEAR: [&str; 6] = [
+    "count",
+    "outer_diameter_mm",
+    "wall_mm",
+    "sleeve",
+    "misses_by",
+    "reason",
 ];
 /// Fields that a page of everything has in other places.
 const APART: [&str; 6] = [
@@ -71,13 +79,11 @@ impl DesignAnswer {
         page.list("", &self.choices, u, &CHOICES);
         match &self.closest {
             Some(closest) => closest.onto(&mut page, u),
+            None if self.candidates.is_empty() => page.line("Nothing fits."),
             None => self.found_onto(&mut page, u, winner),
         }
         if is_full {
             page.line("");
-            let required = self.wanted.text(self.load.as_deref(), u);
-            let supply = u.pressure.show(self.max_pressure_mpa);
-            page.line(format!("Required: {required} with at most {supply}"));
             page.and(Page::of(self, u, &APART));
         }
         page.line("");
@@ -86,20 +92,13 @@ impl DesignAnswer {
                 .iter()
                 .map(|text| format!("Assumed: {}.", u.sentence(text))),
         );
-        let near = self
-            .rejected
-            .iter()
-            .skip(usize::from(self.closest.is_some()));
-        let mut near = near
-            .map(|r| format!("  {}{}", r.line(u), r.missed_in_all()))
-            .peekable();
+        let near = &self.rejected[usize::from(self.closest.is_some())..];
         let heading = match &self.closest {
             Some(_) => "Next closest",
             None => "Near misses",
         };
-        if (is_full || self.closest.is_some()) && near.peek().is_some() {
-            page.paragraph(heading);
-            page.lines(near);
+        if is_full || self.closest.is_some() {
+            page.list(heading, near, u, &NEAR);
         }
         page
     }
@@ -121,33 +120,6 @@ impl DesignAnswer {
     fn several(&self) -> Option<u32> {
         let count = self.candidates.first()?.candidate.count;
         (count > 1).then_some(count)
-    }
-}
-
-impl DemandAnswer {
-    /// What the muscle must do, with the load as it was written.
-    fn text(&self, load: Option<&str>, u: &Units) -> String {
-        let load = load.unwrap_or_default();
-        match self {
-            Self::Points { points } => {
-                let one = |q: &super::OperatingPoint| {
-                    format!("{} at {}", u.force.show(q.force_n), percent(q.contraction))
-                };
-                joined(points.iter().map(one), ", ")
-            }
-            Self::Stroke { stroke_mm } => format!("{load} lifted by {}", u.length.show(*stroke_mm)),
-            Self::Contraction { contraction } => {
-                format!("{load} lifted to {}", percent(*contraction))
-            }
-            Self::Joint { torques, .. } => {
-                let one = |t: &super::TorqueWanted| {
-                    let torque = NEWTON_METRES.show(t.torque_nm);
-                    let angle = number(t.angle_deg, 4);
-                    format!("{torque} at ±{angle}°")
-                };
-                joined(torques.iter().map(one), ", ")
-            }
-        }
     }
 }
 
@@ -209,19 +181,6 @@ impl RejectedAnswer {
             sleeve.unwrap_or_default(),
             u.sentence(&self.reason)
         )
-    }
-
-    /// By how much it misses all limits together, where that is a share worth saying.
-    fn missed_in_all(&self) -> String {
-        match self.muscle.misses_by {
-            share if share < 1.0 => {
-                format!(
-                    " (misses by {} in all)",
-                    percent((1e3 * share).ceil() / 1e3)
-                )
-            }
-            _ => String::new(),
-        }
     }
 }
 

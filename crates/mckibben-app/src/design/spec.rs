@@ -65,7 +65,7 @@ impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search> {
         self.validate()?;
         let (base, wanted, radius_mm) = self.demand()?;
-        let count = self.count()?;
+        let count = self.count.map_or(1, |count| count.0 as u32);
         let extends = wanted.extends();
         let model = self.model.choose()?;
         let policy = match self.model.name {
@@ -107,7 +107,7 @@ impl DesignRequest {
             count,
             most_side_by_side: self.count.map_or(LARGEST_BUNDLE, |_| count),
             radius_mm,
-            ends: Some(ends),
+            ends: Some(design_ends),
             products: if extends { vec![] } else { products() },
             pitch_mm: self.pitch_mm.map(f64::from),
             built: is_built,
@@ -209,19 +209,6 @@ impl DesignRequest {
     /// The muscle file.
     pub(super) fn file(&self) -> Option<&TextFile> {
         self.muscle.as_ref().or(self.also_muscle.as_ref())
-    }
-
-    /// How many muscles share what is required.
-    fn count(&self) -> Result<u32> {
-        for (field, value) in [
-            ("max_envelope_mm", self.max_envelope_mm),
-            ("pitch_mm", self.pitch_mm),
-        ] {
-            value
-                .map(|mm| above_zero(ProblemKind::Specification, field, mm))
-                .transpose()?;
-        }
-        Ok(self.count.map_or(1, |count| count.0 as u32))
     }
 
     /// The sleeves, or the angles.
@@ -551,7 +538,12 @@ impl DesignRequest {
 }
 
 /// The ends of a muscle as `build` makes them.
-fn ends(muscle: &Muscle, blocked_n: f64, pressure_mpa: f64, precision: Precision) -> Option<Ends> {
+pub fn design_ends(
+    muscle: &Muscle,
+    blocked_n: f64,
+    pressure_mpa: f64,
+    precision: Precision,
+) -> Option<Ends> {
     let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
     let parts = EndParts::new(muscle, load_n, &Wishes::default()).ok()?;
     Some(Ends {

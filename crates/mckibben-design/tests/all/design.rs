@@ -318,14 +318,10 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
                 Relaxation::MaxStretch { max_stretch } => {
                     changed.limits.stretch = Some(towards(*max_stretch, 1.05))
                 }
-                Relaxation::Contraction { share, .. } => {
+                Relaxation::Contraction { share } => {
                     // The whole way again, and the shorter one.
                     let back = towards(*share, 1.0) / share;
-                    Relaxation::Contraction {
-                        share: back,
-                        points: vec![],
-                    }
-                    .apply(&mut changed);
+                    Relaxation::Contraction { share: back }.apply(&mut changed);
                 }
                 // No single one does.
                 Relaxation::Together { .. } => {
