@@ -4,9 +4,10 @@
 use crate::{
     AskFields, Contraction, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
     ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
-    borne, burst_of, proof_mpa,
+    borne, burst_of,
     flags::{self, Args},
     print::{Csv, Page, Show},
+    proof_mpa,
     report::report,
     usual_mpa,
 };

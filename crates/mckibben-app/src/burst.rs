@@ -2,6 +2,7 @@
 //! before all others.
 
 use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
+pub use mckibben_core::analysis::PressureLimits;
 use mckibben_core::{
     analysis::{AnalysisError, Burst, NoBurst, RELIEF, burst},
     cancel,
@@ -9,7 +10,6 @@ use mckibben_core::{
     muscle::Muscle,
     units::rounded,
 };
-pub use mckibben_core::analysis::PressureLimits;
 use std::sync::Mutex;
 
 /// Muscles whose burst pressure is kept.
@@ -83,12 +83,17 @@ pub fn borne(found: &Burst, pressure_mpa: f64) -> Result<(), Problem> {
     if allowed.is_none_or(|allowed_mpa| pressure_mpa <= allowed_mpa) {
         return Ok(());
     }
-    let said = found.warnings(pressure_mpa).first().map_or_else(String::new, ToString::to_string);
+    let said = found
+        .warnings(pressure_mpa)
+        .first()
+        .map_or_else(String::new, ToString::to_string);
     let raised = Burst {
         overpressure: true,
         ..*found
     };
-    let higher = raised.allowed().filter(|raised| allowed.is_some_and(|mpa| raised.mpa > mpa));
+    let higher = raised
+        .allowed()
+        .filter(|raised| allowed.is_some_and(|mpa| raised.mpa > mpa));
     let hint = match higher {
         Some(_) => {
             "give a lower `pressure_mpa`; `overpressure` allows more, up to a proof test at three \
@@ -149,13 +154,29 @@ impl LimitRows for PressureLimits {
                 None => pressure(least) + &by + note,
             }
         });
-        let allowed = self.allowed_pressure_mpa.zip(self.allowed_by).map(|(p, by)| {
-            let factor = self.allowed_factor.filter(|factor| *factor > 1.0);
-            let factor = factor.map(|factor| format!("safety factor {} where ", number(factor, 3)));
-            let raised = if self.overpressure { " (overpressure)" } else { "" };
-            let ends = if self.ends_included { "" } else { "; its ends are NOT INCLUDED" };
-            format!("{}{raised}; {}{by}{ends}", pressure(p), factor.unwrap_or_default())
-        });
+        let allowed = self
+            .allowed_pressure_mpa
+            .zip(self.allowed_by)
+            .map(|(p, by)| {
+                let factor = self.allowed_factor.filter(|factor| *factor > 1.0);
+                let factor =
+                    factor.map(|factor| format!("safety factor {} where ", number(factor, 3)));
+                let raised = if self.overpressure {
+                    " (overpressure)"
+                } else {
+                    ""
+                };
+                let ends = if self.ends_included {
+                    ""
+                } else {
+                    "; its ends are NOT INCLUDED"
+                };
+                format!(
+                    "{}{raised}; {}{by}{ends}",
+                    pressure(p),
+                    factor.unwrap_or_default()
+                )
+            });
         Rows::default()
             .text("burst pressure", burst)
             .text("allowed pressure", allowed)

@@ -1,12 +1,12 @@
 //! `export`: a muscle or a joint for a controller or a simulator.
 
 use crate::{
-    BuiltFile, Contraction, JointFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem,
-    AskFields, ProblemKind, Result, TextFile, above_zero, borne, burst_of, finite,
+    AskFields, BuiltFile, Contraction, JointFields, Model, ModelFields, MuscleFields,
+    MuscleSummary, Problem, ProblemKind, Result, TextFile, above_zero, borne, burst_of, finite,
     flags::{self, Args},
     print::{Csv, Page, Show},
-    units::Units,
     supply_mpa,
+    units::Units,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation, Options},
@@ -16,9 +16,7 @@ use mckibben_core::{
     units::typed::{Length, Pressure},
     warning::Warning,
 };
-use mckibben_export::{
-    BoxRequest, ExportTarget, ExportedJoint, ExportedMuscle, Known, KnownPoint,
-};
+use mckibben_export::{BoxRequest, ExportTarget, ExportedJoint, ExportedMuscle, Known, KnownPoint};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -217,7 +215,8 @@ fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Kn
     let (pressure_mpa, contraction) = of_job.unwrap_or((supply_mpa, 0.0));
     let options = AskFields::default().options(muscle)?;
     let mut workspace = Workspace::new();
-    let answer = Evaluation::new(model, &mut workspace, options).point(pressure_mpa, contraction)?;
+    let answer =
+        Evaluation::new(model, &mut workspace, options).point(pressure_mpa, contraction)?;
     Ok(Known {
         limits: burst.into(),
         point: answer.built.map(|built| KnownPoint {

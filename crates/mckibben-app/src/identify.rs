@@ -3,8 +3,8 @@
 pub mod page;
 
 use crate::{
-    AskFields, DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind, Result,
-    TextFile, UnderstoodTable, Units, burst_of, figure, finite,
+    AskFields, DataFields, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
+    Result, TextFile, UnderstoodTable, Units, burst_of, figure, finite,
     flags::{self, Args},
     number,
     warnings::largest_stretch,
@@ -231,7 +231,9 @@ fn job_of(job: &Job, found: &Muscle, choice: &Model) -> Result<Job> {
     let mut workspace = Workspace::new();
     let mut model = Evaluation::new(&*model, &mut workspace, options);
     let takes = |point: &JobPoint| {
-        let answer = model.pressure(point.force.into(), point.contraction.into()).ok()?;
+        let answer = model
+            .pressure(point.force.into(), point.contraction.into())
+            .ok()?;
         answer.predicted_mpa
     };
     let set_mpa = job.points.iter().filter_map(takes).reduce(f64::max);

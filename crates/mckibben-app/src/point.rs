@@ -4,8 +4,8 @@ mod page;
 
 use crate::{
     AskFields, BoundModel, Contraction, LoadAnswer, LoadFields, Model, ModelFields, MuscleFields,
-    MuscleSummary, PointQuantity, Problem, ProblemKind, Result,
-    UncertaintyWords, burst_of, check_both, check_branch, flags::Args, load::loaded,
+    MuscleSummary, PointQuantity, Problem, ProblemKind, Result, UncertaintyWords, burst_of,
+    check_both, check_branch, flags::Args, load::loaded,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation, PressureLimits, source_of},

@@ -294,6 +294,8 @@ problems! {
     FitError: Fit of Cancelled;
     SpecError: Specification of Cancelled {
         SpecError::NoLiquid { .. } => Usage in "max_liquid_volume_mm3";
+        SpecError::OutOfReach { .. } => NoAnswer "take a longer muscle (`length_mm`), or a shorter \
+            stroke";
     };
     LoadError: NoAnswer of Analysis {
         LoadError::NotLifted { .. } => NoAnswer "`two_sided` gives the stretch of the muscle";

@@ -1,9 +1,9 @@
 //! The report of `build`: all that is known of a muscle, as one document.
 
 use crate::{
-    BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer,
-    Result, ShapeRequest, Units, check, curve, flags::Args, force, number, percent,
-    print::Rows, ratio, shape, words::fixed,
+    BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer, Result,
+    ShapeRequest, Units, check, curve, flags::Args, force, number, percent, print::Rows, ratio,
+    shape, words::fixed,
 };
 use mckibben_build::Plan;
 use mckibben_core::{

@@ -77,7 +77,11 @@ impl UncertaintyWords {
 
     /// What a muscle that is built pulls, and what lies between the model's pull and that, in units.
     pub fn built_in(&self, u: &Units) -> Option<String> {
-        Some(format!("{}; model: {}", self.pull_in(u)?, self.model_in(u)?))
+        Some(format!(
+            "{}; model: {}",
+            self.pull_in(u)?,
+            self.model_in(u)?
+        ))
     }
 
     /// What a muscle that is built pulls, in units.
@@ -108,7 +112,11 @@ impl UncertaintyWords {
         });
         let shifts = joined(shifts, ", ");
         let colon = if shifts.is_empty() { "" } else { ": " };
-        Some(format!("{}\u{a0}{}, mean of both branches{colon}{shifts}", show(pull.mean_n), force.name))
+        Some(format!(
+            "{}\u{a0}{}, mean of both branches{colon}{shifts}",
+            show(pull.mean_n),
+            force.name
+        ))
     }
 
     /// The ± with its parts, in units.

@@ -250,9 +250,8 @@ impl Plan {
             ));
         }
         if let Some(bears_n) = self.buckling_n() {
-            let [push, bears, allowed] =
-                [-self.operating.held_n, bears_n, bears_n / BUCKLING]
-                    .map(|n| self.shown.force(n.max(0.0)));
+            let [push, bears, allowed] = [-self.operating.held_n, bears_n, bears_n / BUCKLING]
+                .map(|n| self.shown.force(n.max(0.0)));
             out.push(format!(
                 "the muscle pushes with up to {push}, and its wall alone buckles at {bears}: guide \
                  it in a tube, or keep the push below {allowed}"

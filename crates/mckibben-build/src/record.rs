@@ -19,7 +19,10 @@ impl Plan {
     /// The highest pressure in MPa that a relief valve may let through.
     pub(crate) fn highest_mpa(&self) -> f64 {
         let allowed_mpa = self.operating.limits.allowed_pressure_mpa;
-        relief_mpa(self.safety.pressure_mpa, allowed_mpa.unwrap_or(f64::INFINITY))
+        relief_mpa(
+            self.safety.pressure_mpa,
+            allowed_mpa.unwrap_or(f64::INFINITY),
+        )
     }
 }
 
@@ -78,7 +81,11 @@ fn pressures(plan: &Plan) -> Vec<Vec<String>> {
         let nominal = limits
             .nominal_burst_pressure_mpa
             .map(|p| format!(" at least, {} by nominal numbers", shown.short_pressure(p)));
-        format!("{}{}: {by}", shown.pressure(mpa), nominal.unwrap_or_default())
+        format!(
+            "{}{}: {by}",
+            shown.pressure(mpa),
+            nominal.unwrap_or_default()
+        )
     });
     let allowed = limits.allowed_pressure_mpa.map(|mpa| shown.pressure(mpa));
     let end = "load of an end at the working pressure";

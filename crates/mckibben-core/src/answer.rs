@@ -183,8 +183,11 @@ impl Evaluation<'_> {
         let said = model.muscle().warnings().into_iter();
         let said = said.chain(model.notes(self.workspace)).map(Warning::from);
         let not_measured = Warning::not_measured(model.muscle(), pressure_mpa);
-        let mut warnings: Vec<Warning> =
-            outside.into_iter().chain(said).chain(not_measured).collect();
+        let mut warnings: Vec<Warning> = outside
+            .into_iter()
+            .chain(said)
+            .chain(not_measured)
+            .collect();
         let response = self.equilibrium(pressure_mpa, contraction, hanging)?;
         let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
         let pushes = |r: &Response| r.force_n < 0.0 && !options.two_sided;

@@ -7,10 +7,9 @@
 //! d the distance of the farthest of them. Such a bundle is up to a tenth wider than the best one
 //! that is known.
 
-use crate::{Build, Candidate, CandidatePoint, OperatingPoint, Spec};
+use crate::{Build, Candidate, Ends, Spec, limits::all_g};
 use mckibben_core::{
     analysis::{Evaluation, Options, bisect},
-    extremes::peak,
     model::{ForceModel, ThickWall, Workspace},
 };
 use serde::Serialize;
@@ -21,84 +20,40 @@ use serde::Serialize;
 pub struct Bundle {
     /// How many muscles.
     pub muscles: u32,
-    /// Diameter of the circle around them at rest, mm.
+    /// Diameter of the circle around them and their ends at rest, mm.
     pub rest_envelope_mm: f64,
-    /// The same at the largest bulged diameter, mm.
-    pub envelope_mm: Option<f64>,
-    /// Width of all in one flat row at the largest bulged diameter, mm.
-    pub row_mm: Option<f64>,
-    /// Distance between the axes of neighbours, mm: as given, that of the largest envelope, or the
-    /// bulged diameter.
-    pub pitch_mm: Option<f64>,
+    /// The same at the largest width, mm.
+    pub envelope_mm: f64,
+    /// Distance between the axes of neighbours, mm: as given, or the width of one.
+    pub pitch_mm: f64,
     /// Contraction at which neighbours touch at that distance and the pressure of the supply; none
     /// where they do not.
     pub touch_contraction: Option<f64>,
-    /// The operating points of all together.
-    pub points: Vec<BundlePoint>,
-    /// Mass of tubes and sleeves between the terminals, g, where both are known.
+    /// Mass of all with their ends, g, where it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
 }
 
-/// An operating point of all muscles of a bundle together.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct BundlePoint {
-    /// What is required.
-    #[serde(flatten)]
-    pub wanted: OperatingPoint,
-    /// Pull at the pressure of the supply, N.
-    pub force_at_max_pressure_n: f64,
-    /// 95 % half-width of that pull, N. What is not known of one muscle is not known of all: so
-    /// many times that of one.
-    pub uncertainty_n: Option<f64>,
-    /// Air from rest to the point, normal litres; none with a liquid.
-    pub air_normal_litres: Option<f64>,
-    /// Liquid pushed in from rest to the point, measured at atmospheric pressure, mm³.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub liquid_volume_mm3: Option<f64>,
-}
-
-impl Bundle {
-    /// The contraction at which neighbours touch, and the largest that is wanted, where that is
-    /// beyond.
-    pub fn touches_before(&self) -> Option<(f64, f64)> {
-        let largest = peak(self.points.iter().map(|q| q.wanted.contraction));
-        let touch = self.touch_contraction?;
-        (touch < largest - 1e-6).then_some((touch, largest))
-    }
-}
-
-/// The bundle of the best muscle.
-pub fn of_winner(spec: &Spec, build: &Build<'_>, winner: &Candidate) -> Bundle {
-    let ratio = envelope_ratio(spec.count);
-    let count = f64::from(spec.count);
-    let bulged = winner.bulged_diameter_mm();
-    let of_envelope = spec.limits.envelope_mm.map(|mm| mm / ratio);
-    let pitch_mm = spec.pitch_mm.or(of_envelope).or(bulged);
-    let model = build(&winner.muscle).ok().filter(|_| spec.count > 1);
-    let touch_contraction = model.zip(pitch_mm).and_then(|(model, pitch_mm)| {
-        let pressure_mpa = winner.highest_pressure_mpa;
-        touches_at(&*model, &mut Workspace::new(), pressure_mpa, pitch_mm)
-    });
-    let point = |q: &CandidatePoint| BundlePoint {
-        wanted: OperatingPoint {
-            force_n: count * q.wanted.force_n,
-            ..q.wanted
-        },
-        force_at_max_pressure_n: count * q.force_at_max_pressure_n,
-        uncertainty_n: q.uncertainty_n.map(|n| count * n),
-        air_normal_litres: q.air_normal_litres.map(|litres| count * litres),
-        liquid_volume_mm3: q.liquid_volume_mm3.map(|mm3| count * mm3),
+/// The bundle of a candidate.
+pub fn of_candidate(spec: &Spec, build: &Build<'_>, one: &Candidate) -> Bundle {
+    let ratio = envelope_ratio(one.count);
+    let pitch_mm = spec.pitch_mm.unwrap_or(one.width_mm);
+    let ends_mm = one.ends.map_or(0.0, |ends| ends.width_mm);
+    let around = |width_mm: f64| (ratio - 1.0) * pitch_mm.max(width_mm) + width_mm;
+    let touch_contraction = match ends_mm > pitch_mm {
+        true => Some(0.0),
+        false => build(&one.muscle).ok().and_then(|model| {
+            let pressure_mpa = one.highest_pressure_mpa;
+            touches_at(&*model, &mut Workspace::new(), pressure_mpa, pitch_mm)
+        }),
     };
     Bundle {
-        muscles: spec.count,
-        rest_envelope_mm: ratio * winner.muscle.outer_diameter_mm(),
-        envelope_mm: bulged.map(|mm| ratio * mm),
-        row_mm: bulged.map(|mm| count * mm),
+        muscles: one.count,
+        rest_envelope_mm: around(one.muscle.outer_diameter_mm().max(ends_mm)),
+        envelope_mm: around(one.width_mm),
         pitch_mm,
         touch_contraction,
-        points: winner.points.iter().map(point).collect(),
-        mass_g: winner.muscle.mass_g().map(|g| count * g),
+        mass_g: all_g(&one.muscle, one.ends.unwrap_or(Ends::NONE), one.count),
     }
 }
 

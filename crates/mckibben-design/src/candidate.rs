@@ -1,12 +1,13 @@
-//! One muscle held against a specification.
+//! A muscle that does what is required: all that is said of it.
 
 use crate::{
-    Below, Limit, OperatingPoint,
-    limits::check::{Probe, Score},
-    trial::Trial,
+    Below, Ends, OperatingPoint,
+    assess::{Assessed, normal_deviations},
+    held::Held,
+    limits::Check,
 };
 use mckibben_core::{
-    analysis::{Burst, Evaluation, Options, burst},
+    analysis::{Burst, Evaluation, burst},
     built::Built,
     by_number::SortByNumber,
     extremes::peak,
@@ -20,11 +21,11 @@ use std::collections::HashSet;
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "DesignPoint")]
 pub struct CandidatePoint {
-    /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted,
-    /// and more where the lower end of its ± is.
+    /// What one muscle is like there, at the pressure to begin with; its pull is the one that is
+    /// wanted of it.
     #[serde(flatten)]
     pub response: Response,
-    /// What is wanted.
+    /// What is wanted of one.
     #[serde(skip)]
     pub wanted: OperatingPoint,
     /// Pull at the highest pressure that supply and muscle allow, N.
@@ -48,45 +49,56 @@ pub struct CandidatePoint {
     pub built: Option<Built>,
 }
 
-/// A muscle that fits.
+/// A muscle that fits, or so many side by side.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Candidate {
     #[serde(skip)]
     pub muscle: Muscle,
+    /// So many of it side by side.
+    pub count: u32,
+    /// Of a joint the radius of its pulley, mm.
+    #[serde(skip)]
+    pub radius_mm: f64,
     /// Name of the tube as sold or cast that it has, where tubes were searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tube: Option<String>,
     /// Whether this tube is cast, not bought.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub is_cast: bool,
+    /// The product, of a muscle as sold.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub product: Option<String>,
     /// Name of the model that all its numbers come from.
     pub model: String,
-    /// What it is ranked by: smaller is better.
+    /// The limit of each kind with least to spare, the tightest first.
     #[serde(skip)]
-    pub(super) score: Score,
-    /// The kinds of limits with the least share that is to spare of each, the tightest first.
-    #[serde(skip)]
-    pub spare: Vec<(Limit, f64)>,
+    pub spare: Vec<Check>,
     /// Why it is not used up to the pressure of the supply.
     #[serde(skip)]
     pub below: Option<Below>,
-    /// The operating points in the order of the specification.
+    /// The operating points of one, in the order of the specification.
     pub points: Vec<CandidatePoint>,
-    /// Pressure to set, in MPa: the largest that any point needs.
+    /// The probability that a built one meets every point at some pressure that is allowed; none
+    /// where measured muscles do not tell the model's error.
+    pub chance: Option<f64>,
+    /// Pressure to begin with, in MPa: that at which the median meets every point, or the highest.
     pub pressure_mpa: f64,
-    /// Pressure in MPa at which the lower end of the ± (95 %) meets every point, where supply and
-    /// muscle allow it.
-    pub sure_pressure_mpa: Option<f64>,
+    /// Of those that do: nine of ten do at a pressure from this one, in MPa,
+    pub pressure_low_mpa: Option<f64>,
+    /// to this one.
+    pub pressure_high_mpa: Option<f64>,
     /// Highest pressure in MPa that supply and muscle allow: all that is said of the maximum
     /// pressure is of this one.
     pub highest_pressure_mpa: f64,
     /// Least margin over the points.
     pub margin: f64,
+    /// The larger of the bulged tube and its ends, mm.
+    pub width_mm: f64,
+    /// The ends that hold it, as `build` makes them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ends: Option<Ends>,
     /// Blocked force at the maximum pressure, in N.
     pub blocked_force_n: f64,
-    /// Blocked force by the model at the pressure to set, in N: what its ends must hold.
-    #[serde(skip)]
-    pub blocked_at_set_n: f64,
     /// Free contraction at the maximum pressure.
     pub free_contraction: Option<f64>,
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
@@ -94,14 +106,86 @@ pub struct Candidate {
     /// The pressures at which it fails.
     #[serde(skip)]
     pub burst: Burst,
-    /// Quantities that the design's model does not give and the thick-wall model gave instead.
-    pub from_thick_wall: Vec<&'static str>,
 }
 
+/// Of those that do, nine of ten need a pressure between these shares.
+const NINE_OF_TEN: [f64; 2] = [0.05, 0.95];
+
 impl Candidate {
+    /// All that is known of a muscle that was held against its specification.
+    pub(crate) fn new(assessed: &mut Assessed<'_>, held: &Held) -> Result<Self, ModelError> {
+        let (spec, muscle) = (assessed.spec, assessed.muscle);
+        let wanted = spec.wanted.on_radius(held.radius_mm);
+        let whole = wanted.points(muscle.length_mm());
+        assessed.keep_strands(&whole)?;
+        let one = |q: &OperatingPoint| OperatingPoint {
+            force_n: q.force_n / f64::from(held.count),
+            ..*q
+        };
+        let wanted: Vec<OperatingPoint> = whole.iter().map(one).collect();
+        let mut points = vec![];
+        for q in &wanted {
+            points.push(point_of(assessed, *q)?);
+        }
+        let mut pressure = |share: f64| {
+            let z = normal_deviations(share * held.chance?.max(1e-3));
+            let mut needs_mpa = 0.0_f64;
+            for q in &wanted {
+                needs_mpa = needs_mpa.max(assessed.need_mpa(q, Some(z)).ok()?);
+            }
+            Some(needs_mpa)
+        };
+        let [pressure_low_mpa, pressure_high_mpa] = NINE_OF_TEN.map(&mut pressure);
+        let max_mpa = assessed.highest_mpa;
+        let blocked_force_n = assessed.pull(max_mpa, 0.0)?.held_n;
+        let free = assessed.evaluation().free_contraction(max_mpa).ok();
+        let free_contraction = free.or_else(|| {
+            let (model, workspace) = (&*assessed.thick_wall, &mut assessed.workspace);
+            let mut model = Evaluation::new(model, workspace, spec.options());
+            model.free_contraction(max_mpa).ok()
+        });
+        let failures = burst(&*assessed.model).unwrap_or(assessed.burst);
+        let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
+        let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
+        let work = assessed
+            .evaluation()
+            .work_per_stroke_j(max_mpa, 0.0, furthest);
+        let margins = points.iter().map(|p: &CandidatePoint| p.margin);
+        let part = held.place.tube(spec);
+        Ok(Self {
+            count: held.count,
+            radius_mm: held.radius_mm,
+            tube: part.map(|part| part.name.clone()),
+            is_cast: held.is_cast,
+            product: None,
+            model: assessed.model.info().name.to_string(),
+            spare: spare(held.checks.clone()),
+            below: assessed.below,
+            chance: held.chance,
+            pressure_mpa: peak(points.iter().map(|p| p.response.pressure_mpa)),
+            pressure_low_mpa,
+            pressure_high_mpa,
+            highest_pressure_mpa: max_mpa,
+            margin: margins.fold(f64::INFINITY, f64::min),
+            width_mm: held.width_mm,
+            ends: Some(held.ends).filter(|ends| ends.width_mm > 0.0),
+            blocked_force_n,
+            free_contraction,
+            work_j: work.ok(),
+            burst: assessed.spec.limits.of(failures),
+            points,
+            muscle: muscle.clone(),
+        })
+    }
+
     /// Largest outer diameter over the points, in mm.
     pub fn bulged_diameter_mm(&self) -> Option<f64> {
         self.largest(|p| p.response.bulged_diameter_mm)
+    }
+
+    /// Diameter of the circle around all of them with their ends, in mm.
+    pub fn envelope_mm(&self) -> f64 {
+        crate::bundle::envelope_ratio(self.count) * self.width_mm
     }
 
     /// Largest of a quantity over the points.
@@ -110,46 +194,42 @@ impl Candidate {
     }
 }
 
-/// The muscle at an operating point; adds the quantities that the thick-wall model gave.
+/// The limit of each kind with least to spare, the tightest first.
+fn spare(mut checks: Vec<Check>) -> Vec<Check> {
+    checks.sort_by_number(|check| -check.excess());
+    let mut known = HashSet::new();
+    checks.retain(|check| known.insert(check.limit));
+    checks
+}
+
+/// The muscle at an operating point.
 fn point_of(
-    trial: &mut Trial<'_>,
+    assessed: &mut Assessed<'_>,
     wanted: OperatingPoint,
-    from_thick_wall: &mut Vec<&'static str>,
 ) -> Result<CandidatePoint, ModelError> {
-    let spec = trial.spec;
+    let spec = assessed.spec;
     let contraction = wanted.contraction;
-    let available_n = trial.strongest_n(contraction)?;
-    let pressure_mpa = trial.need(&wanted)?;
-    let (mut response, filled) = trial.full_response(pressure_mpa, contraction)?;
+    let available_n = assessed.pull(assessed.highest_mpa, contraction)?.held_n;
+    let pressure_mpa = assessed.need_mpa(&wanted, None)?;
+    let mut response = assessed.full_response(pressure_mpa, contraction)?;
     response.pressure_mpa = pressure_mpa;
-    response.force_n = match spec.guaranteed {
-        None => wanted.force_n,
-        Some(_) => trial.pull_n(pressure_mpa, contraction)?,
-    };
-    from_thick_wall.extend(filled);
-    let (stroke, helped) = trial.stroke(pressure_mpa, contraction);
-    if helped {
-        from_thick_wall.push(if spec.liquid.is_some() {
-            "liquid volume"
-        } else {
-            "air"
-        });
-    }
-    let friction_n = trial.evaluation().friction_n(pressure_mpa, contraction)?;
-    let built = trial
-        .predicted(pressure_mpa, contraction)
-        .map(|built| Built {
-            // A muscle that contracts does not push.
-            predicted_low_n: if spec.wanted.extends() {
-                built.predicted_low_n
-            } else {
-                built.predicted_low_n.max(0.0)
-            },
-            ..built
-        });
+    // Where the median does not meet it at any pressure, it is what is pulled.
+    let is_met = available_n / wanted.force_n >= 1.0;
+    response.force_n = if is_met { wanted.force_n } else { available_n };
+    let stroke = assessed.stroke(pressure_mpa, contraction);
+    let built = assessed.predicted(pressure_mpa, contraction);
+    let built = built.map(|built| Built {
+        // A muscle that contracts does not push.
+        predicted_low_n: match spec.wanted.extends() {
+            true => built.predicted_low_n,
+            false => built.predicted_low_n.max(0.0),
+        },
+        ..built
+    });
+    let mut model = assessed.evaluation();
     Ok(CandidatePoint {
-        model_force_n: trial.evaluation().force_n(pressure_mpa, contraction)?,
-        friction_n,
+        model_force_n: model.force_n(pressure_mpa, contraction)?,
+        friction_n: model.friction_n(pressure_mpa, contraction)?,
         uncertainty_n: built.map(|built| built.predicted_high_n - built.predicted_n),
         built,
         force_at_max_pressure_n: available_n,
@@ -161,74 +241,16 @@ fn point_of(
     })
 }
 
-/// Everything about a muscle that fits, as its probe says.
-pub fn candidate(mut trial: Trial<'_>, probe: &Probe) -> Result<Candidate, ModelError> {
-    let Trial { spec, muscle, .. } = trial;
-    let mut from_thick_wall: Vec<&'static str> = vec![];
-    let wanted = spec.points(muscle);
-    let points = wanted
-        .iter()
-        .map(|point| point_of(&mut trial, *point, &mut from_thick_wall))
-        .collect::<Result<Vec<_>, _>>()?;
-    let blocked_force_n = trial.strongest_n(0.0)?;
-    let max = trial.highest_mpa;
-    let free = trial.evaluation().free_contraction(max).ok().or_else(|| {
-        from_thick_wall.push("free contraction");
-        Evaluation::new(&*trial.thick_wall, &mut trial.workspace, spec.options())
-            .free_contraction(max)
-            .ok()
-    });
-    let failures = burst(&*trial.model).unwrap_or(trial.burst);
-    if failures.from_thick_wall {
-        from_thick_wall.push("burst pressure");
-    }
-    from_thick_wall.sort_unstable();
-    from_thick_wall.dedup();
-    let pressure_mpa = peak(points.iter().map(|p| p.response.pressure_mpa));
-    let mut spare: Vec<(Limit, f64)> = probe
-        .checks
-        .iter()
-        .map(|c| (c.limit, -c.excess()))
-        .collect();
-    spare.sort_by_number(|a| a.1);
-    let mut known = HashSet::new();
-    spare.retain(|(limit, _)| known.insert(*limit));
-    let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
-    let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
-    let blocked_at_set_n = Evaluation::new(&*trial.model, &mut trial.workspace, Options::default())
-        .force_n(pressure_mpa, 0.0)?;
-    Ok(Candidate {
-        blocked_at_set_n,
-        pressure_mpa,
-        margin: points
-            .iter()
-            .map(|p| p.margin)
-            .fold(f64::INFINITY, f64::min),
-        blocked_force_n,
-        free_contraction: free,
-        work_j: trial
-            .evaluation()
-            .work_per_stroke_j(max, 0.0, furthest)
-            .ok(),
-        burst: Burst {
-            safety: trial.burst.safety,
-            ..failures
-        },
-        // Of a pull that is guaranteed it is the pressure to set.
-        sure_pressure_mpa: if spec.guaranteed.is_some() {
-            Some(pressure_mpa)
-        } else {
-            trial.sure_mpa()
-        },
-        highest_pressure_mpa: max,
-        below: trial.below,
-        spare,
-        from_thick_wall,
-        points,
-        tube: None,
-        is_cast: false,
-        model: trial.model.info().name.to_string(),
-        score: probe.score,
-        muscle: muscle.clone(),
-    })
+/// A muscle that does not fit, and why.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rejected {
+    pub muscle: Muscle,
+    /// So many of it side by side.
+    pub count: u32,
+    /// The probability that it meets every point, apart from its other limits.
+    pub chance: Option<f64>,
+    /// The shares by which it misses its limits, summed.
+    pub misses_by: f64,
+    /// The bound it breaks by most.
+    pub check: Check,
 }

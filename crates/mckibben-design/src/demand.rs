@@ -54,6 +54,12 @@ pub enum Lift {
 }
 
 impl Lift {
+    /// Whether a load is lifted by a stroke, of which a length is a share.
+    pub(crate) fn is_stroke(demand: &Demand) -> bool {
+        let stroke = |way: &Lift| matches!(way, Self::Stroke(_));
+        matches!(demand, Demand::Load { way, .. } if stroke(way))
+    }
+
     /// Where it ends, in mm from the length at rest of a muscle of a length in mm.
     fn end_mm(self, length_mm: f64) -> f64 {
         match self {
@@ -83,15 +89,8 @@ pub struct JointDemand {
 
 impl JointDemand {
     /// ε0 at the neutral angle, of a muscle of a length in mm.
-    pub fn contraction_at_neutral(&self, length_mm: f64) -> f64 {
-        self.radius_mm * self.largest_angle_deg.to_radians() / length_mm
-    }
-
-    /// What is left in mm for the bulged diameter of one muscle beside the other one at rest, where
-    /// both must have room on the pulley.
-    pub(super) fn room_mm(&self, rest_mm: f64) -> Option<f64> {
-        let room_mm = 4.0 * self.radius_mm - 2.0 * ROOM_MM - rest_mm;
-        self.beside.then_some(room_mm.max(NO_ROOM_MM))
+    pub fn contraction_at_neutral(&self, radius_mm: f64, length_mm: f64) -> f64 {
+        radius_mm * self.largest_angle_deg.to_radians() / length_mm
     }
 
     fn points(&self, length_mm: f64) -> Vec<OperatingPoint> {
@@ -100,14 +99,35 @@ impl JointDemand {
                          angle_deg,
                      }: &TorqueWanted| OperatingPoint {
             force_n: 1e3 * torque_nm / self.radius_mm,
-            contraction: self.contraction_at_neutral(length_mm)
+            contraction: self.contraction_at_neutral(self.radius_mm, length_mm)
                 + self.radius_mm * angle_deg.to_radians() / length_mm,
         };
         self.torques.iter().map(point).collect()
     }
 }
 
+/// What is left in mm for the width of one muscle beside the other one at rest, where both must have
+/// room on a pulley.
+pub(crate) fn room_on_pulley_mm(demand: &Demand, radius_mm: f64, rest_mm: f64) -> Option<f64> {
+    let Demand::Joint(joint) = demand else {
+        return None;
+    };
+    let room_mm = 4.0 * radius_mm - 2.0 * ROOM_MM - rest_mm;
+    joint.beside.then_some(room_mm.max(NO_ROOM_MM))
+}
+
 impl Demand {
+    /// The same on a pulley of a radius in mm.
+    pub(crate) fn on_radius(&self, radius_mm: f64) -> Cow<'_, Self> {
+        match self {
+            Self::Joint(joint) => Cow::Owned(Self::Joint(JointDemand {
+                radius_mm,
+                ..joint.clone()
+            })),
+            _ => Cow::Borrowed(self),
+        }
+    }
+
     /// Whether pushes of a muscle that extends are wanted: forces and contractions below zero.
     pub fn extends(&self) -> bool {
         matches!(self, Self::Points(points) if points.iter().any(|q| q.force_n < 0.0))

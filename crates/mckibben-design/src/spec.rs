@@ -1,17 +1,19 @@
 //! What is wanted, and what may be varied.
 
 use crate::{
-    Demand, LARGEST_BUNDLE, Limits, OperatingPoint, TubePart,
+    Demand, Limits, OperatingPoint, TubePart,
+    held::Precision,
+    search::deviations,
     tubes::{self, CAST_RUBBER},
 };
 use mckibben_core::{
-    analysis::{LEAST_SAFETY, Options, PROVED, bisect},
+    analysis::{LEAST_SAFETY, Options, PROVED},
     cancel::Cancelled,
+    extremes::peak,
     liquid::LiquidSupply,
-    muscle::{Braid, BraidStiffness, Direction, Muscle, MuscleError, Rubber},
-    rubber::over_time::erf,
+    muscle::{Braid, Direction, EndsMade, Muscle, MuscleError, Rubber},
     sleeve::{self, SleeveEntry},
-    units::Values,
+    units::{Values, tidy},
 };
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -29,14 +31,16 @@ pub enum Objective {
     Pressure,
     /// Least air per stroke; with a liquid, least liquid volume.
     Air,
-    /// Most pull to spare at the maximum pressure.
-    Margin,
-    /// Smallest outer diameter at the operating points; where the length is searched the least
-    /// space. Of muscles that are about equal the one that can be relied on.
+    /// Best chance at the maximum pressure.
+    Chance,
+    /// Smallest outer diameter at the operating points, ends included; where the length is searched
+    /// the least space. Of muscles that are about equal the one with the best chance.
     #[default]
     BulgedDiameter,
     /// Shortest between the terminals at rest.
     Length,
+    /// Least mass with the ends.
+    Mass,
 }
 
 /// Which angle the braid has.
@@ -53,12 +57,18 @@ pub enum BraidChoice {
 
 #[derive(Debug, Clone)]
 pub struct Spec {
-    /// What the muscle must do.
+    /// What all muscles together must do.
     pub wanted: Demand,
-    /// Muscles side by side that share the requirement; `wanted` is that of one.
+    /// Muscles side by side that share it, at least.
     pub count: u32,
-    /// Up to so many side by side may take the place of one; 1 where the number is stated.
+    /// At most so many side by side; `count` where the number is stated.
     pub most_side_by_side: u32,
+    /// Radii in mm of the pulley of a joint; that of the demand where there are none.
+    pub radius_mm: Option<Values>,
+    /// The ends of a muscle; without them only tubes and sleeves have width and mass.
+    pub ends: Option<EndsOf>,
+    /// Muscles as sold that are held against it as well.
+    pub products: Vec<Product>,
     /// Distance in mm between the axes of neighbours; that of the largest envelope, or the bulged
     /// diameter, where there is none.
     pub pitch_mm: Option<f64>,
@@ -84,6 +94,8 @@ pub struct Spec {
     pub wall_mm: Values,
     /// Lengths between the terminals in mm; the base muscle's where there are none.
     pub length_mm: Option<Values>,
+    /// Longer ones that are looked at where no single muscle of those does.
+    pub longer_mm: Vec<f64>,
     /// Least length over the outer diameter, where the length is searched freely.
     pub least_slenderness: f64,
     /// Braid angles, or sleeves.
@@ -92,9 +104,9 @@ pub struct Spec {
     pub rubbers: Vec<Rubber>,
     /// Bounds on what comes out.
     pub limits: Limits,
-    /// Share of muscles, from 0.5 to 0.999, that meet the requirement by the ±: 0.95 asks it of the
-    /// lower end of the ±. None: of the pull itself.
-    pub guaranteed: Option<f64>,
+    /// The chance with which a built muscle must meet every point at some pressure that is allowed,
+    /// from 0.5 to 0.999. None: the pull itself must.
+    pub certainty: Option<f64>,
     /// Quantity to rank by.
     pub objective: Objective,
     /// How many candidates and rejected muscles to report.
@@ -106,12 +118,52 @@ pub struct Spec {
 /// The share of the supply's pressure that is set at most: a regulator varies by 2 to 5 %.
 pub const SUPPLY_SHARE: f64 = 0.95;
 
-/// z with erf(z/√2) = p, by bisection: p from 0.5 to 0.999.
-fn deviations(p: f64) -> f64 {
-    let (low, high) = bisect(0.0, 4.0, 60, |z| {
-        erf(z * std::f64::consts::FRAC_1_SQRT_2) < p
-    });
-    0.5 * (low + high)
+/// The chance with which a muscle must do what it is taken for.
+pub const CERTAINTY: f64 = 0.9;
+
+/// Muscles side by side in place of one, at most.
+pub const LARGEST_BUNDLE: u32 = 7;
+
+/// The ends of a muscle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "CandidateEnds")]
+pub struct Ends {
+    /// How they hold tube and sleeve.
+    #[serde(rename = "ends")]
+    pub made: EndsMade,
+    /// Load of each at the largest pressure that it takes to be sure, N: the blocked force, and the
+    /// pressure on the bore.
+    #[serde(rename = "end_load_n")]
+    pub load_n: f64,
+    /// Largest diameter of plugs and clamps, mm.
+    #[serde(rename = "end_diameter_mm")]
+    pub width_mm: f64,
+    /// Mass of both plugs, g.
+    #[serde(rename = "ends_mass_g")]
+    pub mass_g: f64,
+}
+
+impl Ends {
+    /// Of muscles whose ends are not known.
+    pub const NONE: Self = Self {
+        made: EndsMade::Tied,
+        load_n: 0.0,
+        width_mm: 0.0,
+        mass_g: 0.0,
+    };
+}
+
+/// The ends of a muscle for its blocked force in N and a pressure in MPa, on demand without their
+/// mass, which takes long; `None` where its length on the plugs holds none.
+pub type EndsOf = fn(&Muscle, f64, f64, Precision) -> Option<Ends>;
+
+/// A muscle as sold.
+#[derive(Debug, Clone)]
+pub struct Product {
+    /// What its seller calls it, with its name in the library.
+    pub name: String,
+    /// The muscle, with the bench on which it was measured.
+    pub muscle: Muscle,
 }
 
 impl Spec {
@@ -124,6 +176,9 @@ impl Spec {
             wanted: points.into(),
             count: 1,
             most_side_by_side: 1,
+            radius_mm: None,
+            ends: None,
+            products: vec![],
             pitch_mm: None,
             built: true,
             direction: Direction::Contraction,
@@ -136,10 +191,11 @@ impl Spec {
             braid: BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
             base,
             length_mm: None,
+            longer_mm: vec![],
             least_slenderness: 0.0,
             rubbers: vec![],
             limits: Limits::safe(),
-            guaranteed: None,
+            certainty: Some(CERTAINTY),
             objective: Objective::default(),
             top: 5,
             extrapolate: false,
@@ -189,39 +245,15 @@ impl Spec {
         Ok(self)
     }
 
-    /// The same, with a pull that is guaranteed.
-    pub(crate) fn to_be_sure(&self) -> Self {
-        Self {
-            guaranteed: Some(0.95),
-            top: 1,
-            ..self.clone()
-        }
+    /// So many side by side, within those that may be.
+    pub(crate) fn count_of(&self, needed: f64) -> u32 {
+        let most = self.most_side_by_side.max(self.count);
+        needed.clamp(f64::from(self.count), f64::from(most)) as u32
     }
 
-    /// Whether one muscle must do, and no bundle is tried in its place.
-    pub(crate) fn is_alone(&self) -> bool {
-        self.count == 1 && self.most_side_by_side <= 1
-    }
-
-    /// The same for one of so many muscles that share what is required, and the liquid.
-    #[must_use]
-    pub fn shared_by(&self, count: u32) -> Self {
-        let share = 1.0 / f64::from(count);
-        let mut shared = Self {
-            wanted: self.wanted.times(share),
-            count: self.count * count,
-            ..self.clone()
-        };
-        if let Some(volume_mm3) = &mut shared.limits.liquid_volume_mm3 {
-            *volume_mm3 /= f64::from(count);
-        }
-        shared
-    }
-
-    /// Whether the braid is the paper's, whose stiffness follows from the diameter.
-    pub fn has_paper_braid(&self) -> bool {
-        !matches!(self.braid, BraidChoice::Sleeves(_))
-            && self.base.braid().stiffness == BraidStiffness::Paper
+    /// z of the chance that is required.
+    pub(crate) fn deviations(&self) -> Option<f64> {
+        deviations(self.certainty)
     }
 
     /// How its models are evaluated: with the friction that is stated or estimated, on the branch
@@ -245,29 +277,10 @@ impl Spec {
         }
     }
 
-    /// What it asks of a muscle, without what muscles are chosen among: a copy of it is small.
-    pub(super) fn without_parts(&self) -> Self {
-        Self {
-            tubes: vec![],
-            rubbers: vec![],
-            braid: BraidChoice::Sleeves(vec![]),
-            ..self.clone()
-        }
-    }
-
-    /// Half-widths of the pull that it must hold against: 1 for 95 %, none where the pull itself is
-    /// meant.
+    /// Checks that it can be searched, and that a braid may do it.
     ///
-    /// A share p of normal deviations lies within z(p) standard ones, and the ± is z(0.95) of them.
-    pub(super) fn half_widths(&self) -> Option<f64> {
-        Some(deviations(self.guaranteed?) / deviations(0.95))
-    }
-
-    /// The operating points of a muscle of the search.
-    pub(super) fn points(&self, muscle: &Muscle) -> std::borrow::Cow<'_, [OperatingPoint]> {
-        self.wanted.points(muscle.length_mm())
-    }
-
+    /// # Errors
+    /// [`SpecError`] with the field, its value, and what it must be.
     pub fn check(&self) -> Result<(), SpecError> {
         let lengths = match &self.length_mm {
             Some(Values::List(list)) => list.clone(),
@@ -275,54 +288,12 @@ impl Spec {
             Some(Values::Interval(_, high)) => vec![*high],
             None => vec![self.base.length_mm()],
         };
-        lengths
-            .iter()
-            .try_for_each(|length| self.wanted.check(*length))?;
-        if !(self.max_pressure_mpa.is_finite() && self.max_pressure_mpa > 0.0) {
-            return Err(SpecError::Refused(format!(
-                "the maximum pressure is {}\u{a0}MPa; it must be above zero",
-                self.max_pressure_mpa
-            )));
+        for length_mm in lengths.iter().chain(self.longer_mm.last()) {
+            self.wanted.check(*length_mm)?;
         }
-        let sizes = [
-            ("the outer diameter", Some(self.outer_diameter_mm.bounds())),
-            ("the wall", Some(self.wall_mm.bounds())),
-            ("the length", self.length_mm.as_ref().map(Values::bounds)),
-            ("`top`", Some((self.top as f64, self.top as f64))),
-        ];
-        let limits = self.limits.positive().into_iter();
-        let limits = limits.map(|(name, value)| (name, value.map(|v| (v, v))));
-        for (name, bounds) in sizes.into_iter().chain(limits) {
-            let sound = |(low, high): (f64, f64)| low > 0.0 && low <= high && high.is_finite();
-            if let Some((low, high)) = bounds.filter(|ends| !sound(*ends)) {
-                let value = if low == high || low.is_nan() {
-                    low.to_string()
-                } else {
-                    format!("{low} to {high}")
-                };
-                return Err(SpecError::Refused(format!(
-                    "{name} is {value}; it must be above zero, the smaller end first"
-                )));
-            }
-        }
-        let factors = [
-            ("the safety factor", self.limits.burst_margin, LEAST_SAFETY),
-            (
-                "the safety factor of the tube",
-                self.limits.tube_margin,
-                PROVED,
-            ),
-        ];
-        for (name, factor, least) in factors {
-            if let Some(factor) = factor.filter(|factor| *factor < least) {
-                return Err(SpecError::Refused(format!(
-                    "{name} is {factor}; give {least} or more, so that the muscle can be tested \
-                     above the pressure that is set, or 0 to leave failures out"
-                )));
-            }
-        }
+        self.check_numbers()?;
         if let (Some(volume_mm3), None) = (self.limits.liquid_volume_mm3, &self.liquid) {
-            return Err(SpecError::NoLiquid(volume_mm3 * f64::from(self.count)));
+            return Err(SpecError::NoLiquid(volume_mm3));
         }
         let count = |v: &Values| match v {
             Values::List(list) => list.len() as f64,
@@ -339,15 +310,119 @@ impl Spec {
             ));
         }
         let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
-        let lengths = self.length_mm.as_ref().map_or(1.0, count);
-        let all = sections * lengths * braids * self.rubbers.len().max(1) as f64;
-        if all > 5e6 {
+        let some = self.length_mm.as_ref().map_or(1.0, count);
+        let all = sections * some * braids * self.rubbers.len().max(1) as f64;
+        if all > 1e6 {
             return Err(SpecError::Refused(format!(
-                "{all:.3e} combinations are too many; at most 5 million: take larger steps or \
+                "{all:.3e} combinations are too many; at most 1 million: take larger steps or \
                  fewer values"
             )));
         }
-        Ok(())
+        self.check_contraction(peak(
+            lengths.into_iter().chain(self.longer_mm.last().copied()),
+        ))
+    }
+
+    fn check_numbers(&self) -> Result<(), SpecError> {
+        let one = |value: f64| Some((value, value));
+        let mut numbers = vec![
+            ("the maximum pressure", one(self.max_pressure_mpa)),
+            ("the outer diameter", Some(self.outer_diameter_mm.bounds())),
+            ("the wall", Some(self.wall_mm.bounds())),
+            ("the length", self.length_mm.as_ref().map(Values::bounds)),
+            (
+                "the radius of the pulley",
+                self.radius_mm.as_ref().map(Values::bounds),
+            ),
+            ("the pitch", self.pitch_mm.and_then(one)),
+            ("`top`", one(self.top as f64)),
+            ("`count`", one(f64::from(self.count))),
+        ];
+        let limits = self.limits.positive().into_iter();
+        numbers.extend(limits.map(|(name, value)| (name, value.and_then(one))));
+        for (name, bounds) in numbers {
+            let sound = |(low, high): (f64, f64)| low > 0.0 && low <= high && high.is_finite();
+            if let Some((low, high)) = bounds.filter(|ends| !sound(*ends)) {
+                let value = if low == high || low.is_nan() {
+                    low.to_string()
+                } else {
+                    format!("{low} to {high}")
+                };
+                return Err(SpecError::Refused(format!(
+                    "{name} is {value}; it must be above zero, the smaller end first"
+                )));
+            }
+        }
+        let limits = &self.limits;
+        let factors = [
+            ("the safety factor", limits.burst_margin, LEAST_SAFETY),
+            ("the safety factor of the tube", limits.tube_margin, PROVED),
+        ];
+        for (name, factor, least) in factors {
+            if let Some(factor) = factor.filter(|factor| *factor < least) {
+                return Err(SpecError::Refused(format!(
+                    "{name} is {factor}; give {least} or more, so that the muscle can be tested \
+                     above the pressure that is set, or 0 to leave failures out"
+                )));
+            }
+        }
+        match self
+            .certainty
+            .filter(|share| !(0.5..=0.999).contains(share))
+        {
+            Some(share) => Err(SpecError::Refused(format!(
+                "the certainty is {share}; it must be from 0.5 (50 %) to 0.999 (99.9 %)"
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses a contraction that inextensible strands do not reach at any pressure: ε = 1 − 1/(√3
+    /// cosθ0), the least of whose angles is that of the search.
+    fn check_contraction(&self, length_mm: f64) -> Result<(), SpecError> {
+        if self.wanted.extends() {
+            return Ok(());
+        }
+        let wanted = match &self.radius_mm {
+            Some(radii) => self.wanted.on_radius(radii.bounds().0),
+            None => std::borrow::Cow::Borrowed(&self.wanted),
+        };
+        let required = peak(wanted.points(length_mm).iter().map(|q| q.contraction));
+        let least_deg = self.least_angle_deg();
+        let most = 1.0 - 1.0 / (3f64.sqrt() * least_deg.to_radians().cos());
+        if required < most {
+            return Ok(());
+        }
+        let percent = |share: f64| tidy(100.0 * share, 3);
+        Err(SpecError::OutOfReach {
+            required: percent(required),
+            most: percent(most),
+            least_deg: tidy(least_deg, 3),
+        })
+    }
+
+    /// The smallest angle of the braids on their tubes, in degrees.
+    fn least_angle_deg(&self) -> f64 {
+        let angles: Vec<f64> = match &self.braid {
+            BraidChoice::Angle(angles) => vec![angles.bounds().0],
+            BraidChoice::Sleeves(list) if !self.tubes.is_empty() => {
+                let on = |braid: &Braid, tube: &TubePart| {
+                    Some(
+                        braid
+                            .clone()
+                            .on_diameter(tube.outer_diameter_mm)
+                            .ok()?
+                            .angle_deg,
+                    )
+                };
+                let all = list
+                    .iter()
+                    .flat_map(|b| self.tubes.iter().map(move |t| on(b, t)));
+                all.flatten().collect()
+            }
+            _ => vec![],
+        };
+        angles.into_iter().reduce(f64::min).unwrap_or(0.0)
     }
 }
 
@@ -364,6 +439,16 @@ pub enum SpecError {
          leave `max_liquid_volume_mm3` out"
     )]
     NoLiquid(f64),
+    /// A contraction that no braid of the search reaches, in percent and degrees.
+    #[error(
+        "a contraction of {required} % is required: a braid at {least_deg}° contracts by {most} % \
+         at most, no braid by more than 42.2 %"
+    )]
+    OutOfReach {
+        required: f64,
+        most: f64,
+        least_deg: f64,
+    },
     /// No combination is a muscle at all.
     #[error("none of the combinations is a muscle: {0}")]
     NoMuscle(MuscleError),

@@ -109,14 +109,10 @@ impl ExportedJoint {
                 100.0 * TAUT
             ),
         ];
-        facts.extend(
-            self.muscles
-                .iter()
-                .flat_map(|muscle| {
-                    let facts = muscle.facts();
-                    facts.into_iter().filter(|fact| !fact.contains("against"))
-                }),
-        );
+        facts.extend(self.muscles.iter().flat_map(|muscle| {
+            let facts = muscle.facts();
+            facts.into_iter().filter(|fact| !fact.contains("against"))
+        }));
         facts
     }
 

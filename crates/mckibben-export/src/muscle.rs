@@ -107,7 +107,11 @@ impl Known {
         );
         let limits = &self.limits;
         let pascal = |mpa: Option<f64>| mpa.map(|mpa| format!("{} Pa", (1e6 * mpa).floor()));
-        let raised = if limits.overpressure { " (overpressure)" } else { "" };
+        let raised = if limits.overpressure {
+            " (overpressure)"
+        } else {
+            ""
+        };
         [
             pull,
             format!(

@@ -8,13 +8,14 @@ use std::error::Error;
 pub fn main() -> Result<(), Box<dyn Error>> {
     let spec = Spec::pull(300.0, 0.12, 0.4).length_mm(200.0).of_parts()?;
     let found = mckibben::decide(&spec)?;
-    let best = found.outcome.candidates.first().ok_or("nothing fits")?;
+    let best = found.candidates.first().ok_or("nothing fits")?;
     println!(
-        "{} of tube {:.1} × {:.2} mm at {:.3} MPa",
-        found.spec.count,
+        "{} of tube {:.1} × {:.2} mm at {:.3} MPa, {:.0} % sure",
+        best.count,
         best.muscle.outer_diameter_mm(),
         best.muscle.wall_mm(),
-        best.pressure_mpa
+        best.pressure_mpa,
+        100.0 * best.chance.ok_or("no ±")?
     );
 
     // What is set is below what the supply gives, and the muscle gives what is wanted as built.

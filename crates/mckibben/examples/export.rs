@@ -12,7 +12,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let model = Model::FE.of(&Muscle::prototype())?.shared();
     let wanted = BoxRequest {
         supply_mpa: 0.3,
-        contraction_low: None,
+        contraction_low: 0.0,
         contraction_high: None,
     };
     let muscle = ExportedMuscle::fit(&*model, "prototype", wanted)?;

@@ -7,13 +7,13 @@ use mckibben_core::{
     progress::Silent,
 };
 use mckibben_design::{
-    Build, Design, Models, Open, SearchedMuscles, Spec, SpecError, Task, near_the_box,
+    Build, Models, Outcome, ScreenedMuscles, Spec, SpecError, design_with, near_the_box,
 };
 
 /// Which model ranks the muscles of a search, and which one decides in the end.
 pub struct Deciding {
     /// What searches the muscles that it is good for, where the other one only decides.
-    quick: Option<(Model, SearchedMuscles)>,
+    pub quick: Option<(Model, ScreenedMuscles)>,
     /// What searches all others, and decides.
     pub model: Model,
 }
@@ -27,7 +27,7 @@ impl Deciding {
     /// Finite elements decide of what a closed form has found, of muscles that pull or push.
     pub fn usual(extends: bool) -> Self {
         // `universal` was not fitted for muscles that extend.
-        let quick: (ModelKind, SearchedMuscles) = if extends {
+        let quick: (ModelKind, ScreenedMuscles) = if extends {
             (ModelKind::ThickWall, |_| true)
         } else {
             (ModelKind::Universal, near_the_box)
@@ -47,7 +47,7 @@ impl Deciding {
             .as_ref()
             .map(|quick| (&decide as &Build<'_>, quick.1));
         work(Models {
-            search: &look,
+            screen: &look,
             settle,
         })
     }
@@ -78,7 +78,7 @@ impl Deciding {
 /// // 700 N at 15 % with at most 0.25 MPa, 200 mm between the terminals, of parts that one buys.
 /// let spec = Spec::pull(700.0, 0.15, 0.25).length_mm(200.0).of_parts()?;
 /// let found = mckibben::decide(&spec)?;
-/// for one in &found.outcome.candidates {
+/// for one in &found.candidates {
 ///     println!("{:.1} mm at {:.3} MPa", one.muscle.outer_diameter_mm(), one.pressure_mpa);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -86,16 +86,7 @@ impl Deciding {
 ///
 /// # Errors
 /// [`SpecError`] where the specification cannot be searched; that nothing fits is an outcome.
-pub fn decide(spec: &Spec) -> Result<Design, SpecError> {
-    let open = spec.most_side_by_side > 1;
-    let task = Task {
-        spec: spec.clone(),
-        radius_mm: None,
-        open: Open {
-            count: open,
-            sleeves: open,
-            rubbers: open,
-        },
-    };
-    Deciding::usual(spec.wanted.extends()).with_models(|models| task.solve(models, &Silent))
+pub fn decide(spec: &Spec) -> Result<Outcome, SpecError> {
+    let deciding = Deciding::usual(spec.wanted.extends());
+    deciding.with_models(|models| design_with(spec, models, &Silent))
 }

@@ -261,9 +261,7 @@ impl MuscleModel {
 
     /// An answer with what is said of its pressure before all other warnings.
     fn warned(&self, mut answer: Answer) -> Answer {
-        let said = self
-            .burst()
-            .warnings(answer.response.pressure_mpa);
+        let said = self.burst().warnings(answer.response.pressure_mpa);
         Warning::put_first(&mut answer.warnings, said);
         answer
     }

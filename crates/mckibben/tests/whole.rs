@@ -125,7 +125,7 @@ mod custom {
             })
             .unwrap()
         });
-        let [listed, own] = found.map(|design| design.outcome.candidates[0].pressure_mpa);
+        let [listed, own] = found.map(|design| design.candidates[0].pressure_mpa);
         assert!((own / listed - 1.0).abs() < 1e-3, "{own} {listed}");
 
         let points: Vec<DataPoint> = [(0.1, 0.0), (0.2, 0.05), (0.2, 0.1), (0.3, 0.1), (0.3, 0.2)]

@@ -11,14 +11,13 @@ mod point;
 pub use point::with_parameters;
 
 use crate::{
-    AskFields, Model, PressureLimits, Problem, ProblemKind, Result, burst_of, finite,
-    ratio,
+    AskFields, Model, PressureLimits, Problem, ProblemKind, Result, burst_of, finite, ratio,
 };
 use mckibben::gradient;
 use mckibben_core::{
     analysis::{Burst, Evaluation},
-    built::MEASURED,
     answer::{Answer, Options},
+    built::MEASURED,
     model::{ForceModel, ModelInfo, ModelKind, Workspace},
     muscle::Muscle,
     progress::Progress,
@@ -158,7 +157,9 @@ impl BoundModel {
         let burst = burst_of(&self.choice, &*self.model)?;
         let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
         let measured_mpa = MEASURED[4].2.1;
-        let highest_mpa = allowed_mpa.min(measured_mpa).min(self.info().range.pressure_mpa.1);
+        let highest_mpa = allowed_mpa
+            .min(measured_mpa)
+            .min(self.info().range.pressure_mpa.1);
         let choice = if self.is_elements() {
             ModelKind::ThickWall.into()
         } else {

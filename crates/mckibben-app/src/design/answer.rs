@@ -6,22 +6,21 @@ use super::{
     request::{OperatingPoint, TorqueWanted},
 };
 use crate::{
-    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, number, percent,
+    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, percent,
     words::{braid_name, rubber_name},
 };
-use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::{Burst, burst::ends::clamp_load_n},
+    analysis::Burst,
     by_number::SortByNumber,
     extremes::peak,
     liquid::Liquid,
-    muscle::{Braid, BraidStiffness, EndsMade, Job, JobPoint, file::to_toml},
+    muscle::{Braid, BraidStiffness, Job, JobPoint, file::to_toml},
     units::Positive,
     warning::Warning,
 };
 use mckibben_design::{
-    Bought, BraidChoice, Bundle, Candidate, CandidatePoint, Demand, Lift, Limit, Outcome, Rejected,
-    Spec, tubes::rubbers,
+    BraidChoice, Bundle, Candidate, CandidatePoint, ChoiceKind, Demand, Lift, Limit, Outcome,
+    Rejected, Spec, tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -32,8 +31,8 @@ use serde_with_macros::skip_serializing_none;
 #[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct DesignAnswer {
-    /// The decision in sentences: what to take, which pressure to set, what it pulls, what is sure,
-    /// what limits it; none where nothing fits.
+    /// The decision in sentences: what to take with its chance, which pressure to set, what it pulls,
+    /// what to measure, what limits it; where nothing fits the best chance there is.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub decision: Vec<String>,
     /// The model that all numbers come from.
@@ -65,28 +64,16 @@ pub struct DesignAnswer {
     pub rejected: Vec<RejectedAnswer>,
     /// Warnings about the best muscle; if nothing fits, whether burst was checked.
     pub warnings: Vec<Warning>,
-    /// One muscle, the slimmest bundle, what is sure, and one of the other make beside each other,
-    /// where there are two or more.
+    /// The first beside what has another chance, make or number, and muscles as sold; where nothing
+    /// fits what has the best chance.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub choices: Vec<ChoiceAnswer>,
-    /// Where the best muscle has a tube that is sold the best one that is cast, and vice versa.
-    pub other_make: Option<CandidateAnswer>,
-    /// In place of one muscle: so many side by side, where the circle around them is smaller.
-    pub slimmest_bundle: Option<CandidateAnswer>,
     /// With `cycle_hz`: the air and the valve of the best muscle.
     pub cycle: Option<CycleAnswer>,
-    /// If none of the candidates is sure at a pressure that it may have: what is, one or several
-    /// side by side, whose lower end of the ± meets the requirement (`guaranteed`); none where the
-    /// same search finds none.
-    pub to_be_sure: Option<CandidateAnswer>,
     /// If nothing fits: the muscle that comes closest.
     pub closest: Option<ClosestAnswer>,
     /// Of a bundle: what its muscles do together, by the best muscle.
     pub bundle: Option<Bundle>,
-    /// Muscles as sold, of the library, that would do: their pull less its ± meets the requirement.
-    /// Of a bundle: so many of them.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub bought: Vec<Bought>,
     /// The figure, where one is wanted and something fits.
     pub figure: Option<Figure>,
     /// The candidates as muscle files, in their order.
@@ -117,8 +104,6 @@ pub enum DemandAnswer {
     Joint {
         /// Torques at angles.
         torques: Vec<TorqueWanted>,
-        /// Radius of the pulley, mm.
-        radius_mm: f64,
     },
 }
 
@@ -141,16 +126,13 @@ pub struct SearchedAnswer {
     pub burst_checked: bool,
     /// Largest strain of the strands, where there is one.
     pub max_strand_strain: Option<f64>,
-    /// Share of muscles that meet the requirement by the ±, where one is guaranteed: 0.95 for its
-    /// lower end.
-    pub guaranteed: Option<f64>,
+    /// The chance that is required; none where the model's own pull decides.
+    pub certainty: Option<f64>,
 }
 
 /// A muscle that fits.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct CandidateAnswer {
-    /// So many of it side by side.
-    pub count: u32,
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleSummary,
@@ -180,39 +162,9 @@ pub struct CandidateAnswer {
     pub limits: PressureLimits,
     /// Largest 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
-    /// The ends that hold it, as `build` makes them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ends: Option<CandidateEnds>,
     /// Of a joint: its pulley, and how the muscle is put on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub joint: Option<CandidateJoint>,
-}
-
-/// The ends of a candidate.
-#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
-pub struct CandidateEnds {
-    /// How they hold tube and sleeve.
-    pub ends: EndsMade,
-    /// Load of each at the pressure to set, N: the blocked force, and the pressure on the bore.
-    pub end_load_n: f64,
-    /// Largest diameter of plugs and clamps, mm.
-    pub end_diameter_mm: f64,
-    /// Mass of both plugs, g.
-    pub ends_mass_g: f64,
-}
-
-impl CandidateEnds {
-    /// Those of a muscle at the pressure to set; none where its length on the plugs holds none.
-    pub fn of(c: &Candidate) -> Option<Self> {
-        let end_load_n = clamp_load_n(&c.muscle, c.blocked_at_set_n.max(0.0), c.pressure_mpa);
-        let parts = EndParts::new(&c.muscle, end_load_n, &Wishes::default()).ok()?;
-        Some(Self {
-            ends: parts.ends.made,
-            end_load_n,
-            end_diameter_mm: parts.widest_mm(),
-            ends_mass_g: parts.air_plug.mass_g() + parts.eye_plug.mass_g(),
-        })
-    }
 }
 
 /// The joint around a candidate.
@@ -227,49 +179,19 @@ pub struct CandidateJoint {
 }
 
 /// One of the choices of the decision.
-#[skip_serializing_none]
-#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct ChoiceAnswer {
     /// What it is.
     pub kind: ChoiceKind,
-    /// The same in words, with how many there are side by side.
+    /// The chance in words, with how many there are side by side.
     pub name: String,
-    /// So many side by side.
-    pub count: u32,
-    /// Tube and sleeve.
+    /// Tube and sleeve, or the product.
     pub parts: String,
-    /// Length between the terminals, mm.
-    pub length_mm: f64,
-    /// Diameter at the bulge of one, or of the circle around all of them, mm.
-    pub envelope_mm: Option<f64>,
-    /// Pressure to set, MPa.
-    pub pressure_mpa: f64,
-    /// What is required of all of them at the point of the largest ±, N.
-    pub force_n: f64,
-    /// The 95 % interval of what they pull there, N.
-    pub predicted_low_n: Option<f64>,
-    /// Its upper end.
-    pub predicted_high_n: Option<f64>,
-    /// Air per stroke, normal litres.
-    pub air_normal_litres: Option<f64>,
-    /// Liquid per stroke, mm³.
-    pub liquid_volume_mm3: Option<f64>,
-}
-
-/// What a choice is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ChoiceKind {
-    /// The first muscle, or as many of it as are required.
-    First,
-    /// The slimmest bundle.
-    Bundle,
-    /// What is sure.
-    Sure,
-    /// One whose tube is sold, where that of the first is cast.
-    Sold,
-    /// One whose tube is cast, where that of the first is sold.
-    Cast,
+    /// Diameter of the circle around all of them, mm.
+    pub envelope_mm: f64,
+    /// The muscle.
+    #[serde(flatten)]
+    pub candidate: CandidateAnswer,
 }
 
 /// A muscle that does not fit.
@@ -278,11 +200,17 @@ pub enum ChoiceKind {
 pub struct RejectedAnswer {
     /// The muscle.
     #[serde(flatten)]
-    pub muscle: Rejected,
+    pub muscle: MuscleSummary,
+    /// So many of it side by side.
+    pub count: u32,
+    /// The probability that it meets every point, apart from its other limits.
+    pub chance: Option<f64>,
+    /// The shares by which it misses its limits, summed.
+    pub misses_by: f64,
     /// The limit that it misses by most, in a sentence.
     pub reason: String,
-    /// That limit; none where the model has no answer.
-    pub limit: Option<Limit>,
+    /// That limit.
+    pub limit: Limit,
 }
 
 /// The muscle that comes closest, and what would make it fit.
@@ -294,8 +222,6 @@ pub struct ClosestAnswer {
     /// Changes with which a muscle of the search fits, the smallest of each kind; those that ask
     /// for least first.
     pub relaxations: Vec<RelaxationAnswer>,
-    /// Contractions beyond every braid of the search, and the angle that reaches them.
-    pub hint: Option<String>,
 }
 
 /// The muscle of a candidate, which knows its job.
@@ -346,7 +272,6 @@ impl DemandAnswer {
             } => Self::Contraction { contraction },
             Demand::Joint(joint) => Self::Joint {
                 torques: joint.torques.clone(),
-                radius_mm: joint.radius_mm,
             },
         }
     }
@@ -366,7 +291,7 @@ impl SearchedAnswer {
                 _ => has_strength(spec.base.braid()),
             },
             max_strand_strain: spec.limits.strand_strain,
-            guaranteed: spec.guaranteed,
+            certainty: spec.certainty,
         }
     }
 }
@@ -411,17 +336,17 @@ fn braid_of(spec: &Spec) -> String {
 }
 
 impl CandidateAnswer {
-    pub(super) fn new(c: &Candidate, spec: &Spec, count: u32) -> Self {
+    pub(super) fn new(c: &Candidate, spec: &Spec) -> Self {
         Self {
             joint: match &spec.wanted {
                 Demand::Joint(joint) => Some(CandidateJoint {
-                    radius_mm: joint.radius_mm,
-                    contraction_at_neutral: joint.contraction_at_neutral(c.muscle.length_mm()),
+                    radius_mm: c.radius_mm,
+                    contraction_at_neutral: joint
+                        .contraction_at_neutral(c.radius_mm, c.muscle.length_mm()),
                     largest_angle_deg: joint.largest_angle_deg,
                 }),
                 _ => None,
             },
-            count,
             muscle: (&c.muscle).into(),
             candidate: c.clone(),
             bulged_diameter_mm: c.bulged_diameter_mm(),
@@ -434,7 +359,6 @@ impl CandidateAnswer {
             max_stretch: c.largest(|q| q.response.max_stretch),
             limits: (&c.burst).into(),
             uncertainty_n: c.largest(|q| q.uncertainty_n),
-            ends: CandidateEnds::of(c),
         }
     }
 }
@@ -442,9 +366,12 @@ impl CandidateAnswer {
 impl From<&Rejected> for RejectedAnswer {
     fn from(r: &Rejected) -> Self {
         Self {
-            muscle: r.clone(),
-            reason: r.reason.describe(&|kind, v| Units::default().show(kind, v)),
-            limit: r.reason.check().map(|check| check.limit),
+            muscle: (&r.muscle).into(),
+            count: r.count,
+            chance: r.chance,
+            misses_by: r.misses_by,
+            reason: r.check.describe(&|kind, v| Units::default().show(kind, v)),
+            limit: r.check.limit,
         }
     }
 }
@@ -452,10 +379,8 @@ impl From<&Rejected> for RejectedAnswer {
 /// What is said of a burst where nothing fits: that it was not checked, of strands whose strength
 /// is not stated.
 pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
-    let missing = outcome
-        .closest
-        .as_ref()
-        .and_then(|closest| Burst::missing(&closest.rejected.muscle));
+    let closest = outcome.rejected.first();
+    let missing = closest.and_then(|closest| Burst::missing(&closest.muscle));
     missing
         .map(|why| Burst::unknown(why).warnings(max_pressure_mpa))
         .unwrap_or_default()
@@ -471,55 +396,15 @@ pub fn warnings(c: &Candidate) -> Vec<Warning> {
 }
 
 /// That neighbours of a bundle touch before the largest contraction that is wanted.
-pub fn touches(bundle: &Bundle) -> Option<Warning> {
-    let (touch, largest) = bundle.touches_before()?;
+pub fn touches(bundle: &Bundle, winner: &Candidate) -> Option<Warning> {
+    let largest = peak(winner.points.iter().map(|q| q.wanted.contraction));
+    let touch = bundle
+        .touch_contraction
+        .filter(|touch| *touch < largest - 1e-6)?;
     let touch = percent(touch);
     let largest = percent(largest);
     Some(Warning::from(format!(
         "neighbours of the bundle touch from a contraction of {touch} at the maximum pressure, and \
          {largest} is required: beyond that they press on each other, which is not computed"
     )))
-}
-
-/// Contractions that no braid of the search reaches, and the angle that would.
-pub fn out_of_reach(spec: &Spec) -> Option<String> {
-    let smallest = match &spec.braid {
-        BraidChoice::Angle(angles) => angles.bounds().0,
-        BraidChoice::Sleeves(list) => {
-            let on_tubes = |braid: &Braid| {
-                let on = spec
-                    .tubes
-                    .iter()
-                    .filter_map(|tube| braid.clone().on_diameter(tube.outer_diameter_mm).ok());
-                on.map(|braid| braid.angle_deg).reduce(f64::min)
-            };
-            list.iter().filter_map(on_tubes).reduce(f64::min)?
-        }
-        _ => return None,
-    };
-    let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
-    let points = spec.wanted.points(
-        spec.length_mm
-            .as_ref()
-            .map_or(spec.base.length_mm(), |l| l.bounds().1),
-    );
-    let wanted = peak(points.iter().map(|q| q.contraction));
-    if wanted < most(smallest) || spec.wanted.extends() {
-        return None;
-    }
-    let cos = 1.0 / (3f64.sqrt() * (1.0 - wanted));
-    let reach = if cos < 1.0 {
-        format!(
-            "{} needs one well below {}°",
-            percent(wanted),
-            number(cos.acos().to_degrees().floor(), 3)
-        )
-    } else {
-        format!("no braid reaches {} (the limit is 42.3 %)", percent(wanted))
-    };
-    let at = number(smallest, 4);
-    let most = percent((most(smallest) * 1e3).round() / 1e3);
-    Some(format!(
-        "A braid at {at}° contracts by {most} at most; {reach}."
-    ))
 }

@@ -2,14 +2,14 @@
 //! keep muscles from fitting.
 
 use super::request::DesignRequest;
-use crate::{Model, Units, percent, words::number};
+use crate::{Model, Units, words::number};
 use mckibben_core::{
     by_number::ByNumber,
-    muscle::{Braid, Muscle},
-    units::{Dimension, tidy, typed::Choice},
+    muscle::{Braid, BraidStiffness, Muscle},
+    units::{Dimension, tidy},
 };
 use mckibben_design::{
-    BraidChoice, Candidate, Demand, Design, Lift,
+    BraidChoice, Candidate, Demand, Outcome, Spec,
     tubes::{LEAST_CAST_WALL_MM, rubbers},
 };
 
@@ -23,8 +23,6 @@ pub struct Stated {
     braid: bool,
     /// What would state the length, where it is not stated.
     pub length_by: Option<&'static str>,
-    /// Whether the length is stated, to which a muscle as sold is cut.
-    pub is_cut: bool,
     /// Whether a stroke sets the contraction.
     pub stroke_sets_contraction: bool,
 }
@@ -40,19 +38,18 @@ impl Stated {
             rubber: !request.rubbers.is_empty() || has_file,
             braid: request.stiffness.is_some() || has_file,
             length_by: is_assumed.then_some("`length_mm` or `stroke_mm`"),
-            is_cut: stroke || matches!(request.length_mm, Some(Choice::One(_))),
             stroke_sets_contraction: stroke && !contraction && !request.length_is_searched(),
         }
     }
 
     /// What was assumed, in sentences.
-    pub fn assumptions(&self, found: &Design) -> Vec<String> {
-        let spec = &found.spec;
+    pub fn assumptions(&self, spec: &Spec, found: &Outcome) -> Vec<String> {
         let mut out = vec![];
-        if found.is_shared {
+        if let Some(first) = found.candidates.first().filter(|c| c.count > spec.count) {
             out.push(format!(
-                "{} equal muscles share what is required, because no single one does it (`count`)",
-                spec.count
+                "{} equal muscles share what is required: one alone is larger by half, or does not \
+                 do it (`count`)",
+                first.count
             ));
         }
         if !self.supply {
@@ -74,25 +71,16 @@ impl Stated {
                 "the length L0 is {length_mm}\u{a0}mm, because none is given {named}"
             ));
         }
-        if let (
-            Demand::Load {
-                way: Lift::Stroke(stroke_mm),
-                ..
-            },
-            Some(lengths),
-        ) = (&spec.wanted, &spec.length_mm)
-        {
+        if let (Demand::Load { .. }, Some(lengths)) = (&spec.wanted, &spec.length_mm) {
             let (low_mm, high_mm) = lengths.bounds();
-            let shares = [low_mm, high_mm].map(|mm| percent(tidy(stroke_mm / mm, 2)));
             let [low, high] =
                 [low_mm, high_mm].map(|mm| Units::default().show(Dimension::Length, tidy(mm, 3)));
             out.push(format!(
-                "the length is searched from {low} to {high}, of which the stroke is {} to {} \
-                 (`length_mm`; `objective` for the shortest)",
-                shares[0], shares[1]
+                "the length is searched from {low} to {high} (`length_mm`; `objective` for the \
+                 shortest)"
             ));
         }
-        out.extend(found.outcome.candidates.first().and_then(friction));
+        out.extend(found.candidates.first().and_then(friction));
         if !spec.tubes.is_empty() {
             let estimated = |braid: &Braid| braid.stiffness_factor > 1.0;
             if matches!(&spec.braid, BraidChoice::Sleeves(list) if list.iter().any(estimated)) {
@@ -116,7 +104,8 @@ impl Stated {
                 "the rubber is that of the paper, because none is named {named}"
             ));
         }
-        if spec.has_paper_braid() && !self.braid {
+        let is_paper = spec.base.braid().stiffness == BraidStiffness::Paper;
+        if is_paper && !matches!(spec.braid, BraidChoice::Sleeves(_)) && !self.braid {
             let named = "(`braids`, `stiffness`, or a muscle file)";
             out.push(format!(
                 "the braid is that of the paper, because none is named {named}"

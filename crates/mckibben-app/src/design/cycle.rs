@@ -85,7 +85,7 @@ impl DesignRequest {
         Ok(Some(CycleAnswer {
             frequency_hz,
             air_normal_litres_per_min: stroke
-                .map(|litres| 60.0 * frequency_hz * litres * f64::from(spec.count)),
+                .map(|litres| 60.0 * frequency_hz * litres * f64::from(winner.count)),
             sonic_conductance_l_per_s_bar: needed,
             valve: valve.map(|v| v.name.clone()),
             reason,

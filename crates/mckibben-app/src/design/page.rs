@@ -1,17 +1,55 @@
 //! A design as people read it.
 
-mod candidates;
-
-use super::{
-    Bundle, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
-    answer::ChoiceAnswer,
-};
+use super::{CandidateJoint, ClosestAnswer, DesignAnswer, RejectedAnswer};
 use crate::{
-    Units, number, percent,
-    print::{Csv, Page, Rows, Show, Table},
-    units::{NEWTON_METRES, NORMAL_LITRES, PERCENT},
+    Units, number,
+    print::{Csv, Page, Rows, Show},
 };
-use mckibben_core::{joined, units::rounded, warning::Warning};
+use mckibben_core::{units::rounded, warning::Warning};
+
+/// Columns of the choices.
+const CHOICES: [&str; 8] = [
+    "name",
+    "envelope_mm",
+    "length_mm",
+    "pressure_mpa",
+    "pressure_low_mpa",
+    "pressure_high_mpa",
+    "parts",
+    "liquid_volume_mm3",
+];
+/// Columns of the candidates.
+const CANDIDATES: [&str; 11] = [
+    "count",
+    "chance",
+    "width_mm",
+    "outer_diameter_mm",
+    "wall_mm",
+    "length_mm",
+    "angle_deg",
+    "pressure_mpa",
+    "highest_pressure_mpa",
+    "mass_g",
+    "sleeve",
+];
+/// Columns of muscles that do not fit.
+const NEAR: [&str; 6] = [
+    "count",
+    "outer_diameter_mm",
+    "wall_mm",
+    "sleeve",
+    "misses_by",
+    "reason",
+];
+/// Fields that a page of everything has in other places.
+const APART: [&str; 6] = [
+    "decision",
+    "choices",
+    "assumptions",
+    "rejected",
+    "closest",
+    "muscle_files",
+];
 
 impl Show for DesignAnswer {
     fn warnings(&self) -> Vec<Warning> {
@@ -38,13 +76,15 @@ impl DesignAnswer {
             rows.text(verb, rest)
         });
         page.rows(decision);
+        page.list("", &self.choices, u, &CHOICES);
         match &self.closest {
             Some(closest) => closest.onto(&mut page, u),
-            None => self.found_onto(&mut page, u, is_full, winner),
+            None if self.candidates.is_empty() => page.line("Nothing fits."),
+            None => self.found_onto(&mut page, u, winner),
         }
         if is_full {
-            page.gap();
-            self.search_onto(&mut page, u);
+            page.line("");
+            page.and(Page::of(self, u, &APART));
         }
         page.line("");
         page.lines(
@@ -52,221 +92,34 @@ impl DesignAnswer {
                 .iter()
                 .map(|text| format!("Assumed: {}.", u.sentence(text))),
         );
-        self.bought_onto(&mut page, u);
-        let near = self
-            .rejected
-            .iter()
-            .skip(usize::from(self.closest.is_some()));
-        let mut near = near
-            .map(|r| format!("  {}{}", r.line(u), r.missed_in_all()))
-            .peekable();
+        let near = &self.rejected[usize::from(self.closest.is_some())..];
         let heading = match &self.closest {
             Some(_) => "Next closest",
             None => "Near misses",
         };
-        if (is_full || self.closest.is_some()) && near.peek().is_some() {
-            page.paragraph(heading);
-            page.lines(near);
+        if is_full || self.closest.is_some() {
+            page.list(heading, near, u, &NEAR);
         }
         page
     }
 
     /// The candidates with their ±, their bundle and their joint.
-    fn found_onto(&self, page: &mut Page, u: &Units, is_full: bool, winner: Option<&str>) {
-        page.gap();
-        self.choices_onto(page, u);
-        self.candidates_onto(page, u, is_full);
-        if let Some(words) = self.uncertainty_words.as_ref().filter(|_| is_full) {
-            page.lines(
-                words
-                    .text_in(u)
-                    .map(|text| format!("± of the first: {text}.")),
-            );
-            page.lines(words.bench_in(u).map(|text| text + "."));
-        }
+    fn found_onto(&self, page: &mut Page, u: &Units, winner: Option<&str>) {
+        page.list("", &self.candidates, u, &CANDIDATES);
         if let Some(bundle) = &self.bundle {
-            bundle_onto(bundle, page, u);
+            page.paragraph("Bundle of the first muscle");
+            page.and(Page::of(bundle, u, &[]));
         }
-        let first = self.candidates.first();
-        if let Some(joint) = first.and_then(|first| first.joint) {
+        let joint = self.candidates.first().and_then(|first| first.joint);
+        if let Some(joint) = joint {
             page.paragraph(joint.text(self.several(), winner, u));
         }
     }
 
-    /// One muscle, the slimmest bundle, the sure and the cast one beside each other.
-    fn choices_onto(&self, page: &mut Page, u: &Units) {
-        let (length, force) = (u.length.digits(3), u.force.digits(2));
-        let pull = |c: &ChoiceAnswer| {
-            let ends = [c.predicted_low_n?, c.predicted_high_n?];
-            let [low, high] = ends.map(|n| force.to(n, 2));
-            Some(format!("{low} to {high}"))
-        };
-        let pulls = match &self.wanted {
-            DemandAnswer::Points { points } if points.len() > 1 => {
-                format!("pulls at {} (95 %)", percent(points[0].contraction))
-            }
-            _ => "pulls (95 %)".into(),
-        };
-        let table = Table::of(&self.choices)
-            .text("choice", |c| &c.name)
-            .quantity("width", &length, |c| c.envelope_mm)
-            .quantity("L0", &length, |c| c.length_mm)
-            .quantity("set", &u.pressure.digits(3), |c| c.pressure_mpa)
-            .text(&pulls, pull)
-            .quantity("air", &NORMAL_LITRES.digits(2), |c| c.air_normal_litres)
-            .quantity("liquid", &u.volume.digits(2), |c| c.liquid_volume_mm3)
-            .text("parts", |c| &c.parts);
-        page.table(table);
-        page.gap();
-    }
-
     /// How many muscles share what is required, where it is more than one.
     fn several(&self) -> Option<u32> {
-        Some(self.candidates.first()?.count).filter(|count| *count > 1)
-    }
-
-    /// What was required, searched and limited.
-    fn search_onto(&self, page: &mut Page, u: &Units) {
-        let searched = &self.searched;
-        let liquid = self.liquid.as_ref();
-        let each = self
-            .several()
-            .map(|count| format!(" of each of {count} muscles"));
-        let gas = liquid.map(|l| l.gas_share).filter(|share| *share > 0.0);
-        let guaranteed = searched.guaranteed.map(|share| {
-            let share = percent(share);
-            format!(", guaranteed: the lower end of the ± ({share}) meets it")
-        });
-        let required = [
-            Some("Required".into()),
-            each,
-            Some(format!(": {}", self.wanted.text(self.load.as_deref(), u))),
-            Some(format!(
-                " with at most {}",
-                u.pressure.show(self.max_pressure_mpa)
-            )),
-            liquid.map(|l| format!(" of {}", l.name)),
-            gas.map(|share| format!(" with {} of gas", percent(share))),
-            guaranteed,
-        ];
-        page.line(required.into_iter().flatten().collect::<String>());
-        let other = Some(&self.searched_with).filter(|with| **with != self.model);
-        let other = other
-            .map(|with| format!(", searched with {with}"))
-            .unwrap_or_default();
-        let length = u.length.of(searched.length_mm);
-        let length = length
-            .map(|length| format!("L0 {length}, "))
-            .unwrap_or_default();
-        page.line(format!(
-            "Model {}{other}; {} muscles examined, {} fit; {length}{}, {}",
-            self.model, self.looked_at, self.fitting, searched.rubber, searched.braid
-        ));
-        let strain = searched
-            .max_strand_strain
-            .map(|strain| format!("strands stretched by at most {}; ", percent(strain)));
-        let burst = match (searched.min_burst_margin, searched.min_tube_margin) {
-            (None, _) => "no limit on burst".into(),
-            (Some(factor), _) if !searched.burst_checked => format!(
-                "burst not checked (safety factor {}), because the strength of the strands is not \
-                 stated",
-                number(factor, 4)
-            ),
-            (Some(strands), Some(tube)) => format!(
-                "allowed pressure: that at which strands or clamps fail over {}, that of the tube \
-                 over {}",
-                number(strands, 4),
-                number(tube, 4)
-            ),
-            (Some(_), None) => String::new(),
-        };
-        page.line(format!("Safety: {}{burst}", strain.unwrap_or_default()));
-    }
-
-    /// The muscles as sold that would do.
-    fn bought_onto(&self, page: &mut Page, u: &Units) {
-        let length = u.length.digits(4);
-        let force = u.force.digits(4);
-        let each = self.several().map(|count| format!(", {count} of one"));
-        let table = Table::of(&self.bought)
-            .text("product", |b| &b.product)
-            .text("name", |b| &b.name)
-            .quantity("D0", &length, |b| b.outer_diameter_mm)
-            .quantity("L0", &length, |b| b.length_mm)
-            .quantity("F", &force, |b| (b.force_n, Some(b.uncertainty_n)))
-            .quantity("at", &PERCENT, |b| b.wanted.contraction)
-            .quantity("P", &u.pressure, |b| b.pressure_mpa)
-            .quantity("required", &force, |b| b.wanted.force_n);
-        page.table_under(
-            &format!("As sold these would do{}", each.unwrap_or_default()),
-            table,
-        );
-    }
-}
-
-/// What the muscles of a bundle do together.
-fn bundle_onto(bundle: &Bundle, page: &mut Page, u: &Units) {
-    let length = u.length.digits(3);
-    let force = u.force.digits(4);
-    let is_one = bundle.muscles < 2;
-    let apart = (!is_one && bundle.touch_contraction.is_none()).then_some("do not touch");
-    page.paragraph(format!(
-        "Bundle of {} of the first muscle, at the maximum pressure",
-        bundle.muscles
-    ));
-    page.rows(
-        Rows::default()
-            .quantity(
-                "circle around them at rest",
-                &length,
-                bundle.rest_envelope_mm,
-            )
-            .quantity("at the bulge", &length, bundle.envelope_mm)
-            .quantity("width in one flat row", &length, bundle.row_mm)
-            .quantity(
-                "distance of their axes",
-                &length,
-                bundle.pitch_mm.filter(|_| !is_one),
-            )
-            .quantity("neighbours touch at", &PERCENT, bundle.touch_contraction)
-            .text("neighbours touch at", apart),
-    );
-    page.table(
-        Table::of(&bundle.points)
-            .quantity("required", &force, |q| q.wanted.force_n)
-            .quantity("at", &PERCENT, |q| q.wanted.contraction)
-            .quantity("F", &force, |q| {
-                (q.force_at_max_pressure_n, q.uncertainty_n)
-            })
-            .quantity("air", &NORMAL_LITRES.digits(3), |q| q.air_normal_litres)
-            .quantity("liquid", &u.volume.digits(3), |q| q.liquid_volume_mm3),
-    );
-}
-
-impl DemandAnswer {
-    /// What the muscle must do, with the load as it was written.
-    fn text(&self, load: Option<&str>, u: &Units) -> String {
-        let load = load.unwrap_or_default();
-        match self {
-            Self::Points { points } => {
-                let one = |q: &super::OperatingPoint| {
-                    format!("{} at {}", u.force.show(q.force_n), percent(q.contraction))
-                };
-                joined(points.iter().map(one), ", ")
-            }
-            Self::Stroke { stroke_mm } => format!("{load} lifted by {}", u.length.show(*stroke_mm)),
-            Self::Contraction { contraction } => {
-                format!("{load} lifted to {}", percent(*contraction))
-            }
-            Self::Joint { torques, .. } => {
-                let one = |t: &super::TorqueWanted| {
-                    let torque = NEWTON_METRES.show(t.torque_nm);
-                    let angle = number(t.angle_deg, 4);
-                    format!("{torque} at ±{angle}°")
-                };
-                joined(torques.iter().map(one), ", ")
-            }
-        }
+        let count = self.candidates.first()?.candidate.count;
+        (count > 1).then_some(count)
     }
 }
 
@@ -329,13 +182,6 @@ impl RejectedAnswer {
             u.sentence(&self.reason)
         )
     }
-
-    /// By how much it misses all limits together, where that is a share worth saying.
-    fn missed_in_all(&self) -> String {
-        let share = self.muscle.misses_by.filter(|share| *share < 1.0);
-        let share = share.map(|share| percent((1e3 * share).ceil() / 1e3));
-        share.map_or_else(String::new, |share| format!(" (misses by {share} in all)"))
-    }
 }
 
 impl ClosestAnswer {
@@ -349,6 +195,5 @@ impl ClosestAnswer {
         });
         let changes = self.relaxations.iter();
         page.lines(changes.map(|change| format!("  - {}", u.sentence(&change.text))));
-        page.lines(self.hint.clone());
     }
 }

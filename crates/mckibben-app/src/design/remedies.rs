@@ -1,8 +1,8 @@
 //! If no muscle fits: which changes of the specification help, in sentences.
 
-use super::assumed::Stated;
-use crate::{Units, number};
-use mckibben_design::{Demand, Design, Relaxation};
+use super::spec::Search;
+use crate::Units;
+use mckibben_design::Relaxation;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -19,20 +19,14 @@ pub struct RelaxationAnswer {
 impl RelaxationAnswer {
     /// Of what was found, in the numbers of the request: of all muscles together, and of the circle
     /// around them.
-    pub(super) fn new(change: &Relaxation, found: &Design, stated: &Stated) -> Self {
-        let spec = &found.spec;
+    pub(super) fn new(change: &Relaxation, search: &Search) -> Self {
+        let (spec, stated) = (&search.spec, &search.stated);
         let mut text = change.describe(spec, &|kind, value| Units::default().show(kind, value));
         if let Relaxation::Contraction { share, .. } = change
             && stated.stroke_sets_contraction
         {
             let mm = (spec.base.length_mm() / share).ceil();
             text += &format!("; or keep the stroke with a length of {mm}\u{a0}mm");
-        }
-        if let Demand::Joint(joint) = &spec.wanted {
-            text += &format!(
-                ", with a pulley of radius {}\u{a0}mm (`radius_mm`)",
-                number(joint.radius_mm, 5)
-            );
         }
         Self {
             change: change.clone(),

@@ -5,11 +5,12 @@ use crate::{
     TextFile, Units,
     fields::name_or_file,
     flags::{self, Args},
+    number,
 };
 use mckibben_core::units::{QuantityError, typed};
 use mckibben_core::{
     muscle::{Direction, Muscle},
-    units::typed::{Angle, Choice, Force, Frequency, Length, Pressure, Ratio, Volume},
+    units::typed::{Angle, Choice, Force, Frequency, Length, Mass, Pressure, Ratio, Volume},
     warning::strand_strength_n,
 };
 use mckibben_design::{BraidChoice, Limits, SAFETY, VALIDATED_STRAND_STRAIN, bundle};
@@ -54,22 +55,26 @@ pub struct DesignRequest {
     ///
     /// Each muscle is used up to it or up to its own allowed pressure, whichever is lower; the
     /// answer says which pressure to set.
-    #[arg(short = 'p', long, alias = "pressure")]
+    #[arg(short = 'p', long, alias = "pressure", value_parser = supply)]
     pub max_pressure_mpa: Option<Pressure>,
     /// A liquid in the place of air.
     #[serde(flatten)]
     #[command(flatten)]
     pub liquid: LiquidFields,
-    /// The lower end of the ± meets it [95%]
+    /// Chance that a built muscle meets every point at some allowed pressure [90%]
     ///
-    /// The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed
-    /// 99%, widens the ± accordingly.
-    #[arg(long, value_name = "SHARE", num_args = 0..=1, default_missing_value = "95%")]
+    /// From 50 to 99.9 %. The smallest muscle that reaches it is taken. A model that is named meets
+    /// the points by its own pull, unless a certainty is given.
+    #[arg(long, value_name = "CHANCE")]
+    pub certainty: Option<Ratio>,
+    /// Gone: `certainty`
+    #[arg(long, hide = true, num_args = 0..=1, default_missing_value = "95%")]
     pub guaranteed: Option<Ratio>,
-    /// Equal muscles side by side that share the requirement, 1 to 1000 [1; where no single one
-    /// does, the slimmest bundle of up to 7]
+    /// Equal muscles side by side that share the requirement, 1 to 1000 [1; up to 7 where they are
+    /// smaller by a third, or no single one does]
     ///
-    /// The candidates are one of them; the bundle of the best one is shown below.
+    /// The numbers of a candidate are those of one of them; the bundle of the best one is shown
+    /// below.
     #[arg(long, value_name = "N")]
     pub count: Option<Count<1, { bundle::MOST as usize }>>,
     /// Quantity to rank by
@@ -80,11 +85,13 @@ pub struct DesignRequest {
     /// Largest outer diameter at the operating points; of a bundle that of each of its muscles
     #[arg(long, help_heading = "Limits")]
     pub max_bulged_diameter_mm: Option<Length>,
-    /// Largest diameter of the circle around all muscles at the operating points
+    /// Largest diameter of the circle around all muscles and their ends at the operating points
     #[arg(long, help_heading = "Limits")]
     pub max_envelope_mm: Option<Length>,
-    /// Distance between the axes of neighbours of a bundle [that of the largest envelope, or the
-    /// bulged diameter]
+    /// Largest mass of all muscles with their ends, such as 200g
+    #[arg(long, help_heading = "Limits")]
+    pub max_mass_kg: Option<Mass>,
+    /// Distance between the axes of neighbours of a bundle [the width of one with its ends]
     #[arg(long, hide_short_help = true, help_heading = "Limits")]
     pub pitch_mm: Option<Length>,
     /// Largest liquid volume up to the operating points: what the syringe or pump gives
@@ -248,10 +255,30 @@ pub struct DesignRequest {
     pub figure: Option<Units>,
 }
 
+/// Length of a muscle in mm below which metres were meant.
+const SHORTEST_MM: f64 = 2.0;
+
 impl DesignRequest {
     /// Which fields exclude each other, and which ones need others.
     pub(super) fn validate(&self) -> Result<()> {
+        if let Some(share) = self.guaranteed {
+            // X of two sides is (1 + X)/2 of one.
+            let percent = number(50.0 * (1.0 + share.0), 4);
+            let message = "`guaranteed` is gone: a share of two sides is a larger one of one side";
+            let hint = format!("give `certainty` {percent}%");
+            return Err(Problem::usage(message, hint).in_field("guaranteed"));
+        }
         let is_joint = !self.torques.is_empty();
+        if let Some(Choice::One(Length(mm))) = self.length_mm
+            && mm > 0.0
+            && mm < SHORTEST_MM
+        {
+            let message = format!("{mm}\u{a0}mm is shorter than any muscle");
+            let hint = format!("did you mean {mm}\u{a0}m?");
+            return Err(
+                Problem::new(ProblemKind::Specification, message, hint).in_field("length_mm")
+            );
+        }
         let requirements = [
             ("force_n", self.force_n.is_some()),
             ("points", !self.points.is_empty()),
@@ -311,6 +338,7 @@ impl DesignRequest {
         Ok(Limits {
             bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
             envelope_mm: self.max_envelope_mm.map(f64::from),
+            mass_g: self.max_mass_kg.map(|kg| 1e3 * kg.0),
             burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
             tube_margin: self.min_tube_margin,
             stretch: self.max_stretch,
@@ -334,6 +362,22 @@ fn contraction(text: &str) -> Result<Ratio> {
         };
         Problem::new(ProblemKind::Quantity, error.to_string(), hint)
     })
+}
+
+/// A pressure of a supply; a bare number above that of any workshop means bar.
+fn supply(text: &str) -> Result<Pressure> {
+    const MOST_MPA: f64 = 1.6;
+    let pressure: Pressure = text
+        .parse()
+        .map_err(|error: QuantityError| ProblemKind::Quantity.problem(error.to_string()))?;
+    let is_bare = text.trim().parse::<f64>().is_ok();
+    if is_bare && pressure.0 > MOST_MPA {
+        let (text, bar) = (text.trim(), 10.0 * pressure.0);
+        let message = format!("{text} is {text}\u{a0}MPa, {bar}\u{a0}bar: write the unit");
+        let hint = format!("write {text}bar, or {bar}bar");
+        return Err(Problem::new(ProblemKind::Quantity, message, hint));
+    }
+    Ok(pressure)
 }
 
 /// A required pull at a contraction: `700N@15%`.

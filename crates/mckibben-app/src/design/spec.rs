@@ -11,7 +11,9 @@ use crate::{
     ratio, rubber, sleeve,
 };
 use mckibben::Deciding;
+use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
+    analysis::burst::ends::clamp_load_n,
     answer::Options,
     extremes::peak,
     load::Load,
@@ -27,15 +29,16 @@ use mckibben_core::{
     },
 };
 use mckibben_design::{
-    BraidChoice, Demand, JointDemand, LARGEST_BUNDLE, Lift, Open, OperatingPoint, SUPPLY_SHARE,
-    Spec, Task,
+    BraidChoice, CERTAINTY, Demand, Ends, JointDemand, LARGEST_BUNDLE, Lift, OperatingPoint,
+    Precision, Product, SUPPLY_SHARE, Spec,
     tubes::{self, TubePart},
 };
+use mckibben_fit::library::{PREFIX, library};
 use std::borrow::Cow;
 
 /// What is searched, by which models, and what of it was assumed.
 pub struct Search {
-    pub task: Task,
+    pub spec: Spec,
     pub policy: Deciding,
     pub stated: Stated,
 }
@@ -44,8 +47,9 @@ pub struct Search {
 /// bounds the radii of a joint's pulley.
 const LARGEST_CONTRACTION: f64 = 0.42;
 /// Contractions that a stroke may be, where the length is searched: a quarter of the free one of a
-/// usual sleeve, and nearly all of it.
+/// usual sleeve, and nearly all of it; and where no single muscle does, the least.
 const CONTRACTIONS: (f64, f64) = (0.065, 0.24);
+const LONGER: [f64; 2] = [0.05, 0.04];
 /// Least length over the outer diameter there: no muscle was measured that is shorter.
 const LEAST_SLENDERNESS: f64 = 4.0;
 /// The smallest radius that is searched, as a share of the largest.
@@ -61,9 +65,16 @@ impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search> {
         self.validate()?;
         let (base, wanted, radius_mm) = self.demand()?;
-        let count = self.count()?;
+        let count = self.count.map_or(1, |count| count.0 as u32);
         let extends = wanted.extends();
-        let policy = self.model.deciding(extends)?;
+        let model = self.model.choose()?;
+        let policy = match self.model.name {
+            Some(_) => Deciding::by(model),
+            None => Deciding {
+                model,
+                ..Deciding::usual(extends)
+            },
+        };
         let range = policy.model.range();
         let tubes = match self.free_sizes(range.is_some(), extends) {
             None => Some(self.tubes_of_make()?),
@@ -89,16 +100,17 @@ impl DesignRequest {
         let rubbers = self.rubbers.iter().map(|name| rubber(name));
         let usual_mpa = range.map_or(SUPPLY_MPA, |r| r.pressure_mpa.1.min(SUPPLY_MPA));
         let supply_mpa = self.max_pressure_mpa.map_or(usual_mpa, f64::from);
+        let is_built = self.model.name.is_none() && !extends;
+        let by_length = self.length_is_searched() && self.length_mm.is_none();
         let spec = Spec {
             wanted,
-            count: 1,
-            most_side_by_side: if self.count.is_none() {
-                LARGEST_BUNDLE
-            } else {
-                1
-            },
+            count,
+            most_side_by_side: self.count.map_or(LARGEST_BUNDLE, |_| count),
+            radius_mm,
+            ends: Some(design_ends),
+            products: if extends { vec![] } else { products() },
             pitch_mm: self.pitch_mm.map(f64::from),
-            built: self.model.name.is_none() && !extends,
+            built: is_built,
             direction: self.branch(),
             max_pressure_mpa: finite("max_pressure_mpa", supply_mpa)?,
             // A closed form or a formula is a method that takes the pressure as it is given.
@@ -108,11 +120,11 @@ impl DesignRequest {
             },
             liquid: self.liquid.named_supply()?,
             length_mm: self.lengths(tubes.is_some())?,
-            least_slenderness: if self.length_is_searched() && self.length_mm.is_none() {
-                LEAST_SLENDERNESS
-            } else {
-                0.0
+            longer_mm: match self.stroke_mm.filter(|_| by_length) {
+                Some(stroke) => LONGER.map(|share| tidy(stroke.0 / share, 2)).to_vec(),
+                None => vec![],
             },
+            least_slenderness: if by_length { LEAST_SLENDERNESS } else { 0.0 },
             limits: self.limits(&braid, &base)?,
             base,
             tubes: tubes.unwrap_or_default(),
@@ -120,24 +132,18 @@ impl DesignRequest {
             wall_mm: between("wall_mm", &self.wall_mm, walls)?,
             braid,
             rubbers: rubbers.collect::<Result<_, _>>()?,
-            guaranteed: self.guaranteed()?,
+            certainty: self
+                .certainty
+                .map(f64::from)
+                .or(is_built.then_some(CERTAINTY)),
             objective: self.objective,
             top: self.top.map_or(5, |top| top.0),
             extrapolate: self.extrapolate,
         };
         self.check_branch(&spec)?;
-        let task = Task {
-            spec: spec.shared_by(count),
-            radius_mm,
-            open: Open {
-                count: self.count.is_none(),
-                sleeves: self.braids.is_empty(),
-                rubbers: self.tubes.is_empty() && self.rubbers.is_empty() && self.parts.is_none(),
-            },
-        };
         Ok(Search {
-            task,
             stated: Stated::new(self, &policy.model),
+            spec,
             policy,
         })
     }
@@ -205,19 +211,6 @@ impl DesignRequest {
         self.muscle.as_ref().or(self.also_muscle.as_ref())
     }
 
-    /// How many muscles share what is required.
-    fn count(&self) -> Result<u32> {
-        for (field, value) in [
-            ("max_envelope_mm", self.max_envelope_mm),
-            ("pitch_mm", self.pitch_mm),
-        ] {
-            value
-                .map(|mm| above_zero(ProblemKind::Specification, field, mm))
-                .transpose()?;
-        }
-        Ok(self.count.map_or(1, |count| count.0 as u32))
-    }
-
     /// The sleeves, or the angles.
     fn braid_choice(&self, base: &Muscle, as_sold: bool, extends: bool) -> Result<BraidChoice> {
         let sleeves = self.sleeves(base, as_sold)?;
@@ -231,19 +224,6 @@ impl DesignRequest {
             }
             None => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
         })
-    }
-
-    /// The share of muscles that meet the requirement, checked.
-    fn guaranteed(&self) -> Result<Option<f64>> {
-        match self.guaranteed.map(f64::from) {
-            Some(share) if !(0.5..=0.999).contains(&share) => {
-                let message = format!(
-                    "{share} is not a valid share: from 0.5 (50 %) to 0.999 (99.9 %), usually 0.95"
-                );
-                Err(ProblemKind::Range.problem(message).in_field("guaranteed"))
-            }
-            share => Ok(share),
-        }
     }
 
     /// Strand lengths per turn of sleeves in mm: those on sale, of which there is a list.
@@ -270,7 +250,11 @@ impl DesignRequest {
             ("`with`", !self.with.is_empty()),
             ("`outer_diameter_mm`", self.outer_diameter_mm.is_some()),
             ("`wall_mm`", self.wall_mm.is_some()),
-            ("`angle_deg`", self.angle_deg.is_some()),
+            // A tube by its size takes an angle as `force` does.
+            (
+                "`angle_deg`",
+                self.angle_deg.is_some() && self.tubes.is_empty(),
+            ),
             (
                 "`strand_length_per_turn_mm`",
                 self.strand_length_per_turn_mm.is_some(),
@@ -551,6 +535,38 @@ impl DesignRequest {
         };
         Ok((base.with_tube(tube)?, points))
     }
+}
+
+/// The ends of a muscle as `build` makes them.
+pub fn design_ends(
+    muscle: &Muscle,
+    blocked_n: f64,
+    pressure_mpa: f64,
+    precision: Precision,
+) -> Option<Ends> {
+    let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
+    let parts = EndParts::new(muscle, load_n, &Wishes::default()).ok()?;
+    Some(Ends {
+        made: parts.ends.made,
+        load_n,
+        width_mm: parts.widest_mm(),
+        mass_g: match precision {
+            Precision::Rough => 0.0,
+            Precision::Exact => parts.air_plug.mass_g() + parts.eye_plug.mass_g(),
+        },
+    })
+}
+
+/// The muscles of the library that have a product.
+fn products() -> Vec<Product> {
+    let products = library().into_iter().filter_map(|(of, muscle)| {
+        let product = of.facts.product.as_deref()?;
+        Some(Product {
+            name: format!("{product} ({PREFIX}{})", of.facts.name),
+            muscle: muscle.clone(),
+        })
+    });
+    products.collect()
 }
 
 /// The values of a choice, checked.

@@ -62,7 +62,6 @@ impl PointQuantity {
         let way = a.built.map_or_else(String::new, |built| built.way());
         Some(bounds(sought, &self.scale(u)) + &way)
     }
-
 }
 
 impl PointAnswer {
@@ -89,7 +88,10 @@ impl PointAnswer {
             built.or_else(|| models(quantity))
         };
         let other = match self.sought.built_in(self, u) {
-            None => Rows::default().text("as built", "unknown: see the warnings, or take the model fe"),
+            None => Rows::default().text(
+                "as built",
+                "unknown: see the warnings, or take the model fe",
+            ),
             Some(built) if self.is_model_named => Rows::default().text("as built", built),
             Some(_) => {
                 let on = a.direction.motion();

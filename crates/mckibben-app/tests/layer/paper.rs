@@ -97,7 +97,7 @@ fn a_fit_by_the_method_of_the_paper_is_the_paper() {
         figures: true,
         ..of_table()
     });
-    assert_eq!((own.tables.len(), own.figures.len()), (5, 8));
+    assert_eq!((own.tables.len(), own.figures.len()), (4, 8));
     let walls = |f: &&NamedFigure| f.name == "figure_8_slopes_over_wall";
     let walls = own.figures.iter().find(walls).unwrap();
     assert!(walls.figure.to_svg().unwrap().contains("over s, D0 30 mm"));

@@ -30,13 +30,24 @@ fn cases() -> Vec<Case> {
         )
     };
     let sleeve = |name: &str| format!("[braid]\nname = \"{name}\"\n");
-    let plain = |angle: &str, k: &str| format!("[braid]\nangle = \"{angle}\"\nstiffness = \"{k}\"\n");
+    let plain =
+        |angle: &str, k: &str| format!("[braid]\nangle = \"{angle}\"\nstiffness = \"{k}\"\n");
     let thin = tube("13 mm", "1.5 mm", "160 mm", "dragon-skin-30") + &sleeve("pet-sleeve-15");
     let own = tube("30 mm", "3 mm", "285 mm", "dragon-skin-30") + &plain("28 deg", "400 N/mm");
     let mut all = vec![
-        ("of the catalogue, with a job", thin.clone() + JOB, 0.18, 0.075),
+        (
+            "of the catalogue, with a job",
+            thin.clone() + JOB,
+            0.18,
+            0.075,
+        ),
         ("strength of the strands unknown", own.clone(), 0.3, 0.1),
-        ("with friction", own + "[friction]\ncoefficient = 60\nexponent = 0.6\n", 0.3, 0.1),
+        (
+            "with friction",
+            own + "[friction]\ncoefficient = 60\nexponent = 0.6\n",
+            0.3,
+            0.1,
+        ),
         ("slack at its point", thin.clone(), 0.1, 0.3),
         (
             "extends",
@@ -50,7 +61,12 @@ fn cases() -> Vec<Case> {
             0.1,
             0.05,
         ),
-        ("of water", thin + &JOB.replace("supply", "liquid = \"water\"\nsupply"), 0.18, 0.075),
+        (
+            "of water",
+            thin + &JOB.replace("supply", "liquid = \"water\"\nsupply"),
+            0.18,
+            0.075,
+        ),
     ];
     let library = mckibben_fit::library::file("dmsp-10-250").unwrap();
     all.push(("of the library", library.to_owned(), 0.4, 0.1));
@@ -75,7 +91,12 @@ fn found<'a>(value: &'a Value, key: &str) -> Option<&'a Value> {
 }
 
 fn kinds(answer: &Value) -> BTreeSet<String> {
-    const OF_MUSCLE: [&str; 4] = ["burst", "burst_not_checked", "above_allowed", "not_measured"];
+    const OF_MUSCLE: [&str; 4] = [
+        "burst",
+        "burst_not_checked",
+        "above_allowed",
+        "not_measured",
+    ];
     let all = answer["warnings"].as_array().into_iter().flatten();
     let kinds = all.filter_map(|w| w["kind"].as_str());
     let of_muscle = kinds.filter(|kind| OF_MUSCLE.contains(kind));
@@ -87,11 +108,20 @@ fn outputs(case: &Case) -> Vec<(&'static str, Value)> {
     let (p, e) = (case.pressure_mpa, case.contraction);
     let muscle = json!({ "file": file("muscle.toml", &case.text) });
     vec![
-        ("curve", json!({ "muscle": muscle, "test": "isobaric", "pressures_mpa": [p], "contractions": [e] })),
+        (
+            "curve",
+            json!({ "muscle": muscle, "test": "isobaric", "pressures_mpa": [p], "contractions": [e] }),
+        ),
         ("check", json!({ "muscle": muscle, "pressure_mpa": p })),
-        ("simulate", json!({ "muscle": muscle, "test": "isobaric", "pressures_mpa": [p], "contractions": [e] })),
+        (
+            "simulate",
+            json!({ "muscle": muscle, "test": "isobaric", "pressures_mpa": [p], "contractions": [e] }),
+        ),
         ("build", json!({ "muscle": muscle, "pressure_mpa": p })),
-        ("export", json!({ "muscle": muscle, "pressure_mpa": p, "target": "c" })),
+        (
+            "export",
+            json!({ "muscle": muscle, "pressure_mpa": p, "target": "c" }),
+        ),
     ]
 }
 
@@ -100,7 +130,10 @@ fn identity_every_output_has_the_limits_and_warnings_of_force() {
     for case in cases() {
         let muscle = json!({ "file": file("muscle.toml", &case.text) });
         let (p, e) = (case.pressure_mpa, case.contraction);
-        let force = reply("force", json!({ "muscle": muscle, "pressure_mpa": p, "contraction": e }));
+        let force = reply(
+            "force",
+            json!({ "muscle": muscle, "pressure_mpa": p, "contraction": e }),
+        );
         for (command, request) in outputs(&case) {
             let place = format!("{}: {command}", case.name);
             let answer = match ask_value(command, request, &Silent) {
@@ -185,7 +218,10 @@ fn what_is_handed_out_stays_below_the_allowed_pressure() {
     assert_eq!(refused.field.as_deref(), Some("pressure_mpa"));
     let built = of("build", 0.6).unwrap();
     let proof_mpa = number(&built, "proof_pressure_mpa");
-    assert!(proof_mpa <= allowed_mpa && proof_mpa >= 1.1 * 0.6, "{proof_mpa}");
+    assert!(
+        proof_mpa <= allowed_mpa && proof_mpa >= 1.1 * 0.6,
+        "{proof_mpa}"
+    );
 }
 
 /// Commands of which the table above says nothing, and why.
@@ -224,7 +260,10 @@ const OTHERS: [&str; 26] = [
 #[test]
 fn no_command_is_missing_from_the_table() {
     let known: Vec<&str> = cases().first().map_or(vec![], |case| {
-        outputs(case).into_iter().map(|(command, _)| command).collect()
+        outputs(case)
+            .into_iter()
+            .map(|(command, _)| command)
+            .collect()
     });
     let missing: Vec<&str> = COMMANDS
         .iter()

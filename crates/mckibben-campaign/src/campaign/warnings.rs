@@ -33,7 +33,7 @@ impl<'m> Heeded<'m> {
         Self {
             muscle,
             // Beyond it nothing is forbidden at the plan's pressures.
-            burst: burst_below(model, SAFETY * highest_mpa)
+            burst: burst_below(model, highest_mpa, SAFETY)
                 .unwrap_or(Burst::unknown(NoBurst::NO_ANSWER)),
             data_to_stretch,
         }

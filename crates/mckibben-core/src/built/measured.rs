@@ -23,7 +23,11 @@ pub struct NotMeasured {
 pub const MEASURED: [(&str, &str, (f64, f64)); 5] = [
     ("the outer diameter", " mm", (12.0, 22.87)),
     ("the wall over the outer diameter", "", (0.035, 9.0 / 68.0)),
-    ("the length over the outer diameter", "", (4.285_09, 70.833_34)),
+    (
+        "the length over the outer diameter",
+        "",
+        (4.285_09, 70.833_34),
+    ),
     ("the braid angle", "°", (20.0, 30.0)),
     ("the pressure", "\u{a0}MPa", (0.0, 0.675)),
 ];

@@ -40,8 +40,8 @@ pub use parts::UncertaintyParts;
 #[doc(hidden)]
 pub use {
     measure::{Left, Measurement},
-    median::BuiltMedian,
     measured::{MEASURED, NotMeasured, measured_values, not_measured},
+    median::BuiltMedian,
     parts::{STIFFNESS_WAY, basis_of, stiffness_uncertainty_n_per_mm},
     predictor::{At, Predictor},
     prior::{Belief, Experience, Prior},

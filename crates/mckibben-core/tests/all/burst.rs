@@ -207,10 +207,7 @@ fn the_tube_bulges_through_the_widest_opening() {
     // Of counted strands; of these, whose number is an estimate, two thirds of the least.
     let allowed = failures.allowed().unwrap();
     let least = failures.mesh.least_mpa().unwrap();
-    assert_eq!(
-        (allowed.mpa, allowed.by),
-        (least / 1.5, FailureMode::Mesh)
-    );
+    assert_eq!((allowed.mpa, allowed.by), (least / 1.5, FailureMode::Mesh));
     let counted = braid
         .strands
         .map(|s| Strands::new(s.count, s.area_mm2.zip(s.modulus_mpa), s.strength_n));

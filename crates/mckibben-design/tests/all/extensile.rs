@@ -4,11 +4,10 @@ use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, ThickWall, Workspace},
     muscle::Muscle,
-    progress::Silent,
     units::Values,
 };
 use mckibben_design::{
-    BraidChoice, Build, Limit, Limits, Models, OperatingPoint, Relaxation, Spec, SpecError, design,
+    BraidChoice, Build, Limit, Limits, OperatingPoint, Relaxation, Spec, SpecError, design,
 };
 
 const BUILD: &Build<'_> = &|muscle| Ok(Box::new(ThickWall::between_ends(muscle)));
@@ -25,6 +24,8 @@ fn spec(force_n: f64, contraction: f64, limits: Limits) -> Spec {
         braid: BraidChoice::Angle(Values::List(vec![65.0])),
         limits,
         supply_share: 1.0,
+        certainty: None,
+        built: false,
         ..Spec::new(vec![point], 0.25)
     }
 }
@@ -35,13 +36,13 @@ fn push_n(muscle: &Muscle) -> f64 {
         .unwrap()
 }
 
-/// The first diameter that pushes enough; a hundredth less does not.
+/// The first diameter of the grid that pushes enough; one step less does not.
 #[test]
 fn the_smallest_diameter_just_pushes_enough_at_the_maximum_pressure() {
     let outcome = design(&spec(-30.0, -0.1, Limits::default()), BUILD).unwrap();
     let best = &outcome.candidates[0];
     let (d0, s) = (best.muscle.outer_diameter_mm(), best.muscle.wall_mm());
-    let thinner = best.muscle.with_section(d0 - 0.011, s).unwrap();
+    let thinner = best.muscle.with_section(d0 - 1.001, s).unwrap();
     assert!(
         push_n(&best.muscle) >= 30.0 && push_n(&thinner) < 30.0,
         "{d0} {s}"
@@ -71,7 +72,7 @@ fn a_push_is_below_the_buckling_load_unless_the_muscle_is_guided() {
     let guided = design(&spec(-15.0, -0.1, Limits::default()), BUILD).unwrap();
     let d0 = |outcome: &mckibben_design::Outcome| outcome.candidates[0].muscle.outer_diameter_mm();
     assert!(
-        d0(&free) > d0(&guided) + 1.0,
+        d0(&free) >= d0(&guided) + 1.0,
         "{} {}",
         d0(&free),
         d0(&guided)
@@ -88,28 +89,19 @@ fn a_push_is_below_the_buckling_load_unless_the_muscle_is_guided() {
         outer_diameter_mm: Values::List(vec![d0(&guided) + 0.5]),
         ..spec(-15.0, -0.1, limits)
     };
-    let closest = design(&thin, BUILD).unwrap().closest.unwrap();
-    assert_eq!(
-        closest.rejected.reason.check().unwrap().limit,
-        Limit::Buckling
-    );
-    assert!(closest.rejected.misses_by.unwrap() > 0.0);
-    let changes = closest.relaxations(
-        &thin,
-        Models {
-            search: BUILD,
-            settle: None,
-        },
-        &Silent,
-    );
+    let outcome = design(&thin, BUILD).unwrap();
+    let closest = &outcome.rejected[0];
+    assert_eq!(closest.check.limit, Limit::Buckling);
+    assert!(closest.misses_by > 0.0);
+    let changes = outcome.relaxations;
     assert!(changes.contains(&Relaxation::Guided {}), "{changes:?}");
 }
 
-/// The lower end of the ± is on the side of zero.
+/// A certainty of 97.5 % leaves the half-width of 95 % of two sides, on the side of zero.
 #[test]
-fn a_guaranteed_push_leaves_its_half_width() {
+fn a_push_that_is_certain_leaves_its_half_width() {
     let sure = Spec {
-        guaranteed: Some(0.95),
+        certainty: Some(0.975),
         ..spec(-30.0, -0.1, Limits::default())
     };
     let outcome = design(&sure, BUILD).unwrap();
@@ -117,7 +109,7 @@ fn a_guaranteed_push_leaves_its_half_width() {
     let (model, workspace) = (ThickWall::between_ends(&best.muscle), &mut Workspace::new());
     let mut model = Evaluation::new(&model, workspace, Options::default());
     let (built, _) = model.predicted(0.25, -0.1, -push_n(&best.muscle)).unwrap();
-    assert!(built.predicted_high_n <= -30.0 + 1e-6, "{built:?}");
+    assert!(built.predicted_high_n <= -30.0 + 1e-3, "{built:?}");
 }
 
 #[test]

@@ -9,26 +9,15 @@ use mckibben_core::{
     units::Values,
 };
 use mckibben_design::{
-    Candidate, Demand, JointDemand, Limits, Models, Spec, TorqueWanted, design_joint, design_with,
+    Candidate, Demand, JointDemand, Limits, Models, Spec, TorqueWanted, design_with,
 };
 use rayon::prelude::*;
 
-/// Muscles within 5 % of the smallest are equal; the last hundredth is that of radii between steps.
+/// Muscles within 3 % of the smallest are equal; the rest is that of radii between the grid's.
 const EQUAL: f64 = 1.06;
-/// A step of the reserve, with what radii between steps differ in.
-const MORE: f64 = 0.07;
 /// Radii of the search, and their step in the grid, mm.
 const RADII_MM: (f64, f64) = (5.0, 35.0);
 const STEP_MM: f64 = 0.5;
-
-/// Half of the ± over the pull that is wanted, in steps of a tenth.
-fn half_width(c: &Candidate) -> f64 {
-    let halves = c
-        .points
-        .iter()
-        .map(|q| q.uncertainty_n.unwrap_or(0.0) / q.wanted.force_n);
-    (10.0 * halves.fold(0.0, f64::max)).floor()
-}
 
 fn on(spec: &Spec, radius_mm: f64) -> Spec {
     let Demand::Joint(joint) = &spec.wanted else {
@@ -71,17 +60,20 @@ fn job(seed: u64) -> Spec {
 }
 
 #[test]
-fn no_radius_has_a_smaller_pair_or_an_equal_one_with_more_reserve() {
+fn no_radius_has_a_smaller_pair() {
     let thick_wall = |muscle: &Muscle| ModelKind::ThickWall.build(muscle);
     let is_good = |muscle: &Muscle| muscle.length_mm() > 5.0 * muscle.outer_diameter_mm();
     let models = Models {
-        search: &thick_wall,
+        screen: &thick_wall,
         settle: Some((&thick_wall, is_good)),
     };
     let one = |seed: &u64| {
         let spec = job(*seed);
-        let radii = Values::Interval(RADII_MM.0, RADII_MM.1);
-        let (chosen, outcome) = design_joint(&spec, &radii, models, &Silent).unwrap();
+        let free = Spec {
+            radius_mm: Some(Values::Interval(RADII_MM.0, RADII_MM.1)),
+            ..spec.clone()
+        };
+        let outcome = design_with(&free, models, &Silent).unwrap();
         let steps = ((RADII_MM.1 - RADII_MM.0) / STEP_MM) as usize;
         let all = (0..=steps).flat_map(|i| {
             let spec = on(&spec, RADII_MM.0 + STEP_MM * i as f64);
@@ -92,9 +84,7 @@ fn no_radius_has_a_smaller_pair_or_an_equal_one_with_more_reserve() {
             assert!(all.is_empty(), "{seed}: {:?}", all[0].tube);
             return false;
         };
-        let Demand::Joint(JointDemand { radius_mm, .. }) = chosen.wanted else {
-            panic!()
-        };
+        let radius_mm = best.radius_mm;
         let width_mm = |c: &Candidate| c.bulged_diameter_mm().unwrap();
         let room_mm = 4.0 * radius_mm - width_mm(best) - best.muscle.outer_diameter_mm();
         assert!(room_mm >= 8.0, "{seed}: {room_mm}");
@@ -108,19 +98,6 @@ fn no_radius_has_a_smaller_pair_or_an_equal_one_with_more_reserve() {
             width_mm(best) <= EQUAL * least_mm,
             "{seed}: {radius_mm} {least_mm}"
         );
-        for c in all
-            .iter()
-            .filter(make)
-            .filter(|c| width_mm(c) <= 1.05 * least_mm)
-        {
-            let is_better =
-                half_width(c) <= half_width(best) && c.margin.min(0.25) > best.margin + MORE;
-            assert!(
-                !is_better,
-                "{seed}: {} {} {:?}",
-                best.margin, c.margin, c.tube
-            );
-        }
         true
     };
     let seeds: Vec<u64> = (0..rounds(10) as u64).collect();

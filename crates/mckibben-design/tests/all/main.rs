@@ -3,11 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod bundle;
+mod chance;
 mod choice;
 mod demand;
 mod design;
 mod design_grid;
 mod extensile;
 mod joint;
-mod line;
 mod tubes;

@@ -85,8 +85,14 @@ fn values(
         ("length", number(form.length_m)),
         ("cord", number(muscle.cord_m)),
         ("supply", number(form.supply_pa)),
-        ("allowed", number(1e6 * limits.allowed_pressure_mpa.unwrap_or(1e-6 * form.supply_pa))),
-        ("burst", number(1e6 * limits.burst_pressure_mpa.unwrap_or(0.0))),
+        (
+            "allowed",
+            number(1e6 * limits.allowed_pressure_mpa.unwrap_or(1e-6 * form.supply_pa)),
+        ),
+        (
+            "burst",
+            number(1e6 * limits.burst_pressure_mpa.unwrap_or(0.0)),
+        ),
         ("wanted", number(0.3 * muscle.blocked_force_n)),
         ("count", form.contractions.len().to_string()),
         ("nodes", list(&form.contractions, brackets, one)),

@@ -20,7 +20,10 @@ fn identity_the_ranges_of_the_core_are_those_of_the_measured_muscles() {
         let (low, high) = ends(all.iter().map(|values| values[i]));
         let low = if name == "the pressure" { 0.0 } else { low };
         for (stated, found) in [(stated.0, low), (stated.1, high)] {
-            assert!((stated - found).abs() <= 1e-6 * found, "{name}: {stated} {found}");
+            assert!(
+                (stated - found).abs() <= 1e-6 * found,
+                "{name}: {stated} {found}"
+            );
         }
     }
 }

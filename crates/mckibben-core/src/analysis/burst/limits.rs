@@ -41,8 +41,7 @@ impl From<&Burst> for PressureLimits {
         Self {
             burst_pressure_mpa: least.map(|f| f.1),
             burst_by: least.map(|f| f.0),
-            nominal_burst_pressure_mpa: nominal_mpa
-                .filter(|p| least.is_some_and(|f| f.1 < *p)),
+            nominal_burst_pressure_mpa: nominal_mpa.filter(|p| least.is_some_and(|f| f.1 < *p)),
             allowed_pressure_mpa: allowed.map(|a| a.mpa),
             allowed_by: allowed.map(|a| a.by),
             allowed_factor: allowed.map(|a| a.factor),
@@ -59,7 +58,9 @@ impl PressureLimits {
         let all: Vec<Self> = all.iter().map(Self::from).collect();
         let least = |of: fn(&Self) -> Option<f64>| {
             let known = all.iter().filter_map(|l| Some((of(l)?, l)));
-            known.reduce(|a, b| if b.0 < a.0 { b } else { a }).map(|a| *a.1)
+            known
+                .reduce(|a, b| if b.0 < a.0 { b } else { a })
+                .map(|a| *a.1)
         };
         let weakest = least(|l| l.burst_pressure_mpa)
             .filter(|_| all.iter().all(|l| l.burst_pressure_mpa.is_some()))

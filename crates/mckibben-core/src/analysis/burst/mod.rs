@@ -25,8 +25,8 @@ mod radii;
 pub mod strands;
 
 pub use failure::{
-    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROOF_TO_WORKING, PROVED,
-    RELIEF, SAFETY, Safety,
+    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst,
+    PROOF_TO_WORKING, PROVED, RELIEF, SAFETY, Safety,
 };
 pub use limits::PressureLimits;
 
@@ -43,18 +43,20 @@ use crate::{
 /// [`AnalysisError`](crate::analysis::AnalysisError) where the work is cancelled, or the model has
 /// no answer at all.
 pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
-    burst_below(model, f64::INFINITY)
+    burst_below(model, f64::INFINITY, 1.0)
 }
 
-/// [`burst`], of which only failures below a pressure in MPa matter: one answer of the model says
-/// that strands or clamps bear it, and those that do are not solved for.
+/// [`burst`] of a muscle that works below a pressure in MPa: only failures below so many times it
+/// matter. One answer of the model says that strands or clamps bear that, and those that do are not
+/// solved for.
 ///
 /// # Errors
 /// Those of [`burst`].
-pub fn burst_below(model: &dyn ForceModel, up_to_mpa: f64) -> Result<Burst> {
+pub fn burst_below(model: &dyn ForceModel, working_mpa: f64, factor: f64) -> Result<Burst> {
+    let up_to_mpa = factor * working_mpa;
     let muscle = model.muscle();
     let (mut strands, from_thick_wall) = strands::breaking(model, up_to_mpa)?;
-    let mut strained = strands::strained(model, up_to_mpa)?;
+    let mut strained = strands::strained(model, working_mpa)?;
     let mut mesh = mesh::herniation(muscle);
     if let Some(weaker) = weaker(muscle) {
         let [found, bound] = [muscle, &weaker].map(|m| ModelKind::ThickWall.build(m));

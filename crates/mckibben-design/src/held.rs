@@ -1,0 +1,227 @@
+//! A muscle held against a specification: how many of it are needed, with which chance, and what of
+//! the limits they meet.
+
+use crate::{
+    Ends, Limit, Objective, OperatingPoint,
+    assess::{Assessed, Pull, normal_share},
+    bundle::envelope_ratio,
+    enumerate::Place,
+    limits::{AtPoint, Check, LIMITS, all_g},
+};
+use mckibben_core::{by_number::ByNumber, model::Result, muscle::Muscle};
+
+/// What muscles are ranked by, the smaller the better: the objective, then what decides between two
+/// that are equal in it.
+pub type Score = [f64; 2];
+
+/// A place of the list with what is chosen around it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Job {
+    pub place: Place,
+    /// Radius of the pulley of a joint in mm.
+    pub radius_mm: f64,
+    /// So many side by side; as few as do where it is not said.
+    pub count: Option<u32>,
+}
+
+/// How a muscle is held against its limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Precision {
+    /// At pressures that are in proportion to the pull, without the mass of its ends.
+    Rough,
+    /// At the pressures that the points take.
+    Exact,
+}
+
+/// So many muscles side by side, held against a specification.
+#[derive(Debug, Clone)]
+pub struct Held {
+    pub place: Place,
+    pub radius_mm: f64,
+    pub count: u32,
+    /// The limits, of every muscle of a specification in one order.
+    pub checks: Vec<Check>,
+    /// The probability that they meet every point at some pressure that is allowed, where the
+    /// model's error is known.
+    pub chance: Option<f64>,
+    /// What they are ranked by.
+    pub score: Score,
+    /// The larger of bulged tube and ends of one, mm.
+    pub width_mm: f64,
+    pub ends: Ends,
+    /// What is required of all of them, with the pull of one at the highest pressure.
+    pub pulls: Vec<(f64, Pull)>,
+    /// Length over diameter, and the braid's angle in degrees.
+    pub slenderness: f64,
+    pub angle_deg: f64,
+    pub is_cast: bool,
+}
+
+/// The fewest muscles that pull a share of what is required, by a quantile.
+pub fn least_count(pulls: &[(f64, Pull)], z: Option<f64>, share: f64) -> f64 {
+    let needed = |(force_n, pull): &(f64, Pull)| {
+        let one_n = pull.quantile_n(z, force_n.signum());
+        let count = (share * force_n / one_n).ceil();
+        if force_n * one_n > 0.0 {
+            count
+        } else {
+            f64::INFINITY
+        }
+    };
+    pulls.iter().map(needed).fold(1.0, f64::max)
+}
+
+/// The probability that so many meet all points: one error is common to all of them and to all
+/// points.
+pub fn chance(pulls: &[(f64, Pull)], count: u32) -> Option<f64> {
+    let count = f64::from(count);
+    let mut least = f64::INFINITY;
+    for (force_n, pull) in pulls {
+        let (median_n, sd_n) = pull.spread?;
+        let spare_n = force_n.signum() * (count * median_n - force_n);
+        least = least.min(spare_n / (count * sd_n));
+    }
+    Some(normal_share(least))
+}
+
+impl Held {
+    pub fn new(assessed: &mut Assessed<'_>, job: Job, precision: Precision) -> Result<Self> {
+        let (spec, muscle) = (assessed.spec, assessed.muscle);
+        let wanted = spec.wanted.on_radius(job.radius_mm);
+        let whole = wanted.points(muscle.length_mm());
+        assessed.keep_strands(&whole)?;
+        let highest_mpa = assessed.highest_mpa;
+        let mut pulls = vec![];
+        for q in whole.iter() {
+            assessed.check_range(highest_mpa, q.contraction)?;
+            pulls.push((q.force_n, assessed.pull(highest_mpa, q.contraction)?));
+        }
+        let z = spec.deviations();
+        let count = job
+            .count
+            .unwrap_or_else(|| spec.count_of(least_count(&pulls, z, 1.0)));
+        let many = f64::from(count);
+        let check = |(q, (force_n, pull)): (&OperatingPoint, &(f64, Pull))| Check {
+            limit: Limit::Force,
+            value: many * pull.quantile_n(z, force_n.signum()),
+            bound: *force_n,
+            contraction: q.contraction,
+            pressure_mpa: highest_mpa,
+            by: assessed.below,
+        };
+        let mut checks: Vec<Check> = whole.iter().zip(&pulls).map(check).collect();
+        let mut points = vec![];
+        for (i, q) in whole.iter().enumerate() {
+            let point = OperatingPoint {
+                force_n: q.force_n / many,
+                ..*q
+            };
+            // A muscle that is too weak is held against its other limits where it pulls hardest.
+            let pressure_mpa = match (checks[i].excess() <= 0.0, precision) {
+                (false, _) => highest_mpa,
+                (true, Precision::Rough) => highest_mpa * q.force_n / checks[i].value,
+                (true, Precision::Exact) => assessed.need_mpa(&point, z)?,
+            };
+            points.push((point, pressure_mpa));
+        }
+        let pressure_mpa = points.iter().map(|p| p.1).fold(0.0, f64::max);
+        let ends = ends_at(assessed, pressure_mpa, precision);
+        let mut held = Self {
+            place: job.place,
+            radius_mm: job.radius_mm,
+            count,
+            chance: chance(&pulls, count),
+            score: [0.0; 2],
+            width_mm: 0.0,
+            ends,
+            slenderness: muscle.length_mm() / muscle.outer_diameter_mm(),
+            angle_deg: muscle.braid().angle_deg,
+            is_cast: job.place.tube(spec).is_some_and(|tube| tube.is_cast),
+            checks: vec![],
+            pulls,
+        };
+        let mut air = 0.0_f64;
+        for (point, pressure_mpa) in points {
+            let mut at = AtPoint {
+                response: assessed.full_response(pressure_mpa, point.contraction)?,
+                assessed,
+                count,
+                radius_mm: job.radius_mm,
+                point,
+                pressure_mpa,
+                ends,
+            };
+            held.width_mm = held.width_mm.max(at.width_mm());
+            for entry in &LIMITS {
+                checks.extend((entry.numbers)(&mut at)?.map(|(value, bound)| Check {
+                    limit: entry.limit,
+                    value,
+                    bound,
+                    contraction: point.contraction,
+                    pressure_mpa,
+                    by: None,
+                }));
+            }
+            if spec.objective == Objective::Air {
+                let stroke = at.assessed.stroke(pressure_mpa, point.contraction);
+                air = air.max(many * stroke.unwrap_or(f64::INFINITY));
+            }
+        }
+        held.checks = checks;
+        held.score = held.scored(spec.objective, muscle, pressure_mpa, air);
+        Ok(held)
+    }
+
+    fn scored(&self, objective: Objective, m: &Muscle, pressure_mpa: f64, air: f64) -> Score {
+        let circle = envelope_ratio(self.count);
+        let size = circle * self.width_mm * m.length_mm().sqrt();
+        let mass_g = all_g(m, self.ends, self.count);
+        match objective {
+            Objective::Diameter => [circle * m.outer_diameter_mm(), pressure_mpa],
+            Objective::Pressure => [pressure_mpa, size],
+            Objective::Air => [air, size],
+            Objective::Chance => {
+                let missing = self.checks.iter().find(|c| c.limit == Limit::Force);
+                let missing = missing.map_or(0.0, |c| c.bound / c.value);
+                [self.chance.map_or(missing, |chance| 1.0 - chance), size]
+            }
+            Objective::BulgedDiameter => [size, mass_g.unwrap_or(0.0)],
+            Objective::Length => [m.length_mm(), circle * m.outer_diameter_mm()],
+            Objective::Mass => [mass_g.unwrap_or(f64::INFINITY), size],
+        }
+    }
+
+    pub fn job(&self) -> Job {
+        Job {
+            place: self.place,
+            radius_mm: self.radius_mm,
+            count: Some(self.count),
+        }
+    }
+
+    /// Whether every limit is met.
+    pub fn fits(&self) -> bool {
+        self.checks.iter().all(|c| c.excess() <= 0.0)
+    }
+
+    /// The shares by which limits are missed, summed.
+    pub fn miss(&self) -> f64 {
+        self.checks.iter().map(|c| c.excess().max(0.0)).sum()
+    }
+
+    /// The limit that is missed by most, or met by least.
+    pub fn worst(&self) -> Option<&Check> {
+        self.checks.iter().max_by_number(|c| c.excess())
+    }
+}
+
+/// The ends for a pressure in MPa.
+fn ends_at(assessed: &mut Assessed<'_>, pressure_mpa: f64, precision: Precision) -> Ends {
+    let Some(ends) = assessed.spec.ends else {
+        return Ends::NONE;
+    };
+    let blocked_n = assessed.evaluation().force_n(pressure_mpa, 0.0);
+    let blocked_n = blocked_n.unwrap_or(0.0).max(0.0);
+    let made = ends(assessed.muscle, blocked_n, pressure_mpa, precision);
+    made.unwrap_or(Ends::NONE)
+}
