@@ -355,7 +355,7 @@ fn rows_of_several_rubbers_are_those_of_each_alone() {
 #[test]
 fn warnings_of_rows_are_those_of_answers() {
     use mckibben_core::{
-        analysis::{QUIET_MPA, burst},
+        analysis::burst,
         warning::{WarningKind, of_response},
     };
     let text = "[tube]\nrubber = \"ecoflex-00-50\"\n[braid]\nstrands = 60\nstrand_strength \
@@ -376,7 +376,7 @@ fn warnings_of_rows_are_those_of_answers() {
             continue;
         };
         let mut said = of_response(&muscle, &response);
-        said.extend(burst(&*model).unwrap().warnings(at.0, QUIET_MPA));
+        said.extend(burst(&*model).unwrap().warnings(at.0));
         let has = |kind| said.iter().any(|warning| warning.kind == kind);
         let burst = has(WarningKind::Burst);
         let expected = [
