@@ -17,7 +17,7 @@ use mckibben_core::{
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     units::{Dimension, tidy, typed::Pressure},
-    warning::Warning,
+    warning::{Warning, WarningKind},
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -183,6 +183,8 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
                 rubber.name.as_deref().unwrap_or("this rubber")
             )
         });
+    let pressure_mpa = characteristics.as_ref().map(|c: &Characteristics| c.pressure_mpa);
+    let outside = pressure_mpa.and_then(|p| Warning::not_measured(&muscle, p));
     let of_muscle = muscle.warnings().into_iter();
     let of_muscle = of_muscle.chain(library::warnings(rubber));
     Ok(CheckAnswer {
@@ -209,6 +211,7 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         },
         warnings: said
             .into_iter()
+            .chain(outside)
             .chain(of_muscle.chain(beyond).map(Warning::from))
             .collect(),
         characteristics,
@@ -419,7 +422,8 @@ impl CheckAnswer {
         let warnings = self
             .warnings
             .iter()
-            .filter(|w| kind == FindingKind::Implausible && !w.is_of_burst());
+            .filter(|w| kind == FindingKind::Implausible)
+            .filter(|w| !w.is_of_burst() && w.kind != WarningKind::NotMeasured);
         let sentences = self
             .findings
             .iter()

@@ -85,8 +85,10 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
     let fe = Axisymmetric::between_ends_with(&muscle.between_ends(), mesh)
         .map_err(|e| ProblemKind::Mesh.problem(e))?;
     let workspace = &mut Workspace::new();
-    let (point, shape_contraction, section) =
+    let (mut point, shape_contraction, section) =
         point_and_shape((&fe, &muscle), workspace, pressure_mpa, request)?;
+    let burst = burst_of(&model, &*model.bound(&muscle)?)?;
+    Warning::put_first(&mut point.warnings, burst.warnings(pressure_mpa));
     let stations = Stations::from_section(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
     Ok(ShapeAnswer {
