@@ -61,7 +61,7 @@ def fmu():
     signals["time"] = np.arange(n) * 0.01
     signals["pressure"], signals["length"] = (
         SUPPLY * np.linspace(0, 1, n),
-        L0 * (0.95 - 0.09 * np.sin(np.arange(n))),
+        L0 * (0.89 - 0.09 * np.sin(np.arange(n))),
     )
     errors = []
     # In Co-Simulation an input holds from its instant on; Model Exchange gives outputs of the same instant.

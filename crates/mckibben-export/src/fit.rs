@@ -43,14 +43,14 @@ pub struct FormErrors {
     /// Largest error of the pull: share of the blocked force, 1.5 times the largest at the points,
     /// and 0.0002.
     pub force_worst_ratio: f64,
-    /// Error of ∂F/∂L at the points where the muscle pulls by more than 2 % of its blocked force:
-    /// rms, share of the form's own at the supply and at rest.
+    /// Error of ∂F/∂L at the points: rms, share of the form's own at the supply and at rest; where
+    /// the muscle pulls by more than 2 % of its blocked force.
     pub stiffness_rms: f64,
-    /// Largest error of ∂F/∂L there: the same share, 1.5 times the largest at the points.
+    /// Largest error of ∂F/∂L: the same share, 1.5 times the largest at the points.
     pub stiffness_worst_ratio: f64,
-    /// Error of ∂F/∂P there: rms, share of the form's own at the supply and at rest.
+    /// Error of ∂F/∂P at the points: rms, likewise.
     pub force_per_pressure_rms: f64,
-    /// Largest error of ∂F/∂P there: the same share, 1.5 times the largest at the points.
+    /// Largest error of ∂F/∂P: likewise.
     pub force_per_pressure_worst_ratio: f64,
     /// Error of the volume at the points: rms, share of the largest volume.
     pub volume_rms: f64,
