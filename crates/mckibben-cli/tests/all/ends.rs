@@ -89,7 +89,7 @@ fn a_curve_of_many_points_in_json_takes_little_memory() {
 fn a_reader_that_goes_away_is_no_failure() {
     for line in [
         "completions bash",
-        "curve isobaric -p 0..0.25:0.001 -e 0..0.2:0.001 --format json",
+        "curve isobaric --model ideal -p 0..0.25:0.001 -e 0..0.2:0.001 --format json",
     ] {
         let mut command = command(&root());
         let command = command

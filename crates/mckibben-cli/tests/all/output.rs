@@ -14,7 +14,7 @@ fn units_are_read_and_change_what_people_see_and_nothing_else() {
     for line in [
         "force -p 0.2 -e 0.1",
         "curve isobaric -p 0.1,0.2",
-        "design -F 300 -e 10% -p 0.25",
+        "design -F 300 -e 10% -p 0.25 -D 40 -s 2 --model thick-wall",
     ] {
         let bar = mckibben(&format!("{line} --units bar")).ok();
         assert!(
