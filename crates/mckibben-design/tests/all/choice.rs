@@ -81,7 +81,10 @@ fn no_number_of_muscles_is_smaller_by_more_than_what_is_preferred() {
 #[test]
 fn what_reaches_the_certainty_is_found_and_nothing_else_is_where_it_is_not() {
     let one = |seed: u64| {
-        let spec = Spec { top: 1, ..job(seed) };
+        let spec = Spec {
+            top: 1,
+            ..job(seed)
+        };
         let outcome = designed(&spec)?;
         let at_least = |c: &Candidate, chance: f64| c.chance.unwrap() >= chance - 1e-9;
         if !outcome.candidates.is_empty() {
