@@ -2,7 +2,7 @@
 //! front ends that draw it in space.
 
 use crate::{
-    AskFields, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, finite,
+    AskFields, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, burst_of, finite,
     given_mpa, pull, ratio,
 };
 use mckibben_core::{
@@ -11,6 +11,7 @@ use mckibben_core::{
     model::Workspace,
     muscle::Muscle,
     units::typed::{Force, Pressure, Ratio},
+    warning::Warning,
 };
 use mckibben_fem::{
     axisymmetric::{Axisymmetric, Section},

@@ -143,7 +143,12 @@ impl Held {
         let mut air = 0.0_f64;
         for (point, pressure_mpa) in points {
             let mut at = AtPoint {
-                response: assessed.full_response(pressure_mpa, point.contraction)?,
+                response: assessed
+                    .full_response(pressure_mpa, point.contraction)
+                    .or_else(|error| match precision {
+                        Precision::Rough => assessed.full_response(highest_mpa, point.contraction),
+                        Precision::Exact => Err(error),
+                    })?,
                 assessed,
                 count,
                 radius_mm: job.radius_mm,

@@ -216,7 +216,7 @@ impl<'a> Search<'a> {
         let misses = |held: &&Held| none_fits || !held.fits();
         let mut near: Vec<&Held> = self.screened.iter().filter(misses).collect();
         near.sort_by_number(|held| held.miss());
-        near.truncate(self.spec.top + SPARE);
+        near.truncate(self.spec.top.saturating_add(SPARE));
         let reject = |held: &&Held| {
             let exact = self.exact(self.spec, held.job())?;
             let worst = *exact.worst().filter(|c| c.excess() > 0.0)?;

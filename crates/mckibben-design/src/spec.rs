@@ -2,6 +2,7 @@
 
 use crate::{
     Demand, Limits, OperatingPoint, TubePart,
+    bundle::MOST,
     held::Precision,
     search::deviations,
     tubes::{self, CAST_RUBBER},
@@ -352,6 +353,12 @@ impl Spec {
                     "{name} is {value}; it must be above zero, the smaller end first"
                 )));
             }
+        }
+        let count = self.count.max(self.most_side_by_side);
+        if count > MOST {
+            return Err(SpecError::Refused(format!(
+                "`count` is {count}; it must be at most {MOST}"
+            )));
         }
         let limits = &self.limits;
         let factors = [

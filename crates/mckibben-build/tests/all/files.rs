@@ -487,6 +487,7 @@ fn one_of_six((text, pressure_mpa, blocked_force_n): (&str, f64, f64)) -> Plan {
     let muscle = parse_muscle(text).unwrap();
     let mut operating = operating(&muscle, pressure_mpa);
     operating.blocked_force_n = blocked_force_n;
+    operating.held_n = blocked_force_n;
     operating.proof.pressure_mpa = 2.0 * pressure_mpa;
     operating.proof.blocked_force_n = 2.0 * blocked_force_n;
     let wishes = Wishes {

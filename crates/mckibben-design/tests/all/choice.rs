@@ -68,10 +68,10 @@ fn no_number_of_muscles_is_smaller_by_more_than_what_is_preferred() {
         );
         Some(u32::from(first.count > 1))
     };
-    let seeds: Vec<u64> = (0..rounds(40) as u64).collect();
+    let seeds: Vec<u64> = (0..rounds(16) as u64).collect();
     let bundles: Vec<u32> = seeds.into_par_iter().filter_map(one).collect();
     assert!(
-        bundles.len() > 10 && bundles.iter().sum::<u32>() > 2,
+        bundles.len() > 3 && bundles.iter().sum::<u32>() > 0,
         "{bundles:?}"
     );
 }
@@ -81,7 +81,10 @@ fn no_number_of_muscles_is_smaller_by_more_than_what_is_preferred() {
 #[test]
 fn what_reaches_the_certainty_is_found_and_nothing_else_is_where_it_is_not() {
     let one = |seed: u64| {
-        let spec = job(seed);
+        let spec = Spec {
+            top: 1,
+            ..job(seed)
+        };
         let outcome = designed(&spec)?;
         let at_least = |c: &Candidate, chance: f64| c.chance.unwrap() >= chance - 1e-9;
         if !outcome.candidates.is_empty() {
@@ -109,10 +112,10 @@ fn what_reaches_the_certainty_is_found_and_nothing_else_is_where_it_is_not() {
         }
         Some("none")
     };
-    let seeds: Vec<u64> = (0..rounds(60) as u64).collect();
+    let seeds: Vec<u64> = (0..rounds(30) as u64).collect();
     let kinds: Vec<&str> = seeds.into_par_iter().filter_map(one).collect();
     let count = |kind: &str| kinds.iter().filter(|k| **k == kind).count();
-    assert!(count("found") > 10 && count("none") > 5, "{kinds:?}");
+    assert!(count("found") > 4 && count("none") > 2, "{kinds:?}");
 }
 
 /// More certainty never takes a smaller muscle, and less of it never a larger one.
@@ -139,8 +142,8 @@ fn more_certainty_is_never_smaller() {
         }
         sizes[1].map(drop)
     };
-    let seeds: Vec<u64> = (0..rounds(30) as u64).collect();
-    assert!(seeds.into_par_iter().filter_map(one).count() > 2);
+    let seeds: Vec<u64> = (0..rounds(16) as u64).collect();
+    assert!(seeds.into_par_iter().filter_map(one).count() > 1);
 }
 
 /// A stroke whose length is searched: no length of a fine grid gives a muscle that takes much less

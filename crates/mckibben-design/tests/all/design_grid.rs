@@ -3,7 +3,7 @@
 use mckibben_core::{
     analysis::{Evaluation, Options},
     model::{ForceModel, ModelError, ModelKind, Workspace},
-    muscle::{Braid, Muscle, Tube},
+    muscle::{Braid, Direction, Muscle, Tube},
     progress::Silent,
     random::{Random, rounds},
     sleeve::library,
@@ -111,6 +111,7 @@ fn case(seed: u64) -> Option<Case> {
     (spec.wall_mm, spec.outer_diameter_mm, spec.limits) = (wall_mm, outer_diameter_mm, limits);
     spec.extrapolate = true;
     (spec.built, spec.certainty, spec.top) = (false, None, 1);
+    spec.direction = Direction::Mean;
     Some(Case {
         spec,
         walls,
@@ -231,7 +232,11 @@ fn a_larger_supply_removes_no_muscle_and_makes_the_slimmest_one_no_wider() {
         widths.fold(f64::INFINITY, f64::min)
     };
     let one = |seed: &u64| {
-        let mut spec = of_parts(*seed);
+        // By the median: the spread grows with the pressure, and a chance need not.
+        let mut spec = Spec {
+            certainty: None,
+            ..of_parts(*seed)
+        };
         let few = found(&spec);
         spec.max_pressure_mpa *= 1.0 + 3.0 * Random(*seed).unit();
         let more = found(&spec);
@@ -250,10 +255,10 @@ fn a_larger_supply_removes_no_muscle_and_makes_the_slimmest_one_no_wider() {
         }
         few.len()
     };
-    let seeds: Vec<u64> = (0..rounds(300) as u64).collect();
+    let seeds: Vec<u64> = (0..rounds(40) as u64).collect();
     let counts: Vec<usize> = seeds.par_iter().map(one).collect();
     assert!(
-        counts.iter().filter(|count| **count > 0).count() >= seeds.len() / 5,
+        counts.iter().filter(|count| **count > 0).count() >= seeds.len() / 8,
         "{counts:?}"
     );
 }
