@@ -422,7 +422,7 @@ impl CheckAnswer {
         let warnings = self
             .warnings
             .iter()
-            .filter(|w| kind == FindingKind::Implausible)
+            .filter(|_| kind == FindingKind::Implausible)
             .filter(|w| !w.is_of_burst() && w.kind != WarningKind::NotMeasured);
         let sentences = self
             .findings
