@@ -183,7 +183,9 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
                 rubber.name.as_deref().unwrap_or("this rubber")
             )
         });
-    let pressure_mpa = characteristics.as_ref().map(|c: &Characteristics| c.pressure_mpa);
+    let pressure_mpa = characteristics
+        .as_ref()
+        .map(|c: &Characteristics| c.pressure_mpa);
     let outside = pressure_mpa.and_then(|p| Warning::not_measured(&muscle, p));
     let of_muscle = muscle.warnings().into_iter();
     let of_muscle = of_muscle.chain(library::warnings(rubber));

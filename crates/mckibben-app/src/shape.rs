@@ -2,8 +2,8 @@
 //! front ends that draw it in space.
 
 use crate::{
-    AskFields, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, burst_of, finite,
-    given_mpa, pull, ratio,
+    AskFields, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, burst_of,
+    finite, given_mpa, pull, ratio,
 };
 use mckibben_core::{
     analysis::Evaluation,
