@@ -10,9 +10,9 @@ const QUANTITY: &str = "x-quantity";
 
 /// Last words of names of plain numbers: what has a unit ends with it. A new word here is one more
 /// kind of plain number.
-const PLAIN: &str = "above aicc angle area at beta blocked braid by command contractions correlation \
+const PLAIN: &str = "above aicc angle area at beta blocked braid by certainty chance command contractions correlation \
     correlations command default difference deviation divide efficiency ends error errors fitted published \
-    exponent factor fit fixed formula friction from guaranteed held high ideal interval isobar \
+    exponent factor fit fixed formula friction from held high ideal interval isobar \
     largest limit low margin maximum measured mesh minimum modulus multiply neutral opening ours \
     predicted     overshoot overstress of points prony r ratio range reach reference relative rms rubber share \
     sheet smallest speed squared start stiffer stretch take up \

@@ -150,7 +150,7 @@ fn every_file_names_muscle_version_hash_and_error() {
                 "prototype",
                 "exported by mckibben",
                 "% worst",
-                "+-",
+                "Allowed pressure",
             ];
             let facts = if is_shared(&file.name) || is_beside(&file.name) {
                 &[][..]

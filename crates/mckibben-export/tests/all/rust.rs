@@ -362,18 +362,12 @@ fn identity_joints_of_rust_are_those_of_c() {
     );
     elbow_by_universal(0.3, &["c", "rust"], |folder, _| {
         // With a friction that the example does not state.
-        let none = "MCKIBBEN_R(0e0), MCKIBBEN_R(0e0), MCKIBBEN_R(0e0)";
+        let list = |numbers: [&str; 7]| numbers.map(|n| format!("MCKIBBEN_R({n})")).join(", ");
+        let none = list(["0e0"; 7]);
+        let some = list(["30", "0", "0", "5", "0", "0", "0"]);
         for (name, from, to) in [
-            (
-                "muscle_elbow_1.h",
-                none,
-                "MCKIBBEN_R(30), MCKIBBEN_R(5), MCKIBBEN_R(0)",
-            ),
-            (
-                "muscle_elbow_2.h",
-                none,
-                "MCKIBBEN_R(30), MCKIBBEN_R(5), MCKIBBEN_R(0)",
-            ),
+            ("muscle_elbow_1.h", none.as_str(), some.as_str()),
+            ("muscle_elbow_2.h", none.as_str(), some.as_str()),
             (
                 "joint_elbow.rs",
                 "friction: [0e0, 0e0, 0e0, 0e0, 0e0, 0e0, 0e0]",
