@@ -21,8 +21,8 @@ use std::collections::HashSet;
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "DesignPoint")]
 pub struct CandidatePoint {
-    /// What one muscle is like there, at the pressure to begin with; its pull is the one that is
-    /// wanted of it.
+    /// What the model says of one muscle there, at the pressure to begin with, on the branch that is
+    /// wanted.
     #[serde(flatten)]
     pub response: Response,
     /// What is wanted of one.
@@ -37,8 +37,8 @@ pub struct CandidatePoint {
     /// Liquid pushed in from rest to this point, measured at atmospheric pressure, mm³.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub liquid_volume_mm3: Option<f64>,
-    /// The model's own pull there on the branch that is wanted, N.
-    pub model_force_n: f64,
+    /// Pull that is required of one, N.
+    pub required_n: f64,
     /// Half of the 95 % interval of what a muscle that is built pulls, N.
     pub uncertainty_n: Option<f64>,
     /// What friction adds to the model's pull on the branch that is wanted, N: below zero while the
@@ -213,9 +213,6 @@ fn point_of(
     let pressure_mpa = assessed.need_mpa(&wanted, None)?;
     let mut response = assessed.full_response(pressure_mpa, contraction)?;
     response.pressure_mpa = pressure_mpa;
-    // Where the median does not meet it at any pressure, it is what is pulled.
-    let is_met = available_n / wanted.force_n >= 1.0;
-    response.force_n = if is_met { wanted.force_n } else { available_n };
     let stroke = assessed.stroke(pressure_mpa, contraction);
     let built = assessed.predicted(pressure_mpa, contraction);
     let built = built.map(|built| Built {
@@ -227,8 +224,9 @@ fn point_of(
         ..built
     });
     let mut model = assessed.evaluation();
+    response.force_n = model.force_n(pressure_mpa, contraction)?;
     Ok(CandidatePoint {
-        model_force_n: model.force_n(pressure_mpa, contraction)?,
+        required_n: wanted.force_n,
         friction_n: model.friction_n(pressure_mpa, contraction)?,
         uncertainty_n: built.map(|built| built.predicted_high_n - built.predicted_n),
         built,

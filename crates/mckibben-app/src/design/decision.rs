@@ -119,9 +119,11 @@ impl Decision<'_> {
     fn pulls(&self, first: &Candidate) -> String {
         let spec = self.spec;
         let point = |q: &CandidatePoint| {
+            let built = q.built.filter(|_| spec.built);
+            let pull_n = built.map_or(q.response.force_n, |built| built.predicted_n);
             let wanted = format!(
                 "{} at {} and {}",
-                Units::default().show(Dimension::Force, tidy(q.response.force_n, 4)),
+                Units::default().show(Dimension::Force, tidy(pull_n, 4)),
                 percent(q.wanted.contraction),
                 show(Dimension::Pressure, q.response.pressure_mpa)
             );

@@ -137,16 +137,12 @@ fn warnings(spec: &Spec, found: &Outcome) -> Result<Vec<Warning>> {
 fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<UncertaintyWords> {
     let winner = winner?;
     let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
-    let CandidatePoint {
-        response,
-        model_force_n,
-        ..
-    } = winner.points.iter().max_by_number(|q| half(q))?;
+    let response = &winner.points.iter().max_by_number(|q| half(q))?.response;
     let model = build(&winner.muscle).ok()?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, spec.options());
     let place = (response.pressure_mpa, response.contraction);
-    let predicted = model.predicted(place.0, place.1, *model_force_n);
+    let predicted = model.predicted(place.0, place.1, response.force_n);
     Some(UncertaintyWords::at(predicted, place, &mut model))
 }
 

@@ -151,7 +151,7 @@ fn where_no_friction_is_known_a_built_muscle_is_that_of_the_model() {
         "{pulls}"
     );
     let point = &answer["candidates"][0]["points"][0];
-    let [built, wanted] = ["predicted_n", "force_n"].map(|key| point[key].as_f64().unwrap());
+    let [built, wanted] = ["predicted_n", "required_n"].map(|key| point[key].as_f64().unwrap());
     assert!((built / wanted - 1.0).abs() < 1e-6, "{point}");
 }
 

@@ -58,7 +58,7 @@ fn a_muscle_that_is_built_meets_the_requirement_with_its_chance() {
     let (model, w) = (ThickWall::between_ends(&best.muscle), &mut Workspace::new());
     let mut model = Evaluation::new(&model, w, Options::default());
     let alone = model.pressure_at(150.0, 0.1).unwrap();
-    assert!(best.pressure_mpa > alone && point.model_force_n > 150.0);
+    assert!(best.pressure_mpa > alone && point.response.force_n > 150.0);
     let force_n = model.force_n(best.highest_pressure_mpa, 0.1).unwrap();
     let (most, _) = model
         .predicted(best.highest_pressure_mpa, 0.1, force_n)
