@@ -2,7 +2,7 @@
 // the table of all, and what would fit.
 import { inTen } from "./chance.js";
 import { csv } from "./columns.js";
-import { button, capital, download, el, folded, heading, paragraph, smallPrint } from "./dom.js";
+import { button, capital, download, el, folded, heading, paragraph } from "./dom.js";
 import { table, warnings } from "./form.js";
 import { muscle, visit } from "./muscle.js";
 import { prototype } from "./state.js";
@@ -78,7 +78,7 @@ function columns(all, prices) {
     quantity("set", "pressure", (c) => c.pressure_mpa, 3),
     quantity("± of the pull", "force", (c) => c.uncertainty_n, 2),
     quantity("width in use", "length", widthOf),
-    quantity("burst pressure", "pressure", (c) => c.least_burst_pressure_mpa, 3),
+    quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
     liquid
       ? quantity("liquid per stroke", "volume", (c) => c.liquid_volume_mm3, 3)
       : [
@@ -177,9 +177,9 @@ export function choicesView(list, pick) {
 /** Where it is asked at several points. @param {Candidate} best */
 function points(best) {
   const rows = best.points.map((p) => [
-    showForce(p.force_n),
+    showForce(p.required_n),
     asBuilt(p),
-    showForce(p.model_force_n),
+    showForce(p.force_n),
     showRatio(p.contraction, 3),
     showPressure(p.pressure_mpa, 3),
   ]);
@@ -224,17 +224,7 @@ export function foundView(answer, asked, prices) {
       button("CSV of the table", save),
     ),
     points(candidates[0]),
-    boughtView(answer),
   ];
-}
-
-/** Muscles as sold that would do. @param {Design["answer"]} answer */
-function boughtView({ bought = [] }) {
-  const one = (/** @type {typeof bought[number]} */ b) =>
-    `${b.product} (${b.name}, L0 ${showLength(b.length_mm)}): as built ${showForce(b.force_n)} ± ` +
-    `${showForce(b.uncertainty_n, 2)} at ${showRatio(b.wanted.contraction, 3)} and ` +
-    showPressure(b.pressure_mpa, 3);
-  return bought.length ? smallPrint(`Sold muscles that fit: ${bought.map(one).join("; ")}.`) : "";
 }
 
 /** What comes closest where nothing fits, and what would have to give. @param {Design["answer"]} answer */
@@ -247,8 +237,6 @@ export function closestView(answer) {
       ? paragraph(`Closest: ${size}${c.sleeve ? ` in ${c.sleeve}` : ""}: ${inWords(c.reason)}.`)
       : "",
     warnings(answer.warnings),
-    c?.hint ? paragraph(capital(inWords(c.hint))) : "",
-    boughtView(answer),
     el("ul", ...(c?.relaxations ?? []).map((r) => el("li", capital(inWords(r.text))))),
   ];
 }

@@ -69,7 +69,7 @@ export function numbersView(store) {
 function rows(facts, point) {
   const c = facts.characteristics,
     as = muscle.assessed,
-    burst = c?.least_burst_pressure_mpa ?? c?.burst_pressure_mpa;
+    burst = c?.burst_pressure_mpa;
   return [
     [`Model ${point.model}`, point.slack ? "slack" : showForce(point.force_n)],
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],

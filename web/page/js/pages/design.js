@@ -28,6 +28,8 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["pressure", "lowest pressure"],
   ["air", "least air or liquid"],
   ["length", "shortest"],
+  ["mass", "lightest"],
+  ["chance", "surest"],
 ]);
 /** The question. @type {Field[]} */
 export const WANTED = fieldsOf([
