@@ -215,6 +215,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let burst = burst_of(&model, &*simulation)?;
     let highest_mpa = peak(questions.iter().map(|q| q.pressure_mpa));
+    warnings.extend(Warning::not_measured(&muscle, highest_mpa));
     Warning::put_first(&mut warnings, burst.warnings(highest_mpa));
     Ok(SimulateAnswer {
         model: simulation.info().name.to_string(),

@@ -45,7 +45,7 @@ fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
             "{set}"
         );
         // Whose strands are an estimate, it has a range, and its test stays below the least.
-        let least = &best["least_burst_pressure_mpa"];
+        let least = &best["burst_pressure_mpa"];
         assert_ne!(*least, Value::Null, "{best}");
         let proof_mpa = behind(never, "Proof test once: ");
         assert!(

@@ -44,7 +44,7 @@ fn a_schema_bounds_its_values_and_a_written_file_names_it() {
         (&diameter["exclusiveMinimum"], &diameter["x-unit"]),
         (&json!(0.0), &json!("mm"))
     );
-    let wanted = json!({ "force_n": 40, "contraction": 0.1, "max_pressure_mpa": 0.25, "tubes": ["latex-1/4x3/8in"] });
+    let wanted = json!({ "force_n": 40, "contraction": 0.1, "max_pressure_mpa": 0.25, "certainty": 0.5, "tubes": ["latex-1/4x3/8in"] });
     let design = reply("design", wanted);
     let text = design["muscle_files"][0]["text"].as_str().unwrap();
     assert_eq!(text.lines().nth(2), Some("#:schema muscle.schema.json"));

@@ -11,8 +11,8 @@ fn winner(model: Value, request: Value) -> Value {
     reply("design", request)["candidates"][0].clone()
 }
 
-/// 700 N at 15 % and 2.5 bar by formula (11), solved for D0 by another program (issue 69). The
-/// search rounds D0 up to the next 0.01 mm.
+/// 700 N at 15 % and 2.5 bar by formula (11), solved for D0 by another program (issue 69). In an
+/// interval of 0.2 mm the search takes the next 0.05 mm.
 #[test]
 fn formula_11_gives_the_diameters_of_an_independent_solution() {
     let of_wall = [
@@ -25,11 +25,12 @@ fn formula_11_gives_the_diameters_of_an_independent_solution() {
     ];
     for (wall_mm, diameter_mm) in of_wall {
         let request = json!({ "force_n": 700, "contraction": 0.15, "max_pressure_mpa": 0.25,
-            "wall_mm": wall_mm });
+            "wall_mm": wall_mm, "objective": "diameter",
+            "outer_diameter_mm": { "low": diameter_mm - 0.1, "high": diameter_mm + 0.1 } });
         let best = winner(json!("paper"), request);
         let found_mm = best["outer_diameter_mm"].as_f64().unwrap();
         assert!(
-            (found_mm - diameter_mm).abs() < 0.015,
+            (-0.015..0.055).contains(&(found_mm - diameter_mm)),
             "{wall_mm}: {found_mm}"
         );
         // Its pull is that of `force` of the same muscle and model.
@@ -144,7 +145,9 @@ fn where_no_friction_is_known_a_built_muscle_is_that_of_the_model() {
     let request = json!({ "force_n": -60, "contraction": -0.1, "max_pressure_mpa": 0.3,
         "length_mm": 150 });
     let answer = reply("design", request);
-    let pulls = answer["decision"][2].as_str().unwrap();
+    let mut lines = answer["decision"].as_array().unwrap().iter();
+    let is_pull = |line: &&Value| line.as_str().unwrap().starts_with("Pulls ");
+    let pulls = lines.find(is_pull).unwrap().as_str().unwrap();
     assert!(pulls.starts_with("Pulls "), "{pulls}");
     assert!(
         !pulls.contains("built") && !pulls.contains("shortens"),

@@ -245,7 +245,7 @@ fn a_report_holds_the_answers_of_its_commands() {
         _ => None,
     };
     let pull = report.parts.iter().find_map(row).unwrap();
-    let shown: f64 = pull.split(' ').next().unwrap().parse().unwrap();
+    let shown: f64 = pull.split_whitespace().next().unwrap().parse().unwrap();
     let off = shown - force["predicted_n"].as_f64().unwrap();
     assert!(off.abs() <= 5.0 && !pull.contains('±'), "{pull}");
     let heading = |part: &Part| match part {

@@ -342,7 +342,9 @@ impl MakeOfRows {
     /// [`FitError::Refused`] where it has another length, angle, rubber or braid, or where a
     /// measure varies that no formula has.
     pub fn add(&mut self, row: &PointRow) -> Result<()> {
-        if self.last_muscle.replace(row.muscle) == Some(row.muscle) {
+        // Rows of a table without numbers of its muscles have 0.
+        let is_same = self.last_muscle.replace(row.muscle) == Some(row.muscle);
+        if is_same && row.muscle != 0 {
             return Ok(());
         }
         for (part, made, row) in [
