@@ -4,7 +4,7 @@ use crate::{
     analysis::{Allowed, BUCKLING, FailureMode, NoBurst, PROVED, SAFETY},
     model::{Response, ThickWall},
     muscle::{Muscle, Rubber},
-    units::{rounded, short_numbers},
+    units::{rounded, short_numbers, tidy},
 };
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
@@ -104,7 +104,7 @@ impl Warning {
         let factor = if most.factor == 1.0 {
             String::new()
         } else {
-            format!(" (safety factor {:.4})", most.factor)
+            format!(" (safety factor {})", tidy(most.factor, 4))
         };
         let reason = format!(
             "the allowed pressure is {allowed}\u{a0}MPa, since {} at {:.3}\u{a0}MPa{factor}",

@@ -83,9 +83,9 @@ pub struct Candidate {
     pub chance: Option<f64>,
     /// Pressure to begin with, in MPa: that at which the median meets every point, or the highest.
     pub pressure_mpa: f64,
-    /// Of those that do: nine of ten do at a pressure from this one, in MPa,
+    /// Lower of the pressures between which nine of ten of those end that do, MPa.
     pub pressure_low_mpa: Option<f64>,
-    /// to this one.
+    /// Upper of these, MPa.
     pub pressure_high_mpa: Option<f64>,
     /// Highest pressure in MPa that supply and muscle allow: all that is said of the maximum
     /// pressure is of this one.

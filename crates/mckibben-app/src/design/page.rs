@@ -8,13 +8,11 @@ use crate::{
 use mckibben_core::{units::rounded, warning::Warning};
 
 /// Columns of the choices.
-const CHOICES: [&str; 8] = [
+const CHOICES: [&str; 6] = [
     "name",
     "envelope_mm",
     "length_mm",
     "pressure_mpa",
-    "pressure_low_mpa",
-    "pressure_high_mpa",
     "parts",
     "liquid_volume_mm3",
 ];

@@ -63,7 +63,7 @@ fn the_long_help_has_every_flag_in_the_same_groups() {
         ("compare", &USUAL),
         ("identify", &USUAL),
         ("rubber", &USUAL),
-        ("fit", &USUAL),
+        ("fit", &["Question", "Output"]),
         ("joint", &OF_FILES),
         ("motion", &OF_FILES),
     ] {
@@ -131,9 +131,9 @@ fn flags_of_the_pages_exist() {
 const WRITERS: &str = include_str!("../../tests/rows/writers.tsv");
 
 /// Flags with a file or folder that is read.
-const READ: [&str; 15] = [
+const READ: [&str; 16] = [
     "log", "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers",
-    "load", "braid", "tube", "tubes", "samples",
+    "load", "braid", "tube", "tubes", "samples", "terms",
 ];
 
 /// The flags of a command and of those below it that name a file or folder.

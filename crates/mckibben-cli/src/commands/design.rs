@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
     "design -F 300N --stroke 40mm --length 285 --max-pressure 3bar -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30",
     "design --force 700N --contraction 15% --max-pressure 2.5bar -o winner.toml",
     "design --load 20kg --stroke 40mm --length 285 --max-pressure 3bar",
-    "design --force 700N --contraction 15% --max-pressure 2.5bar --count 7 --max-envelope 80mm",
+    "design --force 700N --contraction 15% --max-pressure 2.5bar --count 7 --max-envelope 110mm",
     "design -F 50N -e 15% --max-pressure 3bar --length 200 --liquid water --max-liquid 20mL",
     "design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30"
 ]))]

@@ -30,6 +30,8 @@ struct Drawn<'a> {
     cells: Vec<String>,
     is_numeric: bool,
     width: usize,
+    /// The longest word, which is not broken.
+    word: usize,
 }
 
 impl<'a> Drawn<'a> {
@@ -46,9 +48,15 @@ impl<'a> Drawn<'a> {
         };
         let mut texts = cells.iter();
         let is_numeric = texts.all(|c| number(c) || matches!(&**c, "" | "slack" | "unknown" | "→"));
-        let texts = cells.iter().map(String::as_str).chain([heading]);
+        let texts = || cells.iter().map(String::as_str).chain([heading]);
+        let longest = |words: &mut dyn Iterator<Item = &str>| {
+            words.map(|text| text.chars().count()).max().unwrap_or(0)
+        };
+        let width = longest(&mut texts());
+        let word = longest(&mut texts().flat_map(|text| text.split(' ')));
         Self {
-            width: texts.map(|text| text.chars().count()).max().unwrap_or(0),
+            width,
+            word,
             heading,
             is_numeric,
             cells,
@@ -69,7 +77,8 @@ impl<'a> Drawn<'a> {
 fn fits(room: usize, columns: &[&Drawn<'_>]) -> Option<usize> {
     let gaps = GAP * columns.len().saturating_sub(1);
     (NARROW..=room.max(NARROW)).rev().find(|&most| {
-        let width = |c: &&Drawn<'_>| c.width.min(if c.is_numeric { usize::MAX } else { most });
+        let folded = |c: &Drawn<'_>| c.width.min(most.max(c.word));
+        let width = |c: &&Drawn<'_>| if c.is_numeric { c.width } else { folded(c) };
         columns.iter().map(width).sum::<usize>() + gaps <= room
     })
 }

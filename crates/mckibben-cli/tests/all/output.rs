@@ -163,19 +163,14 @@ fn figures_are_whole() {
     let named = || json_in(dir.path(), "force paper -p 2bar -e 10%");
     let before = named();
     let table = root().join("data/campaign/paper.csv");
-    let fit = format!("fit {} --method paper --at 40x2", table.display());
-    run_in(
-        dir.path(),
-        &format!("{fit} --plots paper --plots-format svg,png,pdf"),
-    )
-    .ok();
+    let fit = format!("fit {} --method paper --figures paper", table.display());
+    run_in(dir.path(), &fit).ok();
     assert_eq!(named(), before);
     let folder = dir.path().join("paper");
-    assert_eq!(names(&folder).len(), 3 * 8);
-    for (ending, start) in [("png", &b"\x89PNG"[..]), ("pdf", b"%PDF"), ("svg", b"<svg")] {
-        let file = folder.join(format!("figure_5_isobaric_curves.{ending}"));
-        assert!(std::fs::read(file).unwrap().starts_with(start), "{ending}");
-    }
+    // Figures 5 to 12, and four tables.
+    assert_eq!(names(&folder).len(), 8 + 4);
+    let file = folder.join("figure_5_isobaric_curves.svg");
+    assert!(std::fs::read(file).unwrap().starts_with(b"<svg"));
 }
 
 fn with_columns(words: &str, columns: Option<&str>) -> Ran {
@@ -244,7 +239,7 @@ fn in_a_terminal_no_progress_bar_appears_before_half_a_second() {
     };
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(
-        text.contains("F blocked") && !text.contains("left") && !text.contains("a second"),
+        text.contains("blocked force") && !text.contains("left") && !text.contains("a second"),
         "{text}"
     );
     let shown = text
