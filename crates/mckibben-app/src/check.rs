@@ -134,20 +134,25 @@ pub struct Characteristics {
 /// Values at the working pressure, warnings of the burst pressure, and findings.
 type AtPressure = (Option<Characteristics>, Vec<Warning>, Vec<MuscleFinding>);
 
+/// Of a muscle whose data alone are asked nothing that evaluates a model may be given.
+fn refuse_what_needs_a_model(request: &CheckRequest) -> Result<()> {
+    let model = &request.question.model;
+    let asking = request.question.asking;
+    let fields = [
+        ("pressure_mpa", request.pressure_mpa.is_some()),
+        ("model", model.name.is_some()),
+        ("mesh", model.mesh != MeshFields::default()),
+        ("extrapolate", asking.extrapolate),
+        ("two_sided", asking.two_sided),
+        ("direction", asking.direction.is_some()),
+    ];
+    Problem::refuse_unused(&fields, "`only_data` evaluates no model")
+}
+
 /// What is known of a muscle, and what is not.
 pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
     let (muscle, rest_volume_mm3, (characteristics, said, findings)) = if request.only_data {
-        let model = &request.question.model;
-        let asking = request.question.asking;
-        let fields = [
-            ("pressure_mpa", request.pressure_mpa.is_some()),
-            ("model", model.name.is_some()),
-            ("mesh", model.mesh != MeshFields::default()),
-            ("extrapolate", asking.extrapolate),
-            ("two_sided", asking.two_sided),
-            ("direction", asking.direction.is_some()),
-        ];
-        Problem::refuse_unused(&fields, "`only_data` evaluates no model")?;
+        refuse_what_needs_a_model(request)?;
         (
             request.question.muscle.resolve()?,
             None,

@@ -147,13 +147,13 @@ impl ExportFields {
     fn supplied(&self, choice: &Model, muscles: &[&Muscle]) -> Result<Supplied> {
         let models = muscles.iter().map(|muscle| choice.bound(muscle));
         let models = models.collect::<Result<Vec<_>, _>>()?;
-        let burst = |model: &Box<dyn ForceModel>| {
+        let bursts = models.iter().map(|model| {
             Ok(Burst {
                 overpressure: self.overpressure,
                 ..burst_of(choice, &**model)?
             })
-        };
-        let bursts = models.iter().map(burst).collect::<Result<Vec<_>>>()?;
+        });
+        let bursts = bursts.collect::<Result<Vec<_>>>()?;
         let usual = bursts.iter().zip(muscles);
         let usual = usual.map(|(burst, muscle)| supply_mpa(burst, muscle));
         let least = usual.fold(f64::INFINITY, f64::min);

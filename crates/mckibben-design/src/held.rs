@@ -84,6 +84,31 @@ pub fn chance(pulls: &[(f64, Pull)], count: u32) -> Option<f64> {
     Some(normal_share(least))
 }
 
+/// What is required of one of so many muscles, and the pressure in MPa that it takes.
+fn points_of(
+    assessed: &mut Assessed<'_>,
+    (whole, many): (&[OperatingPoint], f64),
+    checks: &[Check],
+    precision: Precision,
+) -> Result<Vec<(OperatingPoint, f64)>> {
+    let z = assessed.spec.deviations();
+    let highest_mpa = assessed.highest_mpa;
+    let one = |(q, check): (&OperatingPoint, &Check)| {
+        let point = OperatingPoint {
+            force_n: q.force_n / many,
+            ..*q
+        };
+        // A muscle that is too weak is held against its other limits where it pulls hardest.
+        let pressure_mpa = match (check.excess() <= 0.0, precision) {
+            (false, _) => highest_mpa,
+            (true, Precision::Rough) => highest_mpa * q.force_n / check.value,
+            (true, Precision::Exact) => assessed.need_mpa(&point, z)?,
+        };
+        Ok((point, pressure_mpa))
+    };
+    whole.iter().zip(checks).map(one).collect()
+}
+
 impl Held {
     pub fn new(assessed: &mut Assessed<'_>, job: Job, precision: Precision) -> Result<Self> {
         let (spec, muscle) = (assessed.spec, assessed.muscle);
@@ -110,20 +135,7 @@ impl Held {
             by: assessed.below,
         };
         let mut checks: Vec<Check> = whole.iter().zip(&pulls).map(check).collect();
-        let mut points = vec![];
-        for (i, q) in whole.iter().enumerate() {
-            let point = OperatingPoint {
-                force_n: q.force_n / many,
-                ..*q
-            };
-            // A muscle that is too weak is held against its other limits where it pulls hardest.
-            let pressure_mpa = match (checks[i].excess() <= 0.0, precision) {
-                (false, _) => highest_mpa,
-                (true, Precision::Rough) => highest_mpa * q.force_n / checks[i].value,
-                (true, Precision::Exact) => assessed.need_mpa(&point, z)?,
-            };
-            points.push((point, pressure_mpa));
-        }
+        let points = points_of(assessed, (&whole, many), &checks, precision)?;
         let pressure_mpa = points.iter().map(|p| p.1).fold(0.0, f64::max);
         let ends = ends_at(assessed, pressure_mpa, precision);
         let mut held = Self {

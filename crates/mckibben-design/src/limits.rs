@@ -236,6 +236,9 @@ impl AtPoint<'_, '_> {
     }
 }
 
+/// Two numbers at an operating point, where both are known.
+type Numbers = fn(&mut AtPoint<'_, '_>) -> Result<Option<(f64, f64)>>;
+
 /// A limit at the operating points.
 pub struct LimitEntry {
     pub limit: Limit,
@@ -243,7 +246,7 @@ pub struct LimitEntry {
     name: &'static str,
     /// What a muscle has and what it may have; `None` where nothing is limited or the model does
     /// not know it.
-    pub numbers: fn(&mut AtPoint<'_, '_>) -> Result<Option<(f64, f64)>>,
+    pub numbers: Numbers,
     /// Why a muscle is rejected, of its value and the bound.
     missed: fn(f64, f64, Show<'_>) -> String,
     /// The change that allows a value.

@@ -40,6 +40,9 @@ pub struct ExportedJoint {
     pub(crate) joint: Joint,
 }
 
+/// Pairs of numbers with their names.
+type Pairs = [(&'static str, [f64; 2]); 4];
+
 impl ExportedJoint {
     /// Fits each muscle over the contractions that it has in the range of the joint.
     ///
@@ -166,7 +169,7 @@ impl ExportedJoint {
     }
 
     /// The ways, springs, weight and range, as C has them, in SI units.
-    pub(crate) fn numbers(&self) -> ([Vec<f64>; 3], [(&'static str, [f64; 2]); 4]) {
+    pub(crate) fn numbers(&self) -> ([Vec<f64>; 3], Pairs) {
         let paths = self.paths().map(|path| {
             let mm = match path {
                 Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],

@@ -79,13 +79,7 @@ impl DesignRequest {
         let tubes = match self.free_sizes(range.is_some(), extends) {
             None => Some(self.tubes_of_make()?),
             Some(by) => {
-                let named = [
-                    ("sold", self.sold),
-                    ("cast", self.cast),
-                    ("tubes", !self.tubes.is_empty()),
-                    ("parts", self.parts.is_some()),
-                ];
-                Problem::refuse_unused(&named, format!("{by} asks for free sizes"))?;
+                self.refuse_tubes(by)?;
                 None
             }
         };
@@ -146,6 +140,17 @@ impl DesignRequest {
             spec,
             policy,
         })
+    }
+
+    /// Of free sizes no tube is named.
+    fn refuse_tubes(&self, by: impl std::fmt::Display) -> Result<()> {
+        let named = [
+            ("sold", self.sold),
+            ("cast", self.cast),
+            ("tubes", !self.tubes.is_empty()),
+            ("parts", self.parts.is_some()),
+        ];
+        Problem::refuse_unused(&named, format!("{by} asks for free sizes"))
     }
 
     /// The branch on which it must pull: a model by name answers for itself, a muscle that is built

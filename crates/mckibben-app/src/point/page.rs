@@ -73,36 +73,11 @@ impl PointAnswer {
         let words = &background.uncertainty_words;
         let is_pull = self.sought == PointQuantity::Force;
         let of = if is_pull { "" } else { "of the pull " };
-        let models = |quantity: PointQuantity| {
-            let value = quantity.scale(u).of(quantity.value(a))?;
-            Some(if a.slack && quantity == PointQuantity::Force {
-                format!("{value} (slack: the muscle would have to push)")
-            } else {
-                value
-            })
-        };
         // Of a model that was named its number comes first, else that of a muscle that is built.
         let first = |quantity: PointQuantity| {
             let built = self.sought.built_in(self, u);
             let built = built.filter(|_| quantity == self.sought && !self.is_model_named);
-            built.or_else(|| models(quantity))
-        };
-        let other = match self.sought.built_in(self, u) {
-            None => Rows::default().text(
-                "as built",
-                "unknown: see the warnings, or take the model fe",
-            ),
-            Some(built) if self.is_model_named => Rows::default().text("as built", built),
-            Some(_) => {
-                let on = a.direction.motion();
-                let value = models(self.sought).map(|value| format!("{value}, {on}"));
-                let shifts = words.model_in(u).filter(|_| is_pull);
-                let value = match (a.direction, shifts) {
-                    (Direction::Mean, Some(shifts)) => Some(shifts),
-                    (_, shifts) => Some(joined(value.into_iter().chain(shifts), "; ")),
-                };
-                Rows::default().text("by the model alone", value)
-            }
+            built.or_else(|| self.of_model(quantity, u))
         };
         Rows::default()
             .text("muscle", background.muscle.line(u))
@@ -118,7 +93,7 @@ impl PointAnswer {
                 r.contraction * background.muscle.length_mm,
             )
             .text("pull", first(PointQuantity::Force))
-            .and(other)
+            .and(self.other_row(u))
             .and(self.branch_rows(u))
             .quantity("stiffness", &u.stiffness(), r.stiffness_n_per_mm)
             .quantity("pull per pressure", &u.slope(), r.force_per_pressure_mm2)
@@ -153,6 +128,36 @@ impl PointAnswer {
                 words.text_in(u).map(|text| format!("{of}{text}")),
             )
             .text("to measure", words.bench_in(u))
+    }
+
+    /// A quantity of the model's answer.
+    fn of_model(&self, quantity: PointQuantity, u: &Units) -> Option<String> {
+        let value = quantity.scale(u).of(quantity.value(&self.point))?;
+        let is_slack = self.point.slack && quantity == PointQuantity::Force;
+        let slack = " (slack: the muscle would have to push)";
+        Some(value + if is_slack { slack } else { "" })
+    }
+
+    /// What was sought by the model, where that of a muscle that is built comes first; or that.
+    fn other_row(&self, u: &Units) -> Rows {
+        let words = &self.background.uncertainty_words;
+        let direction = self.point.direction;
+        let unknown = "unknown: see the warnings, or take the model fe";
+        match self.sought.built_in(self, u) {
+            None => Rows::default().text("as built", unknown),
+            Some(built) if self.is_model_named => Rows::default().text("as built", built),
+            Some(_) => {
+                let value = self.of_model(self.sought, u);
+                let value = value.map(|value| format!("{value}, {}", direction.motion()));
+                let is_pull = self.sought == PointQuantity::Force;
+                let shifts = words.model_in(u).filter(|_| is_pull);
+                let value = match (direction, shifts) {
+                    (Direction::Mean, Some(shifts)) => shifts,
+                    (_, shifts) => joined(value.into_iter().chain(shifts), "; "),
+                };
+                Rows::default().text("by the model alone", value)
+            }
+        }
     }
 
     /// What was sought on both branches of the friction, and their distance.

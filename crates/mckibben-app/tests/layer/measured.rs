@@ -55,7 +55,7 @@ fn every_bench_gives_the_modulus_that_made_its_points() {
             let choices = columns
                 .split(',')
                 .filter_map(|choice| choice.split_once('='));
-            request["columns"] = choices.map(|(key, column)| (key, column)).collect();
+            request["columns"] = choices.collect();
         }
         let identified = reply("identify", request);
         let points = identified["points"].as_array().unwrap();

@@ -65,7 +65,7 @@ enum About {
         #[command(flatten)]
         request: CampaignShowRequest,
         #[command(flatten)]
-        output: Output,
+        output: Box<Output>,
     },
     /// Join folders of parts into one file, identical to that of a single run
     #[command(after_long_help = examples(&[

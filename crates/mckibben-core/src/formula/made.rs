@@ -133,6 +133,7 @@ impl Made {
     }
 
     /// The same with the strands of a muscle, where these give its stiffness.
+    #[must_use]
     pub fn with_strands_of(self, muscle: &Muscle) -> Self {
         let theirs = Self::from_muscle(muscle);
         match (self.braid, theirs.braid) {
