@@ -300,7 +300,6 @@ pub struct MakeOfRows {
     made: Made,
     /// The descriptions of the braid that hold for every row so far, the simplest first.
     braids: Vec<MadeBraid>,
-    last_muscle: Option<u64>,
 }
 
 fn rubber_of(row: &PointRow) -> MadeRubber {
@@ -329,11 +328,7 @@ impl MakeOfRows {
             braid: MadeBraid::Named(NamedBraid::Inextensible),
             strands: None,
         };
-        Self {
-            made,
-            braids,
-            last_muscle: None,
-        }
+        Self { made, braids }
     }
 
     /// A further row.
@@ -342,11 +337,6 @@ impl MakeOfRows {
     /// [`FitError::Refused`] where it has another length, angle, rubber or braid, or where a
     /// measure varies that no formula has.
     pub fn add(&mut self, row: &PointRow) -> Result<()> {
-        // Rows of a table without numbers of its muscles have 0.
-        let is_same = self.last_muscle.replace(row.muscle) == Some(row.muscle);
-        if is_same && row.muscle != 0 {
-            return Ok(());
-        }
         for (part, made, row) in [
             ("length_mm", self.made.length_mm, row.length_mm),
             ("angle_deg", self.made.angle_deg, row.angle_deg),
@@ -398,6 +388,7 @@ pub struct Fits {
 pub struct Fittable {
     make: Option<MakeOfRows>,
     first: PointRow,
+    last_muscle: Option<u64>,
     /// Whether its muscles are of several makes.
     several: bool,
     /// Whether angle, wall over diameter, and rubber vary.
@@ -411,8 +402,7 @@ pub struct Fittable {
 impl Fittable {
     pub fn add(&mut self, row: &PointRow) {
         self.blocked |= row.contraction == 0.0 && row.pressure_mpa > 0.0;
-        let is_same = |make: &MakeOfRows| make.last_muscle == Some(row.muscle);
-        if self.make.as_ref().is_some_and(is_same) {
+        if self.last_muscle.replace(row.muscle) == Some(row.muscle) {
             return;
         }
         if let Some((column, _)) = row.measures.first() {
