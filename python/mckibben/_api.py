@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 __all__ = [
     "AnswerWarning",
     "Axis",
-    "BoughtAnswer",
     "BraidDetails",
     "BraidPoint",
     "BraidSummary",
@@ -31,9 +30,7 @@ __all__ = [
     "BuiltFile",
     "BuiltShift",
     "BundleAnswer",
-    "BundlePoint",
     "CampaignOutcome",
-    "CampaignStatus",
     "CampaignSummary",
     "CandidateAnswer",
     "CandidateEnds",
@@ -92,6 +89,7 @@ __all__ = [
     "Made",
     "MadeBraid",
     "MadeRubber",
+    "MadeStrands",
     "MapGap",
     "MapPoint",
     "Mark",
@@ -231,6 +229,8 @@ class AnswerWarning(Record):
         "buckles",
         "rubber_stretch",
         "flat",
+        "not_measured",
+        "extrapolated",
     ]
     message: str
 
@@ -251,39 +251,6 @@ class Axis(Record):
     label: str
     range: tuple[float, float] | None
     from_zero: bool
-
-
-class BoughtAnswer(Record):
-    """A muscle of the library, as sold, that would do.
-
-    Attributes
-    ----------
-    name
-        Its name, which may stand where a muscle file may: `lib:dmsp-20-300`.
-    product
-        The product.
-    outer_diameter_mm : mm
-        Outer diameter D0 at rest, mm.
-    length_mm : mm
-        Length L0, mm: that of the specification, or of its bench.
-    pressure_mpa : MPa
-        The pressure at which it does: that of the supply, or the highest of its bench, MPa.
-    wanted
-        The operating point at which it has least to spare.
-    force_n : N
-        Its pull there, N.
-    uncertainty_n : N
-        95 % half-width of that pull, N.
-    """
-
-    name: str
-    product: str
-    outer_diameter_mm: float
-    length_mm: float
-    pressure_mpa: float
-    wanted: OperatingPoint
-    force_n: float
-    uncertainty_n: float
 
 
 class BraidDetails(Record):
@@ -487,7 +454,8 @@ class Build(_record.Files):
     pressure_mpa : MPa
         Working pressure, MPa.
     proof_pressure_mpa : MPa
-        Pressure of the proof test with water, MPa: twice the working pressure, at most three quarters of the burst pressure.
+        Pressure of the proof test with water, MPa: twice the working pressure, at most three quarters of the burst pressure and what stretches the
+        strands to their limit.
     leak_pressure_mpa : MPa
         Pressure of the leak test, MPa.
     air_energy_j : J
@@ -495,20 +463,24 @@ class Build(_record.Files):
     wall_energy_j : J
         Energy that rubber and strands store at most at the working pressure, J: P times what the cavity grows.
     burst_pressure_mpa : MPa
-        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
     burst_by
         How it fails there.
-    least_burst_pressure_mpa : MPa
-        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
     allowed_pressure_mpa : MPa
         Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
-        may be by estimates of the strands, and at most that for which the fittings are rated.
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
     allowed_by
-        The failure that it keeps its distance from; none where the fittings are rated for it.
+        What it keeps its distance from.
     allowed_factor
-        The pressure of that failure over the allowed one.
+        The pressure of that over the allowed one.
     ends_included
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
     cut
         What is cut.
     parts
@@ -551,11 +523,34 @@ class Build(_record.Files):
     test: list[TestPoint]
     files: list[BuiltFile]
     warnings: list[AnswerWarning]
-    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    least_burst_pressure_mpa: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
-    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
     allowed_factor: float | None = None
+    overpressure: bool | None = None
     if TYPE_CHECKING:
 
         @overload
@@ -655,56 +650,23 @@ class BundleAnswer(Record):
     muscles
         How many muscles.
     rest_envelope_mm : mm
-        Diameter of the circle around them at rest, mm.
+        Diameter of the circle around them and their ends at rest, mm.
     envelope_mm : mm
-        The same at the largest bulged diameter, mm.
-    row_mm : mm
-        Width of all in one flat row at the largest bulged diameter, mm.
+        The same at the largest width, mm.
     pitch_mm : mm
-        Distance between the axes of neighbours, mm: as given, that of the largest envelope, or the bulged diameter.
+        Distance between the axes of neighbours, mm: as given, or the width of one.
     touch_contraction
         Contraction at which neighbours touch at that distance and the pressure of the supply; none where they do not.
-    points
-        The operating points of all together.
     mass_g : g
-        Mass of tubes and sleeves between the terminals, g, where both are known.
+        Mass of all with their ends, g, where it is known.
     """
 
     muscles: int
     rest_envelope_mm: float
-    envelope_mm: float | None
-    row_mm: float | None
-    pitch_mm: float | None
+    envelope_mm: float
+    pitch_mm: float
     touch_contraction: float | None
-    points: list[BundlePoint]
     mass_g: float | None = None
-
-
-class BundlePoint(Record):
-    """An operating point of all muscles of a bundle together.
-
-    Attributes
-    ----------
-    force_n : N
-        Pull, N.
-    contraction
-        Contraction ratio.
-    force_at_max_pressure_n : N
-        Pull at the pressure of the supply, N.
-    uncertainty_n : N
-        95 % half-width of that pull, N. What is not known of one muscle is not known of all: so many times that of one.
-    air_normal_litres : normal L
-        Air from rest to the point, normal litres; none with a liquid.
-    liquid_volume_mm3 : mm3
-        Liquid pushed in from rest to the point, measured at atmospheric pressure, mm³.
-    """
-
-    force_n: float
-    contraction: float
-    force_at_max_pressure_n: float
-    uncertainty_n: float | None
-    air_normal_litres: float | None
-    liquid_volume_mm3: float | None = None
 
 
 class CampaignOutcome(Record):
@@ -749,57 +711,6 @@ class CampaignOutcome(Record):
     recomputed: list[Recomputed]
 
 
-class CampaignStatus(Record):
-    """A campaign in a folder.
-
-    Attributes
-    ----------
-    output
-        The folder.
-    complete
-        Whether all parts are there.
-    parts
-        Parts that are there.
-    parts_wanted
-        Parts of the plan.
-    shards_wanted
-        Number of shards.
-    shards_done
-        Shards that are done.
-    shards_running
-        Shards that a process computes.
-    shards_missing
-        Shards that nothing computes.
-    points_per_s : s
-        Points a second, by the times of the newest parts, of all shards together; nothing where these are fewer than two.
-    left_s : s
-        What is left at this rate in s, where a process computes.
-    shards
-        Every shard.
-    damaged
-        Parts that are damaged, or of another plan or version; they count as missing.
-    plan_sha256
-        SHA-256 of the plan's text.
-    version
-        Version of the program.
-    """
-
-    output: str
-    complete: bool
-    parts: int
-    parts_wanted: int
-    shards_wanted: int
-    shards_done: int
-    shards_running: int
-    shards_missing: int
-    points_per_s: float | None
-    left_s: float | None
-    shards: list[ShardStatus]
-    damaged: list[str]
-    plan_sha256: str
-    version: str
-
-
 class CampaignSummary(Record):
     """Contents of a campaign.
 
@@ -825,8 +736,18 @@ class CampaignSummary(Record):
         Size on the disk.
     missing_parts
         Parts that are missing, of a folder.
+    shards
+        Shards of a folder.
+    points_per_s : s
+        Points a second, by the times of the newest parts, of all shards together.
+    left_s : s
+        What is left at this rate in s, where a process computes.
     damaged
-        Damaged files, with their damage.
+        Parts that are damaged, or of another plan or version, with what shows it; they count as missing.
+    fit_method
+        `global` for muscles of one make, `universal` for several.
+    no_fit
+        Why no method suits.
     version
         Version of the program.
     plan_sha256
@@ -857,7 +778,12 @@ class CampaignSummary(Record):
     ranges: list[Extent]
     bytes: int
     missing_parts: int
+    shards: list[ShardStatus]
+    points_per_s: float | None
+    left_s: float | None
     damaged: list[str]
+    fit_method: str | None
+    no_fit: str | None
     version: str
     plan_sha256: str
     plan: str
@@ -874,8 +800,6 @@ class CandidateAnswer(Record):
 
     Attributes
     ----------
-    count
-        So many of it side by side.
     outer_diameter_mm : mm
         Outer diameter D0 at rest, mm.
     wall_mm : mm
@@ -896,30 +820,40 @@ class CandidateAnswer(Record):
         Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
     mass_g : g
         Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    count
+        So many of it side by side.
     tube
         Name of the tube as sold or cast that it has, where tubes were searched.
     is_cast
         Whether this tube is cast, not bought.
+    product
+        The product, of a muscle as sold.
     model
         Name of the model that all its numbers come from.
     points
-        The operating points in the order of the specification.
+        The operating points of one, in the order of the specification.
+    chance
+        The probability that a built one meets every point at some pressure that is allowed; none where measured muscles do not tell the model's error.
     pressure_mpa : MPa
-        Pressure to set, in MPa: the largest that any point needs.
-    sure_pressure_mpa : MPa
-        Pressure in MPa at which the lower end of the ± (95 %) meets every point, where supply and muscle allow it.
+        Pressure to begin with, in MPa: that at which the median meets every point, or the highest.
+    pressure_low_mpa : MPa
+        Lower of the pressures between which nine of ten of those end that do, MPa.
+    pressure_high_mpa : MPa
+        Upper of these, MPa.
     highest_pressure_mpa : MPa
         Highest pressure in MPa that supply and muscle allow: all that is said of the maximum pressure is of this one.
     margin
         Least margin over the points.
+    width_mm : mm
+        The larger of the bulged tube and its ends, mm.
+    ends
+        The ends that hold it, as `build` makes them.
     blocked_force_n : N
         Blocked force at the maximum pressure, in N.
     free_contraction
         Free contraction at the maximum pressure.
     work_j : J
         Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
-    from_thick_wall
-        Quantities that the design's model does not give and the thick-wall model gave instead.
     bulged_diameter_mm : mm
         Largest outer diameter over the points, mm.
     family_stiffness_n_per_mm : N/mm
@@ -937,45 +871,49 @@ class CandidateAnswer(Record):
     max_stretch
         Largest stretch of the rubber.
     burst_pressure_mpa : MPa
-        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
     burst_by
         How it fails there.
-    least_burst_pressure_mpa : MPa
-        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
     allowed_pressure_mpa : MPa
         Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
-        may be by estimates of the strands, and at most that for which the fittings are rated.
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
     allowed_by
-        The failure that it keeps its distance from; none where the fittings are rated for it.
+        What it keeps its distance from.
     allowed_factor
-        The pressure of that failure over the allowed one.
+        The pressure of that over the allowed one.
     ends_included
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
     uncertainty_n : N
         Largest 95 % half-width of the pull, N.
-    ends
-        The ends that hold it, as `build` makes them.
     joint
         Of a joint: its pulley, and how the muscle is put on it.
     """
 
-    count: int
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
     angle_deg: float
     rubber: str
     braid: str
+    count: int
     model: str
     points: list[DesignPoint]
+    chance: float | None
     pressure_mpa: float
-    sure_pressure_mpa: float | None
+    pressure_low_mpa: float | None
+    pressure_high_mpa: float | None
     highest_pressure_mpa: float
     margin: float
+    width_mm: float
     blocked_force_n: float
     free_contraction: float | None
     work_j: float | None
-    from_thick_wall: list[str]
     bulged_diameter_mm: float | None
     family_stiffness_n_per_mm: float | None
     stiffness_n_per_mm: float | None
@@ -992,25 +930,49 @@ class CandidateAnswer(Record):
     mass_g: float | None = None
     tube: str | None = None
     is_cast: bool | None = None
-    liquid_volume_mm3: float | None = None
-    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    least_burst_pressure_mpa: float | None = None
-    allowed_pressure_mpa: float | None = None
-    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    allowed_factor: float | None = None
+    product: str | None = None
     ends: CandidateEnds | None = None
+    liquid_volume_mm3: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    allowed_factor: float | None = None
+    overpressure: bool | None = None
     joint: CandidateJoint | None = None
 
 
 class CandidateEnds(Record):
-    """The ends of a candidate.
+    """The ends of a muscle.
 
     Attributes
     ----------
     ends
         How they hold tube and sleeve.
     end_load_n : N
-        Load of each at the pressure to set, N: the blocked force, and the pressure on the bore.
+        Load of each at the largest pressure that it takes to be sure, N: the blocked force, and the pressure on the bore.
     end_diameter_mm : mm
         Largest diameter of plugs and clamps, mm.
     ends_mass_g : g
@@ -1065,20 +1027,24 @@ class Characteristics(Record):
     air_normal_litres : normal L
         Air from rest to there, normal litres.
     burst_pressure_mpa : MPa
-        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
     burst_by
         How it fails there.
-    least_burst_pressure_mpa : MPa
-        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
     allowed_pressure_mpa : MPa
         Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
-        may be by estimates of the strands, and at most that for which the fittings are rated.
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
     allowed_by
-        The failure that it keeps its distance from; none where the fittings are rated for it.
+        What it keeps its distance from.
     allowed_factor
-        The pressure of that failure over the allowed one.
+        The pressure of that over the allowed one.
     ends_included
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
     """
 
     model: str
@@ -1092,11 +1058,34 @@ class Characteristics(Record):
     burst_pressure_mpa: float | None
     ends_included: bool
     blocked_force_uncertainty_n: float | None = None
-    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    least_burst_pressure_mpa: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
-    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
     allowed_factor: float | None = None
+    overpressure: bool | None = None
 
 
 class CheckAnswer(Record):
@@ -1267,41 +1256,177 @@ class ChoiceAnswer(Record):
     kind
         What it is.
     name
-        The same in words, with how many there are side by side.
-    count
-        So many side by side.
+        The chance in words, with how many there are side by side.
     parts
-        Tube and sleeve.
-    length_mm : mm
-        Length between the terminals, mm.
+        Tube and sleeve, or the product.
     envelope_mm : mm
-        Diameter at the bulge of one, or of the circle around all of them, mm.
+        Diameter of the circle around all of them, mm.
+    outer_diameter_mm : mm
+        Outer diameter D0 at rest, mm.
+    wall_mm : mm
+        Wall thickness s at rest, mm.
+    length_mm : mm
+        Length L0 between the terminals at rest, mm.
+    angle_deg : deg
+        Braid angle θ0 at rest, degrees.
+    rubber
+        The rubber, by name or law.
+    braid
+        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    stiffness_factor
+        Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    mass_g : g
+        Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    count
+        So many of it side by side.
+    tube
+        Name of the tube as sold or cast that it has, where tubes were searched.
+    is_cast
+        Whether this tube is cast, not bought.
+    product
+        The product, of a muscle as sold.
+    model
+        Name of the model that all its numbers come from.
+    points
+        The operating points of one, in the order of the specification.
+    chance
+        The probability that a built one meets every point at some pressure that is allowed; none where measured muscles do not tell the model's error.
     pressure_mpa : MPa
-        Pressure to set, MPa.
-    force_n : N
-        What is required of all of them at the point of the largest ±, N.
-    predicted_low_n : N
-        The 95 % interval of what they pull there, N.
-    predicted_high_n : N
-        Its upper end.
+        Pressure to begin with, in MPa: that at which the median meets every point, or the highest.
+    pressure_low_mpa : MPa
+        Lower of the pressures between which nine of ten of those end that do, MPa.
+    pressure_high_mpa : MPa
+        Upper of these, MPa.
+    highest_pressure_mpa : MPa
+        Highest pressure in MPa that supply and muscle allow: all that is said of the maximum pressure is of this one.
+    margin
+        Least margin over the points.
+    width_mm : mm
+        The larger of the bulged tube and its ends, mm.
+    ends
+        The ends that hold it, as `build` makes them.
+    blocked_force_n : N
+        Blocked force at the maximum pressure, in N.
+    free_contraction
+        Free contraction at the maximum pressure.
+    work_j : J
+        Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
+    bulged_diameter_mm : mm
+        Largest outer diameter over the points, mm.
+    family_stiffness_n_per_mm : N/mm
+        Stiffness k of one strand family, N/mm; none of strands that keep their length.
+    stiffness_n_per_mm : N/mm
+        Stiffness ∂F/∂L at the first point, N/mm.
     air_normal_litres : normal L
-        Air per stroke, normal litres.
+        Largest air per stroke over the points, normal litres; none with a liquid.
     liquid_volume_mm3 : mm3
-        Liquid per stroke, mm³.
+        Largest liquid volume over the points that is pushed in from rest, measured at atmospheric pressure, mm³.
+    strand_tension_n : N
+        Largest tension of one strand, N.
+    braid_tension_n : N
+        Largest tension of all strands together, N.
+    max_stretch
+        Largest stretch of the rubber.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
+    allowed_by
+        What it keeps its distance from.
+    allowed_factor
+        The pressure of that over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
+    uncertainty_n : N
+        Largest 95 % half-width of the pull, N.
+    joint
+        Of a joint: its pulley, and how the muscle is put on it.
     """
 
-    kind: Literal["first", "bundle", "sure", "sold", "cast"]
+    kind: Literal["take", "chance", "one", "several", "sold", "cast", "product"]
     name: str
-    count: int
     parts: str
+    envelope_mm: float
+    outer_diameter_mm: float
+    wall_mm: float
     length_mm: float
+    angle_deg: float
+    rubber: str
+    braid: str
+    count: int
+    model: str
+    points: list[DesignPoint]
+    chance: float | None
     pressure_mpa: float
-    force_n: float
-    envelope_mm: float | None = None
-    predicted_low_n: float | None = None
-    predicted_high_n: float | None = None
-    air_normal_litres: float | None = None
+    pressure_low_mpa: float | None
+    pressure_high_mpa: float | None
+    highest_pressure_mpa: float
+    margin: float
+    width_mm: float
+    blocked_force_n: float
+    free_contraction: float | None
+    work_j: float | None
+    bulged_diameter_mm: float | None
+    family_stiffness_n_per_mm: float | None
+    stiffness_n_per_mm: float | None
+    air_normal_litres: float | None
+    strand_tension_n: float | None
+    braid_tension_n: float | None
+    max_stretch: float | None
+    burst_pressure_mpa: float | None
+    ends_included: bool
+    uncertainty_n: float | None
+    sleeve: str | None = None
+    stiffness_factor: float | None = None
+    rubber_mass_g: float | None = None
+    mass_g: float | None = None
+    tube: str | None = None
+    is_cast: bool | None = None
+    product: str | None = None
+    ends: CandidateEnds | None = None
     liquid_volume_mm3: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    allowed_factor: float | None = None
+    overpressure: bool | None = None
+    joint: CandidateJoint | None = None
 
 
 class ClosestAnswer(Record):
@@ -1310,50 +1435,64 @@ class ClosestAnswer(Record):
     Attributes
     ----------
     outer_diameter_mm : mm
-        Outer diameter D0, mm.
+        Outer diameter D0 at rest, mm.
     wall_mm : mm
-        Wall s, mm.
+        Wall thickness s at rest, mm.
     length_mm : mm
-        Length L0, mm.
+        Length L0 between the terminals at rest, mm.
     angle_deg : deg
-        Braid angle θ0, degrees.
+        Braid angle θ0 at rest, degrees.
     rubber
-        Name of the rubber, where it has one.
+        The rubber, by name or law.
+    braid
+        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
-        Name of the sleeve, where it has one.
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    stiffness_factor
+        Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    mass_g : g
+        Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    count
+        So many of it side by side.
+    chance
+        The probability that it meets every point, apart from its other limits.
     misses_by
-        The shares by which it misses its limits, summed; none where the model has no answer.
+        The shares by which it misses its limits, summed.
     reason
         The limit that it misses by most, in a sentence.
     limit
-        That limit; none where the model has no answer.
+        That limit.
     relaxations
         Changes with which a muscle of the search fits, the smallest of each kind; those that ask for least first.
-    hint
-        Contractions beyond every braid of the search, and the angle that reaches them.
     """
 
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
     angle_deg: float
-    rubber: str | None
+    rubber: str
+    braid: str
+    count: int
+    misses_by: float
     reason: str
+    limit: Literal[
+        "force",
+        "buckling",
+        "liquid_volume",
+        "bulged_diameter",
+        "envelope",
+        "pulley",
+        "max_stretch",
+        "mass",
+    ]
     relaxations: list[RelaxationAnswer]
-    hint: str | None
     sleeve: str | None = None
-    misses_by: float | None = None
-    limit: (
-        Literal[
-            "force",
-            "bulged_diameter",
-            "pulley",
-            "max_stretch",
-            "buckling",
-            "liquid_volume",
-        ]
-        | None
-    ) = None
+    stiffness_factor: float | None = None
+    rubber_mass_g: float | None = None
+    mass_g: float | None = None
+    chance: float | None = None
 
 
 class CoefficientRow(Record):
@@ -1500,20 +1639,24 @@ class Curve(_record.Curves):
     warnings
         Warnings; of each kind the most serious.
     burst_pressure_mpa : MPa
-        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
     burst_by
         How it fails there.
-    least_burst_pressure_mpa : MPa
-        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
     allowed_pressure_mpa : MPa
         Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
-        may be by estimates of the strands, and at most that for which the fittings are rated.
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
     allowed_by
-        The failure that it keeps its distance from; none where the fittings are rated for it.
+        What it keeps its distance from.
     allowed_factor
-        The pressure of that failure over the allowed one.
+        The pressure of that over the allowed one.
     ends_included
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
     points
         The points, curve after curve; all curves have the same number of points.
     loaded
@@ -1531,11 +1674,34 @@ class Curve(_record.Curves):
     burst_pressure_mpa: float | None
     ends_included: bool
     points: list[PointRow]
-    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    least_burst_pressure_mpa: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
-    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
     allowed_factor: float | None = None
+    overpressure: bool | None = None
     loaded: LoadAnswer | None = None
     figure: Figure | None = None
     if TYPE_CHECKING:
@@ -1567,6 +1733,7 @@ class Curve(_record.Curves):
                 "max_stretch",
                 "free_contraction",
                 "start_pressure_mpa",
+                "mean_n",
                 "predicted_n",
                 "predicted_low_n",
                 "predicted_high_n",
@@ -1684,8 +1851,6 @@ class DemandAnswer(Record):
         The contraction ratio.
     torques
         Torques at angles.
-    radius_mm : mm
-        Radius of the pulley, mm.
     """
 
     kind: Literal["points"]
@@ -1693,7 +1858,6 @@ class DemandAnswer(Record):
     stroke_mm: float | None = None
     contraction: float | None = None
     torques: list[TorqueWanted] | None = None
-    radius_mm: float | None = None
 
 
 class Derived(Record):
@@ -1735,7 +1899,8 @@ class Design(_record.Designed):
     Attributes
     ----------
     decision
-        The decision in sentences: what to take, which pressure to set, what it pulls, what is sure, what limits it; none where nothing fits.
+        The decision in sentences: what to take with its chance, which pressure to set, what it pulls, what to measure, what limits it; where nothing fits
+        the best chance there is.
     model
         The model that all numbers come from.
     searched_with
@@ -1765,22 +1930,13 @@ class Design(_record.Designed):
     warnings
         Warnings about the best muscle; if nothing fits, whether burst was checked.
     choices
-        One muscle, the slimmest bundle, what is sure, and one of the other make beside each other, where there are two or more.
-    other_make
-        Where the best muscle has a tube that is sold the best one that is cast, and vice versa.
-    slimmest_bundle
-        In place of one muscle: so many side by side, where the circle around them is smaller.
+        The first beside what has another chance, make or number, and muscles as sold; where nothing fits what has the best chance.
     cycle
         With `cycle_hz`: the air and the valve of the best muscle.
-    to_be_sure
-        If none of the candidates is sure at a pressure that it may have: what is, one or several side by side, whose lower end of the ± meets the
-        requirement (`guaranteed`); none where the same search finds none.
     closest
         If nothing fits: the muscle that comes closest.
     bundle
         Of a bundle: what its muscles do together, by the best muscle.
-    bought
-        Muscles as sold, of the library, that would do: their pull less its ± meets the requirement. Of a bundle: so many of them.
     figure
         The figure, where one is wanted and something fits.
     muscle_files
@@ -1804,13 +1960,9 @@ class Design(_record.Designed):
     assumptions: list[str] | None = None
     uncertainty_words: UncertaintyWords | None = None
     choices: list[ChoiceAnswer] | None = None
-    other_make: CandidateAnswer | None = None
-    slimmest_bundle: CandidateAnswer | None = None
     cycle: CycleAnswer | None = None
-    to_be_sure: CandidateAnswer | None = None
     closest: ClosestAnswer | None = None
     bundle: BundleAnswer | None = None
-    bought: list[BoughtAnswer] | None = None
     figure: Figure | None = None
     muscle_files: list[TextFile] | None = None
     if TYPE_CHECKING:
@@ -1826,10 +1978,13 @@ class Design(_record.Designed):
                 "stiffness_factor",
                 "rubber_mass_g",
                 "mass_g",
+                "chance",
                 "pressure_mpa",
-                "sure_pressure_mpa",
+                "pressure_low_mpa",
+                "pressure_high_mpa",
                 "highest_pressure_mpa",
                 "margin",
+                "width_mm",
                 "blocked_force_n",
                 "free_contraction",
                 "work_j",
@@ -1842,7 +1997,7 @@ class Design(_record.Designed):
                 "braid_tension_n",
                 "max_stretch",
                 "burst_pressure_mpa",
-                "least_burst_pressure_mpa",
+                "nominal_burst_pressure_mpa",
                 "allowed_pressure_mpa",
                 "allowed_factor",
                 "uncertainty_n",
@@ -1898,14 +2053,16 @@ class DesignPoint(Record):
         Air from rest to this point, normal litres; none with a liquid.
     liquid_volume_mm3 : mm3
         Liquid pushed in from rest to this point, measured at atmospheric pressure, mm³.
-    model_force_n : N
-        The model's own pull there on the branch that is wanted, N.
+    required_n : N
+        Pull that is required of one, N.
     uncertainty_n : N
         Half of the 95 % interval of what a muscle that is built pulls, N.
     friction_n : N
         What friction adds to the model's pull on the branch that is wanted, N: below zero while the muscle shortens, 0 of the mean of both branches.
+    mean_n : N
+        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N.
+        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
@@ -1922,7 +2079,7 @@ class DesignPoint(Record):
     force_at_max_pressure_n: float
     margin: float
     air_normal_litres: float | None
-    model_force_n: float
+    required_n: float
     uncertainty_n: float | None
     friction_n: float
     volume_mm3: float | None = None
@@ -1936,6 +2093,7 @@ class DesignPoint(Record):
     middle_stretch: float | None = None
     max_stretch: float | None = None
     liquid_volume_mm3: float | None = None
+    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
@@ -2031,8 +2189,10 @@ class Equilibrium(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    mean_n : N
+        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N.
+        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
@@ -2097,6 +2257,7 @@ class Equilibrium(Record):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
@@ -2170,14 +2331,58 @@ class Export(_record.Files):
         Error of the pull at 95 % of the points: they err by less, share of the blocked force.
     force_worst_ratio
         Largest error of the pull: share of the blocked force, 1.5 times the largest at the points, and 0.0002.
+    stiffness_rms
+        Error of ∂F/∂L at the points: rms, share of the form's own at the supply and at rest; where the muscle pulls by more than 2 % of its blocked
+        force.
+    stiffness_worst_ratio
+        Largest error of ∂F/∂L: the same share, 1.5 times the largest at the points.
+    force_per_pressure_rms
+        Error of ∂F/∂P at the points: rms, likewise.
+    force_per_pressure_worst_ratio
+        Largest error of ∂F/∂P: likewise.
     volume_rms
         Error of the volume at the points: rms, share of the largest volume.
     volume_worst_ratio
         Largest error of the volume: share of the largest volume, twice the largest at the points, and 0.0002.
     blocked_force_n : N
         Blocked force at the supply, N.
-    uncertainty_n : N
-        95 % half-width of the blocked force against a measured muscle, N, where it is known.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
+    burst_by
+        How it fails there.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
+    allowed_pressure_mpa : MPa
+        Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
+    allowed_by
+        What it keeps its distance from.
+    allowed_factor
+        The pressure of that over the allowed one.
+    ends_included
+        Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
+    pressure_mpa : MPa
+        Pressure, MPa.
+    contraction
+        Contraction.
+    force_n : N
+        The model's pull there on the branch, N.
+    mean_n : N
+        The model's pull, of the mean of both branches, N.
+    predicted_n : N
+        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end, N.
+    predicted_direction
+        The branch on which it does: the one that is asked, else that of its work.
+    predicted_shift_n : N
+        What lies between the model's pull of the mean of both branches and the median, N.
     muscle
         The muscle.
     needs
@@ -2202,15 +2407,57 @@ class Export(_record.Files):
     force_rms: float
     force_95_ratio: float
     force_worst_ratio: float
+    stiffness_rms: float
+    stiffness_worst_ratio: float
+    force_per_pressure_rms: float
+    force_per_pressure_worst_ratio: float
     volume_rms: float
     volume_worst_ratio: float
     blocked_force_n: float
+    burst_pressure_mpa: float | None
+    ends_included: bool
     muscle: MuscleSummary
     needs: str
     loses: str
     files: list[BuiltFile]
     warnings: list[AnswerWarning]
-    uncertainty_n: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
+    allowed_pressure_mpa: float | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    allowed_factor: float | None = None
+    overpressure: bool | None = None
+    pressure_mpa: float | None = None
+    contraction: float | None = None
+    force_n: float | None = None
+    mean_n: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    predicted_shift_n: BuiltShift | None = None
     if TYPE_CHECKING:
 
         @overload
@@ -2230,7 +2477,7 @@ class ExportForm(Record):
     supply_pa : Pa
         Supply pressure, the upper end of the box, Pa.
     contraction_low
-        Lower end of the box in ε, negative.
+        Lower end of the box in ε, zero or negative.
     contraction_high
         Upper end of the box in ε: the free contraction at the supply.
     contractions
@@ -2242,7 +2489,7 @@ class ExportForm(Record):
     v : m³
         v0 to v4, m³.
     friction_n : N
-        Half-width of the hysteresis, N: h0 √q + h1 q; zeros where the muscle does not state its friction.
+        Half-width of the hysteresis, N: (h0 + h1 ε + h2 ε²) √q + (h3 + h4 ε + h5 ε²) q; zeros where no friction is known.
     presliding_m : m
         Way over which it builds up after a reversal, m; 0 where the muscle does not state its friction.
     """
@@ -2398,8 +2645,10 @@ class FillAnswer(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    mean_n : N
+        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N.
+        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
@@ -2461,20 +2710,24 @@ class FillAnswer(Record):
     uncertainty_words
         The ± of the pull in words.
     burst_pressure_mpa : MPa
-        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
     burst_by
         How it fails there.
-    least_burst_pressure_mpa : MPa
-        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
     allowed_pressure_mpa : MPa
         Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
-        may be by estimates of the strands, and at most that for which the fittings are rated.
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
     allowed_by
-        The failure that it keeps its distance from; none where the fittings are rated for it.
+        What it keeps its distance from.
     allowed_factor
-        The pressure of that failure over the allowed one.
+        The pressure of that over the allowed one.
     ends_included
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
     muscle
         The muscle.
     about
@@ -2517,6 +2770,7 @@ class FillAnswer(Record):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
@@ -2534,11 +2788,34 @@ class FillAnswer(Record):
     contraction_uncertainty: float | None = None
     buckling_load_n: float | None = None
     friction_work_j: float | None = None
-    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    least_burst_pressure_mpa: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
-    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
     allowed_factor: float | None = None
+    overpressure: bool | None = None
 
 
 class FindingAnswer(Record):
@@ -2811,6 +3088,9 @@ class Identification(_record.Identified):
         Residuals by branch, by measured quantity, and by table.
     muscle
         The muscle with the identified values.
+    set_pressure_mpa : MPa
+        Of a muscle that was designed for a job: the pressure to set now, MPa, at which the muscle as it was found does it by the median, or the allowed
+        one where that is lower.
     muscle_file
         The same as a muscle file, with what was identified in its head.
     points
@@ -2837,6 +3117,7 @@ class Identification(_record.Identified):
     muscle_file: str
     points: list[IdentifiedPoint]
     warnings: list[AnswerWarning]
+    set_pressure_mpa: float | None = None
     figure: Figure | None = None
     if TYPE_CHECKING:
 
@@ -2978,8 +3259,8 @@ class JointExport(_record.Files):
     torque_error_nm : N m
         Largest difference of the torque from that of `joint`, N m: the stated largest errors of the pulls on their largest arms.
     stiffness_error_nm_per_rad : N m/rad
-        The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of its blocked force: 1.5 times the largest at 200
-        states.
+        The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of its blocked force: those of pulls and slopes on their
+        largest arms.
     files
         The files: the one to begin with first.
     warnings
@@ -3139,20 +3420,24 @@ class JointSolution(_record.Turned):
     points
         The points, pressures after pressures.
     burst_pressure_mpa : MPa
-        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
     burst_by
         How it fails there.
-    least_burst_pressure_mpa : MPa
-        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
     allowed_pressure_mpa : MPa
         Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
-        may be by estimates of the strands, and at most that for which the fittings are rated.
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
     allowed_by
-        The failure that it keeps its distance from; none where the fittings are rated for it.
+        What it keeps its distance from.
     allowed_factor
-        The pressure of that failure over the allowed one.
+        The pressure of that over the allowed one.
     ends_included
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
     map
         What the joint reaches, if requested.
     uncertainty_text
@@ -3171,11 +3456,34 @@ class JointSolution(_record.Turned):
     burst_pressure_mpa: float | None
     ends_included: bool
     warnings: list[AnswerWarning]
-    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    least_burst_pressure_mpa: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
-    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
     allowed_factor: float | None = None
+    overpressure: bool | None = None
     map: JointMap | None = None
     uncertainty_text: str | None = None
     figure: Figure | None = None
@@ -3638,12 +3946,15 @@ class Made(Record):
         The rubber.
     braid
         The braid.
+    strands
+        Its strands, where they state its stiffness.
     """
 
     length_mm: float
     angle_deg: float
     rubber: MadeRubber
     braid: MadeBraid
+    strands: MadeStrands | None = None
 
 
 class MadeBraid(Record):
@@ -3683,6 +3994,27 @@ class MadeRubber(Record):
     law: str
     constants: dict[str, float]
     bulk_modulus_mpa: float | None
+
+
+class MadeStrands(Record):
+    """Strands by which a braid is described.
+
+    Attributes
+    ----------
+    count
+        Their number, both families together.
+    area_mm2 : mm2
+        Cross-section of one in mm².
+    modulus_mpa : MPa
+        Young's modulus in MPa.
+    strength_n : N
+        Force at which one breaks in N, where it is known.
+    """
+
+    count: int
+    area_mm2: float
+    modulus_mpa: float
+    strength_n: float | None
 
 
 class MapGap(Record):
@@ -3942,7 +4274,8 @@ class Motion(Record):
     series
         What was recorded, lists of one length.
     rise_time_s : s
-        10–90 % of the first step that moved it, s.
+        10–90 % of the first step that moved it, s; of a commanded position this and what follows are against the set-point, else against where the step
+        ended.
     settling_time_s : s
         Time until it stays within 2 % of its stroke, s.
     overshoot
@@ -3965,8 +4298,6 @@ class Motion(Record):
         Where a joint rests in the end under the commanded pressures, without friction, degrees.
     ended_early
         Reason why the run stopped early; the series covers the computed part.
-    largest_power_w : W
-        Largest power of the muscles, W.
     air_normal_litres : normal L
         Air from the supply, normal litres (0 °C, 101.325 kPa); 0 with a liquid.
     liquid_volume_mm3 : mm3
@@ -3975,14 +4306,15 @@ class Motion(Record):
         The same over the last whole period of a periodic command.
     energies
         Energies, J.
-    efficiency
-        Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid; not of a load that is released, nor
-        where what was stored does the work.
     poles_per_s : s
         Of commanded pressures: the poles about the state that the first step reaches (the mean of a periodic command), real and imaginary part, 1/s. One
         is 0 where the air's temperature does not change: that of its mass.
     eigenfrequency_hz : Hz
         Frequency |Im λ|/2π of the fastest pair of them, Hz.
+    frequency_constant_pressure_hz : Hz
+        Natural frequency of load and muscle without damping at constant pressure, Hz.
+    frequency_shut_hz : Hz
+        The same with shut valves, Hz; none of a regulator, which has none.
     bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
         followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
@@ -4010,20 +4342,24 @@ class Motion(Record):
     sonic_conductance_l_per_s_bar : L/(s bar)
         Sonic conductance of the smallest valve with the requested rise time, L/(s bar).
     burst_pressure_mpa : MPa
-        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
     burst_by
         How it fails there.
-    least_burst_pressure_mpa : MPa
-        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
     allowed_pressure_mpa : MPa
         Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
-        may be by estimates of the strands, and at most that for which the fittings are rated.
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
     allowed_by
-        The failure that it keeps its distance from; none where the fittings are rated for it.
+        What it keeps its distance from.
     allowed_factor
-        The pressure of that failure over the allowed one.
+        The pressure of that over the allowed one.
     ends_included
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
     parameters
         Of a recorded motion: the constants, with value and error.
     errors
@@ -4047,7 +4383,6 @@ class Motion(Record):
     vent_time_s: float | None
     steps: list[Any]
     at_rest: bool | None
-    largest_power_w: float
     air_normal_litres: float
     energies: Any
     poles_per_s: list[tuple[float, float]]
@@ -4063,8 +4398,9 @@ class Motion(Record):
     ended_early: str | None = None
     liquid_volume_mm3: float | None = None
     air_normal_litres_per_cycle: float | None = None
-    efficiency: float | None = None
     eigenfrequency_hz: float | None = None
+    frequency_constant_pressure_hz: float | None = None
+    frequency_shut_hz: float | None = None
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
@@ -4076,11 +4412,34 @@ class Motion(Record):
     uncertainty_text: str | None = None
     others: list[MotionRun] | None = None
     sonic_conductance_l_per_s_bar: float | None = None
-    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    least_burst_pressure_mpa: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
-    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
     allowed_factor: float | None = None
+    overpressure: bool | None = None
     parameters: list[Identified] | None = None
     errors: list[LogErrors] | None = None
     drive_file: str | None = None
@@ -4137,7 +4496,8 @@ class MotionRun(Record):
     series
         What was recorded, lists of one length.
     rise_time_s : s
-        10–90 % of the first step that moved it, s.
+        10–90 % of the first step that moved it, s; of a commanded position this and what follows are against the set-point, else against where the step
+        ended.
     settling_time_s : s
         Time until it stays within 2 % of its stroke, s.
     overshoot
@@ -4160,8 +4520,6 @@ class MotionRun(Record):
         Where a joint rests in the end under the commanded pressures, without friction, degrees.
     ended_early
         Reason why the run stopped early; the series covers the computed part.
-    largest_power_w : W
-        Largest power of the muscles, W.
     air_normal_litres : normal L
         Air from the supply, normal litres (0 °C, 101.325 kPa); 0 with a liquid.
     liquid_volume_mm3 : mm3
@@ -4170,14 +4528,15 @@ class MotionRun(Record):
         The same over the last whole period of a periodic command.
     energies
         Energies, J.
-    efficiency
-        Work of the muscles while they shorten over the exergy of the air, or the work of the pump on the liquid; not of a load that is released, nor
-        where what was stored does the work.
     poles_per_s : s
         Of commanded pressures: the poles about the state that the first step reaches (the mean of a periodic command), real and imaginary part, 1/s. One
         is 0 where the air's temperature does not change: that of its mass.
     eigenfrequency_hz : Hz
         Frequency |Im λ|/2π of the fastest pair of them, Hz.
+    frequency_constant_pressure_hz : Hz
+        Natural frequency of load and muscle without damping at constant pressure, Hz.
+    frequency_shut_hz : Hz
+        The same with shut valves, Hz; none of a regulator, which has none.
     bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes about the state that the first step reaches (the mean of a periodic command) are
         followed (−3 dB), Hz; of two muscles of a joint, changes against each other. A valve lets air in and out half of the time each.
@@ -4210,7 +4569,6 @@ class MotionRun(Record):
     vent_time_s: float | None
     steps: list[Any]
     at_rest: bool | None
-    largest_power_w: float
     air_normal_litres: float
     energies: Any
     poles_per_s: list[tuple[float, float]]
@@ -4223,8 +4581,9 @@ class MotionRun(Record):
     ended_early: str | None = None
     liquid_volume_mm3: float | None = None
     air_normal_litres_per_cycle: float | None = None
-    efficiency: float | None = None
     eigenfrequency_hz: float | None = None
+    frequency_constant_pressure_hz: float | None = None
+    frequency_shut_hz: float | None = None
     bandwidth_hz: float | None = None
     bandwidth_filling_hz: float | None = None
     bandwidth_venting_hz: float | None = None
@@ -4599,8 +4958,10 @@ class PointRow(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    mean_n : N
+        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N.
+        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
@@ -4668,6 +5029,7 @@ class PointRow(Record):
     slack: bool | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
@@ -4851,44 +5213,61 @@ class RejectedAnswer(Record):
     Attributes
     ----------
     outer_diameter_mm : mm
-        Outer diameter D0, mm.
+        Outer diameter D0 at rest, mm.
     wall_mm : mm
-        Wall s, mm.
+        Wall thickness s at rest, mm.
     length_mm : mm
-        Length L0, mm.
+        Length L0 between the terminals at rest, mm.
     angle_deg : deg
-        Braid angle θ0, degrees.
+        Braid angle θ0 at rest, degrees.
     rubber
-        Name of the rubber, where it has one.
+        The rubber, by name or law.
+    braid
+        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
-        Name of the sleeve, where it has one.
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    stiffness_factor
+        Factor within which the stiffness of the braid is known, where that and the strength of its strands are estimates.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    mass_g : g
+        Mass of tube and sleeve between the terminals, g, where both are known; the terminals are not in it.
+    count
+        So many of it side by side.
+    chance
+        The probability that it meets every point, apart from its other limits.
     misses_by
-        The shares by which it misses its limits, summed; none where the model has no answer.
+        The shares by which it misses its limits, summed.
     reason
         The limit that it misses by most, in a sentence.
     limit
-        That limit; none where the model has no answer.
+        That limit.
     """
 
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
     angle_deg: float
-    rubber: str | None
+    rubber: str
+    braid: str
+    count: int
+    misses_by: float
     reason: str
+    limit: Literal[
+        "force",
+        "buckling",
+        "liquid_volume",
+        "bulged_diameter",
+        "envelope",
+        "pulley",
+        "max_stretch",
+        "mass",
+    ]
     sleeve: str | None = None
-    misses_by: float | None = None
-    limit: (
-        Literal[
-            "force",
-            "bulged_diameter",
-            "pulley",
-            "max_stretch",
-            "buckling",
-            "liquid_volume",
-        ]
-        | None
-    ) = None
+    stiffness_factor: float | None = None
+    rubber_mass_g: float | None = None
+    mass_g: float | None = None
+    chance: float | None = None
 
 
 class Relaxation(Record):
@@ -4900,15 +5279,15 @@ class Relaxation(Record):
         See the documentation.
     pressure_mpa : MPa
         MPa.
-    extrapolated
-        Outside of the model's range.
     share
         The share of what is wanted: of the pulls, of the load, or of the torques.
-    points
-        The operating points as they could be.
-    outer_diameter_mm : mm
-        mm.
+    certainty
+        From 0.5.
     bulged_diameter_mm : mm
+        See the documentation.
+    envelope_mm : mm
+        See the documentation.
+    mass_g : g
         See the documentation.
     max_stretch
         See the documentation.
@@ -4918,33 +5297,21 @@ class Relaxation(Record):
         Burst pressure over maximum pressure.
     liquid_volume_mm3 : mm3
         mm³.
-    sleeve
-        Its name.
-    tube
-        The tube that goes with it.
-    rubber
-        Its name.
-    family_stiffness_n_per_mm : N/mm
-        Stiffness k of one strand family, N/mm.
     changes
         Each of them.
     """
 
     relax: Literal["max_pressure"]
     pressure_mpa: float | None = None
-    extrapolated: bool | None = None
     share: float | None = None
-    points: list[OperatingPoint] | None = None
-    outer_diameter_mm: float | None = None
+    certainty: float | None = None
     bulged_diameter_mm: float | None = None
+    envelope_mm: float | None = None
+    mass_g: float | None = None
     max_stretch: float | None = None
     strand_strain: float | None = None
     burst_margin: float | None = None
     liquid_volume_mm3: float | None = None
-    sleeve: str | None = None
-    tube: str | None = None
-    rubber: str | None = None
-    family_stiffness_n_per_mm: float | None = None
     changes: list[Relaxation] | None = None
 
 
@@ -4959,15 +5326,15 @@ class RelaxationAnswer(Record):
         See the documentation.
     pressure_mpa : MPa
         MPa.
-    extrapolated
-        Outside of the model's range.
     share
         The share of what is wanted: of the pulls, of the load, or of the torques.
-    points
-        The operating points as they could be.
-    outer_diameter_mm : mm
-        mm.
+    certainty
+        From 0.5.
     bulged_diameter_mm : mm
+        See the documentation.
+    envelope_mm : mm
+        See the documentation.
+    mass_g : g
         See the documentation.
     max_stretch
         See the documentation.
@@ -4977,14 +5344,6 @@ class RelaxationAnswer(Record):
         Burst pressure over maximum pressure.
     liquid_volume_mm3 : mm3
         mm³.
-    sleeve
-        Its name.
-    tube
-        The tube that goes with it.
-    rubber
-        Its name.
-    family_stiffness_n_per_mm : N/mm
-        Stiffness k of one strand family, N/mm.
     changes
         Each of them.
     """
@@ -4992,19 +5351,15 @@ class RelaxationAnswer(Record):
     text: str
     relax: Literal["max_pressure"]
     pressure_mpa: float | None = None
-    extrapolated: bool | None = None
     share: float | None = None
-    points: list[OperatingPoint] | None = None
-    outer_diameter_mm: float | None = None
+    certainty: float | None = None
     bulged_diameter_mm: float | None = None
+    envelope_mm: float | None = None
+    mass_g: float | None = None
     max_stretch: float | None = None
     strand_strain: float | None = None
     burst_margin: float | None = None
     liquid_volume_mm3: float | None = None
-    sleeve: str | None = None
-    tube: str | None = None
-    rubber: str | None = None
-    family_stiffness_n_per_mm: float | None = None
     changes: list[Relaxation] | None = None
 
 
@@ -5218,8 +5573,8 @@ class SearchedAnswer(Record):
         Whether it was checked: the strength of the strands is known.
     max_strand_strain
         Largest strain of the strands, where there is one.
-    guaranteed
-        Share of muscles that meet the requirement by the ±, where one is guaranteed: 0.95 for its lower end.
+    certainty
+        The chance that is required; none where the model's own pull decides.
     """
 
     rubber: str
@@ -5229,7 +5584,7 @@ class SearchedAnswer(Record):
     min_burst_margin: float | None = None
     min_tube_margin: float | None = None
     max_strand_strain: float | None = None
-    guaranteed: float | None = None
+    certainty: float | None = None
 
 
 class SectionFile(Record):
@@ -5402,8 +5757,10 @@ class Shape(_record.Shaped):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    mean_n : N
+        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N.
+        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
@@ -5480,6 +5837,7 @@ class Shape(_record.Shaped):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
@@ -5538,20 +5896,24 @@ class SimulateAnswer(Record):
     warnings
         Warnings; of each kind the most serious.
     burst_pressure_mpa : MPa
-        Burst pressure, MPa: the least at which a part of the muscle fails, of several muscles that of the weakest; none where no number for it is stated.
+        Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
+        weakest; none where no number for it is stated.
     burst_by
         How it fails there.
-    least_burst_pressure_mpa : MPa
-        The least that the burst pressure may be, MPa, where number or strength of the strands are estimates; the allowed pressure follows from it.
+    nominal_burst_pressure_mpa : MPa
+        The pressure at which it fails by the nominal numbers, MPa, where number or strength of the strands are estimates.
     allowed_pressure_mpa : MPa
         Allowed pressure, MPa: a quarter of that at which strands or clamps fail, half of that at which the tube does, two thirds of the least that each
-        may be by estimates of the strands, and at most that for which the fittings are rated.
+        may be by estimates of the strands, and at most that for which the fittings are rated, or at which the strands are stretched to the validated
+        limit.
     allowed_by
-        The failure that it keeps its distance from; none where the fittings are rated for it.
+        What it keeps its distance from.
     allowed_factor
-        The pressure of that failure over the allowed one.
+        The pressure of that over the allowed one.
     ends_included
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
+    overpressure
+        Whether the allowed pressure was raised up to that of a proof test.
     figure
         The figure, if requested.
     deck
@@ -5569,11 +5931,34 @@ class SimulateAnswer(Record):
     warnings: list[AnswerWarning]
     burst_pressure_mpa: float | None
     ends_included: bool
-    burst_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
-    least_burst_pressure_mpa: float | None = None
+    burst_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
+    nominal_burst_pressure_mpa: float | None = None
     allowed_pressure_mpa: float | None = None
-    allowed_by: Literal["strands", "mesh", "bladder", "ends"] | None = None
+    allowed_by: (
+        Literal[
+            "strands",
+            "mesh",
+            "bladder",
+            "ends",
+            "fittings",
+            "strand_strain",
+            "no_answer",
+        ]
+        | None
+    ) = None
     allowed_factor: float | None = None
+    overpressure: bool | None = None
     figure: Figure | None = None
     deck: str | None = None
     files: list[BuiltFile] | None = None
@@ -5975,6 +6360,7 @@ class StudyAnswer(Record):
                 "max_stretch",
                 "free_contraction",
                 "start_pressure_mpa",
+                "mean_n",
                 "predicted_n",
                 "predicted_low_n",
                 "predicted_high_n",
@@ -6048,8 +6434,10 @@ class StudyRow(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    mean_n : N
+        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N.
+        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
@@ -6121,6 +6509,7 @@ class StudyRow(Record):
     slack: bool | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
+    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
@@ -6298,7 +6687,8 @@ class UncertaintyWords(Record):
     Attributes
     ----------
     built
-        What it will pull: `520 N (170 N to 900 N, 95 %) while it shortens: friction −145, take-up −100, ends −55`.
+        What it will pull, and the model's pull with what leads from it to that: `520 N (170 N to 900 N, 95 %) while it shortens; model: 820 N, mean of
+        both branches: friction −145, take-up −100, ends −55`.
     text
         The ± with its parts: `± 170 N (95 %): rubber 100, friction 90, ends 50, mesh 1`.
     bench
@@ -6708,8 +7098,10 @@ class Solution(_record.Points):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
+    mean_n : N
+        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N.
+        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
@@ -6751,6 +7143,7 @@ class Solution(_record.Points):
     max_stretch: NDArray[np.float64]
     free_contraction: NDArray[np.float64]
     start_pressure_mpa: NDArray[np.float64]
+    mean_n: NDArray[np.float64]
     predicted_n: NDArray[np.float64]
     predicted_low_n: NDArray[np.float64]
     predicted_high_n: NDArray[np.float64]
@@ -8053,11 +8446,11 @@ class MuscleCommands:
         *,
         pressure_mpa: Number | None = None,
         overpressure: bool = False,
+        name: str | None = None,
+        model: FormulaLike | None = None,
         contraction_low: Number | None = None,
         contraction_high: Number | None = None,
         cord_mm: Number | None = None,
-        name: str | None = None,
-        model: FormulaLike | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
@@ -8070,19 +8463,19 @@ class MuscleCommands:
         target
             Target; `--list` describes them.
         pressure_mpa : MPa
-            Supply pressure, the upper end of the range [2.5bar, or the allowed pressure where that is lower].
+            Supply pressure, the upper end of the range [of a muscle with a job that of its supply, else 2.5bar; the allowed pressure where that is lower].
         overpressure
             Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+        name
+            Name in the files [that of the muscle or joint file].
+        model
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         contraction_low
-            Lower end of the range of contractions [-0.05, a muscle that is stretched by 5 %]. Or nearer to 0 where the model ends or the form misses it.
+            Lower end of the range of contractions [0, or where the job of the muscle begins]. Below 0, where strands lock, the form is less accurate.
         contraction_high
             Upper end of the range of contractions [free contraction at the supply pressure].
         cord_mm : mm
             Length of a rope or rod between the muscle and what it pulls [0]. Lengths of the files are those of both.
-        name
-            Name of the muscle in the files [that of the muscle file].
-        model
-            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -8201,10 +8594,10 @@ class JointCommands:
         self,
         target: str | None = None,
         *,
-        model: FormulaLike | None = None,
         pressure_mpa: Number | None = None,
         overpressure: bool = False,
         name: str | None = None,
+        model: FormulaLike | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
@@ -8215,15 +8608,15 @@ class JointCommands:
         Parameters
         ----------
         target
-            The target: `c`, `rust`, `python`, `mjcf` or `fmu`.
-        model
-            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
+            Target; `--list` describes them.
         pressure_mpa : MPa
-            Supply pressure of each muscle [2.5bar, or the lowest allowed pressure where that is lower].
+            Supply pressure, the upper end of the range [of a muscle with a job that of its supply, else 2.5bar; the allowed pressure where that is lower].
         overpressure
             Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
         name
-            Name of the joint in the files [that of the joint file].
+            Name in the files [that of the muscle or joint file].
+        model
+            Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
             (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
@@ -8376,30 +8769,6 @@ class CampaignCommands:
         """
         return answered(CampaignOutcome, "campaign", locals())
 
-    def status(self) -> CampaignStatus:
-        """A campaign whose shards are looked at.
-
-        Returns
-        -------
-        CampaignStatus
-            A campaign in a folder.
-
-        Raises
-        ------
-        InputError
-            An argument is wrong: `field` names it.
-        NoAnswerError
-            There is none.
-        NotConvergedError
-            It was not found, or cancelled.
-
-        Examples
-        --------
-        >>> import mckibben as mk
-        >>> mk.Campaign("campaign.parquet", "plans/paper.toml").status()  # doctest: +SKIP
-        """
-        return answered(CampaignStatus, "campaign-status", locals())
-
     def summary(self) -> CampaignSummary:
         """A campaign to be summarised.
 
@@ -8441,14 +8810,16 @@ def design(
     gas_share: Number | None = None,
     dead_volume_mm3: Number | None = None,
     liquid_bulk_modulus_mpa: Number | None = None,
+    certainty: Number | None = None,
     guaranteed: Number | None = None,
     count: int | None = None,
     objective: Literal[
-        "diameter", "pressure", "air", "margin", "bulged-diameter", "length"
+        "diameter", "pressure", "air", "chance", "bulged-diameter", "length", "mass"
     ]
     | None = None,
     max_bulged_diameter_mm: Number | None = None,
     max_envelope_mm: Number | None = None,
+    max_mass_kg: Number | None = None,
     pitch_mm: Number | None = None,
     max_liquid_volume_mm3: Number | None = None,
     min_burst_margin: Number | None = None,
@@ -8517,20 +8888,24 @@ def design(
         Volume of line, fittings and what stays in the syringe [0].
     liquid_bulk_modulus_mpa : MPa
         Bulk modulus of the liquid without gas, in place of that of the table.
+    certainty
+        Chance that a built muscle meets every point at some allowed pressure [90%]. From 50 to 99.9 %. The smallest muscle that reaches it is taken. A
+        model that is named meets the points by its own pull, unless a certainty is given.
     guaranteed
-        The lower end of the ± meets it [95%]. The muscle whose pull less its ± meets the requirement; another share, such as --guaranteed 99%, widens the
-        ± accordingly.
+        Gone: `certainty`.
     count
-        Equal muscles side by side that share the requirement, 1 to 1000 [1; where no single one does, the slimmest bundle of up to 7]. The candidates are
-        one of them; the bundle of the best one is shown below.
+        Equal muscles side by side that share the requirement, 1 to 1000 [1; up to 7 where they are smaller by a third, or no single one does]. The
+        numbers of a candidate are those of one of them; the bundle of the best one is shown below.
     objective
         Quantity to rank by. A tube on sale comes before one that is cast, unless the muscle is half as large again.
     max_bulged_diameter_mm : mm
         Largest outer diameter at the operating points; of a bundle that of each of its muscles.
     max_envelope_mm : mm
-        Largest diameter of the circle around all muscles at the operating points.
+        Largest diameter of the circle around all muscles and their ends at the operating points.
+    max_mass_kg : kg
+        Largest mass of all muscles with their ends, such as 200g.
     pitch_mm : mm
-        Distance between the axes of neighbours of a bundle [that of the largest envelope, or the bulged diameter].
+        Distance between the axes of neighbours of a bundle [the width of one with its ends].
     max_liquid_volume_mm3 : mm3
         Largest liquid volume up to the operating points: what the syringe or pump gives. Of a bundle to all its muscles together. It needs `liquid`.
     min_burst_margin
@@ -8827,18 +9202,12 @@ def fit(
     table: TableLike | None = None,
     *,
     campaign: FileLike | None = None,
-    method: Literal["paper", "global", "universal"] | None = None,
-    hold_out_mm: Numbers | None = None,
+    method: Literal["global", "universal", "paper"] | None = None,
+    hold_out_mm: Choice | None = None,
     hold_out_share: Number | None = None,
     name: str | None = None,
-    rubber: RubberLike | None = None,
-    stiffness: Number | None = None,
     muscle: MuscleLike | None = None,
     terms: FileLike | None = None,
-    thin_rule: Literal["leave-out", "line", "whole"] | None = None,
-    slack_rule: Literal["two-sided", "pull-only", "zero"] | None = None,
-    at_mm: tuple[Number, Number] | None = None,
-    tables: bool = False,
     figures: bool = False,
     progress: Progress = None,
 ) -> Fit:
@@ -8851,31 +9220,20 @@ def fit(
     campaign
         A campaign on disk in place of the table: its file, or its folder of parts.
     method
-        Fitting method.
+        Fitting method [global for muscles of one make, universal for several makes].
     hold_out_mm : mm
-        Diameters D0 to leave out of the fit, to test it.
+        Diameters D0 to leave out of the fit, to test it: some, or all between two.
     hold_out_share
-        Share of the muscles to leave out of the fit, evenly in the order of D0 and wall.
+        In their place a share of the muscles, evenly in the order of D0 and wall.
     name
         Name of the formula in answers [that of the method].
-    rubber
-        Rubber of the muscles, if the table does not state it [paper].
-    stiffness : N/mm
-        Braid of the muscles, if the table does not state it [paper].
     muscle
-        Muscle file with the rubber and the braid.
+        Muscle file with the rubber and braid of a CSV table, which states neither [paper].
     terms
-        Formula of the kind global whose terms are fitted [terms chosen one by one].
-    thin_rule
-        Treatment of thick walls of thin muscles at low pressure, in the paper's method.
-    slack_rule
-        Treatment of points where the muscle would have to push, in the paper's method.
-    at_mm : mm
-        Diameter and wall of the table that figures 5 to 8 show, such as 40x2; 12 too has the diameter, unless one is left out [30x3, or the first].
-    tables
-        Add the intermediate tables of the paper's method to the answer.
+        Terms of the method global in place of chosen ones: a list of powers of wall ratio, pressure, contraction and D0, `[[0, 1, 0, 0], [0, 1, 1, 0]]`,
+        or a formula of this kind.
     figures
-        Add figures to the answer: figures 5 to 12 of the paper, or with `global` figure 12.
+        Add figures to the answer, of the method paper figures 5 to 12 of the paper and the tables of its steps.
     progress
         True for a line on standard error, or a function that is called with (done, total).
 

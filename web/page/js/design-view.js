@@ -163,7 +163,7 @@ export function choicesView(list, pick) {
     showLength(c.width_mm ?? c.envelope_mm, 3),
     showLength(c.length_mm),
     set(c),
-    `${showForce(c.predicted_low_n, 2)} to ${showForce(c.predicted_high_n, 2)}`,
+    pulls(c),
     c.parts,
   ]);
   const head = ["choice", ...(known ? ["chance"] : []), "width", "L0", "set", "pulls (95 %)"];
@@ -173,6 +173,12 @@ export function choicesView(list, pick) {
     label: "One muscle, and what could take its place",
   });
 }
+
+/** Between which a built one pulls at its first point. @param {Choice} choice */
+const pulls = ({ points: [p] }) =>
+  p?.predicted_low_n == null
+    ? ""
+    : `${showForce(p.predicted_low_n, 2)} to ${showForce(p.predicted_high_n, 2)}`;
 
 /** Where it is asked at several points. @param {Candidate} best */
 function points(best) {

@@ -129,7 +129,7 @@ function errorLine(answer) {
     `Error: ${share(answer.force_rms)} rms, ${share(answer.force_worst_ratio)} at worst of the blocked ` +
     `force ${showForce(answer.blocked_force_n)}, up to ${showPressure(answer.supply_pressure_mpa, 3)} ` +
     `and ${showRatio(answer.contraction_high, 3)}; volume ${share(answer.volume_worst_ratio)} at ` +
-    `worst. Against ${answer.model}; as built ± ${showForce(answer.uncertainty_n, 2)}.`
+    `worst. Allowed up to ${showPressure(answer.allowed_pressure_mpa, 3)}.`
   );
 }
 

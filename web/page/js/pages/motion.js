@@ -200,7 +200,6 @@ function figures(run) {
         ? ["Air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
         : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
       ["Largest speed", speed(run)],
-      ["Largest power", `${number(run.largest_power_w, 3)} W`],
     ],
     { label: "figures of the step" },
   );
