@@ -73,7 +73,9 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "fill": lambda root: THIN.fill(20_000, load="mass:5kg", model="thick-wall"),
     "simulate": lambda root: THIN.simulate(pressures_mpa=[0.2], contractions=[0.1]),
     "design": lambda root: mk.design(**SPEC),
-    "fit": lambda root: mk.fit(root / "data/campaign/paper.csv", method="paper", figures=True),
+    "fit": lambda root: mk.fit(
+        root / "data/campaign/paper.csv", method="paper", figures=True
+    ),
     "formula": lambda root: mk.fit(root / "data/campaign/paper.csv").formula.check(),
     "identify": lambda root: mk.identify(
         root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"
