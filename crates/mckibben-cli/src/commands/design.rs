@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
     "design --force 700N --contraction 15% --max-pressure 2.5bar -o winner.toml",
     "design --load 20kg --stroke 40mm --length 285 --max-pressure 3bar",
     "design --force 700N --contraction 15% --max-pressure 2.5bar --count 7 --max-envelope 110mm",
-    "design -F 50N -e 15% --max-pressure 3bar --length 200 --liquid water --max-liquid 20mL",
+    "design -F 50N -e 15% --max-pressure 3bar --length 200 --liquid water --max-liquid 30mL",
     "design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30"
 ]))]
 pub struct Design {
