@@ -169,7 +169,7 @@ PARTS = {
         [
             "cargo build --release --locked",
             "python3 checks/release.py --binary target/release/mckibben",
-            "cargo run --release --locked -- design --force 98N --contraction 10% --max-pressure 4bar --length 200 --tube latex-1/4x3/8in --braid flexo-overexpanded-0.38in",
+            "cargo run --release --locked -- design --force 98N --contraction 10% --max-pressure 4bar --length 200",
         ],
     ),
     "packages": (

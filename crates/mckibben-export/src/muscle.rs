@@ -59,8 +59,11 @@ pub struct Known {
     /// The pressures that it bears.
     #[serde(flatten)]
     pub limits: PressureLimits,
+    /// Whether the form is the median of what a muscle that is built pulls; else that of the model
+    /// alone.
+    pub is_built: bool,
     /// What a muscle that is built pulls at the point of its job, else blocked at the supply; none
-    /// where the form is that of the model alone.
+    /// where it is not known.
     #[serde(flatten)]
     pub point: Option<KnownPoint>,
 }
@@ -82,18 +85,18 @@ pub struct KnownPoint {
 impl Known {
     /// The lines of an artefact.
     fn facts(&self) -> [String; 2] {
+        let form = if self.is_built {
+            "the median of what a muscle that is built pulls, of the mean of both branches; half \
+             the hysteresis less while it shortens, more while it lengthens"
+        } else {
+            "that of the model alone"
+        };
         let pull = self.point.map_or_else(
-            || {
-                "Pull: that of the model alone. How far a muscle that is built lies from it is not \
-                 known."
-                    .to_owned()
-            },
+            || format!("Pull: {form}. How far a muscle that is built lies from it is not known."),
             |at| {
                 let built = &at.built;
                 format!(
-                    "Pull: the median of what a muscle that is built pulls, of the mean of both \
-                     branches; half the hysteresis less while it shortens, more while it lengthens. \
-                     At {} Pa and a contraction of {:.4} it pulls {:.1} N ({:.1} to {:.1} N in 95 \
+                    "Pull: {form}. A muscle that is built: at {} Pa and a contraction of {:.4} it pulls {:.1} N ({:.1} to {:.1} N in 95 \
                      %) while {}; the model alone, mean of both branches, {:.1} N.",
                     (1e6 * at.pressure_mpa).round(),
                     at.contraction,
