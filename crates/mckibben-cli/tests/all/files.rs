@@ -255,9 +255,9 @@ fn an_existing_file_is_overwritten_only_on_request() {
 }
 
 /// Flags with a file or folder that is read.
-const READ: [&str; 15] = [
+const READ: [&str; 16] = [
     "log", "data", "columns", "muscle", "parts", "model", "models", "formula", "rubber", "rubbers",
-    "load", "braid", "tube", "tubes", "samples",
+    "load", "braid", "tube", "tubes", "samples", "terms",
 ];
 
 #[test]

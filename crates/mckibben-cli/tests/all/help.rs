@@ -62,7 +62,7 @@ fn the_long_help_has_every_flag_in_the_same_groups() {
         ("compare", &["Question", "Muscle", "Advanced", "Output"]),
         ("identify", &["Question", "Muscle", "Advanced", "Output"]),
         ("rubber", &["Question", "Muscle", "Advanced", "Output"]),
-        ("fit", &["Question", "Muscle", "Advanced", "Output"]),
+        ("fit", &["Question", "Output"]),
         ("joint", &["Question", "Advanced", "Output"]),
         ("motion", &["Question", "Advanced", "Output"]),
     ] {
