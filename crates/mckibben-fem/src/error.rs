@@ -171,7 +171,9 @@ fn ended(path: &FemError) -> String {
     };
     let advice = match status {
         // Pressure holds the wall out.
-        Status::Collapsed if *contraction > 0.0 => "raise the pressure, or lower the contraction",
+        Status::Collapsed if *pressure_mpa <= last_mpa => {
+            "raise the pressure, or lower the contraction"
+        }
         // No sleeve contracts further.
         _ if *contraction >= 0.4 => "lower the pressure or the contraction",
         _ => "lower the pressure or the contraction, or take stiffer strands",

@@ -94,7 +94,9 @@ impl Campaign {
                 let forecast = campaign_forecast(&self.request, &bar)?;
                 drop(bar);
                 context.print(&forecast, |_| (), None)?;
-                Ok(0)
+                let tried = forecast.muscles_tried * forecast.points_per_muscle;
+                let all_failed = tried > 0 && forecast.points_failed == tried;
+                Ok(if all_failed { NOT_CONVERGED } else { 0 })
             }
             None => run_campaign(self.request, self.quiet, context),
         }

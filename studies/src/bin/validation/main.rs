@@ -36,9 +36,9 @@ use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::Build;
 use report::{Fitted, report};
 use rubber::FittedRubber;
-use std::{error::Error, path::Path, process::ExitCode};
+use std::{path::Path, process::ExitCode};
 
-pub use mckibben_studies::Result;
+pub use mckibben_studies::{Result, keep, with_texts};
 
 /// Pages with tables of the study.
 const PAGES: [&str; 4] = [
@@ -174,11 +174,11 @@ fn kept(cases: &[Case], check: bool) -> Result<bool> {
     let mut is_same = true;
     for page in PAGES {
         let text = std::fs::read_to_string(page)?;
-        is_same &= pages::keep(Path::new(page), &pages::with_texts(&text, &texts)?, check)?;
+        is_same &= keep(Path::new(page), &with_texts(&text, &texts)?, check)?;
     }
     let all: Vec<&Known<'_>> = known.iter().collect();
     let prior = serde_json::to_string_pretty(&families::experience(&all).rounded())?;
-    is_same &= pages::keep(Path::new(PRIOR), &(prior + "\n"), check)?;
+    is_same &= keep(Path::new(PRIOR), &(prior + "\n"), check)?;
     let rows = bounds.into_iter().chain(bounds::coverage(&left_out));
     let failed: Vec<bounds::Row> = rows.filter(|row| !row.holds()).collect();
     failed.iter().for_each(|row| println!("fails: {row:?}"));

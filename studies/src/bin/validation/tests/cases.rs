@@ -3,7 +3,7 @@
 use super::{ALL, at, muscle, muscles};
 use crate::{
     case::{self, BUILT_IN, Case, CaseFit, Files, MuscleCase, Points},
-    pages,
+    with_texts,
 };
 use mckibben_core::muscle::file::to_toml;
 use mckibben_fit::{
@@ -176,9 +176,9 @@ fn a_muscle_whose_constants_were_all_free_is_read_as_it_was() {
 #[test]
 fn a_text_stands_between_its_marks() {
     let page = "a\n<!-- study one -->\nold\n<!-- end -->\nb\n";
-    let made = pages::with_texts(page, &[("one", "new\n".into()), ("two", "no".into())]).unwrap();
+    let made = with_texts(page, &[("one", "new\n".into()), ("two", "no".into())]).unwrap();
     assert_eq!(made, "a\n<!-- study one -->\n\nnew\n\n<!-- end -->\nb\n");
-    let again = pages::with_texts(&made, &[("one", "new\n".into())]).unwrap();
+    let again = with_texts(&made, &[("one", "new\n".into())]).unwrap();
     assert_eq!(again, made);
-    assert!(pages::with_texts("<!-- study one -->\n", &[("one", "".into())]).is_err());
+    assert!(with_texts("<!-- study one -->\n", &[("one", "".into())]).is_err());
 }
