@@ -839,12 +839,10 @@ def joint():
         for _ in range(20000):
             mujoco.mj_step(model, data)
         off = min(
-            abs(float(data.qpos[0]) - np.deg2rad(rest["angle_deg"]))
-            for rest in rests
+            abs(float(data.qpos[0]) - np.deg2rad(rest["angle_deg"])) for rest in rests
         )
         assert (
-            off
-            <= bound / min(rest["stiffness_nm_per_rad"] for rest in rests) + 1e-3
+            off <= bound / min(rest["stiffness_nm_per_rad"] for rest in rests) + 1e-3
         ), (name, np.rad2deg(data.qpos[0]), rests)
         noted(
             "mjcf",
