@@ -40,7 +40,7 @@ use crate::{
 /// The burst pressure of a model's muscle.
 ///
 /// # Errors
-/// [`AnalysisError`](crate::analysis::AnalysisError) where the work is cancelled, or the model has
+/// [`AnalysisError`] where the work is cancelled, or the model has
 /// no answer at all.
 pub fn burst(model: &dyn ForceModel) -> Result<Burst> {
     burst_below(model, f64::INFINITY, 1.0)
