@@ -2365,8 +2365,6 @@ class Export(_record.Files):
         Whether burst and allowed pressure count what the ends hold (`pull_off` in `[terminals]`).
     overpressure
         Whether the allowed pressure was raised up to that of a proof test.
-    is_built
-        Whether the form is the median of what a muscle that is built pulls; else that of the model alone.
     pressure_mpa : MPa
         Pressure, MPa.
     contraction
@@ -2418,7 +2416,6 @@ class Export(_record.Files):
     blocked_force_n: float
     burst_pressure_mpa: float | None
     ends_included: bool
-    is_built: bool
     muscle: MuscleSummary
     needs: str
     loses: str

@@ -27,7 +27,7 @@ const folder = mkdtempSync(join(tmpdir(), "page-"));
  * the requirement. @param {any} found
  */
 const designed = ({ candidates: [best], model, uncertainty_words }) => {
-  const [{ model_force_n: force_n, predicted_direction }] = best.points;
+  const [{ force_n, predicted_direction }] = best.points;
   return asShown({ force_n, model, predicted_direction, uncertainty_words });
 };
 const bar = (/** @type {number} */ mpa, digits = 3) =>

@@ -4,7 +4,7 @@
 use crate::{
     AskFields, Contraction, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
     ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
-    borne, burst_of,
+    borne, burst_with,
     flags::{self, Args},
     print::{Csv, Page, Show},
     proof_mpa,
@@ -368,10 +368,7 @@ fn operating(
     let mut workspace = Workspace::new();
     let in_use = AskFields::default().options(muscle)?;
     let mut evaluation = Evaluation::new(model, &mut workspace, in_use);
-    let burst = Burst {
-        overpressure: request.overpressure,
-        ..burst_of(&choice, model)?
-    };
+    let burst = burst_with(request.overpressure, &choice, model)?;
     let pressure_mpa = given_mpa.unwrap_or(usual_mpa(&burst, muscle));
     borne(&burst, pressure_mpa)?;
     let proof_mpa = proof_mpa(&burst, pressure_mpa)?;

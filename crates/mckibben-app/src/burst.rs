@@ -45,6 +45,18 @@ pub fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem
     Ok(failures)
 }
 
+/// The same, whose allowed pressure is raised where that is asked.
+pub fn burst_with(
+    overpressure: bool,
+    choice: &Model,
+    model: &dyn ForceModel,
+) -> Result<Burst, Problem> {
+    Ok(Burst {
+        overpressure,
+        ..burst_of(choice, model)?
+    })
+}
+
 /// Working pressure in MPa where none is given, and nothing forbids it: that of the paper.
 const USUAL_MPA: f64 = 0.25;
 

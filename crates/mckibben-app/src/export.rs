@@ -2,7 +2,7 @@
 
 use crate::{
     AskFields, BuiltFile, Contraction, JointFields, Model, ModelFields, MuscleFields,
-    MuscleSummary, Problem, ProblemKind, Result, TextFile, above_zero, borne, burst_of, finite,
+    MuscleSummary, Problem, ProblemKind, Result, TextFile, above_zero, borne, burst_with, finite,
     flags::{self, Args},
     print::{Csv, Page, Show},
     supply_mpa,
@@ -11,21 +11,15 @@ use crate::{
 use mckibben_core::{
     analysis::{Burst, Evaluation, Options},
     built::BuiltMedian,
-    extremes::peak,
-    model::{ForceModel, ModelError, Workspace},
+    model::{ForceModel, Workspace},
     muscle::Muscle,
     units::typed::{Length, Pressure},
     warning::Warning,
 };
-use mckibben_export::{
-    BoxRequest, ExportError, ExportTarget, ExportedJoint, ExportedMuscle, Known, KnownPoint,
-};
+use mckibben_export::{BoxRequest, ExportTarget, ExportedJoint, ExportedMuscle, Known, KnownPoint};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-
-/// A form whose volume errs by more than this share of the largest is not taken.
-const VOLUME: f64 = 0.1;
 
 /// What the export of a muscle and that of a joint have in common.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, Args)]
@@ -153,12 +147,8 @@ impl ExportFields {
     fn supplied(&self, choice: &Model, muscles: &[&Muscle]) -> Result<Supplied> {
         let models = muscles.iter().map(|muscle| choice.bound(muscle));
         let models = models.collect::<Result<Vec<_>, _>>()?;
-        let bursts = models.iter().map(|model| {
-            Ok(Burst {
-                overpressure: self.overpressure,
-                ..burst_of(choice, &**model)?
-            })
-        });
+        let bursts = models.iter();
+        let bursts = bursts.map(|model| burst_with(self.overpressure, choice, &**model));
         let bursts = bursts.collect::<Result<Vec<_>>>()?;
         let usual = bursts.iter().zip(muscles);
         let usual = usual.map(|(burst, muscle)| supply_mpa(burst, muscle));
@@ -179,8 +169,14 @@ impl ExportFields {
         let known = models.iter().zip(&bursts);
         let known = known.map(|(model, burst)| known_of(&**model, burst, supply_mpa));
         let known = known.collect::<Result<Vec<_>>>()?;
+        // A controller has to do with the muscle that is built.
+        let models = models.into_iter().zip(&known);
+        let models = models.map(|(model, known)| match known.point {
+            Some(_) => Box::new(BuiltMedian(model)) as Box<dyn ForceModel>,
+            None => model,
+        });
         Ok(Supplied {
-            models,
+            models: models.collect(),
             known,
             supply_mpa,
             warnings,
@@ -205,28 +201,6 @@ impl ExportFields {
     }
 }
 
-/// The form fitted to what built muscles pull, where that is known and the form holds it; else to
-/// the models alone, and which of both it is.
-fn fitted<T>(
-    supplied: &Supplied,
-    fit: impl Fn(&[&dyn ForceModel]) -> Result<T, ExportError>,
-    volume_error: impl Fn(&T) -> f64,
-) -> Result<(T, bool)> {
-    let alone = Vec::from_iter(supplied.models.iter().map(|model| &**model));
-    let built = Vec::from_iter(alone.iter().map(|model| BuiltMedian(*model)));
-    if supplied.known.iter().all(|known| known.point.is_some()) {
-        let built = Vec::from_iter(built.iter().map(|model| model as &dyn ForceModel));
-        match fit(&built) {
-            Ok(fitted) if volume_error(&fitted) < VOLUME => return Ok((fitted, true)),
-            Err(ExportError::Model(ModelError::Cancelled(cancelled))) => {
-                return Err(cancelled.into());
-            }
-            _ => {}
-        }
-    }
-    Ok((fit(&alone)?, false))
-}
-
 /// What is known of a muscle, at the point of its job, else blocked at the supply.
 fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Known> {
     let muscle = model.muscle();
@@ -242,7 +216,6 @@ fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Kn
         Evaluation::new(model, &mut workspace, options).point(pressure_mpa, contraction)?;
     Ok(Known {
         limits: burst.into(),
-        is_built: false,
         point: answer.built.map(|built| KnownPoint {
             pressure_mpa,
             contraction,
@@ -283,15 +256,8 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
         contraction_high: end("contraction_high", &request.contraction_high)?,
     };
     let name = common.name_or(request.muscle.file(), "muscle");
-    let (mut exported, is_built) = fitted(
-        &supplied,
-        |models| ExportedMuscle::fit(models[0], &name, wanted),
-        |exported| exported.errors.volume_worst_ratio,
-    )?;
-    exported.known = Known {
-        is_built,
-        ..supplied.known[0]
-    };
+    let mut exported = ExportedMuscle::fit(&*supplied.models[0], &name, wanted)?;
+    exported.known = supplied.known[0];
     exported.cord_m = 1e-3 * finite("cord_mm", request.cord_mm)?;
     let artefact = exported.to(target)?;
     Ok(ExportAnswer {
@@ -353,13 +319,10 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let muscles = Vec::from_iter(joint.muscles().iter().map(|m| &m.muscle));
     let supplied = common.supplied(&choice, &muscles)?;
     let name = common.name_or(request.joint.joint.as_ref(), "joint");
-    let (mut exported, is_built) = fitted(
-        &supplied,
-        |models| ExportedJoint::fit(&joint, models, &name, supplied.supply_mpa),
-        |joint| peak(joint.muscles.iter().map(|m| m.errors.volume_worst_ratio)),
-    )?;
+    let models = Vec::from_iter(supplied.models.iter().map(|model| &**model));
+    let mut exported = ExportedJoint::fit(&joint, &models, &name, supplied.supply_mpa)?;
     for (muscle, known) in exported.muscles.iter_mut().zip(&supplied.known) {
-        muscle.known = Known { is_built, ..*known };
+        muscle.known = *known;
     }
     let artefact = exported.to(target)?;
     Ok(ExportJointAnswer {

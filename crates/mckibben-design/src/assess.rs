@@ -3,10 +3,10 @@
 //!
 //! Everything that a design asks of a muscle at a pressure is asked here.
 
-use crate::{Below, Build, OperatingPoint, Spec};
+use crate::{Build, OperatingPoint, Spec};
 use mckibben_core::{
     analysis::{
-        AnalysisError, Burst, Evaluation, FailureMode, NoBurst, Options, RELIEF, bisect,
+        Allowed, AnalysisError, Burst, Evaluation, FailureMode, NoBurst, Options, RELIEF, bisect,
         burst_below, find_root,
     },
     built::{Built, HALF_95},
@@ -31,7 +31,7 @@ pub struct Assessed<'a> {
     /// each with room for its valve, and of that which strains its strands to their limit.
     pub highest_mpa: f64,
     /// What keeps it below the supply.
-    pub below: Option<Below>,
+    pub below: Option<Allowed>,
 }
 
 /// A pull at a pressure and a contraction.
@@ -104,13 +104,7 @@ impl<'a> Assessed<'a> {
         };
         let mpa = allowed.mpa / RELIEF;
         if mpa < self.highest_mpa {
-            let below = match allowed.by {
-                FailureMode::Fittings => Below::Rated,
-                FailureMode::StrandStrain => Below::Strained,
-                FailureMode::NoAnswer => Below::Unanswered(allowed.failure_mpa()),
-                by => Below::Failure(by, allowed.failure_mpa()),
-            };
-            (self.highest_mpa, self.below) = (mpa, Some(below));
+            (self.highest_mpa, self.below) = (mpa, Some(allowed));
         }
     }
 
@@ -132,8 +126,13 @@ impl<'a> Assessed<'a> {
             if bears(high_mpa)? {
                 continue;
             }
-            let (high_mpa, _) = bisect(0.0, high_mpa, HALVINGS, |p| bears(p).unwrap_or(false));
-            (self.highest_mpa, self.below) = (high_mpa, Some(Below::Strained));
+            let (mpa, _) = bisect(0.0, high_mpa, HALVINGS, |p| bears(p).unwrap_or(false));
+            let below = Allowed {
+                mpa,
+                by: FailureMode::StrandStrain,
+                factor: 1.0,
+            };
+            (self.highest_mpa, self.below) = (mpa, Some(below));
         }
         Ok(())
     }

@@ -1,13 +1,13 @@
 //! A muscle that does what is required: all that is said of it.
 
 use crate::{
-    Below, Ends, OperatingPoint,
+    Ends, OperatingPoint,
     assess::{Assessed, normal_deviations},
     held::Held,
     limits::Check,
 };
 use mckibben_core::{
-    analysis::{Burst, Evaluation, burst},
+    analysis::{Allowed, Burst, Evaluation, burst},
     built::Built,
     by_number::SortByNumber,
     extremes::peak,
@@ -75,7 +75,7 @@ pub struct Candidate {
     pub spare: Vec<Check>,
     /// Why it is not used up to the pressure of the supply.
     #[serde(skip)]
-    pub below: Option<Below>,
+    pub below: Option<Allowed>,
     /// The operating points of one, in the order of the specification.
     pub points: Vec<CandidatePoint>,
     /// The probability that a built one meets every point at some pressure that is allowed; none

@@ -54,7 +54,7 @@ pub use candidate::{Candidate, CandidatePoint, Rejected};
 pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
 pub use design::{Choice, ChoiceKind, Outcome, design, design_with};
 pub use held::Precision;
-pub use limits::{Below, Check, Limit, Limits, SAFETY, Show};
+pub use limits::{Check, Limit, Limits, SAFETY, Show, why_no_more};
 pub use mckibben_core::warning::VALIDATED_STRAND_STRAIN;
 pub use models::{Build, Models, ScreenedMuscles, near_the_box};
 pub use relaxation::Relaxation;

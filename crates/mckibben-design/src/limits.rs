@@ -9,7 +9,7 @@ use crate::{
 };
 pub use mckibben_core::analysis::SAFETY;
 use mckibben_core::{
-    analysis::{BUCKLING, Burst, FailureMode, FailurePressure, Safety},
+    analysis::{Allowed, BUCKLING, Burst, FailureMode, FailurePressure, Safety},
     model::{ModelError, Response, Result, ThickWall},
     units::{Dimension, rounded},
     warning::VALIDATED_STRAND_STRAIN,
@@ -145,7 +145,7 @@ pub struct Check {
     pub contraction: f64,
     pub pressure_mpa: f64,
     /// What keeps the pressure of a pull below that of the supply.
-    pub by: Option<Below>,
+    pub by: Option<Allowed>,
 }
 
 impl Check {
@@ -164,7 +164,9 @@ impl Check {
         if let Some(entry) = self.limit.entry() {
             return (entry.missed)(value, bound, show);
         }
-        let below = self.by.map(|below| format!("; {}", below.describe(show)));
+        let below = self
+            .by
+            .map(|below| format!("; {}", why_no_more(&below, show)));
         let pull_n = if value * bound > 0.0 {
             rounded(value, 3, f64::floor).max(value.trunc())
         } else {
@@ -185,31 +187,15 @@ fn round(v: f64) -> f64 {
     (v * 1e4).round() / 1e4
 }
 
-/// Why a muscle is not used up to the pressure of the supply.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Below {
-    /// It keeps its distance from a failure at this pressure in MPa.
-    Failure(FailureMode, f64),
-    /// Its fittings are rated for no more.
-    Rated,
-    /// Its strands are strained to their limit.
-    Strained,
-    /// No model answers beyond this pressure in MPa.
-    Unanswered(f64),
-}
-
-impl Below {
-    /// Why more is not allowed, with pressures written by `show`.
-    pub fn describe(&self, show: Show<'_>) -> String {
-        let mpa = |p| show(Dimension::Pressure, p);
-        match self {
-            Self::Failure(by, at_mpa) => {
-                format!("more is not allowed, because {by} at {}", mpa(*at_mpa))
-            }
-            Self::Rated => "its fittings are rated for no more".into(),
-            Self::Strained => "there its strands are stretched to their limit".into(),
-            Self::Unanswered(up_to_mpa) => format!("no model answers beyond {}", mpa(*up_to_mpa)),
-        }
+/// Why a muscle is not used beyond its allowed pressure, with pressures written by `show`.
+pub fn why_no_more(allowed: &Allowed, show: Show<'_>) -> String {
+    let by = allowed.by;
+    let at = show(Dimension::Pressure, allowed.failure_mpa());
+    match by {
+        FailureMode::Fittings => by.to_string(),
+        FailureMode::StrandStrain => format!("there {by}"),
+        FailureMode::NoAnswer => format!("no model answers beyond {at}"),
+        _ => format!("more is not allowed, because {by} at {at}"),
     }
 }
 

@@ -1,10 +1,13 @@
 //! Where nothing fits: the list again with one requirement freed, the smallest change of each kind.
 
 use crate::{
-    Below, Demand, Lift, Limit, Spec, assess::Assessed, held::Held, limits::Show, search::Search,
+    Demand, Lift, Limit, Spec, assess::Assessed, held::Held, limits::Show, search::Search,
 };
 use mckibben_core::{
-    analysis::{LEAST_SAFETY, PROVED, RELIEF, find_root},
+    analysis::{
+        FailureMode::{self, Bladder, Ends, Mesh, Strands},
+        LEAST_SAFETY, PROVED, RELIEF, find_root,
+    },
     by_number::{ByNumber, SortByNumber},
     joined, threads,
     units::{Dimension, rounded, tidy},
@@ -357,20 +360,20 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
         needed_mpa = needed_mpa.max(assessed.need_beyond(q, spec.deviations())?);
     }
     let is_within = needed_mpa <= spec.supply_share * spec.max_pressure_mpa;
-    match assessed.below {
+    match assessed.below.map(|below| below.by) {
         None => {
             let pressure_mpa = three_digits(needed_mpa / spec.supply_share, true);
             let ask = (pressure_mpa / spec.max_pressure_mpa).ln();
             Some((ask, Relaxation::MaxPressure { pressure_mpa }))
         }
-        Some(Below::Failure(..)) if is_within => {
+        Some(Strands | Mesh | Bladder | Ends) if is_within => {
             let burst_margin = margin_at(&assessed, RELIEF * needed_mpa)?;
             let burst_margin = three_digits(burst_margin, false);
             let ask = (spec.limits.burst_margin? / burst_margin).ln();
             let change = Relaxation::MinBurstMargin { burst_margin };
             (burst_margin >= LEAST_SAFETY).then_some((ask, change))
         }
-        Some(Below::Strained) if is_within => {
+        Some(FailureMode::StrandStrain) if is_within => {
             let mut strain = 0.0_f64;
             for contraction in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
                 let at = assessed.strand_strain(needed_mpa, contraction).ok()?;

@@ -20,6 +20,7 @@ use mckibben_core::{
 };
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
+use std::iter::repeat_n;
 
 /// The requested box over which a muscle is exported; where it is `None` it is chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,6 +70,13 @@ struct Sample {
     pull: Option<f64>,
     volume_m3: Option<f64>,
     slopes: Option<[f64; 2]>,
+}
+
+impl Sample {
+    /// The pull where there is one.
+    fn taut(&self) -> Option<f64> {
+        self.pull.filter(|pull| *pull > 0.0)
+    }
 }
 
 /// The form, its errors and the blocked force.
@@ -132,17 +140,14 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest) -> Result<Fitted> {
     if !(blocked_n > 0.0 && high > low.max(0.0)) {
         return Err(ExportError::NoPull(supply));
     }
-    let mut contractions: Vec<f64> = even((low, 0.0), 10)
-        .take(if low < 0.0 { 10 } else { 0 })
+    let stretched = |n| even((low, 0.0), n).filter(move |_| low < 0.0);
+    let contractions: Vec<f64> = stretched(10)
+        .chain(SHARES.map(|share| share * high))
         .collect();
-    contractions.extend(SHARES.map(|share| share * high));
     let at = sample(model, [&PRESSURES, &contractions], supply, blocked_n)?;
     // Others for the errors: between those of the fit, where strands lock and where they become
     // slack too.
-    let mut held: Vec<f64> = even((low, 0.0), 20)
-        .take(if low < 0.0 { 20 } else { 0 })
-        .collect();
-    held.extend(even((0.0, high), 48));
+    let held: Vec<f64> = stretched(20).chain(even((0.0, high), 48)).collect();
     let middles = PRESSURES.windows(2).map(|w| 0.5 * (w[0] + w[1]));
     let between: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
     let held_out = sample(model, [&between, &held], supply, blocked_n)?;
@@ -235,10 +240,9 @@ fn slopes(model: &dyn ForceModel, w: &mut Workspace, response: &Response) -> Res
 /// The last points of each pressure at which the muscle pulls: there the form misses its volume by
 /// most.
 fn edges(model: &dyn ForceModel, at: &[Sample], supply_mpa: f64, blocked_n: f64) -> Vec<Sample> {
-    let pulls = |p: &Sample| p.pull.is_some_and(|pull| pull > 0.0);
     let pairs: Vec<&[Sample]> = at
         .windows(2)
-        .filter(|w| w[0].q == w[1].q && pulls(&w[0]) && !pulls(&w[1]))
+        .filter(|w| w[0].q == w[1].q && w[0].taut().is_some() && w[1].taut().is_none())
         .collect();
     threads::map(&pairs, |pair| {
         let w = &mut Workspace::new();
@@ -280,16 +284,7 @@ impl Spline {
     fn weights_at(&self, e: f64) -> Vec<(f64, f64)> {
         let x = e / self.high;
         let mut out: Vec<(f64, f64)> = (0..4)
-            .map(|j| {
-                (
-                    x.powi(j),
-                    if j > 0 {
-                        f64::from(j) * x.powi(j - 1) / self.high
-                    } else {
-                        0.0
-                    },
-                )
-            })
+            .map(|j| (x.powi(j), f64::from(j) * x.powi((j - 1).max(0)) / self.high))
             .collect();
         out.extend(self.inner.iter().map(|&node| {
             let span = if node >= 0.0 {
@@ -333,37 +328,27 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
         high,
         inner: form.contractions[1..n - 1].to_vec(),
     };
-    let mut rows: Vec<(Vec<f64>, f64, f64)> = vec![];
+    let mut rows: Vec<Row> = vec![];
     for p in at {
-        let Some(pull) = p.pull.filter(|pull| *pull >= 0.0) else {
-            continue;
-        };
-        rows.push((row(&spline, p.q, p.contraction).0, pull, 1.0));
+        if let Some(pull) = p.pull.filter(|pull| *pull >= 0.0) {
+            rows.push((row(&spline, p.q, p.contraction).0, pull, 1.0));
+        }
     }
     let points = rows.len();
     // c0 is 0 where the muscle at rest pulls nothing.
-    let used: Vec<usize> = (usize::from(at_rest)..FUNCTIONS * spline.len()).collect();
-    if points < used.len() {
+    let first = usize::from(at_rest);
+    let count = FUNCTIONS * spline.len();
+    if points < count - first {
         return Err(ExportError::Points(points));
     }
-    for &index in &used {
+    for index in 0..count {
         if index % spline.len() >= 4 || index / spline.len() > 2 {
-            let mut one = vec![0.0; FUNCTIONS * spline.len()];
-            one[index] = 1.0;
-            rows.push((one, 0.0, RIDGE));
+            rows.push(ridge(index, count));
         }
     }
-    let free: Vec<f64> = free_by_pressure(at, high);
+    let free = free_by_pressure(at, high);
     for _ in 0..ROUNDS {
-        let matrix = DMatrix::from_fn(rows.len(), used.len(), |r, c| {
-            rows[r].2 * rows[r].0[used[c]]
-        });
-        let values = DVector::from_iterator(rows.len(), rows.iter().map(|r| r.2 * r.1));
-        let solved = least_squares(matrix, &values).ok_or(ExportError::Points(points))?;
-        let mut all = vec![0.0; FUNCTIONS * spline.len()];
-        for (index, value) in used.iter().zip(solved.iter()) {
-            all[*index] = *value;
-        }
+        let all = least_squares(&rows, first).ok_or(ExportError::Points(points))?;
         for (i, coefficients) in all.chunks(spline.len()).enumerate() {
             let at_nodes = |e: &f64| {
                 spline
@@ -376,22 +361,8 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
             };
             (form.a[i], form.b[i]) = form.contractions.iter().map(at_nodes).unzip();
         }
-        // A fine grid of the slack part.
         let before = rows.len();
-        for (k, &from) in free.iter().enumerate() {
-            let q = k as f64 / 40.0;
-            for m in 1..=24 {
-                let e = from + (high - from) * f64::from(m) / 24.0;
-                if e > from + 0.01 && form.two_sided_n(q * form.supply_pa, e).0 > -BELOW {
-                    rows.push((row(&spline, q, e).0, -0.01 - 0.3 * (e - from), 0.3));
-                }
-            }
-            for q in [q, q * q] {
-                if form.two_sided_n(q * form.supply_pa, high).1 > -0.05 {
-                    rows.push((row(&spline, q, high).1, -0.2, 0.03));
-                }
-            }
-        }
+        rows.extend(slack_rows(form, &spline, &free, at_rest));
         // Pulls that come back behind a dip are lowered; the dip of a tube that pulls by itself is
         // lifted.
         let again = form.pulls_again();
@@ -414,12 +385,53 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
     Ok(())
 }
 
-/// The solution with the least squares by Householder's QR; `None` where it is not finite.
-fn least_squares(matrix: DMatrix<f64>, values: &DVector<f64>) -> Option<DVector<f64>> {
+/// A fine grid of the slack part: rows where the form pulls or does not fall with the contraction;
+/// `free` is the contraction at which the muscle pulls nothing, by pressure.
+fn slack_rows(form: &Form, spline: &Spline, free: &[f64], at_rest: bool) -> Vec<Row> {
+    let high = form.contraction_high;
+    let mut rows = vec![];
+    for (k, &from) in free.iter().enumerate() {
+        let q = k as f64 / 40.0;
+        for m in 0..=24 {
+            let e = from + (high - from) * f64::from(m) / 24.0;
+            // What takes up slack first pulls nothing even at its length at rest.
+            let is_beyond = e > from + 0.01 || m == 0 && from == 0.0 && !at_rest;
+            if is_beyond && form.two_sided_n(q * form.supply_pa, e).0 > -BELOW {
+                let most = if m == 0 { -2.0 * BELOW } else { -0.01 - 0.3 * (e - from) };
+                rows.push((row(spline, q, e).0, most, 0.3));
+            }
+        }
+        for q in [q, q * q] {
+            if form.two_sided_n(q * form.supply_pa, high).1 > -0.05 {
+                rows.push((row(spline, q, high).1, -0.2, 0.03));
+            }
+        }
+    }
+    rows
+}
+
+/// A row of the least squares: the factor of each coefficient, the value and the weight.
+type Row = (Vec<f64>, f64, f64);
+
+/// The row that holds one of `count` coefficients near 0 where the points do not determine it.
+fn ridge(index: usize, count: usize) -> Row {
+    let mut one = vec![0.0; count];
+    one[index] = 1.0;
+    (one, 0.0, RIDGE)
+}
+
+/// The coefficients with the least squares by Householder's QR, 0 before the one at `first`; `None`
+/// where they are not finite.
+fn least_squares(rows: &[Row], first: usize) -> Option<Vec<f64>> {
+    let count = rows[0].0.len() - first;
+    let matrix = DMatrix::from_fn(rows.len(), count, |r, c| rows[r].2 * rows[r].0[first + c]);
+    let values = DVector::from_iterator(rows.len(), rows.iter().map(|r| r.2 * r.1));
     let qr = matrix.qr();
-    qr.r()
+    let solved = qr
+        .r()
         .solve_upper_triangular(&(qr.q().transpose() * values))
-        .filter(|s| s.iter().all(|v| v.is_finite()))
+        .filter(|s| s.iter().all(|v| v.is_finite()))?;
+    Some(repeat_n(0.0, first).chain(solved.iter().copied()).collect())
 }
 
 /// The pull of the model between four samples; `None` where one of them is slack.
@@ -448,23 +460,14 @@ fn pull_between(at: &[Sample], q: f64, e: f64) -> Option<f64> {
 /// proportion.
 fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
     let end = |line: &[Sample]| {
-        let last = line
-            .iter()
-            .rposition(|p| p.pull.is_some_and(|pull| pull > 0.0));
-        let free = match last.map(|k| (line[k], line.get(k + 1))) {
-            None => 0.0,
-            Some((
-                Sample {
-                    pull: Some(a),
-                    contraction,
-                    ..
-                },
-                Some(next),
-            )) => {
-                let share = next.pull.map_or(1.0, |b| a / (a - b));
-                contraction + share * (next.contraction - contraction)
-            }
+        let crossing = |w: &[Sample]| {
+            let pull = w[0].taut()?;
+            let share = w[1].pull.map_or(1.0, |next| pull / (pull - next));
+            Some(w[0].contraction + share * (w[1].contraction - w[0].contraction))
+        };
+        let free = match line.last().and_then(Sample::taut) {
             Some(_) => high,
+            None => line.windows(2).rev().find_map(crossing).unwrap_or(0.0),
         };
         (line[0].q, free.max(0.0))
     };
@@ -498,9 +501,14 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
         return Err(ExportError::NoVolume(model.to_owned()));
     }
     let scale = peak(known.iter().map(|k| k.1.abs()));
-    let matrix = DMatrix::from_fn(known.len(), FUNCTIONS, |r, c| functions(known[r].0).0[c]);
-    let values = DVector::from_iterator(known.len(), known.iter().map(|k| k.1 / scale));
-    let solved = least_squares(matrix, &values).ok_or(ExportError::Points(known.len()))?;
+    // Of a muscle that pulls from a higher pressure on, the points do not determine all of them.
+    let of_points = known
+        .iter()
+        .map(|k| (functions(k.0).0.to_vec(), k.1 / scale, 1.0));
+    let rows: Vec<Row> = of_points
+        .chain((2..FUNCTIONS).map(|i| ridge(i, FUNCTIONS)))
+        .collect();
+    let solved = least_squares(&rows, 0).ok_or(ExportError::Points(known.len()))?;
     form.v = std::array::from_fn(|i| solved[i] * scale);
     Ok(())
 }
@@ -516,12 +524,10 @@ fn slopes_of(point: &Point) -> [f64; 2] {
 fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> FormErrors {
     let largest = peak(held_out.iter().filter_map(|p| p.volume_m3));
     let here = |p: &Sample| form.point_at(p.q * form.supply_pa, p.contraction);
-    let force = |p: &Sample| (here(p).force_n / blocked_n - p.pull.unwrap_or(0.0).max(0.0)).abs();
+    let force = |p: &Sample| (here(p).force_n / blocked_n - p.taut().unwrap_or(0.0)).abs();
     let volume = |p: &Sample| {
-        let volume_m3 = p
-            .volume_m3
-            .filter(|_| p.pull.is_some_and(|pull| pull > 0.0))?;
-        Some((here(p).volume_m3 - volume_m3).abs() / largest)
+        p.taut()?;
+        Some((here(p).volume_m3 - p.volume_m3?).abs() / largest)
     };
     let at_rest = slopes_of(&form.point_at(form.supply_pa, 0.0));
     let slope = |i: usize| {

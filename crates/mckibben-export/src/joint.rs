@@ -121,12 +121,7 @@ impl ExportedJoint {
 
     /// The name as a word of a programming language and of files, as of a muscle.
     pub fn identifier(&self) -> String {
-        let word = crate::muscle::word(&self.name);
-        if word.starts_with("joint") {
-            word
-        } else {
-            format!("joint_{word}")
-        }
+        crate::muscle::identifier("joint", &self.name)
     }
 
     pub(crate) fn range_rad(&self) -> [f64; 2] {
@@ -148,18 +143,19 @@ impl ExportedJoint {
     /// Torque and slope of a torsion spring; pull and slope of a spring on a rope, in the length of
     /// its path.
     pub(crate) fn springs(&self) -> ([f64; 2], [f64; 2]) {
+        let none = [0.0; 2];
         match self.joint.spring() {
-            None => ([0.0; 2], [0.0; 2]),
+            None => (none, none),
             Some(&JointSpring::Torsion {
                 rate_nm_per_rad,
                 preload_nm,
-            }) => ([preload_nm, rate_nm_per_rad], [0.0; 2]),
+            }) => ([preload_nm, rate_nm_per_rad], none),
             Some(&JointSpring::Rope {
                 path,
                 rate_n_per_mm,
                 preload_n,
             }) => (
-                [0.0; 2],
+                none,
                 [
                     preload_n - rate_n_per_mm * path.length_mm(0.0),
                     1e3 * rate_n_per_mm,

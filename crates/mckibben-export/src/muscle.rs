@@ -59,9 +59,6 @@ pub struct Known {
     /// The pressures that it bears.
     #[serde(flatten)]
     pub limits: PressureLimits,
-    /// Whether the form is the median of what a muscle that is built pulls; else that of the model
-    /// alone.
-    pub is_built: bool,
     /// What a muscle that is built pulls at the point of its job, else blocked at the supply; none
     /// where it is not known.
     #[serde(flatten)]
@@ -85,18 +82,18 @@ pub struct KnownPoint {
 impl Known {
     /// The lines of an artefact.
     fn facts(&self) -> [String; 2] {
-        let form = if self.is_built {
-            "the median of what a muscle that is built pulls, of the mean of both branches; half \
-             the hysteresis less while it shortens, more while it lengthens"
-        } else {
-            "that of the model alone"
-        };
         let pull = self.point.map_or_else(
-            || format!("Pull: {form}. How far a muscle that is built lies from it is not known."),
+            || {
+                "Pull: that of the model alone. How far a muscle that is built lies from it is not \
+                 known."
+                    .to_owned()
+            },
             |at| {
                 let built = &at.built;
                 format!(
-                    "Pull: {form}. A muscle that is built: at {} Pa and a contraction of {:.4} it pulls {:.1} N ({:.1} to {:.1} N in 95 \
+                    "Pull: the median of what a muscle that is built pulls, of the mean of both \
+                     branches; half the hysteresis less while it shortens, more while it lengthens. \
+                     At {} Pa and a contraction of {:.4} it pulls {:.1} N ({:.1} to {:.1} N in 95 \
                      %) while {}; the model alone, mean of both branches, {:.1} N.",
                     (1e6 * at.pressure_mpa).round(),
                     at.contraction,
@@ -109,7 +106,11 @@ impl Known {
             },
         );
         let limits = &self.limits;
-        let pascal = |mpa: Option<f64>| mpa.map(|mpa| format!("{} Pa", (1e6 * mpa).floor()));
+        let pascal = |mpa: Option<f64>| {
+            mpa.map_or("not known".into(), |mpa| {
+                format!("{} Pa", (1e6 * mpa).floor())
+            })
+        };
         let raised = if limits.overpressure {
             " (overpressure)"
         } else {
@@ -119,8 +120,8 @@ impl Known {
             pull,
             format!(
                 "Allowed pressure{raised}: {}. Least burst pressure: {}.",
-                pascal(limits.allowed_pressure_mpa).unwrap_or("not known".into()),
-                pascal(limits.burst_pressure_mpa).unwrap_or("not known".into())
+                pascal(limits.allowed_pressure_mpa),
+                pascal(limits.burst_pressure_mpa)
             ),
         ]
     }
@@ -252,20 +253,15 @@ impl ExportedMuscle {
         )]
     }
 
-    /// The name as a word of a programming language and of files: behind `muscle_`, so that no
-    /// language, library or host has it.
+    /// The name as a word of a programming language and of files.
     pub fn identifier(&self) -> String {
-        let word = word(&self.name);
-        if word.starts_with("muscle") {
-            word
-        } else {
-            format!("muscle_{word}")
-        }
+        identifier("muscle", &self.name)
     }
 }
 
-/// A name in small letters, digits and underscores.
-pub fn word(name: &str) -> String {
+/// A name in small letters, digits and underscores: behind what it names, so that no language,
+/// library or host has it.
+pub fn identifier(kind: &str, name: &str) -> String {
     let one = |c: char| {
         if c.is_ascii_alphanumeric() {
             c.to_ascii_lowercase()
@@ -273,7 +269,12 @@ pub fn word(name: &str) -> String {
             '_'
         }
     };
-    name.chars().map(one).take(40).collect()
+    let word: String = name.chars().map(one).take(40).collect();
+    if word.starts_with(kind) {
+        word
+    } else {
+        format!("{kind}_{word}")
+    }
 }
 
 /// A text as a comment or a string of any language may have it.

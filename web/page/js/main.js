@@ -195,15 +195,16 @@ const down = signal(false);
 for (const event of ["pointerdown", "pointerup", "pointercancel"])
   addEventListener(event, () => (down.value = event === "pointerdown"), true);
 
-/** The muscle after a gesture: a step, and the address of the page that is shown. */
+/** The address of the page that is shown: after a gesture, at once. */
+function named() {
+  const to = shown ? muscle.linked(shown.name) : "";
+  if (!routing && !down.value && to !== same) write((same = to));
+}
+/** The muscle after a gesture: a step, and what stands above every place. */
 function changed() {
   if (routing) return;
   muscle.assess();
-  if (!down.value) {
-    if (muscle.shown) record();
-    const to = shown ? muscle.linked(shown.name) : "";
-    if (to !== same) write((same = to));
-  }
+  if (!down.value && muscle.shown) record();
   bar.paint();
 }
 /** What stands above every place waits until the muscle rests: it does not hold up a drag. */
@@ -212,6 +213,7 @@ effect(() => {
   // All that it shows.
   void [down.value, muscle.params(), muscle.shown, muscle.warnings];
   void PAGES.map(({ name }) => wordsOf(name));
+  named();
   clearTimeout(resting);
   resting = window.setTimeout(changed, 120);
 });

@@ -17,7 +17,7 @@ use mckibben::gradient;
 use mckibben_core::{
     analysis::{Burst, Evaluation},
     answer::{Answer, Options},
-    built::MEASURED,
+    built::measured_up_to_mpa,
     model::{ForceModel, ModelInfo, ModelKind, Workspace},
     muscle::Muscle,
     progress::Progress,
@@ -156,9 +156,8 @@ impl BoundModel {
         }
         let burst = burst_of(&self.choice, &*self.model)?;
         let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
-        let measured_mpa = MEASURED[4].2.1;
         let highest_mpa = allowed_mpa
-            .min(measured_mpa)
+            .min(measured_up_to_mpa(self.muscle()))
             .min(self.info().range.pressure_mpa.1);
         let choice = if self.is_elements() {
             ModelKind::ThickWall.into()

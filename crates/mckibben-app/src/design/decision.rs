@@ -12,7 +12,7 @@ use mckibben_core::{
 };
 use mckibben_design::{
     Candidate, CandidatePoint, Choice, ChoiceKind, Demand, Outcome, Spec, normal_deviations,
-    normal_share,
+    normal_share, why_no_more,
 };
 
 /// What is decided among, for the lines of the decision.
@@ -278,7 +278,7 @@ fn never_above(first: &Candidate) -> Option<String> {
     let most = Units::default().show(Dimension::Pressure, most_mpa);
     let below = first
         .below
-        .map(|below| format!(": {}", below.describe(&show)));
+        .map(|below| format!(": {}", why_no_more(&below, &show)));
     let used_mpa = first
         .pressure_mpa
         .max(first.pressure_high_mpa.unwrap_or(0.0));

@@ -18,7 +18,7 @@ pub struct NotMeasured {
     pub measured: (f64, f64),
 }
 
-/// Each quantity with its unit and its range over the measured muscles of `mckibben-fit`, whose
+/// Each quantity with its unit and its range over the measured muscles, the pressure last, of `mckibben-fit`, whose
 /// tests compare both.
 pub const MEASURED: [(&str, &str, (f64, f64)); 5] = [
     ("the outer diameter", " mm", (12.0, 22.87)),
@@ -44,29 +44,36 @@ pub fn measured_values(muscle: &Muscle, pressure_mpa: f64) -> [f64; 5] {
     ]
 }
 
+/// The pressure in MPa up to which muscles were measured, this one among them.
+pub fn measured_up_to_mpa(muscle: &Muscle) -> f64 {
+    let [.., (_, _, (_, measured_mpa))] = MEASURED;
+    let own_mpa = muscle.bench().map(|bench| bench.pressure_mpa.1);
+    own_mpa.map_or(measured_mpa, |own_mpa| own_mpa.max(measured_mpa))
+}
+
 /// What of a muscle at a pressure lies outside of the measured muscles; of one that was identified
 /// only the pressure, above that of its own points.
 pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> impl Iterator<Item = NotMeasured> {
-    let own_mpa = muscle.bench().map(|bench| bench.pressure_mpa.1);
-    let of = move |(value, (name, unit, measured)): (f64, (_, _, (f64, f64)))| {
-        let is_pressure = name == "the pressure";
-        let measured = match own_mpa {
-            Some(own_mpa) if is_pressure => (measured.0, measured.1.max(own_mpa)),
-            Some(_) => (f64::NEG_INFINITY, f64::INFINITY),
-            None => measured,
-        };
+    let up_to_mpa = measured_up_to_mpa(muscle);
+    let has_own = muscle.bench().is_some();
+    let values = measured_values(muscle, pressure_mpa);
+    let of = move |i: usize| {
+        let (name, unit, measured) = MEASURED[i];
         NotMeasured {
             quantity: (name, unit),
-            value,
-            measured,
+            value: values[i],
+            measured: match i + 1 == MEASURED.len() {
+                true => (measured.0, up_to_mpa),
+                false if has_own => (f64::NEG_INFINITY, f64::INFINITY),
+                false => measured,
+            },
         }
     };
     // A last digit is no difference.
     let beyond = |q: &NotMeasured| {
         q.value < q.measured.0 * (1.0 - 1e-6) || q.value > q.measured.1 * (1.0 + 1e-6)
     };
-    let values = measured_values(muscle, pressure_mpa).into_iter();
-    values.zip(MEASURED).map(of).filter(beyond)
+    (0..MEASURED.len()).map(of).filter(beyond)
 }
 
 impl fmt::Display for NotMeasured {

@@ -1,9 +1,8 @@
-//! The muscle that is built as a model: for exports and joints.
+//! The muscle that is built as a model: for exports.
 
 use crate::{
     analysis::{Evaluation, Options},
     model::{ForceModel, ModelInfo, Response, Result, Workspace},
-    muscle::Direction,
 };
 
 /// The median of what a muscle that is built pulls, of the mean of both branches, in place of the
@@ -38,19 +37,5 @@ impl<M: ForceModel> ForceModel for BuiltMedian<M> {
 
     fn friction_half_n(&self, w: &mut Workspace, p: f64, e: f64) -> Option<Result<f64>> {
         Some(self.branches_n(w, p, e).map(|[_, half_n]| half_n))
-    }
-}
-
-impl Evaluation<'_> {
-    /// Whether measured muscles tell the error of the model, so that what a muscle that is built
-    /// pulls is known.
-    pub fn knows_built(&self) -> bool {
-        self.model.info().accuracy.share_of_blocked.is_some()
-    }
-
-    /// The median of what a muscle that is built pulls on a branch, N.
-    pub fn built_on_n(&mut self, p: f64, e: f64, branch: Direction) -> Result<f64> {
-        let [mean_n, half_n] = self.built_branches_n(p, e)?;
-        Ok(mean_n + branch.sign() * half_n)
     }
 }

@@ -40,7 +40,7 @@ pub use parts::UncertaintyParts;
 #[doc(hidden)]
 pub use {
     measure::{Left, Measurement},
-    measured::{MEASURED, NotMeasured, measured_values, not_measured},
+    measured::{MEASURED, NotMeasured, measured_up_to_mpa, measured_values, not_measured},
     median::BuiltMedian,
     parts::{STIFFNESS_WAY, basis_of, stiffness_uncertainty_n_per_mm},
     predictor::{At, Predictor},
@@ -236,7 +236,8 @@ impl Evaluation<'_> {
     /// As those of the model, and where the infinitely long muscle has no equilibrium.
     pub fn built_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
         let branch = working_direction(self.model.muscle(), self.options.direction);
-        self.built_on_n(pressure_mpa, contraction, branch)
+        let [mean_n, half_n] = self.built_branches_n(pressure_mpa, contraction)?;
+        Ok(mean_n + branch.sign() * half_n)
     }
 
     /// The median of the mean of both branches, and half of what lies between them, likewise in N.

@@ -1,7 +1,7 @@
 //! The design search against brute force and against its own promises.
 
 use mckibben_core::{
-    analysis::{Evaluation, FailureMode, Options},
+    analysis::{Allowed, Evaluation, FailureMode, Options},
     liquid::{Liquid, LiquidSupply},
     load::Load,
     model::{ForceModel, ThickWall, Workspace},
@@ -9,8 +9,8 @@ use mckibben_core::{
     units::Values,
 };
 use mckibben_design::{
-    Below, BraidChoice, Build, CERTAINTY, Check, Demand, JointDemand, Lift, Limit, Limits,
-    Objective, OperatingPoint, Relaxation, SAFETY, SUPPLY_SHARE, Spec, SpecError, TorqueWanted,
+    BraidChoice, Build, CERTAINTY, Check, Demand, JointDemand, Lift, Limit, Limits, Objective,
+    OperatingPoint, Relaxation, SAFETY, SUPPLY_SHARE, Spec, SpecError, TorqueWanted,
     VALIDATED_STRAND_STRAIN, design, normal_deviations,
 };
 use std::sync::Arc;
@@ -378,7 +378,10 @@ fn a_muscle_is_used_up_to_its_allowed_pressure() {
     assert!(outcome.candidates.is_empty());
     assert!(matches!(
         outcome.rejected[0].check.by,
-        Some(Below::Failure(FailureMode::Strands, _))
+        Some(Allowed {
+            by: FailureMode::Strands,
+            ..
+        })
     ));
 }
 

@@ -58,11 +58,8 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     let mut values = joint.values(SQUARE, number);
     let name = |muscle: &ExportedMuscle| format!("&{}", muscle.identifier().to_ascii_uppercase());
     values.push(("muscles", joined(joint.muscles.iter().map(name), ", ")));
-    let muscles = joint
-        .muscles
-        .iter()
-        .map(|muscle| render(MUSCLE, &[], &places(muscle)));
-    let muscles = muscles.collect::<String>();
+    let own = |muscle: &ExportedMuscle| render(MUSCLE, &[], &places(muscle));
+    let muscles: String = joint.muscles.iter().map(own).collect();
     let about = "functions and numbers of the joint and of its muscles";
     artefact(
         joint.identifier(),

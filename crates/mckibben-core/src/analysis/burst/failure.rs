@@ -75,7 +75,7 @@ impl fmt::Display for FailureMode {
             Self::Ends => "the clamps let go",
             Self::Fittings => "its fittings are rated for no more",
             Self::StrandStrain => "its strands are stretched to their limit",
-            Self::NoAnswer => "no model answers beyond",
+            Self::NoAnswer => "no model answers any more",
         })
     }
 }
@@ -322,7 +322,10 @@ impl Burst {
                 factor,
             };
             if let Some(up_to_mpa) = at.answered_up_to_mpa().filter(|_| mode.share() == 1.0) {
-                return Some(one(up_to_mpa / factor, FailureMode::NoAnswer));
+                return Some(Allowed {
+                    by: FailureMode::NoAnswer,
+                    ..from(up_to_mpa, factor)
+                });
             }
             let nominal = from(at.mpa().unwrap_or(f64::INFINITY), factor);
             let least = from(at.least_mpa()?, factor.min(PROVED));
