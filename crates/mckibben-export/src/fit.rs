@@ -367,8 +367,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
         // lifted.
         let again = form.pulls_again();
         for &(q, e, pull) in again.iter().step_by(1 + again.len() / 100) {
-            let model = pull_between(at, q, e).filter(|model| !at_rest && *model > 2.0 * BELOW);
-            match model {
+            match pull_between(at, q, e).filter(|model| !at_rest && *model > 2.0 * BELOW) {
                 Some(model) if pull < BELOW => rows.push((row(&spline, q, e).0, model, 0.3)),
                 // Along the tangent below the box as well: a muscle that is vented fast has less
                 // than the atmosphere.
@@ -397,7 +396,11 @@ fn slack_rows(form: &Form, spline: &Spline, free: &[f64], at_rest: bool) -> Vec<
             // What takes up slack first pulls nothing even at its length at rest.
             let is_beyond = e > from + 0.01 || m == 0 && from == 0.0 && !at_rest;
             if is_beyond && form.two_sided_n(q * form.supply_pa, e).0 > -BELOW {
-                let most = if m == 0 { -2.0 * BELOW } else { -0.01 - 0.3 * (e - from) };
+                let most = if m == 0 {
+                    -2.0 * BELOW
+                } else {
+                    -0.01 - 0.3 * (e - from)
+                };
                 rows.push((row(spline, q, e).0, most, 0.3));
             }
         }

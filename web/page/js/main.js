@@ -143,7 +143,7 @@ async function route() {
     name = moved(wanted, params);
   if (lost.length)
     notice(
-      "The link is damaged: a file in it cannot be read. Ask for the link again, or for the file.",
+      "The link is damaged: a file in it cannot be read. Ask for the link or the file again.",
     );
   frame(name);
   try {
@@ -195,12 +195,7 @@ const down = signal(false);
 for (const event of ["pointerdown", "pointerup", "pointercancel"])
   addEventListener(event, () => (down.value = event === "pointerdown"), true);
 
-/** The address of the page that is shown: after a gesture, at once. */
-function named() {
-  const to = shown ? muscle.linked(shown.name) : "";
-  if (!routing && !down.value && to !== same) write((same = to));
-}
-/** The muscle after a gesture: a step, and what stands above every place. */
+/** After a gesture: a step, and what stands above every place. */
 function changed() {
   if (routing) return;
   muscle.assess();
@@ -211,9 +206,10 @@ function changed() {
 let resting = 0;
 effect(() => {
   // All that it shows.
-  void [down.value, muscle.params(), muscle.shown, muscle.warnings];
-  void PAGES.map(({ name }) => wordsOf(name));
-  named();
+  void [muscle.params(), muscle.shown, muscle.warnings, PAGES.map(({ name }) => wordsOf(name))];
+  // A reload has the last change.
+  const to = shown ? muscle.linked(shown.name) : same;
+  if (!down.value && !routing && to !== same) write((same = to));
   clearTimeout(resting);
   resting = window.setTimeout(changed, 120);
 });
