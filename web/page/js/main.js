@@ -142,9 +142,7 @@ async function route() {
   const { page: wanted, params, lost } = read(),
     name = moved(wanted, params);
   if (lost.length)
-    notice(
-      "The link is damaged: a file in it cannot be read. Ask for the link or the file again.",
-    );
+    notice("The link is damaged: a file in it cannot be read. Ask for the link or the file again.");
   frame(name);
   try {
     if (shown?.name !== name) {
