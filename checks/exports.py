@@ -276,7 +276,8 @@ def c():
     run(*arm, "-c", "mckibben.c", cwd=folder)
     text = flash("mckibben.o", folder)
     assert error < 1e-4, error
-    assert text <= 2176, text
+    # Both branches, the limit and the interval of the built muscle took 192 B.
+    assert text <= 2368, text
     noted(
         "c",
         "Cortex-M4 float, QEMU",

@@ -298,11 +298,11 @@ inBrowser(({ name, url, open, blank }) => {
       "water",
     ];
     const { page, errors, context } = await open(
-      "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=25mL",
+      "#design?F=50N&e=15%25&pmax=2.5bar&L=200mm&liquid=water&most=40mL",
     );
     const muscles = page.getByRole("region", { name: "Muscles that fit, best first" });
     await muscles.getByText("liquid per stroke").waitFor({ timeout: 60_000 });
-    const [best] = ask("design", ...wanted, "--max-liquid", "25mL").candidates;
+    const [best] = ask("design", ...wanted, "--max-liquid", "40mL").candidates;
     await muscles
       .getByText(`${Number((1e-3 * best.liquid_volume_mm3).toPrecision(3))} cm³`)
       .first()
@@ -332,7 +332,7 @@ inBrowser(({ name, url, open, blank }) => {
   });
 
   test("nothing fits is a sentence with what would", async () => {
-    const { page, context } = await open("#design?F=900N&e=38%25&pmax=2bar&D=10..40mm");
+    const { page, context } = await open("#design?F=900N&e=30%25&pmax=2bar&D=10..40mm");
     await page.getByText("Nothing fits.").waitFor({ timeout: 60_000 });
     await soon(async () => assert.ok((await page.locator(".question li").count()) > 0));
     await context.close();

@@ -677,7 +677,7 @@ inBrowser(({ name, url, open, blank }) => {
         decision,
       } = found;
     const saying = (/** @type {any} */ c) =>
-      `${Number((10 * c.pressure_mpa).toPrecision(3))} bar, ${Number(c.bulged_diameter_mm.toPrecision(3))} mm wide`;
+      `${Number((10 * c.pressure_mpa).toPrecision(3))} bar, ${Number(c.width_mm.toPrecision(3))} mm wide`;
     await head.filter({ hasText: `et ${saying(best)}.` }).waitFor();
     console.log(`answer: ${Date.now() - began} ms with the command line's`);
     // The same lines, but for units and names of fields.
@@ -688,7 +688,8 @@ inBrowser(({ name, url, open, blank }) => {
       ),
     );
     await reads(page, ".question .decision", decision[0].split(",")[0].replace("Take ", ""));
-    await reads(page, ".question .decision", decision[2].split(";")[0].replace("Pulls ", ""));
+    const pulls = decision.find((/** @type {string} */ line) => line.startsWith("Pulls "));
+    await reads(page, ".question .decision", /\(.*95 %\)[^;]*/.exec(pulls)?.[0] ?? "");
     // The muscle hangs beside a coin, to one scale, and lifts what it pulls.
     const picture = page.getByRole("img", { name: /beside a coin/ });
     await picture.getByText("500 N", { exact: true }).waitFor();
@@ -791,7 +792,7 @@ inBrowser(({ name, url, open, blank }) => {
     const wide = (/** @type {any} */ c) =>
       page
         .locator(".question h2")
-        .filter({ hasText: `${Number(c.bulged_diameter_mm.toPrecision(3))} mm wide` })
+        .filter({ hasText: `${Number(c.width_mm.toPrecision(3))} mm wide` })
         .waitFor({ timeout: 30_000 });
     const load = ["--load", "mass:20kg", "--stroke", "40mm", "-p", "2.5bar"];
     await wide(ask("design", ...load).candidates[0]);

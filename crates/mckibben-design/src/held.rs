@@ -221,9 +221,14 @@ impl Held {
         self.checks.iter().all(|c| c.excess() <= 0.0)
     }
 
-    /// The shares by which limits are missed, summed.
+    /// The shares by which limits are missed, summed; of a muscle that may not pull at all the
+    /// chance tells how far it is from what is required.
     pub fn miss(&self) -> f64 {
-        self.checks.iter().map(|c| c.excess().max(0.0)).sum()
+        let missed = |c: &Check| match (c.limit, self.chance) {
+            (Limit::Force, Some(chance)) if c.excess() > 1.0 => 2.0 - chance,
+            _ => c.excess().max(0.0),
+        };
+        self.checks.iter().map(missed).sum()
     }
 
     /// The limit that is missed by most, or met by least.

@@ -46,14 +46,10 @@ impl BoundModel {
         quiet: Option<Quiet>,
         out: &mut [f64],
     ) -> Result<Vec<Warning>, ArrayError> {
-        let of_muscle = quiet.map(|(burst, _)| {
-            let outside = Warning::not_measured(self.muscle(), 0.0);
-            burst.warnings(0.0).into_iter().chain(outside).collect()
-        });
         let known = &mut Known {
             quiet,
             free: None,
-            said: of_muscle.unwrap_or_default(),
+            said: vec![],
         };
         let pairs = first.iter().zip(second).zip(out.chunks_mut(many.width()));
         for (index, ((&a, &b), places)) in pairs.enumerate() {
@@ -68,6 +64,12 @@ impl BoundModel {
                 }
                 Err(_) => places.fill(f64::NAN),
             }
+        }
+        if let Some((burst, _)) = quiet {
+            let outside = Warning::not_measured(self.muscle(), 0.0);
+            known
+                .said
+                .extend(burst.warnings(0.0).into_iter().chain(outside));
         }
         Ok(Warning::gravest(&known.said))
     }

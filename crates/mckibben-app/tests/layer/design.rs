@@ -248,3 +248,26 @@ fn identity_a_specification_of_parts_in_rust_is_that_of_the_command() {
         assert_eq!(found.relaxations.len(), changes);
     }
 }
+
+/// By search: a contraction of 15 % fits by all tubes of a range, so a shorter one is said where
+/// more is required, also where none of them pulls at all.
+#[test]
+fn what_fits_on_a_shorter_way_is_said() {
+    let with = |contraction: f64| {
+        reply(
+            "design",
+            json!({ "force_n": 900, "contraction": contraction, "max_pressure_mpa": 0.2, "outer_diameter_mm": "10..40 mm" }),
+        )
+    };
+    assert!(!with(0.15)["candidates"].as_array().unwrap().is_empty());
+    for contraction in [0.25, 0.3, 0.34] {
+        let changes = &with(contraction)["closest"]["relaxations"];
+        let shorter = changes
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|c| c["relax"] == "contraction");
+        let share = shorter.unwrap()["share"].as_f64().unwrap();
+        assert!((0.14..0.25).contains(&(share * contraction)), "{changes}");
+    }
+}

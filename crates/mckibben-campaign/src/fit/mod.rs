@@ -17,11 +17,10 @@ pub mod tables;
 pub mod universal;
 
 pub use error::FitError;
-pub(crate) use make::Fittable;
 pub use make::{Fits, FittedFormula, FormulaRequest, MakeOfRows, Method, make};
 #[doc(hidden)]
 pub use {
     global::{GlobalFit, global},
-    make::{fitted, refitted},
+    make::{Fittable, fitted, refitted},
     paper_method::{PaperMethod, paper_method},
 };
