@@ -2491,7 +2491,7 @@ class ExportForm(Record):
     friction_n : N
         Half-width of the hysteresis, N: (h0 + h1 ε + h2 ε²) √q + (h3 + h4 ε + h5 ε²) q; zeros where no friction is known.
     presliding_m : m
-        Way over which it builds up after a reversal, m; 0 where the muscle does not state its friction.
+        Way over which it builds up after a reversal, m.
     """
 
     length_m: float

@@ -890,7 +890,7 @@ def test_a_plan_in_memory_has_the_points_of_its_campaign(tmp_path: Path) -> None
     table = list(csv.DictReader(held["text"].splitlines()))
     kept = mk.campaign(PLAN, tmp_path / "c.parquet").to_pandas()
     assert [float(row["force_n"]) for row in table] == kept["force_n"].tolist()
-    terms = [mk.fit(made)["terms"] for made in (held, tmp_path / "c.parquet")]
+    terms = [mk.fit(made).terms for made in (held, tmp_path / "c.parquet")]
     assert terms[0] == terms[1]
 
 

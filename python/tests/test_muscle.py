@@ -170,8 +170,10 @@ def test_a_text_without_a_unit_is_refused(thin: mk.Muscle) -> None:
     )
 
 
-def test_numbers_and_arrays_have_the_warnings_of_the_command(thin: mk.Muscle) -> None:
-    """The three of 2.5 MPa, which nobody meant: once a call, and flags at each point in solve()."""
+def test_numbers_and_arrays_have_the_warnings_of_the_command(
+    thin: mk.Muscle, root: Path
+) -> None:
+    """Those of 2.5 MPa, which nobody meant: once a call, and flags at each point in solve()."""
     answer = mk.ask(
         "force",
         {
@@ -182,8 +184,14 @@ def test_numbers_and_arrays_have_the_warnings_of_the_command(thin: mk.Muscle) ->
     )
     said = [warning["message"] for warning in answer["warnings"]]
     kinds = [warning["kind"] for warning in answer["warnings"]]
-    assert kinds[:2] == ["above_allowed", "burst_not_checked"]
-    assert len(said) == 3
+    of_point = ["strand_strain", "falls_with_pressure"]
+    assert set(kinds) == {
+        "above_allowed",
+        "burst_not_checked",
+        "not_measured",
+        *of_point,
+    }
+    assert len(said) == 5
     for ask in (
         lambda: thin.force("2.5 MPa", 0.1),
         lambda: thin.force(2.5, 0.1),
@@ -199,10 +207,16 @@ def test_numbers_and_arrays_have_the_warnings_of_the_command(thin: mk.Muscle) ->
         assert all(text in texts for text in said), texts
     with pytest.warns(mk.MuscleWarning):
         points = thin.solve([0.1, 2.5], 0.1)
-    assert points.warned.tolist() == [0, 7] and points.warnings == said
+    of_last = [
+        text for i, text in enumerate(points.warnings) if points.warned[1] >> i & 1
+    ]
+    assert sorted(of_last) == sorted(said)
+    quiet = mk.load(root / "examples/biceps.toml", mk.Muscle)
+    quiet = quiet.replace(strands=96, strand_strength_n=100)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        thin.force([0.1, 0.2], [0.0, 0.1]), thin.force(0.2, 0.1), thin.solve(0.2, 0.1)
+        quiet.force([0.1, 0.2], [0.0, 0.1]), quiet.force(0.2, 0.1)
+        quiet.solve(0.2, 0.1)
 
 
 def test_a_muscle_and_a_rubber_are_what_they_print(thin: mk.Muscle) -> None:
@@ -383,17 +397,15 @@ def test_a_warning_belongs_to_a_point_whichever_way_it_is_asked() -> None:
                 ):
                     assert said(ask) == point, (pressure, contraction, model)
     assert 0 < told < 36
-    # Allowed as the fittings are, but nobody knows when it bursts.
+    # Nobody knows when it bursts: at every pressure.
     rated = mk.Muscle.prototype().replace(
         rated_pressure_mpa=0.9, stiffness="inextensible"
     )
-    for pressure, count in ((0.55, 0), (0.7, 1)):
+    for pressure in (0.05, 0.55, 0.7):
         of: Any
         for of in (rated.solve, rated.force):
-            texts = said(lambda: of(pressure, 0.1, model="thick-wall"))
-            assert [text.startswith("BURST NOT CHECKED") for text in texts] == [
-                True
-            ] * count
+            (text,) = said(lambda: of(pressure, 0.1, model="thick-wall"))
+            assert text.startswith("BURST NOT CHECKED")
 
 
 @pytest.mark.parametrize("own", ["", "[friction]\ncoefficient = 40\nexponent = 0.7\n"])

@@ -15,7 +15,7 @@ use mckibben_core::{
     cancel,
     extremes::{even, peak},
     model::{ForceModel, Response, Workspace},
-    muscle::Direction,
+    muscle::{Direction, Friction},
     threads,
 };
 use nalgebra::{DMatrix, DVector};
@@ -167,10 +167,11 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest) -> Result<Fitted> {
         b: Default::default(),
         v: [0.0; FUNCTIONS],
         friction_n: friction(model, w, supply, high),
-        presliding_m: model
-            .muscle()
-            .friction()
-            .map_or(0.0, |f| 1e-3 * f.presliding_length_mm()),
+        presliding_m: 1e-3
+            * model
+                .muscle()
+                .friction()
+                .map_or(Friction::PRESLIDING_MM, Friction::presliding_length_mm),
     };
     pulls(&mut form, &at, at_rest)?;
     form.a
@@ -393,14 +394,14 @@ fn slack_rows(form: &Form, spline: &Spline, free: &[f64], at_rest: bool) -> Vec<
         let q = k as f64 / 40.0;
         for m in 0..=24 {
             let e = from + (high - from) * f64::from(m) / 24.0;
+            let most = if m == 0 {
+                -0.001
+            } else {
+                -0.01 - 0.3 * (e - from)
+            };
             // What takes up slack first pulls nothing even at its length at rest.
             let is_beyond = e > from + 0.01 || m == 0 && from == 0.0 && !at_rest;
             if is_beyond && form.two_sided_n(q * form.supply_pa, e).0 > -BELOW {
-                let most = if m == 0 {
-                    -2.0 * BELOW
-                } else {
-                    -0.01 - 0.3 * (e - from)
-                };
                 rows.push((row(spline, q, e).0, most, 0.3));
             }
         }

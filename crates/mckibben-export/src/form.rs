@@ -66,8 +66,7 @@ pub struct Form {
     /// Half-width of the hysteresis, N: (h0 + h1 ε + h2 ε²) √q + (h3 + h4 ε + h5 ε²) q; zeros where
     /// no friction is known.
     pub friction_n: [f64; 6],
-    /// Way over which it builds up after a reversal, m; 0 where the muscle does not state its
-    /// friction.
+    /// Way over which it builds up after a reversal, m.
     #[schemars(extend("x-unit" = "m"))]
     pub presliding_m: f64,
 }
@@ -138,7 +137,7 @@ impl Form {
             force_n: taut(state.pull),
             stiffness_n_per_m: taut(-state.slope_in_contraction() / self.length_m),
             force_per_pressure_m2: taut(state.slope_in_q() / self.supply_pa),
-            volume_m3: muscle.volume_of(&state, pressure_pa),
+            volume_m3: muscle.volume_of(pressure_pa, contraction),
             status: state.status,
         }
     }
@@ -165,14 +164,6 @@ impl Form {
             behind
         };
         (0..=40).flat_map(line).collect()
-    }
-
-    /// Half of the hysteresis at a pressure in Pa and a contraction of the box, N.
-    pub fn friction_half_n(&self, pressure_pa: f64, contraction: f64) -> f64 {
-        let q = pressure_pa / self.supply_pa;
-        let [r0, r1, r2, q0, q1, q2] = self.friction_n;
-        let e = contraction;
-        ((r0 + e * (r1 + e * r2)) * q.sqrt() + (q0 + e * (q1 + e * q2)) * q).max(0.0)
     }
 
     /// The contraction at which the pull is `force_n` at a pressure in Pa; along the tangent outside

@@ -232,7 +232,8 @@ fn fit_muscle(
         contraction_high: Some((most + BESIDE).max(LEAST_HIGH).min(free)),
     };
     ExportedMuscle::fit(model, name, wanted).map_err(|error| match error {
-        ExportError::Model(_) | ExportError::Misses(_) | ExportError::Box(..) => {
+        ExportError::Cancelled(_) => error,
+        error => {
             let at = states.iter().find(|s| s.0 == least);
             ExportError::Host(format!(
                 "{name}: at {:.1} deg its contraction is {:.1} %; {error}; a narrower [joint] \
@@ -241,6 +242,5 @@ fn fit_muscle(
                 100.0 * least
             ))
         }
-        error => error,
     })
 }

@@ -196,7 +196,7 @@ impl ExportedMuscle {
             format!(
                 "Model {}; pressures from 0 to {} Pa, contractions from {:.4} to {:.4}.",
                 plain(&self.model),
-                (1e6 * b.supply_pressure_mpa).round(),
+                self.form.supply_pa.round(),
                 b.contraction_low,
                 b.contraction_high
             ),

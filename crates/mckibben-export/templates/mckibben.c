@@ -160,9 +160,15 @@ real mckibben_contraction(const mckibben_muscle *m, real force, real pressure, u
 real mckibben_volume(const mckibben_muscle *m, real pressure, real length, unsigned *status)
 {
     coefficients k;
-    real sum = R(0);
-    if (two_sided(m, pressure, contraction_of(m, length), &k, status) <= R(0)) /* slack: it hangs at its free contraction */
-        at_contraction(m, mckibben_contraction(m, R(0), pressure, 0), &k);
+    const int slack = m->a[0][0] < R(0); /* without pressure, at the lower end of the box: its volume is nowhere that of a longer muscle */
+    const real e = contraction_of(m, length), low = m->node[0];
+    real sum = R(0), free, pull = two_sided(m, pressure, e, &k, status);
+    if (slack && e < low)
+        pull = two_sided(m, pressure, low, &k, 0);
+    if (pull <= R(0)) { /* slack: it hangs at its free contraction */
+        free = mckibben_contraction(m, R(0), pressure, 0);
+        at_contraction(m, slack && free < low ? low : free, &k);
+    }
     for (int i = 1; i < N; i++)
         sum += integral(m, &k, i) * k.by_q[i];
     return sum_of(m->v, k.phi) + m->length / m->supply * sum;

@@ -49,6 +49,7 @@ typedef struct {
     mckibben_real length; /* L0, at rest, m */
     mckibben_real cord;   /* m: a rope or rod between the muscle and what it pulls; the `length` of each function is that of both */
     mckibben_real supply; /* upper end of the box, Pa */
+    mckibben_real allowed, least_burst; /* Pa: no pressure in use is above the first; the second 0 where it is not known */
     int nodes;            /* how many there are; the first and the last are the ends of the box */
     mckibben_real node[MCKIBBEN_NODES];                  /* contractions 1 - L/L0 */
     mckibben_real a[MCKIBBEN_FUNCTIONS][MCKIBBEN_NODES]; /* N; functions of the contraction, at the nodes */
@@ -202,7 +203,6 @@ static inline void mckibben_line_to(mckibben_memory *memory, mckibben_real w, mc
 /* After each step: the muscle went to a pressure and a length without a turn on the way, and may turn there. It stays where one is not a number. */
 static inline void mckibben_moved(const mckibben_muscle *m, mckibben_memory *memory, mckibben_real pressure, mckibben_real length, unsigned *status)
 {
-    const mckibben_real yield = m->friction[6] > MCKIBBEN_R(0) ? m->friction[6] : MCKIBBEN_R(1e-6) * m->length;
     const mckibben_real most = MCKIBBEN_R(2) * mckibben_friction_limit(m, pressure, length), largest = MCKIBBEN_R(0.5) * most;
     mckibben_real stretch;
     mckibben_memory next;
@@ -213,7 +213,7 @@ static inline void mckibben_moved(const mckibben_muscle *m, mckibben_memory *mem
     mckibben_rest(&next, length);
     next.ends = 1;
     next.largest = largest > memory->largest ? largest : memory->largest;
-    stretch = MCKIBBEN_R(2) * next.largest / yield * (length - memory->at);
+    stretch = MCKIBBEN_R(2) * next.largest / m->friction[6] * (length - memory->at);
     for (int i = 1; i < memory->ends; i++) {
         const mckibben_real v = memory->w[i - 1], r = memory->s[i - 1] + stretch, w = memory->w[i], s = memory->s[i] + stretch;
         mckibben_real cut[2] = {MCKIBBEN_R(0), MCKIBBEN_R(0)}; /* shares of the line at which it crosses a limit */

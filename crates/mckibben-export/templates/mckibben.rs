@@ -317,12 +317,18 @@ impl Muscle<'_> {
 
     /// Volume of the cavity; of a slack muscle that at its free contraction.
     pub fn volume_m3(&self, pressure_pa: Real, length_m: Real) -> Answer {
-        let state = self.state_at(pressure_pa, length_m);
-        answer((self.volume_of(&state, pressure_pa), state.status))
+        let volume = self.volume_of(pressure_pa, self.contraction_of(length_m));
+        answer((volume, self.status(pressure_pa, length_m)))
     }
 
-    pub(crate) fn volume_of(&self, state: &State, pressure_pa: Real) -> Real {
-        let free = || self.spline(self.contraction_and_status(0.0, pressure_pa).0);
+    pub(crate) fn volume_of(&self, pressure_pa: Real, contraction: Real) -> Real {
+        // Slack without pressure at the lower end of the box, its volume is nowhere that of a longer muscle.
+        let least = match self.nodes {
+            [low, ..] if low.value_n[0] < 0.0 => low.contraction,
+            _ => Real::NEG_INFINITY,
+        };
+        let state = self.state(pressure_pa, contraction.max(least));
+        let free = || self.spline(self.contraction_and_status(0.0, pressure_pa).0.max(least));
         let integrals = if state.pull <= 0.0 { self.integrals(&free()) } else { self.integrals(&state.spline) };
         let parts = integrals.iter().zip(&state.by_q).skip(1);
         let sum = parts.fold(0.0, |sum, (integral, by_q)| sum + integral * by_q);

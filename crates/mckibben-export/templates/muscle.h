@@ -7,7 +7,7 @@
 #include "mckibben.h"
 
 static const mckibben_muscle @{id} = {
-    MCKIBBEN_R(@{length}), MCKIBBEN_R(@{cord}), MCKIBBEN_R(@{supply}), @{count},
+    MCKIBBEN_R(@{length}), MCKIBBEN_R(@{cord}), MCKIBBEN_R(@{supply}), MCKIBBEN_R(@{allowed}), MCKIBBEN_R(@{burst}), @{count},
     @{nodes},
     @{a},
     @{b},

@@ -11,6 +11,7 @@ import sys
 LENGTH = @{length}  # m, at rest
 CORD = @{cord}  # m: a rope or rod between the muscle and what it pulls; the `length` of each function is that of both
 SUPPLY = @{supply}  # Pa, upper end of the box
+ALLOWED, LEAST_BURST = @{allowed}, @{burst}  # Pa: no pressure in use is above the first; the second 0 where it is not known
 NODES = @{nodes}  # contractions 1 - L/LENGTH
 LOW, HIGH = NODES[0], NODES[-1]  # ends of the box
 KNOTS = (0.0, 0.15, 0.45, 1.0)  # where the functions of P/SUPPLY of second degree begin
@@ -175,6 +176,12 @@ def force_per_pressure(pressure, length):
     return xp.where(_sum(c, phi) <= 0, 0 * by_pressure, by_pressure)
 
 
+def _friction_factors(xp, length):
+    """Of half the hysteresis: of sqrt(q) and of q."""
+    e = _within(xp, _contraction_at(length), LOW, HIGH)
+    return (FRICTION[i] + e * (FRICTION[i + 1] + e * FRICTION[i + 2]) for i in (0, 3))
+
+
 def _pressure(xp, force, length, branch):
     """The pressure of a pull, and where the box has one."""
     moving_c, wanted, sign = _coefficients(xp, _contraction_at(length))[0], _stopped(xp, force), (branch > 0) - (branch < 0)
@@ -183,11 +190,13 @@ def _pressure(xp, force, length, branch):
     more, q = wanted > c[0], float("nan") * one
     # Without pressure there is no friction: what pulls too much there, or would have to push, has no answer on any branch.
     answered = (wanted >= 0) & (wanted >= c[0])
+    by_root, by_pressure = _friction_factors(xp, length)
 
     def moving(c, q):
         """The pull on the branch, and its slope."""
         (phi, by_q), root = _functions(xp, q), xp.sqrt(xp.where(q > 0, q, one))
-        return _sum(c, phi) + sign * (FRICTION[0] * root * (q > 0) + FRICTION[1] * q), _sum(c, by_q) + sign * (0.5 * FRICTION[0] / root + FRICTION[1])
+        half, slope = by_root * root * (q > 0) + by_pressure * q, 0.5 * by_root / root + by_pressure
+        return _sum(c, phi) + sign * _above_zero(xp, half), _sum(c, by_q) + sign * (half > 0) * slope
 
     def halved(low, high):
         middle = 0.5 * (low + high)
@@ -277,9 +286,8 @@ def friction(pressure, length, velocity, smoothing=1e-3):
     """What friction adds to the pull while the length changes by a velocity in m/s (positive: longer); smooth at rest. With it the muscle pulls or is slack: it never pushes."""
     xp, (pressure, length, velocity) = _arrays(pressure, length, velocity)
     phi = _functions(xp, pressure / SUPPLY)[0]
-    e = _within(xp, _contraction_at(length), LOW, HIGH)
-    q, pull = phi[1], _sum(_coefficients(xp, e)[0], phi)
-    by_root, by_q = (FRICTION[i] + e * (FRICTION[i + 1] + e * FRICTION[i + 2]) for i in (0, 3))
+    q, pull = phi[1], _sum(_coefficients(xp, _contraction_at(length))[0], phi)
+    by_root, by_q = _friction_factors(xp, length)
     half = _above_zero(xp, by_root * xp.sqrt(xp.where(q > 0, q, 1 + 0 * q)) * (q > 0) + by_q * q)
     one = xp.ones_like(velocity)
     size = xp.sqrt(velocity * velocity + smoothing * smoothing)

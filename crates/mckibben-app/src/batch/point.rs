@@ -51,12 +51,13 @@ impl BoundModel {
             free: None,
             said: vec![],
         };
+        let mut answered = false;
         let pairs = first.iter().zip(second).zip(out.chunks_mut(many.width()));
         for (index, ((&a, &b), places)) in pairs.enumerate() {
             // A point has the same digits alone and among others: nothing is kept of the one
             // before.
             match self.answer_point((a, b), many, &mut Workspace::new(), known, places) {
-                Ok(()) => {}
+                Ok(()) => answered = true,
                 // Work that is to end says so of every point.
                 Err(problem) if !many.nan || cancel::check().is_err() => {
                     let index = Some(from + index);
@@ -65,7 +66,7 @@ impl BoundModel {
                 Err(_) => places.fill(f64::NAN),
             }
         }
-        if let Some((burst, _)) = quiet {
+        if let Some((burst, _)) = quiet.filter(|_| answered) {
             let outside = Warning::not_measured(self.muscle(), 0.0);
             known
                 .said

@@ -69,9 +69,12 @@ impl Friction {
         self.coefficient == 0.0 && self.exponent == 0.0 && self.lever_mm == 0.0
     }
 
-    /// The stated presliding length, or 0.5 mm.
+    /// Presliding length in mm where none is stated.
+    pub const PRESLIDING_MM: f64 = 0.5;
+
+    /// The stated presliding length, or [`Friction::PRESLIDING_MM`].
     pub fn presliding_length_mm(&self) -> f64 {
-        self.presliding_mm.unwrap_or(0.5)
+        self.presliding_mm.unwrap_or(Self::PRESLIDING_MM)
     }
 
     /// How it builds up, over [`Friction::presliding_length_mm`], from a position in mm on, after

@@ -33,21 +33,19 @@ const TESTED: [(f64, f64); 5] = [(1.0, 0.0), (0.3, 0.0), (0.5, 0.1), (0.8, 0.4),
 /// One file: these templates.
 fn artefact(
     id: String,
-    about: &'static str,
     (templates, facts): (&[&str], &[String]),
     values: &[(&'static str, String)],
 ) -> Result<Artefact> {
     let text = render(&templates.concat(), facts, values);
+    let about = "functions and numbers";
     Ok(Artefact {
         files: vec![File::text(id + ".rs", about, text)],
     })
 }
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    let about = "functions and numbers of the muscle";
     artefact(
         muscle.identifier(),
-        about,
         (&[HEAD, FUNCTIONS, MUSCLE, MUSCLE_TEST], &muscle.facts()),
         &places(muscle),
     )
@@ -60,10 +58,8 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
     values.push(("muscles", joined(joint.muscles.iter().map(name), ", ")));
     let own = |muscle: &ExportedMuscle| render(MUSCLE, &[], &places(muscle));
     let muscles: String = joint.muscles.iter().map(own).collect();
-    let about = "functions and numbers of the joint and of its muscles";
     artefact(
         joint.identifier(),
-        about,
         (
             &[HEAD, FUNCTIONS, JOINT_FUNCTIONS, &muscles, JOINT],
             &joint.facts(),

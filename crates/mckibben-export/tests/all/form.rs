@@ -461,7 +461,7 @@ fn friction_is_that_of_the_muscle_within_the_error_of_its_two_terms() {
                     .unwrap()
             };
             let half_n = 0.5 * (branch(Direction::Elongation) - branch(Direction::Contraction));
-            let ours_n = form.friction_half_n(q * form.supply_pa, 0.1);
+            let ours_n = super::half_n(&form, q * form.supply_pa, 0.1);
             assert!(
                 (ours_n - half_n).abs() <= missed(q) + 1e-9 * full_n,
                 "{exponent} {q}: {ours_n} {half_n}"

@@ -41,3 +41,10 @@ pub fn exported(muscle: &Muscle, supply_mpa: f64) -> Result<ExportedMuscle, Expo
     };
     ExportedMuscle::fit(&*model, "prototype", wanted)
 }
+
+/// Half of the hysteresis of a form at a pressure in Pa and a contraction of the box, N: by the rule of its header.
+pub fn half_n(form: &mckibben_export::Form, pressure_pa: f64, e: f64) -> f64 {
+    let q = pressure_pa / form.supply_pa;
+    let [r0, r1, r2, q0, q1, q2] = form.friction_n;
+    ((r0 + e * (r1 + e * r2)) * q.sqrt() + (q0 + e * (q1 + e * q2)) * q).max(0.0)
+}

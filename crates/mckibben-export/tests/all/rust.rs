@@ -363,15 +363,15 @@ fn identity_joints_of_rust_are_those_of_c() {
     elbow_by_universal(0.3, &["c", "rust"], |folder, _| {
         // With a friction that the example does not state.
         let list = |numbers: [&str; 7]| numbers.map(|n| format!("MCKIBBEN_R({n})")).join(", ");
-        let none = list(["0e0"; 7]);
-        let some = list(["30", "0", "0", "5", "0", "0", "0"]);
+        let none = list(["0e0", "0e0", "0e0", "0e0", "0e0", "0e0", "5e-4"]);
+        let some = list(["30", "0", "0", "5", "0", "0", "5e-4"]);
         for (name, from, to) in [
             ("muscle_elbow_1.h", none.as_str(), some.as_str()),
             ("muscle_elbow_2.h", none.as_str(), some.as_str()),
             (
                 "joint_elbow.rs",
-                "friction: [0e0, 0e0, 0e0, 0e0, 0e0, 0e0, 0e0]",
-                "friction: [30.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0]",
+                "friction: [0e0, 0e0, 0e0, 0e0, 0e0, 0e0, 5e-4]",
+                "friction: [30.0, 0.0, 0.0, 5.0, 0.0, 0.0, 5e-4]",
             ),
         ] {
             let text = std::fs::read_to_string(folder.join(name)).unwrap();

@@ -111,18 +111,11 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         Some(joint) => (joint.identifier(), joint.facts(), &joint.hash),
         None => (muscle.identifier(), muscle.facts(), &muscle.hash),
     };
-    let (about, [second_ending, third_ending], what) = match kind {
-        Kind::Pressure => ("", [".fmu", "_fmi3.fmu"], "the unit, FMI 2.0"),
-        Kind::Joint(_) => (
-            "of-",
-            [".fmu", "_fmi3.fmu"],
-            "the unit of the joint, FMI 2.0",
-        ),
-        Kind::Valve => (
-            "air-",
-            ["_valve.fmu", "_valve_fmi3.fmu"],
-            "the muscle on a valve, FMI 2.0",
-        ),
+    let unit = "the unit, FMI 2.0";
+    let (about, ending, what) = match kind {
+        Kind::Pressure => ("", "", unit),
+        Kind::Joint(_) => ("of-", "", unit),
+        Kind::Valve => ("air-", "_valve", "the muscle on a valve, FMI 2.0"),
     };
     let token = format!("{{mckibben-{about}{hash}}}");
     let variables = variables::variables(muscle, kind);
@@ -173,8 +166,8 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         [vec![build], of_third, sources(&OF_UNIT)].concat(),
     )?;
     Ok([
-        File::bytes(id.clone() + second_ending, what, second),
-        File::bytes(id.clone() + third_ending, "the same, FMI 3.0", third),
+        File::bytes(format!("{id}{ending}.fmu"), what, second),
+        File::bytes(format!("{id}{ending}_fmi3.fmu"), "the same, FMI 3.0", third),
     ])
 }
 
