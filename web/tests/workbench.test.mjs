@@ -670,8 +670,8 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByText("Searching …").waitFor();
     assert.doesNotMatch(await page.locator("main").innerText(), /\d ?(N|bar|mm)\b/);
     const began = Date.now();
-    await type(page, "It must pull", "500 N");
-    const found = ask("design", "-F", "500N", "-e", "15%", "-p", "2.5bar"),
+    await type(page, "It must pull", "150 N");
+    const found = ask("design", "-F", "150N", "-e", "15%", "-p", "2.5bar"),
       {
         candidates: [best],
         decision,
@@ -692,7 +692,7 @@ inBrowser(({ name, url, open, blank }) => {
     await reads(page, ".question .decision", /\(.*95 %\)[^;]*/.exec(pulls)?.[0] ?? "");
     // The muscle hangs beside a coin, to one scale, and lifts what it pulls.
     const picture = page.getByRole("img", { name: /beside a coin/ });
-    await picture.getByText("500 N", { exact: true }).waitFor();
+    await picture.getByText("150 N", { exact: true }).waitFor();
     const coin = Number(await picture.locator(".coin").getAttribute("r"));
     assert.ok(Math.abs(2 * coin - 23.25) < 0.01, "in millimetres");
     const first = await picture.innerHTML();
@@ -704,7 +704,7 @@ inBrowser(({ name, url, open, blank }) => {
     await alive(page);
     await reads(page, ".muscle-bar", `D0 ${Number(best.outer_diameter_mm.toPrecision(4))} mm`);
     // The pull of the answer is the pull of the muscle, of the same branch; what was asked is on its chart.
-    assert.match(await pull(page), /^500 N \(/);
+    assert.match(await pull(page), /^150 N \(/);
     await reads(page, PULL, `${asBuilt(found)}as built while it shortens`);
     await page
       .locator("svg.curves circle title", { hasText: "asked" })

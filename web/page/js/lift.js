@@ -17,7 +17,7 @@ const COIN = 23.25;
  * In millimetres from the middle of the bar. @param {Lifting} c @param {number} share of its way
  */
 function drawn(c, share) {
-  const [{ contraction, force_n: force }] = c.points,
+  const [{ contraction, required_n: force }] = c.points,
     { count, outer_diameter_mm: diameter, length_mm: rest, angle_deg } = c;
   const free = contracted(diameter, angle_deg, contraction).bulged,
     most = c.bulged_diameter_mm ?? free,

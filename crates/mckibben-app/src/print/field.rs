@@ -56,10 +56,9 @@ pub fn named(name: &str, about: &str, u: &Units) -> (Scale, String) {
 }
 
 /// Words in names of ratios that are shown in per cent.
-const SHARES: [&str; 7] = [
+const SHARES: [&str; 6] = [
     "blocked",
     "contraction",
-    "efficiency",
     "isobar",
     "relative",
     "share",

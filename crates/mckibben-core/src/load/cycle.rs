@@ -8,8 +8,7 @@ use serde::Serialize;
 /// again.
 ///
 /// Slow and at one temperature. With p = P + p_a absolute and V the cavity, a filling takes
-/// Δ(pV)/p_a of air at atmospheric pressure; its exergy at the higher pressure, p_a·(that
-/// volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it \[beater2007\].
+/// Δ(pV)/p_a of air at atmospheric pressure.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Cycle {
@@ -23,10 +22,6 @@ pub struct Cycle {
     pub work_j: f64,
     /// Air of a filling, normal litres (0 °C, 101.325 kPa), where the model knows the cavity.
     pub air_normal_litres: Option<f64>,
-    /// Exergy of that air at the higher pressure, J.
-    pub air_exergy_j: Option<f64>,
-    /// Work over exergy.
-    pub efficiency: Option<f64>,
 }
 
 /// The stroke between two equilibria of one muscle; `low` with its pressure, contraction and volume
@@ -40,16 +35,12 @@ pub fn cycle(load: &Load, length_mm: f64, low: (f64, f64, Option<f64>), high: &B
         ((there.pressure_mpa + ATMOSPHERE_MPA) * v - (from_pressure_mpa + ATMOSPHERE_MPA) * v0)
             / ATMOSPHERE_MPA
     });
-    let exergy =
-        air.map(|v| 1e-3 * ATMOSPHERE_MPA * v * (1.0 + there.pressure_mpa / ATMOSPHERE_MPA).ln());
     Cycle {
         from_pressure_mpa,
         to_pressure_mpa: there.pressure_mpa,
         stroke_mm: high.shortening_mm - from_contraction * length_mm,
         work_j,
         air_normal_litres: air.map(crate::analysis::normal_litres),
-        air_exergy_j: exergy,
-        efficiency: exergy.filter(|e| *e > 0.0).map(|e| work_j / e),
     }
 }
 
@@ -65,7 +56,7 @@ mod tests {
     /// ∫P dV of an ideal muscle is the work on the load: between two equilibria of a weight, P =
     /// F/A(ε) along the way.
     #[test]
-    fn the_work_of_an_ideal_muscle_is_below_the_exergy_of_its_air() {
+    fn identity_the_work_of_an_ideal_muscle_is_that_of_its_pressure() {
         let (model, w) = (
             Ideal::between_ends(&Muscle::prototype()),
             &mut Workspace::new(),
@@ -109,6 +100,5 @@ mod tests {
             })
             .sum();
         assert!((1e-3 * sum * h / 3.0 / cycle.work_j - 1.0).abs() < 1e-9);
-        assert!((0.0..1.0).contains(&cycle.efficiency.unwrap()), "{cycle:?}");
     }
 }

@@ -55,6 +55,9 @@ pub struct Bench {
     pub pull_factor: f64,
     /// η: half the width of the hysteresis loop over the strands' axial pull.
     pub friction_share: f64,
+    /// By how many degrees the angle that was found is larger than the stated one.
+    #[serde(default)]
+    pub angle_shift: f64,
     /// The constants of the covariance, in its order.
     pub constants: Vec<Constant>,
     /// Covariance of the constants, in their units.
@@ -97,6 +100,10 @@ impl Bench {
         let ((p, q), (low, high)) = (self.pressure_mpa, self.contraction);
         text.add("range", &[self.points as f64, p, q, low, high]);
         text.add("constants", &[self.pull_factor, self.friction_share]);
+        // Files of before do not state it.
+        if self.angle_shift != 0.0 {
+            text.add("angle", &[self.angle_shift]);
+        }
         for &(p, e, sign, off_n) in &self.own_points {
             text.add("point", &[p, e, sign, off_n]);
         }

@@ -6,8 +6,8 @@ use super::{
     Target,
 };
 use crate::{
-    least_squares::{Loss, Unknown, estimate, robust_deviation},
-    measured::{DataPoint, Quantity, distinct, mean_of_data},
+    least_squares::robust_deviation,
+    measured::{DataPoint, Quantity, distinct},
     rubber::MODULI,
 };
 use mckibben_core::{
@@ -16,7 +16,7 @@ use mckibben_core::{
     joined,
     model::{Ideal, Workspace},
     muscle::{
-        Constant, Muscle,
+        Muscle,
         measures::{ANGLE, SEATING, SLIP},
     },
     rubber::RubberLaw,
@@ -297,56 +297,23 @@ fn outlying(points: &[PointFit]) -> Option<String> {
     })
 }
 
-/// Residuals of which a zero of the load cell explains half of the squares, beside modulus and
-/// strands of the muscle by least squares. The friction falls out of the means of both branches; of
-/// one branch its share is sought too.
+/// A small zero of the load cell that the points tell apart from all constants of the muscle.
 pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
-    const TURNS: usize = 6;
-    const MOST: f64 = 0.5;
-    const SMALL: f64 = 1e-3;
-    let points = &mean_of_data(request.points);
-    let request = PosteriorRequest { points, ..*request };
-    let weights: Vec<f64> = points.iter().map(|p| p.weight).collect();
-    let is_force = |p: &DataPoint| f64::from(u8::from(p.measured == Quantity::Force));
-    let zero: Vec<f64> = points.iter().map(is_force).collect();
-    let mut x = [0.0; Constant::ALL.len()];
-    let mut turn = 0;
-    loop {
-        turn += 1;
-        let rows = request.rows(&x)?.into_iter().collect::<Option<Vec<_>>>()?;
-        let fit = |columns: &[Vec<f64>]| {
-            let moved = |x: &[f64]| {
-                let by = |i: usize| columns.iter().zip(x).map(|(c, x)| c[i] * x).sum::<f64>();
-                let each = points.iter().zip(&rows).enumerate();
-                let off = each.map(|(i, (p, row))| row.predicted_n - p.at.force_n + by(i));
-                Some(off.collect::<Vec<f64>>())
-            };
-            let unknowns = vec![Unknown::free(0.0, 1.0); columns.len()];
-            estimate(&moved, &unknowns, &weights, Loss::Squares).ok()
-        };
-        let slopes = |constant: Constant| rows.iter().map(move |r| r.slopes[constant as usize]);
-        let mut free = vec![Constant::Modulus, Constant::Strands, Constant::Friction];
-        free.retain(|constant| slopes(*constant).any(|slope| slope != 0.0));
-        let mut columns: Vec<Vec<f64>> = free.iter().map(|c| slopes(*c).collect()).collect();
-        let before = fit(&columns)?;
-        columns.push(zero.clone());
-        let with = fit(&columns)?;
-        let steps = free.iter().zip(&with.x);
-        if turn < TURNS && steps.clone().any(|step| step.1.abs() > SMALL) {
-            for (constant, step) in steps {
-                x[*constant as usize] += step.clamp(-MOST, MOST);
-            }
-            continue;
-        }
-        let (zero_n, half_n) = (with.x.last()?, with.half_widths.last()?);
-        return (with.squares < 0.5 * before.squares && zero_n.abs() > *half_n).then(|| {
-            format!(
-                "the load cell seems to show {} N without a pull: look at its zero, or free \
-                 `force_offset`",
-                show(*zero_n)
-            )
-        });
-    }
+    const MOST: f64 = 0.1;
+    let with = PosteriorRequest {
+        zero: true,
+        ..*request
+    };
+    let zero = with.posterior().ok()??.zero?;
+    let size_n = zero.value_n.abs();
+    let is_seen = size_n > 1.96 * zero.deviation_n && size_n < MOST * zero.before_n;
+    is_seen.then(|| {
+        format!(
+            "the load cell seems to show {} N without a pull: look at its zero, or free \
+             `force_offset`",
+            show(zero.value_n)
+        )
+    })
 }
 
 /// An identified modulus that no rubber has.

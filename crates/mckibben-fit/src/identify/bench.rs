@@ -56,10 +56,10 @@ pub fn left_over(
 
 /// What a posterior says of the muscle with its constants; `None` where no point is of its length.
 pub fn written(
+    request: &IdentificationRequest<'_>,
     muscle: &Muscle,
     posterior: &Posterior,
     model: String,
-    history: bool,
 ) -> Option<Bench> {
     let is_own = |p: &DataPoint| p.section.apply(muscle).is_ok_and(|m| m == *muscle);
     let all: Vec<DataPoint> = posterior.points.iter().map(|p| p.0).collect();
@@ -82,7 +82,7 @@ pub fn written(
         return None;
     }
     // The first row in time order may state none: the way of the others is known.
-    let stated = history || all.iter().all(|p| p.at.branch.is_some());
+    let stated = request.history || all.iter().all(|p| p.at.branch.is_some());
     let seen = |b: &Direction| stated && all.iter().any(|p| p.at.branch == Some(*b));
     let mut lengths_mm = vec![muscle.length_mm()];
     for length in all.iter().filter_map(|p| p.section.length_mm) {
@@ -90,6 +90,9 @@ pub fn written(
             lengths_mm.push(length);
         }
     }
+    let before = request.muscle;
+    let stated_deg =
+        before.braid().angle_deg - before.bench().map_or(0.0, |bench| bench.angle_shift);
     let bench = Bench {
         laboratory: None,
         model,
@@ -100,6 +103,7 @@ pub fn written(
         contraction: ends(all.iter().map(|p| p.at.contraction)),
         pull_factor: digits(posterior.constants[Constant::PullFactor as usize].exp()),
         friction_share: digits(posterior.constants[Constant::Friction as usize]),
+        angle_shift: digits(muscle.braid().angle_deg - stated_deg),
         constants: Constant::ALL.to_vec(),
         covariance: posterior
             .covariance

@@ -68,10 +68,7 @@ pub fn burst_below(model: &dyn ForceModel, working_mpa: f64, factor: f64) -> Res
         };
         strands = strands.times(share(&|m| Ok(strands::breaking(m, f64::INFINITY)?.0))?);
         strained = strained.times(share(&|m| strands::strained(m, f64::INFINITY))?);
-        let bulging = (mesh::herniation(&weaker).mpa(), mesh.mpa());
-        if let (Some(bound), Some(found)) = bulging {
-            mesh = mesh.times((bound / found).min(1.0));
-        }
+        mesh = mesh::herniation(&weaker);
     }
     let ends = ends::pull_off(model, up_to_mpa)?;
     let least = [strands, mesh, ends]
@@ -91,14 +88,14 @@ pub fn burst_below(model: &dyn ForceModel, working_mpa: f64, factor: f64) -> Res
     })
 }
 
-/// The muscle with the least angle that its measured pulls allow: a limit does not rise because a
-/// muscle pulled less than was thought.
+/// The muscle with the least angle that its measured pulls allow, at most the one that was stated: a
+/// limit does not rise because a muscle pulled less than was thought.
 fn weaker(muscle: &Muscle) -> Option<Muscle> {
     let bench = muscle.bench()?;
     let i = bench.constants.iter().position(|c| *c == Constant::Angle)?;
     let deviation_deg = bench.covariance.get(i)?.get(i)?.max(0.0).sqrt();
     let mut x = [0.0; Constant::ALL.len()];
-    x[Constant::Angle as usize] = -HALF_95 * deviation_deg;
+    x[Constant::Angle as usize] = -bench.angle_shift.max(HALF_95 * deviation_deg);
     // What lies beyond the plane braid is no muscle.
     muscle.with_constants(&x).ok()
 }
