@@ -1782,8 +1782,7 @@ class Cut(Record):
 
 class Cycle(Record):
     """From one equilibrium to another and back: filled from the lower pressure to the higher, vented again. Slow and at one temperature. With p = P + p_a
-    absolute and V the cavity, a filling takes Δ(pV)/p_a of air at atmospheric pressure; its exergy at the higher pressure, p_a·(that
-    volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it [beater2007].
+    absolute and V the cavity, a filling takes Δ(pV)/p_a of air at atmospheric pressure.
 
     Attributes
     ----------
@@ -1797,10 +1796,6 @@ class Cycle(Record):
         Work on the load, J.
     air_normal_litres : normal L
         Air of a filling, normal litres (0 °C, 101.325 kPa), where the model knows the cavity.
-    air_exergy_j : J
-        Exergy of that air at the higher pressure, J.
-    efficiency
-        Work over exergy.
     """
 
     from_pressure_mpa: float
@@ -1808,8 +1803,6 @@ class Cycle(Record):
     stroke_mm: float
     work_j: float
     air_normal_litres: float | None = None
-    air_exergy_j: float | None = None
-    efficiency: float | None = None
 
 
 class CycleAnswer(Record):

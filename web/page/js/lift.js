@@ -9,7 +9,7 @@ import { clamp, showForce, showLength } from "./units.js";
 const COIN = 23.25;
 /**
  * @typedef {Pick<Candidate, "count" | "outer_diameter_mm" | "length_mm" | "angle_deg"> &
- * Partial<Pick<Candidate, "bulged_diameter_mm">> & { points: { contraction: number, force_n: number
+ * Partial<Pick<Candidate, "bulged_diameter_mm">> & { points: { contraction: number, required_n: number
  * }[] }} Lifting
  */
 

@@ -23,15 +23,6 @@ pub enum Reference {
     Elements(&'static str),
 }
 
-impl Reference {
-    /// 5491 points on 1000 random muscles by axisymmetric finite elements, of a model that errs
-    /// most with soft strands.
-    pub(super) const SOFT_STRANDS: Self = Self::Elements(
-        "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against \
-         axisymmetric finite elements; largest for soft strands",
-    );
-}
-
 impl fmt::Display for Reference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

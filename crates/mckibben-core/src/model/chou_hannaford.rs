@@ -26,7 +26,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
 /// muscle pulls as if the pressure acted on the outer diameter. So this formula pulls too little at
 /// small contractions.
 pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
-    let info = ModelInfo::of_soft_strands(&ENTRY, muscle, 0.75);
+    let info = ModelInfo::new(&ENTRY, muscle);
     let braid = Pantograph::from_muscle(muscle);
     let wall_mm = muscle.wall_mm();
     let per_pressure = move |contraction: f64| {

@@ -27,7 +27,7 @@ pub const ENTRY: ModelEntry = ModelEntry {
 /// at small contractions (a rubber wall hands the pressure on to the braid). Being no energy model
 /// it breaks ∂F/∂P = −∂V/∂L; the volume given is that of the bore.
 pub fn build(muscle: &Muscle) -> Result<Box<dyn ForceModel>> {
-    let info = ModelInfo::of_soft_strands(&ENTRY, muscle, 0.77);
+    let info = ModelInfo::new(&ENTRY, muscle);
     let braid = Pantograph::from_muscle(muscle);
     let per_pressure = move |contraction: f64| {
         let g = braid.shape_at(contraction)?;

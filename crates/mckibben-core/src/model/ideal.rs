@@ -9,9 +9,7 @@
 //! \[chou1996\]; Tondu & Lopez (2000) \[tondu2000\]. Equation numbers are those of the paper; its
 //! (1.2) is printed without 1/sin²θ0.
 
-use super::{
-    Accuracy, ForceModel, ModelEntry, ModelError, ModelInfo, Reference, Response, Result, Workspace,
-};
+use super::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Result, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -20,10 +18,6 @@ pub const ENTRY: ModelEntry = ModelEntry {
     description: "cylinder without wall, rubber and ends",
     source: "Chou & Hannaford 1996 [chou1996]; Antonelli et al. 2018 [antonelli2018], (1)",
 };
-
-const COMPARED: &str = "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up \
-    to 6 %) against axisymmetric finite elements; the error is one of excess, largest for soft \
-    strands and thick walls";
 
 /// The ideal formula (1). F in N for P in MPa and D0 in mm.
 ///
@@ -43,14 +37,10 @@ impl Ideal {
     pub fn between_ends(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
         let d0 = muscle.outer_diameter_mm();
-        let info = ModelInfo {
-            accuracy: Accuracy::share(0.93, Reference::Elements(COMPARED)),
-            ..ModelInfo::new(&ENTRY, muscle)
-        };
         Self {
             area: PI * d0 * d0 / (4.0 * sin * sin),
             cos2: cos * cos,
-            info,
+            info: ModelInfo::new(&ENTRY, muscle),
         }
     }
 

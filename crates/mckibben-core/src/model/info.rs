@@ -1,6 +1,6 @@
 //! Data of a model besides its results: name, source, range of validity, accuracy.
 
-use super::{Accuracy, ModelRange, Reference, notes};
+use super::{Accuracy, ModelRange, notes};
 use crate::muscle::Muscle;
 use serde::Serialize;
 use std::{borrow::Cow, sync::Arc};
@@ -49,15 +49,6 @@ impl ModelInfo {
             range: ModelRange::for_muscle(muscle),
             accuracy: Accuracy::UNKNOWN,
             costly: false,
-        }
-    }
-
-    /// The same of a model whose error is largest for soft strands: a share of the blocked force
-    /// covers it.
-    pub(super) fn of_soft_strands(entry: &ModelEntry, muscle: &Muscle, share: f64) -> Self {
-        Self {
-            accuracy: Accuracy::share(share, Reference::SOFT_STRANDS),
-            ..Self::new(entry, muscle)
         }
     }
 }

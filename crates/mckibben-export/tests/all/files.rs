@@ -462,7 +462,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
     }
     let gives = |printed: &[f64], (force_n, e, sign): (f64, f64, f64)| {
         let pressure_pa = printed[0];
-        let half_n = super::half_n(&form, pressure_pa, e);
+        let half_n = super::half_n(form, pressure_pa, e);
         let pull_n = form.point_at(pressure_pa, e).force_n + sign * half_n;
         let (off_n, status) = ((pull_n - force_n).abs(), printed.get(1).unwrap_or(&0.0));
         assert!(
@@ -472,7 +472,7 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
     };
     // What the supply gives in the mean of both branches, and not while the muscle shortens.
     let most_n = form.point_at(form.supply_pa, 0.0).force_n
-        - 0.5 * super::half_n(&form, form.supply_pa, 0.0);
+        - 0.5 * super::half_n(form, form.supply_pa, 0.0);
     if runs("cc") {
         let main = format!(
             "#include \"muscle_prototype.h\"\n#include \

@@ -24,7 +24,7 @@ fn friction_with_memory_in_c_is_that_of_a_motion() {
         let way_mm = ((0.618 * f64::from(i * i)).fract() - 0.5) * f64::from(1 + i / 20 % 3);
         let length_m = 0.95 * form.length_m - 1e-3 * way_mm;
         let _ = writeln!(main, "at({length_m:e});");
-        let half_n = super::half_n(&form, pressure_pa, 0.05);
+        let half_n = super::half_n(form, pressure_pa, 0.05);
         given.push(-half_n * memory.travel(way_mm));
     }
     let main = format!(
