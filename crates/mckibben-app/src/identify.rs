@@ -238,7 +238,10 @@ fn job_of(job: &Job, found: &Muscle, choice: &Model) -> Result<Job> {
     };
     let set_mpa = job.points.iter().filter_map(takes).reduce(f64::max);
     let set_mpa = set_mpa.unwrap_or(job.pressure.into());
-    let most_mpa = allowed.map_or(f64::INFINITY, |allowed| allowed.mpa);
+    let allowed_mpa = allowed.map_or(f64::INFINITY, |allowed| allowed.mpa);
+    let most_mpa = job
+        .supply
+        .map_or(allowed_mpa, |supply| allowed_mpa.min(supply.into()));
     let pressure = Positive::new(set_mpa.min(most_mpa).into());
     Ok(Job {
         pressure: pressure.unwrap_or(job.pressure),

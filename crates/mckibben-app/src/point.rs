@@ -13,7 +13,7 @@ use mckibben_core::{
     built::basis_of,
     extremes::peak,
     model::{ForceModel, Workspace},
-    muscle::{Direction, Muscle},
+    muscle::{Direction, JobPoint, Muscle},
     units::{
         NamedUnit,
         typed::{Force, Pressure},
@@ -46,7 +46,7 @@ pub struct ForceRequest {
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct PressureRequest {
-    /// Pull
+    /// Pull [that of the muscle file's job, at its contraction]
     #[arg(short = 'F', long)]
     pub force_n: Option<Force>,
     /// Contraction ratio ΔL/L0 [0]
@@ -130,18 +130,17 @@ pub struct ModelAbout {
     pub uncertainty_basis: String,
 }
 
+/// The first point of the job, unless something else is stated.
+fn job_point(question: &Question, is_stated: bool) -> Option<JobPoint> {
+    let job = question.muscle.job().filter(|_| !is_stated)?;
+    job.points.first().copied()
+}
+
 /// F(P, ε).
 pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let of_job = question
-        .muscle
-        .job()
-        .filter(|_| request.pressure_mpa.is_none());
-    let point = of_job.and_then(|job| job.points.first());
-    let contraction = match (&request.contraction, point) {
-        (None, Some(point)) => point.contraction.into(),
-        (given, _) => question.ratio(given)?,
-    };
+    let point = job_point(&question, request.pressure_mpa.is_some());
+    let contraction = question.ratio(&request.contraction, point)?;
     let pressure_mpa = question.pressure_mpa(request.pressure_mpa)?;
     answered(question, PointQuantity::Force, request.both, |model| {
         Ok(model.answer(pressure_mpa, contraction)?)
@@ -151,9 +150,11 @@ pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
 /// P(F, ε).
 pub fn pressure(request: &PressureRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
+    let point = job_point(&question, request.force_n.is_some());
+    let force_n = request.force_n.or(point.map(|point| point.force));
+    let force_n = given("force_n", force_n, "a force, such as 300 N")?;
     pull(force_n, question.options)?;
-    let contraction = question.ratio(&request.contraction)?;
+    let contraction = question.ratio(&request.contraction, point)?;
     answered(question, PointQuantity::Pressure, request.both, |model| {
         Ok(model.pressure(force_n, contraction)?)
     })
@@ -330,12 +331,12 @@ impl Question {
     }
 
     /// A contraction ratio of its muscle; 0 where none is given.
-    fn ratio(&self, contraction: &Option<Contraction>) -> Result<f64> {
-        let length_mm = self.muscle.length_mm();
-        contraction
-            .as_ref()
-            .map(|e| e.of_length(length_mm))
-            .unwrap_or(Ok(0.0))
+    fn ratio(&self, given: &Option<Contraction>, point: Option<JobPoint>) -> Result<f64> {
+        let of_job = point.map_or(0.0, |point| point.contraction.into());
+        match given {
+            Some(given) => given.of_length(self.muscle.length_mm()),
+            None => Ok(of_job),
+        }
     }
 }
 

@@ -53,7 +53,7 @@ impl CurveAnswer {
         let answers = self.points().filter_map(|q| q.answer.as_ref().ok());
         let of_pull = answers.filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
         if let Some(largest) = of_pull.max_by_number(|a| a.total()) {
-            page.paragraph("±: 95 %, of a muscle that is built");
+            page.paragraph("medians, ±: 95 %, of a muscle that is built");
             let parts = breakdown(&largest, &u.force);
             page.line(format!("the largest of the pull: {parts}"));
         }
@@ -86,14 +86,20 @@ impl CurveAnswer {
     }
 }
 
-/// The quantity that a test computes, with its ±.
+/// The quantity that a test computes, of a muscle that is built with its ±, else by the model.
 fn computed(test: Test, q: &CurvePoint) -> Amount {
     match &q.answer {
-        Ok(a) if test == Test::Isotonic => {
-            (a.response.contraction, a.contraction_uncertainty).into()
-        }
+        Ok(a) if test == Test::Isotonic => (
+            a.predicted.unwrap_or(a.response.contraction),
+            a.contraction_uncertainty,
+        )
+            .into(),
         Ok(a) if a.slack => "slack".into(),
-        Ok(a) => (a.response.force_n, a.uncertainty_n).into(),
+        Ok(a) => (
+            a.built.map_or(a.response.force_n, |b| b.predicted_n),
+            a.uncertainty_n,
+        )
+            .into(),
         Err(_) => Amount::Nothing,
     }
 }

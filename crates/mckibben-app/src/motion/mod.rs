@@ -143,10 +143,12 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m));
     let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
     let mut warnings = moved.gravest_warnings(&runs, &drives);
-    let burst = bursts.iter().enumerate().flat_map(|(i, burst)| {
+    let models = bursts.iter().zip(&moved.models).enumerate();
+    let burst = models.flat_map(|(i, (burst, model))| {
         let reached = runs.iter().zip(&drives);
         let highest_mpa = peak(reached.map(|(run, (_, drive))| highest_mpa(run, drive, i)));
-        burst.warnings(highest_mpa)
+        let outside = Warning::not_measured(model.muscle(), highest_mpa);
+        burst.warnings(highest_mpa).into_iter().chain(outside)
     });
     Warning::put_first(&mut warnings, burst);
     let mut runs = runs.into_iter();

@@ -257,6 +257,49 @@ const OTHERS: [&str; 26] = [
     "quantities",
 ];
 
+/// A bound: what `identify` found of a muscle that pulls less never raises its limit, whatever share
+/// of the pull was read; and what is asked of the found file without a word is its job.
+#[test]
+fn no_pull_that_was_measured_raises_a_limit() {
+    let text = "[tube]\nouter_diameter = \"15 mm\"\nwall_thickness = \"1.5 mm\"\n\
+        length = \"160 mm\"\nrubber = \"dragon-skin-30\"\n[braid]\nname = \"nfl-19\"\n";
+    let text = text.to_owned() + JOB;
+    let of = |text: &str| json!({ "file": file("muscle.toml", text) });
+    let allowed_mpa = |text: &str| {
+        let asked = json!({ "muscle": of(text), "pressure_mpa": 0.1 });
+        number(&reply("force", asked), "allowed_pressure_mpa")
+    };
+    let before_mpa = allowed_mpa(&text);
+    for share in [0.5, 0.8, 1.0, 1.2] {
+        let rows = [
+            (0.177, 0.0, 91.0),
+            (0.177, 0.05, 59.4),
+            (0.177, 0.12, 30.5),
+            (0.12, 0.05, 32.3),
+        ];
+        let line = |(p, e, n): &(f64, f64, f64)| format!("{p},{e},{},contraction\n", share * n);
+        let table = "pressure_mpa,contraction,force_n,branch\n".to_owned()
+            + &rows.iter().map(line).collect::<String>();
+        let asked = json!({ "muscle": of(&text), "data": [file("points.csv", &table)], "model": "thick-wall" });
+        let identified = reply("identify", asked);
+        let found_text = found(&identified, "muscle_file")
+            .and_then(Value::as_str)
+            .unwrap();
+        let after_mpa = allowed_mpa(found_text);
+        // The file keeps five digits of what was found.
+        assert!(
+            after_mpa <= before_mpa * (1.0 + 1e-5),
+            "{share}: {after_mpa} {before_mpa}"
+        );
+        let takes = reply("pressure", json!({ "muscle": of(found_text) }));
+        assert_eq!(number(&takes, "force_n"), 50.0);
+        assert_eq!(number(&takes, "contraction"), 0.075);
+        // What is to be set is nothing that the supply does not give.
+        let job = reply("force", json!({ "muscle": of(found_text) }));
+        assert!(number(&job, "pressure_mpa") <= 0.2);
+    }
+}
+
 #[test]
 fn no_command_is_missing_from_the_table() {
     let known: Vec<&str> = cases().first().map_or(vec![], |case| {

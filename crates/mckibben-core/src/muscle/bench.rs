@@ -55,11 +55,11 @@ pub struct Bench {
     pub pull_factor: f64,
     /// η: half the width of the hysteresis loop over the strands' axial pull.
     pub friction_share: f64,
-    /// By how many degrees the angle that was found is larger than the stated one.
-    #[serde(default)]
-    pub angle_shift: f64,
     /// The constants of the covariance, in its order.
     pub constants: Vec<Constant>,
+    /// By how much each of them is larger than what was stated, in its unit.
+    #[serde(default)]
+    pub shift: Vec<f64>,
     /// Covariance of the constants, in their units.
     pub covariance: Vec<Vec<f64>>,
     /// Up to 20 of its points.
@@ -101,8 +101,8 @@ impl Bench {
         text.add("range", &[self.points as f64, p, q, low, high]);
         text.add("constants", &[self.pull_factor, self.friction_share]);
         // Files of before do not state it.
-        if self.angle_shift != 0.0 {
-            text.add("angle", &[self.angle_shift]);
+        if !self.shift.is_empty() {
+            text.add("shift", &self.shift);
         }
         for &(p, e, sign, off_n) in &self.own_points {
             text.add("point", &[p, e, sign, off_n]);

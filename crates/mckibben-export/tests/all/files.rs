@@ -471,8 +471,8 @@ fn pressures_on_a_branch_give_the_pull_on_it_in_c_and_python() {
         );
     };
     // What the supply gives in the mean of both branches, and not while the muscle shortens.
-    let most_n = form.point_at(form.supply_pa, 0.0).force_n
-        - 0.5 * super::half_n(form, form.supply_pa, 0.0);
+    let most_n =
+        form.point_at(form.supply_pa, 0.0).force_n - 0.5 * super::half_n(form, form.supply_pa, 0.0);
     if runs("cc") {
         let main = format!(
             "#include \"muscle_prototype.h\"\n#include \

@@ -3,6 +3,7 @@
 use super::{exported, fe};
 use mckibben_core::{
     analysis::Evaluation,
+    built::BuiltMedian,
     model::{ForceModel, FormulaModel, Workspace},
     muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube},
     random::{Random, rounds},
@@ -493,5 +494,33 @@ fn a_formula_is_exported_up_to_the_end_of_its_range() {
         assert!((ours.force_n - at.force_n).abs() <= errors.force_worst_ratio * blocked_n);
         let volume_m3 = 1e-9 * at.volume_mm3.unwrap();
         assert!((ours.volume_m3 / volume_m3 - 1.0).abs() <= 2.0 * errors.volume_worst_ratio);
+    }
+}
+
+/// An identity: where a built muscle is slack its volume is that of its shortest or longest taut
+/// length in the box, for simulators too, and it never falls when the pressure rises.
+#[test]
+fn what_is_slack_at_rest_has_the_volume_of_the_box_in_a_simulator() {
+    let muscle = Muscle::prototype();
+    let wanted = BoxRequest {
+        supply_mpa: 0.25,
+        contraction_low: 0.0,
+        contraction_high: None,
+    };
+    let built = BuiltMedian(fe(&muscle));
+    let form = ExportedMuscle::fit(&built, "built", wanted).unwrap().form;
+    assert!(form.two_sided_n(0.0, 0.0).0 < 0.0, "slack without pressure");
+    for e in [-0.05, -0.02, 0.0, 0.1] {
+        let mut before = 0.0;
+        for i in 0..=60 {
+            let p = 0.01 * f64::from(i) * form.supply_pa;
+            let volume_m3 = form.beyond(p, e).volume_m3;
+            if e <= 0.0 {
+                let at_rest_m3 = form.point_at(p, 0.0).volume_m3;
+                assert!((volume_m3 / at_rest_m3 - 1.0).abs() < 1e-9, "{p} {e}");
+            }
+            assert!(volume_m3 >= before * 0.999, "{p} {e}: {volume_m3} {before}");
+            before = volume_m3;
+        }
     }
 }

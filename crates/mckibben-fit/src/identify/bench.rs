@@ -57,7 +57,7 @@ pub fn left_over(
 /// What a posterior says of the muscle with its constants; `None` where no point is of its length.
 pub fn written(
     request: &IdentificationRequest<'_>,
-    muscle: &Muscle,
+    (muscle, found): (&Muscle, &Constants),
     posterior: &Posterior,
     model: String,
 ) -> Option<Bench> {
@@ -90,9 +90,12 @@ pub fn written(
             lengths_mm.push(length);
         }
     }
-    let before = request.muscle;
-    let stated_deg =
-        before.braid().angle_deg - before.bench().map_or(0.0, |bench| bench.angle_shift);
+    let before = request.muscle.bench();
+    let shift = Constant::ALL.iter().zip(found).map(|(constant, x)| {
+        let at = |bench: &Bench| bench.constants.iter().position(|c| c == constant);
+        let earlier = before.and_then(|bench| bench.shift.get(at(bench)?));
+        digits(x + earlier.unwrap_or(&0.0))
+    });
     let bench = Bench {
         laboratory: None,
         model,
@@ -103,8 +106,8 @@ pub fn written(
         contraction: ends(all.iter().map(|p| p.at.contraction)),
         pull_factor: digits(posterior.constants[Constant::PullFactor as usize].exp()),
         friction_share: digits(posterior.constants[Constant::Friction as usize]),
-        angle_shift: digits(muscle.braid().angle_deg - stated_deg),
         constants: Constant::ALL.to_vec(),
+        shift: shift.collect(),
         covariance: posterior
             .covariance
             .iter()

@@ -181,7 +181,7 @@ fn identified(
         .chain(found.zero.as_ref().map(Zero::identified))
         .collect();
     Ok(Identification {
-        bench: bench::written(request, &muscle, &left, model),
+        bench: bench::written(request, (&muscle, &found.constants), &left, model),
         correlation: correlation(&parameters, found),
         spreads: spreads(&points),
         freedom: points.len(),

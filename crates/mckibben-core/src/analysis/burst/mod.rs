@@ -88,14 +88,22 @@ pub fn burst_below(model: &dyn ForceModel, working_mpa: f64, factor: f64) -> Res
     })
 }
 
-/// The muscle with the least angle that its measured pulls allow, at most the one that was stated: a
-/// limit does not rise because a muscle pulled less than was thought.
+/// The muscle with the least angle that its measured pulls allow, and with angle, rubber and strands
+/// of what was stated at most: a limit does not rise because a muscle pulled other than was thought.
 fn weaker(muscle: &Muscle) -> Option<Muscle> {
     let bench = muscle.bench()?;
-    let i = bench.constants.iter().position(|c| *c == Constant::Angle)?;
-    let deviation_deg = bench.covariance.get(i)?.get(i)?.max(0.0).sqrt();
     let mut x = [0.0; Constant::ALL.len()];
-    x[Constant::Angle as usize] = -bench.angle_shift.max(HALF_95 * deviation_deg);
+    for (i, constant) in bench.constants.iter().enumerate() {
+        let risen = bench.shift.get(i).map_or(0.0, |shift| shift.max(0.0));
+        x[*constant as usize] = match constant {
+            Constant::Angle => {
+                let deviation_deg = bench.covariance.get(i)?.get(i)?.max(0.0).sqrt();
+                -risen.max(HALF_95 * deviation_deg)
+            }
+            Constant::Modulus | Constant::Strands => -risen,
+            _ => 0.0,
+        };
+    }
     // What lies beyond the plane braid is no muscle.
     muscle.with_constants(&x).ok()
 }
