@@ -62,11 +62,6 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
         ),
         ("constants", distinct, "names a constant twice"),
         (
-            "shift",
-            bench.shift.is_empty() || bench.shift.len() == constants.len(),
-            "must hold a number for each of `constants`",
-        ),
-        (
             "own_points",
             own_points.len() <= Bench::OWN_POINTS
                 && own_points
