@@ -125,10 +125,12 @@ inBrowser(({ name, url, open, blank }) => {
         await field.getAttribute("id"),
       );
     }
-    await field.fill("4000");
-    await field.press("Enter");
-    await field.fill("30");
-    await field.press("Enter");
+    // A step is a muscle that rested.
+    for (const value of ["4000", "30"]) {
+      await field.fill(value);
+      await field.press("Enter");
+      await page.waitForTimeout(400);
+    }
     await page.waitForFunction(
       (id) => !document.getElementById(id)?.hasAttribute("aria-invalid"),
       await field.getAttribute("id"),
