@@ -112,15 +112,18 @@ inBrowser(({ name, open, blank, url }) => {
       [];
     assert.equal(pulls, asBuilt(ask("force", "-p", "2.5bar", "-e", `${at}%`)));
     await page.mouse.move(ring.x + 8, ring.y + 8);
-    const all = await lower(page),
-      box = /** @type {{ x: number, y: number, width: number, height: number }} */ (
-        await plot.boundingBox()
-      );
-    await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
-    await page.mouse.down();
-    await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, { steps: 3 });
-    await page.mouse.up();
-    await soon(async () => assert.notDeepEqual(await lower(page), all));
+    const all = await lower(page);
+    let box = { x: 0, y: 0, width: 0, height: 0 };
+    // What comes above it may move it while it is being taken hold of.
+    await soon(async () => {
+      box = /** @type {typeof box} */ (await plot.boundingBox());
+      await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height - 20, { steps: 3 });
+      await page.mouse.up();
+      await page.waitForTimeout(300);
+      assert.notDeepEqual(await lower(page), all);
+    });
     await soon(async () =>
       assert.equal(await page.getByRole("textbox", { name: "Contraction" }).inputValue(), "15 %"),
     );
