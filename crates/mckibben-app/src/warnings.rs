@@ -1,7 +1,7 @@
 //! Warnings of a whole answer: each once, not once for each point.
 
 use mckibben_core::{
-    analysis::Evaluation,
+    analysis::{Burst, Evaluation},
     answer::Answer,
     model::Response,
     muscle::Muscle,
@@ -11,6 +11,13 @@ use mckibben_core::{
 /// What points of a muscle warn of: each sentence once, of each kind the gravest.
 pub fn of_points<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<Warning> {
     Warning::gravest(answers.flat_map(|a| &a.warnings))
+}
+
+/// What holds of a muscle at a pressure in MPa, whatever it pulls: its burst, and where nobody has
+/// measured.
+pub fn of_muscle(burst: &Burst, muscle: &Muscle, p: f64) -> impl Iterator<Item = Warning> {
+    let outside = Warning::not_measured(muscle, p);
+    burst.warnings(p).into_iter().chain(outside)
 }
 
 /// The same of responses of one muscle.

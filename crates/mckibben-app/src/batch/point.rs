@@ -11,7 +11,7 @@
 //! N/mm stays what it is, also where the braid's k follows the diameter.
 
 use super::{ArrayError, BoundModel, Many, PointQuantity, Quiet};
-use crate::{Problem, ProblemKind, Result, finite, ratio};
+use crate::{Problem, ProblemKind, Result, finite, ratio, warnings};
 use mckibben::gradient::{self, GradientError};
 use mckibben_core::{
     analysis::{Burst, Evaluation},
@@ -67,10 +67,8 @@ impl BoundModel {
             }
         }
         if let Some((burst, _)) = quiet.filter(|_| answered) {
-            let outside = Warning::not_measured(self.muscle(), 0.0);
-            known
-                .said
-                .extend(burst.warnings(0.0).into_iter().chain(outside));
+            let of_muscle = warnings::of_muscle(&burst, self.muscle(), 0.0);
+            known.said.extend(of_muscle);
         }
         Ok(Warning::gravest(&known.said))
     }

@@ -15,7 +15,7 @@ pub use simulated::SimulatedDrive;
 
 use crate::{
     MuscleFields, PressureLimits, Problem, ProblemKind, Result, TextFile, burst_of, figure, finite,
-    joint::models_of,
+    joint::models_of, warnings,
 };
 use mckibben_core::{
     extremes::peak, muscle::file::FileError, progress::Progress, warning::Warning,
@@ -147,8 +147,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let burst = models.flat_map(|(i, (burst, model))| {
         let reached = runs.iter().zip(&drives);
         let highest_mpa = peak(reached.map(|(run, (_, drive))| highest_mpa(run, drive, i)));
-        let outside = Warning::not_measured(model.muscle(), highest_mpa);
-        burst.warnings(highest_mpa).into_iter().chain(outside)
+        warnings::of_muscle(burst, model.muscle(), highest_mpa)
     });
     Warning::put_first(&mut warnings, burst);
     let mut runs = runs.into_iter();

@@ -18,8 +18,8 @@ pub struct NotMeasured {
     pub measured: (f64, f64),
 }
 
-/// Each quantity with its unit and its range over the measured muscles, the pressure last, of `mckibben-fit`, whose
-/// tests compare both.
+/// Each quantity with its unit and its range over the measured muscles of `mckibben-fit`, whose tests
+/// compare both; the pressure is the last one.
 pub const MEASURED: [(&str, &str, (f64, f64)); 5] = [
     ("the outer diameter", " mm", (12.0, 22.87)),
     ("the wall over the outer diameter", "", (0.035, 9.0 / 68.0)),
