@@ -13,7 +13,7 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{Burst, FailureMode, FailurePressure},
-    built::{Left, not_measured},
+    built::{Built, Left, not_measured},
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     units::{Dimension, tidy, typed::Pressure},
@@ -111,7 +111,13 @@ pub struct Characteristics {
     pub model: String,
     /// The pressure, MPa.
     pub pressure_mpa: f64,
-    /// Blocked force, N.
+    /// Blocked force that a built muscle reaches: its median and interval, N.
+    #[serde(flatten)]
+    pub built: Option<Built>,
+    /// Whether the model was named: its number is shown first.
+    #[serde(skip)]
+    pub is_model_named: bool,
+    /// Blocked force of the model on the branch that is asked, N.
     pub blocked_force_n: f64,
     /// Half-width of the 95 % interval of the blocked force, N.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -234,6 +240,7 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         "pressure_mpa",
         pressure_mpa.unwrap_or_else(|| usual_mpa(&burst, &question.muscle)),
     )?;
+    let is_model_named = question.is_model_named;
     let mut model = question.evaluation();
     let point = model.point(pressure_mpa, 0.0)?;
     let free = model.free_contraction(pressure_mpa).ok();
@@ -241,6 +248,8 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
     let values = Characteristics {
         model: point.model.to_string(),
         pressure_mpa,
+        built: point.built,
+        is_model_named,
         blocked_force_n: point.response.force_n,
         blocked_force_uncertainty_n: point.uncertainty_n,
         uncertainty_words: UncertaintyWords::of(&point, &mut model),

@@ -3,7 +3,7 @@
 
 use crate::Actuated;
 use mckibben_core::{
-    analysis::{Evaluation, Options},
+    analysis::{Burst, Evaluation, Options, burst},
     by_number::ByNumber,
     model::{Ideal, ModelError, ThickWall, Workspace, pivoting_n_per_mm},
 };
@@ -138,6 +138,7 @@ pub struct Memory {
     clamp_slack: Cell<Option<f64>>,
     /// The infinitely long muscle that has G or its slopes, where friction needs them.
     long: OnceCell<ThickWall>,
+    limits_mpa: OnceCell<[f64; 2]>,
 }
 
 impl Memory {
@@ -147,18 +148,30 @@ impl Memory {
             kept,
             next,
             clamp_slack,
+            limits_mpa,
             ..
         } = self;
         Self {
             kept: kept.clone(),
             next: next.clone(),
             clamp_slack: clamp_slack.clone(),
+            limits_mpa: limits_mpa.clone(),
             ..Self::default()
         }
     }
 }
 
 impl Member {
+    /// The allowed and the least burst pressure in MPa; infinite where they are not known.
+    pub fn limits_mpa(&self) -> [f64; 2] {
+        *self.memory.limits_mpa.get_or_init(|| {
+            let burst = burst(&*self.muscle.model).ok();
+            let allowed = burst.as_ref().and_then(Burst::allowed).map(|a| a.mpa);
+            let least = burst.as_ref().and_then(Burst::least).map(|least| least.1);
+            [allowed, least].map(|mpa| mpa.unwrap_or(f64::INFINITY))
+        })
+    }
+
     /// The same for another simulation.
     pub fn duplicate(&self) -> Self {
         Self {

@@ -63,18 +63,17 @@ const FRICTION_LAW: f64 = 0.41;
 /// What a muscle that is built will pull.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Built {
-    /// The model's pull, of the mean of both branches, N.
-    pub mean_n: f64,
-    /// The median of what a muscle that is built will pull, N: `mean_n` and all of
-    /// `predicted_shift_n`.
+    /// Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     pub predicted_n: f64,
     /// Lower end of its 95 % interval, N.
     pub predicted_low_n: f64,
-    /// Upper end, N.
+    /// Upper end of its 95 % interval, N.
     pub predicted_high_n: f64,
-    /// The branch on which it does: the one that is asked, else that of its work.
+    /// Branch of that pull: the one that is asked, else that of its work.
     pub predicted_direction: Direction,
-    /// What lies between the model's pull of the mean of both branches and the median, N.
+    /// Pull of the model alone, N: the mean of both branches.
+    pub mean_n: f64,
+    /// From the model's mean to the median, N.
     pub predicted_shift_n: BuiltShift,
 }
 

@@ -2,6 +2,7 @@
 
 use crate::support::{damped, note_muscle, ran, regulator, steps, valve};
 use mckibben_core::{
+    analysis::burst,
     model::{ForceModel, ModelKind},
     muscle::Friction,
     progress::Silent,
@@ -85,4 +86,27 @@ fn a_step_that_fails_leaves_all_as_it_was() {
     );
     stepped(&mut simulation, &COMMANDS[3..]);
     assert_eq!(simulation.motion().series, ran(&drive).series);
+}
+
+/// The limits are those of `burst`: each time the pressure rises above one it is noted once, though
+/// what was recorded before is forgotten.
+#[test]
+fn identity_events_say_that_the_pressure_passed_the_limits_of_burst() {
+    let model: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
+    let allowed_mpa = burst(&*model).unwrap().allowed().unwrap().mpa;
+    let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
+    let mut drive = drive(&load, &model, regulator(0.01));
+    drive.supply.pressure_mpa = 2.0 * allowed_mpa;
+    let mut simulation = Simulation::new(&drive).unwrap();
+    let mut noted = vec![];
+    for share in [0.95, 1.1, 1.1, 0.9, 1.1] {
+        simulation.forget();
+        simulation.step(&[share * allowed_mpa]).unwrap();
+        let events = &simulation.motion().events;
+        let above = events.iter().filter(|e| e.kind == EventKind::AboveAllowed);
+        noted.push(above.map(|e| e.muscle).collect::<Vec<_>>());
+        let is_above = simulation.state().pressure_mpa[0] > allowed_mpa;
+        assert_eq!(is_above, share > 1.0);
+    }
+    assert_eq!(noted, [vec![], vec![1], vec![], vec![], vec![1]]);
 }
