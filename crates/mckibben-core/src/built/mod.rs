@@ -163,7 +163,9 @@ impl Evaluation<'_> {
         let mut at = predictor.at(pressure_mpa, contraction, sign)?;
         let mean_n = force_n - self.friction_n(pressure_mpa, contraction).ok()?;
         let mut covariance = predictor.covariance.clone();
-        let friction = Constant::Friction as usize;
+        let [factor, friction] = [Constant::PullFactor, Constant::Friction].map(|c| c as usize);
+        let beyond_measured = predictor.beyond_measured;
+        covariance[factor][factor] -= beyond_measured * beyond_measured;
         let friction_n = if muscle.friction().is_some() {
             let options = Options::from(predicted_direction);
             let n = self
@@ -189,7 +191,8 @@ impl Evaluation<'_> {
             Some(learnt) => learnt.at(&at.place, at.slopes),
             None => (0.0, at.slopes, whole * whole),
         };
-        let factor = predictor.centre[Constant::PullFactor as usize].exp();
+        let beyond_n = HALF_95 * beyond_measured * slopes[factor].abs();
+        let factor = predictor.centre[factor].exp();
         let unscaled_n = mean_n + at.ends_n + at.take_up_n;
         let shift = BuiltShift {
             friction: friction_n,
@@ -214,7 +217,10 @@ impl Evaluation<'_> {
                     scale_n.abs(),
                 )
             }),
-            measured: Some(HALF_95 * variance.sqrt().hypot(single)),
+            measured: Some(
+                HALF_95 * predictor.variance_factor.sqrt() * variance.sqrt().hypot(single),
+            ),
+            beyond_measured: Some(beyond_n).filter(|n| *n > 0.0),
             ..UncertaintyParts::of_constants(&slopes, &covariance, predictor.is_identified)
                 .with_rubber(predictor.limit_n(pressure_mpa, contraction))
         };

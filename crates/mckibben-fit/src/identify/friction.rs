@@ -1,11 +1,11 @@
 //! The law of the friction, by least squares beside the constants that were found.
 
 use super::{
-    IdentificationRequest, Target,
+    IdentificationRequest, Posterior, Target,
     pulls::{self, Found, Pulls},
 };
 use crate::{
-    least_squares::Unknown,
+    least_squares::{Errors, Unknown, aicc},
     measured::{DataPoint, distinct},
 };
 use mckibben_core::muscle::{
@@ -60,12 +60,13 @@ fn unknowns(problem: &Pulls<'_>) -> Option<Vec<Unknown>> {
     problem.targets.iter().map(one).collect()
 }
 
-/// The law that comes closest to points that pull; `None` where they tell none: a muscle whose loop
-/// is no law keeps the share.
+/// The law that comes closest to points that pull; `None` where they tell none, and where nobody asks
+/// for one and Akaike's criterion prefers the share of `found`.
 pub fn friction_law(
     request: &IdentificationRequest<'_>,
     muscle: &Muscle,
     points: &[DataPoint],
+    found: &Posterior,
 ) -> Option<Found> {
     let targets = targets(request, muscle, points);
     if targets.is_empty() || points.len() <= targets.len() {
@@ -82,5 +83,11 @@ pub fn friction_law(
     let unknowns = unknowns(&problem)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
     problem.scales = problem.mean_slopes(&start).unwrap_or(problem.scales);
-    problem.found(&unknowns)
+    let law = problem.found(&unknowns)?;
+    let is_asked = request.history || !request.free.is_empty();
+    let by_law = Errors::new(law.left.iter().map(|p| p.1));
+    let by_share = Errors::new(found.points.iter().map(|(p, n, _)| n - p.at.force_n));
+    let criterion = |k: usize, e: &Errors| aicc(e.points, k, e.rms * e.rms);
+    let is_better = criterion(targets.len(), &by_law) < criterion(1, &by_share);
+    (is_asked || is_better).then_some(law)
 }
