@@ -18,10 +18,7 @@ fn shear_modulus() -> Result<f64, Box<dyn Error>> {
     let points = read_tension(TEST)?;
     let fit = fit_tension(
         &points,
-        &FitSettings {
-            up_to_stretch: Some(3.0),
-            ..FitSettings::default()
-        },
+        &FitSettings::default(),
     )?;
     for fitted in &fit.laws {
         let constants: Vec<String> = fitted

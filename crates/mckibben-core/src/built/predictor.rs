@@ -1,8 +1,8 @@
 //! How a built muscle differs from the one that is described, at any pressure and contraction.
 
 use super::{
-    Experience, Prior,
-    learnt::{Learnt, Place},
+    Experience, HALF_95, Prior,
+    learnt::{DISCREPANCY, Learnt, Place},
     measured::beyond_measured,
     twin::Twin,
 };
@@ -41,6 +41,8 @@ pub struct Predictor {
 
 /// A built muscle at a pressure and a contraction.
 pub struct At {
+    /// Pull of the infinitely long muscle as it is described, in N.
+    pub stated_n: f64,
     /// What ends that give way add to the pull in N.
     pub ends_n: f64,
     /// What the take-up pressure adds to it.
@@ -157,12 +159,60 @@ impl Predictor {
         Some(sides)
     }
 
-    /// What lies between the pull of the muscle as it is described and as it is built, in N, of the
-    /// mean of both branches, and T cosθ of its strands.
-    pub fn weaker_n(&self, pressure_mpa: f64, contraction: f64) -> Option<(f64, f64)> {
-        let built = self.built.state(pressure_mpa, contraction)?;
-        let stated_n = self.stated.force_n(pressure_mpa, contraction)?;
-        Some((built.force_n - stated_n, built.strands_n))
+    /// The pull of the muscle as it is built in N, of the mean of both branches and without the factor
+    /// on it, where a model's pull of the muscle as it is described is `model_n`; and T cosθ of its
+    /// strands.
+    pub fn weaker_n(&self, p: f64, contraction: f64, model_n: f64) -> Option<(f64, f64)> {
+        let built = self.built.state(p, contraction)?;
+        let stated_n = self.stated.force_n(p, contraction)?;
+        let mean_n = self.taut_n(model_n, stated_n, self.blocked_n(p)?);
+        Some((mean_n + built.force_n - stated_n, built.strands_n))
+    }
+
+    /// The pull of a model in N; below zero, where its muscle bends or folds rather than pushes, at
+    /// most that of the infinitely long muscle and the smooth difference between both.
+    pub fn taut_n(&self, model_n: f64, stated_n: f64, blocked_n: f64) -> f64 {
+        if model_n >= 0.0 || self.muscle.is_extensile() {
+            model_n
+        } else {
+            model_n.min(stated_n + HALF_95 * DISCREPANCY * blocked_n)
+        }
+    }
+
+    /// How much less the infinitely long muscle as it is described pulls at a contraction than at
+    /// its free one, in N.
+    pub fn beyond_n(&self, pressure_mpa: f64, contraction: f64, free: f64) -> Option<f64> {
+        let pull = |e: f64| self.stated.force_n(pressure_mpa, e);
+        Some(pull(contraction)? - pull(free)?)
+    }
+
+    /// The blocked force of the muscle as it is built, in N without its sign.
+    fn blocked_n(&self, pressure_mpa: f64) -> Option<f64> {
+        let blocked_n = self.built.force_n(pressure_mpa, 0.0)?;
+        let sign = if self.muscle.is_extensile() {
+            -1.0
+        } else {
+            1.0
+        };
+        Some((sign * blocked_n).max(0.0))
+    }
+
+    /// How much of the slopes by the seating, the compliance and the take-up pressure counts: none of
+    /// them is below zero, so that a pressure which the take-up may need as a whole does not gain more
+    /// than their centre.
+    fn shares(&self, pressure_mpa: f64) -> [f64; 3] {
+        let d0_mm = self.muscle.outer_diameter_mm();
+        let ends = &self.built.ends;
+        let half = |constant: Constant| {
+            HALF_95 * self.covariance[constant as usize][constant as usize].sqrt()
+        };
+        let share = pressure_mpa / half(Constant::TakeUp);
+        [
+            (Constant::Seating, ends.seating_mm / d0_mm),
+            (Constant::Compliance, ends.slip_mm_per_n * d0_mm),
+            (Constant::TakeUp, ends.take_up_mpa),
+        ]
+        .map(|(constant, centre)| (centre / half(constant)).max(share).min(1.0))
     }
 
     /// What the limit of a law that the pull of another muscle gave makes of the pull, in N: it is not
@@ -192,9 +242,10 @@ impl Predictor {
         let mut slopes: Constants = [0.0; Constant::ALL.len()];
         let mut set = |constant: Constant, slope: f64| slopes[constant as usize] = slope;
         set(Constant::PullFactor, state.force_n);
-        set(Constant::Seating, -k * d0_mm);
-        set(Constant::Compliance, -k * state.load_n / d0_mm);
-        set(Constant::TakeUp, -state.per_pressure_mm2);
+        let [seating, compliance, take_up] = self.shares(pressure_mpa);
+        set(Constant::Seating, -k * d0_mm * seating);
+        set(Constant::Compliance, -k * state.load_n / d0_mm * compliance);
+        set(Constant::TakeUp, -state.per_pressure_mm2 * take_up);
         set(Constant::Friction, sign * state.strands_n);
         for (constant, [below, above], half) in sides {
             let at = |twin: &Twin| twin.force_n(pressure_mpa, contraction);
@@ -207,16 +258,20 @@ impl Predictor {
             };
             set(*constant, slope);
         }
+        let stated_n = self.stated.force_n(pressure_mpa, contraction)?;
+        // Shortened beyond what its strands allow a muscle pushes more with more pressure.
+        let take_up_n = (state.force_n - taken_up_n).min(0.0);
         Some(At {
-            ends_n: taken_up_n - self.stated.force_n(pressure_mpa, contraction)?,
-            take_up_n: state.force_n - taken_up_n,
+            stated_n,
+            ends_n: state.force_n - stated_n - take_up_n,
+            take_up_n,
             strands_n: state.strands_n,
             slopes,
             force_n: state.force_n,
             place: Place {
                 pressure_mpa,
                 contraction,
-                blocked_n: self.built.force_n(pressure_mpa, 0.0)?.abs(),
+                blocked_n: self.blocked_n(pressure_mpa)?,
             },
         })
     }
