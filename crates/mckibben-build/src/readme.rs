@@ -5,7 +5,7 @@ use crate::{
     safety::PullAt,
     text::{percent, significant},
 };
-use mckibben_core::{clean, joined};
+use mckibben_core::{clean, joined, units::rounded};
 use mckibben_io::files::File;
 
 impl Plan {
@@ -83,7 +83,7 @@ impl Plan {
             format!(
                 "Overpressure: the allowed pressure was raised to {}. The muscle keeps no usual \
                  distance from its burst.",
-                shown.pressure(mpa)
+                shown.pressure(rounded(mpa, 3, f64::floor))
             )
         });
         let unknown = limits.burst_pressure_mpa.is_none().then(|| {
