@@ -17,8 +17,8 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     rubber::{
-        FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, TensionFit, TensionPoint,
-        fit_tension_with, read_tests,
+        FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, TensionFit,
+        TensionPoint, fit_tension_with, read_tests,
     },
     rubber_over_time::{PronyFit, SofteningFit, fit_prony, fit_softening, read_history},
 };
