@@ -148,6 +148,13 @@ fn check(settings: &FitSettings) -> Result<()> {
             "{what} is {value}; it must be {expected}"
         )))
     };
+    if !(settings.hoop_stretch > 1.0 && settings.hoop_stretch <= 10.0) {
+        return bad(
+            "the hoop stretch",
+            settings.hoop_stretch,
+            "above 1 and at most 10",
+        );
+    }
     if let Some(limit) = settings
         .up_to_stretch
         .filter(|l| !(*l > 1.0 && l.is_finite()))
@@ -156,13 +163,6 @@ fn check(settings: &FitSettings) -> Result<()> {
             "the largest stretch",
             limit,
             "above 1 (a stretch, or a strain such as 200%)",
-        );
-    }
-    if !(settings.hoop_stretch > 1.0 && settings.hoop_stretch <= 10.0) {
-        return bad(
-            "the hoop stretch",
-            settings.hoop_stretch,
-            "above 1 and at most 10",
         );
     }
     match settings
