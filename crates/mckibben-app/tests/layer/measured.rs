@@ -173,7 +173,7 @@ fn ten_readings_give_the_muscle_of_which_they_were_computed() {
     let found = reply("identify", request);
     let found = found["muscle_file"].as_str().unwrap();
     let pull = |text: &str, more: Value| {
-        let at = json!({ "muscle": muscle(text), "pressure_mpa": 0.24, "contraction": 0.1 });
+        let at = json!({ "muscle": muscle(text), "pressure_mpa": 0.11, "contraction": 0.075 });
         reply("force", with(at, more))
     };
     let truth = pull(&truth, json!({ "direction": "contraction" }));
