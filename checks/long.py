@@ -169,7 +169,7 @@ PARTS = {
         [
             "cargo build --release --locked",
             "python3 checks/release.py --binary target/release/mckibben",
-            "cargo run --release --locked -- design --force 98N --contraction 10% --max-pressure 4bar --length 200",
+            "cargo run --release --locked -- design --force 60N --stroke 12mm --max-pressure 2bar --length 160",
         ],
     ),
     "packages": (
