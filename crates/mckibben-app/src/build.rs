@@ -19,7 +19,7 @@ use mckibben_build::{
 use mckibben_core::{
     analysis::{Burst, Evaluation},
     answer::Options,
-    built::Left,
+    built::{Built, Left},
     cancel,
     extremes::peak,
     model::Workspace,
@@ -42,8 +42,8 @@ pub struct BuildRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
     #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
-    /// Allow a working pressure above the allowed pressure, up to three quarters of the burst
-    /// pressure
+    /// Allow a working pressure above the allowed pressure, up to a proof test at three quarters of
+    /// the burst pressure
     #[arg(long)]
     pub overpressure: bool,
     /// Fitting of the air: m3, m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m3; m5
@@ -89,7 +89,12 @@ pub struct BuildAnswer {
     pub muscle: MuscleSummary,
     /// The model that all numbers come from.
     pub model: String,
-    /// Blocked force at the working pressure, N.
+    /// Contraction of its job, else half of the free contraction.
+    pub contraction: f64,
+    /// What a built muscle pulls there at the working pressure.
+    #[serde(flatten)]
+    pub built: Option<Built>,
+    /// Blocked force of the model at the working pressure, N.
     pub blocked_force_n: f64,
     /// Free contraction at the working pressure.
     pub free_contraction: f64,
@@ -228,8 +233,11 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     }
     let outside = Warning::not_measured(&plan.muscle, plan.safety.pressure_mpa);
     let of_plan = plan.muscle.warnings().into_iter().chain(plan.warnings());
+    let first = plan.operating.pulls.first();
     Ok(BuildAnswer {
         muscle: (&plan.muscle).into(),
+        contraction: first.map_or(0.0, |pull| pull.contraction),
+        built: first.and_then(|pull| pull.built),
         blocked_force_n: plan.operating.blocked_force_n,
         free_contraction: plan.operating.free_contraction,
         bulged_diameter_mm: plan.operating.bulged_diameter_mm,

@@ -5,15 +5,15 @@
 mod page;
 
 use crate::{
-    MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question,
-    QuestionFields, Result, UncertaintyWords, Units, finite,
+    LiquidFields, MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind,
+    Question, QuestionFields, Result, UncertaintyWords, Units, finite,
     flags::Args,
     muscle_fields::{stated, stated_schema},
     number, percent, usual_mpa,
 };
 use mckibben_core::{
     analysis::{Burst, FailureMode, FailurePressure},
-    built::{Left, not_measured},
+    built::{Built, Left, not_measured},
     muscle::{Bulk, Muscle, MuscleKind, file::to_toml},
     rubber::{RubberLaw, library},
     units::{Dimension, tidy, typed::Pressure},
@@ -111,7 +111,13 @@ pub struct Characteristics {
     pub model: String,
     /// The pressure, MPa.
     pub pressure_mpa: f64,
-    /// Blocked force, N.
+    /// Blocked force that a built muscle reaches: its median and interval, N.
+    #[serde(flatten)]
+    pub built: Option<Built>,
+    /// Whether the model was named: its number is shown first.
+    #[serde(skip)]
+    pub is_model_named: bool,
+    /// Blocked force of the model on the branch that is asked, N.
     pub blocked_force_n: f64,
     /// Half-width of the 95 % interval of the blocked force, N.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -124,8 +130,10 @@ pub struct Characteristics {
     pub work_j: Option<f64>,
     /// Cavity there, mm³.
     pub volume_mm3: Option<f64>,
-    /// Air from rest to there, normal litres.
+    /// Air from rest to there, normal litres; none of a muscle whose job names a liquid.
     pub air_normal_litres: Option<f64>,
+    /// Liquid that its job names from rest to there, mm³.
+    pub liquid_volume_mm3: Option<f64>,
     /// The pressures that the muscle bears.
     #[serde(flatten)]
     pub limits: PressureLimits,
@@ -234,6 +242,13 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         "pressure_mpa",
         pressure_mpa.unwrap_or_else(|| usual_mpa(&burst, &question.muscle)),
     )?;
+    let is_model_named = question.is_model_named;
+    let liquid = question.muscle.job().and_then(|job| job.liquid.clone());
+    let liquid = LiquidFields {
+        liquid,
+        ..LiquidFields::default()
+    };
+    let liquid = liquid.named_supply()?;
     let mut model = question.evaluation();
     let point = model.point(pressure_mpa, 0.0)?;
     let free = model.free_contraction(pressure_mpa).ok();
@@ -241,13 +256,19 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
     let values = Characteristics {
         model: point.model.to_string(),
         pressure_mpa,
+        built: point.built,
+        is_model_named,
         blocked_force_n: point.response.force_n,
         blocked_force_uncertainty_n: point.uncertainty_n,
         uncertainty_words: UncertaintyWords::of(&point, &mut model),
         free_contraction: free,
         work_j: free.and_then(|e| model.work_per_stroke_j(pressure_mpa, 0.0, e).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
-        air_normal_litres: air.map(|a| a.normal_litres),
+        air_normal_litres: air.filter(|_| liquid.is_none()).map(|a| a.normal_litres),
+        liquid_volume_mm3: free.zip(liquid).and_then(|(e, liquid)| {
+            let volume = model.liquid_per_stroke_mm3(&liquid, pressure_mpa, e);
+            volume.ok()
+        }),
         limits: (&burst).into(),
     };
     let findings = findings_of(&question.muscle, &burst, &values)?;

@@ -40,13 +40,10 @@ pub fn of_candidate(spec: &Spec, build: &Build<'_>, one: &Candidate) -> Bundle {
     let pitch_mm = spec.pitch_mm.unwrap_or(one.width_mm);
     let ends_mm = one.ends.map_or(0.0, |ends| ends.width_mm);
     let around = |width_mm: f64| (ratio - 1.0) * pitch_mm.max(width_mm) + width_mm;
-    let touch_contraction = match ends_mm > pitch_mm {
-        true => Some(0.0),
-        false => build(&one.muscle).ok().and_then(|model| {
-            let pressure_mpa = one.highest_pressure_mpa;
-            touches_at(&*model, &mut Workspace::new(), pressure_mpa, pitch_mm)
-        }),
-    };
+    let touch_contraction = build(&one.muscle).ok().and_then(|model| {
+        let pressure_mpa = one.highest_pressure_mpa;
+        touches_at(&*model, &mut Workspace::new(), pressure_mpa, pitch_mm)
+    });
     Bundle {
         muscles: one.count,
         rest_envelope_mm: around(one.muscle.outer_diameter_mm().max(ends_mm)),

@@ -111,6 +111,8 @@ pub enum Limit {
     Envelope,
     /// The room of two muscles beside each other on the pulley of a joint.
     Pulley,
+    /// The distance of the axes of neighbours: both have room at rest with their ends.
+    Pitch,
     /// The largest stretch of the rubber at the operating points.
     MaxStretch,
     /// The mass of all muscles with their ends.
@@ -240,7 +242,7 @@ pub struct LimitEntry {
 }
 
 /// The limits at the operating points.
-pub static LIMITS: [LimitEntry; 7] = [
+pub static LIMITS: [LimitEntry; 8] = [
     LimitEntry {
         limit: Limit::Buckling,
         name: "the load at which it buckles",
@@ -326,6 +328,20 @@ pub static LIMITS: [LimitEntry; 7] = [
             format!("a width of {width}, and the pulley has room for {limit}")
         },
         allow: |bulged_diameter_mm| Relaxation::MaxBulgedDiameter { bulged_diameter_mm },
+    },
+    LimitEntry {
+        limit: Limit::Pitch,
+        name: "the pitch",
+        numbers: |at| {
+            let rest_mm = at.assessed.muscle.outer_diameter_mm().max(at.ends.width_mm);
+            let pitch_mm = at.spec().pitch_mm.filter(|_| at.count > 1);
+            Ok(pitch_mm.map(|pitch_mm| (rest_mm, pitch_mm)))
+        },
+        missed: |value_mm, bound_mm, show| {
+            let [width, pitch] = [value_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
+            format!("{width} wide at rest, and the axes of neighbours lie {pitch} apart")
+        },
+        allow: |pitch_mm| Relaxation::Pitch { pitch_mm },
     },
     LimitEntry {
         limit: Limit::MaxStretch,

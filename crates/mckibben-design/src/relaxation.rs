@@ -42,6 +42,8 @@ pub enum Relaxation {
     MaxBulgedDiameter { bulged_diameter_mm: f64 },
     /// Allow this circle around all muscles with their ends.
     MaxEnvelope { envelope_mm: f64 },
+    /// Place the axes of neighbours so far apart.
+    Pitch { pitch_mm: f64 },
     /// Allow this mass.
     MaxMass { mass_g: f64 },
     /// Allow this stretch of the rubber.
@@ -85,6 +87,7 @@ impl Relaxation {
                 limits.bulged_diameter_mm = Some(*bulged_diameter_mm);
             }
             Self::MaxEnvelope { envelope_mm } => limits.envelope_mm = Some(*envelope_mm),
+            Self::Pitch { pitch_mm } => spec.pitch_mm = Some(*pitch_mm),
             Self::MaxMass { mass_g } => limits.mass_g = Some(*mass_g),
             Self::MaxStretch { max_stretch } => limits.stretch = Some(*max_stretch),
             Self::MaxStrandStrain { strand_strain } => limits.strand_strain = Some(*strand_strain),
@@ -141,6 +144,9 @@ impl Relaxation {
                 format!("allow a bulged diameter of {}", mm(*bulged_diameter_mm))
             }
             Self::MaxEnvelope { envelope_mm } => format!("allow a circle of {}", mm(*envelope_mm)),
+            Self::Pitch { pitch_mm } => {
+                format!("set the axes of neighbours {} apart", mm(*pitch_mm))
+            }
             Self::MaxMass { mass_g } => format!("allow a mass of {mass_g} g"),
             Self::MaxStretch { max_stretch } => format!("allow a stretch of {max_stretch}"),
             Self::MaxStrandStrain { strand_strain } => {

@@ -29,6 +29,10 @@ pub enum EventKind {
     Closed,
     /// An on–off valve began to vent.
     Venting,
+    /// The pressure of a muscle rose above the allowed one.
+    AboveAllowed,
+    /// The pressure of a muscle rose above that at which the muscle may burst.
+    AboveBurst,
 }
 
 mckibben_core::units::display_as_serde_word!(EventKind);

@@ -1,14 +1,15 @@
 //! What is written down of an integration: the series while it goes, and the sums at its end.
 
 use crate::{
-    ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Fluid, Motion, MotionError, Result,
+    ATMOSPHERE_MPA, Actuator, Coordinate, Energies, Event, EventKind, Fluid, Motion, MotionError,
+    Result,
     air::normal_litres,
     integrate::Stepper,
     member::Substitute,
     metrics::{Passed, rest, step_figures},
     run::Integration,
     state::State,
-    system::System,
+    system::{Point, System},
 };
 use mckibben_core::{by_number::SortByNumber, extremes::peak};
 
@@ -108,7 +109,30 @@ impl Integration<'_> {
                 .zip(values.concat())
                 .for_each(|(list, value)| list.push(value));
         }
+        self.note_limits(t, &point);
         Ok(())
+    }
+
+    /// Notes each limit of a muscle that its pressure passed since the last point.
+    fn note_limits(&mut self, time_s: f64, point: &Point) {
+        let modes = &mut self.system.modes.borrow_mut().muscles;
+        let members = self.system.members.iter().zip(1..);
+        for ((mode, m), (member, muscle)) in modes.iter_mut().zip(&point.muscles).zip(members) {
+            let kinds = [EventKind::AboveAllowed, EventKind::AboveBurst];
+            let limits = member.limits_mpa().into_iter().zip(kinds);
+            for (was_above, (limit_mpa, kind)) in mode.above.iter_mut().zip(limits) {
+                let is_above = m.pressure_mpa > limit_mpa;
+                if is_above && !*was_above {
+                    self.motion.events.push(Event {
+                        time_s,
+                        kind,
+                        muscle,
+                        lost_j: 0.0,
+                    });
+                }
+                *was_above = is_above;
+            }
+        }
     }
 
     /// The motion, of all that was integrated.

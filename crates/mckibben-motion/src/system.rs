@@ -36,6 +36,8 @@ pub struct Mode {
     /// Of the friction: up to the last step, and without a reversal from there on.
     pub presliding: Option<Presliding>,
     pub switch: Switch,
+    /// Whether the pressure lies above the allowed one, and above the least burst pressure.
+    pub above: [bool; 2],
 }
 
 /// One muscle at one time.
@@ -128,6 +130,7 @@ impl System {
             slack: false,
             sign: 1.0,
             presliding: None,
+            above: [false; 2],
             switch: Switch::Hold,
         };
         let modes = Modes {

@@ -8,6 +8,7 @@ use crate::{
     words::{braid_name, law_text},
 };
 use mckibben_core::{
+    joined,
     muscle::{EndFactor, Muscle},
     warning::Warning,
 };
@@ -72,12 +73,28 @@ impl Show for CheckAnswer {
 }
 
 impl Characteristics {
+    /// The blocked force of a built muscle and that of the model; of a model that was named first.
+    fn blocked_rows(&self, u: &Units) -> Rows {
+        let words = &self.uncertainty_words;
+        let model = u.force.of(self.blocked_force_n);
+        match words.pull_in(u) {
+            Some(built) if !self.is_model_named => {
+                let alone = model.into_iter().chain(words.model_in(u));
+                Rows::default()
+                    .text("blocked force", built)
+                    .text("by the model alone", joined(alone, "; "))
+            }
+            built => Rows::default()
+                .text("blocked force", model)
+                .text("as built", built),
+        }
+    }
+
     pub(crate) fn rows(&self, u: &Units) -> Rows {
         let limits = self.limits.rows(u);
         let unknown = limits.is_empty().then_some("not stated");
         Rows::default()
-            .quantity("blocked force", &u.force, self.blocked_force_n)
-            .text("as built", self.uncertainty_words.built_in(u))
+            .and(self.blocked_rows(u))
             .quantity("free contraction", &PERCENT, self.free_contraction)
             .quantity("work of a free stroke", &JOULES, self.work_j)
             .quantity("cavity at its end", &u.volume, self.volume_mm3)
@@ -86,6 +103,7 @@ impl Characteristics {
                 &NORMAL_LITRES,
                 self.air_normal_litres,
             )
+            .quantity("liquid of a free stroke", &u.volume, self.liquid_volume_mm3)
             .and(limits)
             .text("burst pressure", unknown)
     }

@@ -60,7 +60,8 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     }
     if let (Some(unit), false) = (&request.figure, answer.candidates.is_empty()) {
         let decide = |m: &Muscle| policy.model.bound(m);
-        answer.figure = Some(draw(spec, &decide, &found, unit)?);
+        let is_model_named = request.model.name.is_some();
+        answer.figure = Some(draw((spec, is_model_named), &decide, &found, unit)?);
     }
     Ok(answer)
 }
@@ -146,8 +147,13 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
     Some(UncertaintyWords::at(predicted, place, &mut model))
 }
 
-fn draw(spec: &Spec, build: &Build<'_>, found: &Outcome, unit: &Units) -> Result<Figure> {
-    let options = spec.options();
+fn draw(
+    (spec, is_model_named): (&Spec, bool),
+    build: &Build<'_>,
+    found: &Outcome,
+    unit: &Units,
+) -> Result<Figure> {
+    let options = (spec.options(), is_model_named);
     let drawn = found.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> = drawn
         .map(|c| Ok((c, build(&c.muscle)?)))

@@ -4,6 +4,7 @@ use super::{caption, contraction, pressure, pull, said};
 use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
 use mckibben_core::{
     analysis::{Evaluation, Options},
+    built::Built,
     curve::{Curve, CurvePoint, Test},
     extremes::{even, peak},
     model::{ForceModel, Workspace},
@@ -67,29 +68,41 @@ pub fn line(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
     points.map(shown).collect()
 }
 
-/// The ± along a curve, where it has one; the user of a muscle that pulls need not see pushes.
-pub fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
-    let edge = |q: &CurvePoint| {
-        let a = q.answer.as_ref().ok().filter(|a| !a.slack)?;
-        let pull = |v| u.force.value(v);
-        let pressure = u.pressure.value(q.pressure_mpa);
-        let of_pull = || a.built.map(|b| (b.predicted_low_n, b.predicted_high_n));
-        let (x, (low, high)) = match test {
-            Test::Isobaric => (q.contraction?, of_pull()?),
-            Test::Isometric => (pressure, of_pull()?),
-            Test::Isotonic => return Some((pressure, a.predicted_low?, a.predicted_high?)),
-        };
-        Some((x, pull(low), pull(high)))
-    };
-    let mut edges: Vec<(f64, f64, f64)> = curve.points.iter().filter_map(edge).collect();
-    // Where the line goes on to its end without a pull, the ± of its last point does.
-    let drawn = line(curve, test, u);
-    if let (Some(&(x, _, high)), Some(&(end, y))) =
-        (edges.last(), drawn.iter().rfind(|p| p.1.is_finite()))
-        && let Some((_, at)) = drawn.iter().find(|p| p.0 == x && end > x)
-    {
-        edges.push((end, (y - (high - at)).max(y.min(0.0)), y + (high - at)));
+/// Where a point lies in the figure's units, and median and ends of the interval as built.
+fn built(q: &CurvePoint, test: Test, u: &Units) -> Option<(f64, [f64; 3])> {
+    let a = q.answer.as_ref().ok()?;
+    let pressure = u.pressure.value(q.pressure_mpa);
+    let pull =
+        |b: Built| [b.predicted_n, b.predicted_low_n, b.predicted_high_n].map(|n| u.force.value(n));
+    Some(match test {
+        Test::Isobaric => (q.contraction?, pull(a.built?)),
+        Test::Isometric => (pressure, pull(a.built?)),
+        Test::Isotonic => (
+            pressure,
+            [a.predicted?, a.predicted_low?, a.predicted_high?],
+        ),
+    })
+}
+
+/// The medians along a curve as far as the muscle pulls, where they are known; else the model.
+fn median(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
+    let points = curve.points.iter().filter_map(|q| built(q, test, u));
+    let points: Vec<(f64, f64)> = points.map(|(x, [median, ..])| (x, median)).collect();
+    if points.len() < 2 {
+        return line(curve, test, u);
     }
+    let pulls = |i: usize| points.get(i).is_some_and(|p| p.1 > 0.0);
+    let is_drawn = |i: &usize| pulls(*i) || pulls(i + 1) || *i > 0 && pulls(i - 1);
+    (0..points.len())
+        .filter(is_drawn)
+        .map(|i| points[i])
+        .collect()
+}
+
+/// The 95 % interval along a curve, where it has one.
+pub fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
+    let points = curve.points.iter().filter_map(|q| built(q, test, u));
+    let edges: Vec<(f64, f64, f64)> = points.map(|(x, [_, low, high])| (x, low, high)).collect();
     (edges.len() > 1).then(|| Series::band(&edges))
 }
 
@@ -148,7 +161,7 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
             (String::new(), Style::Dashed)
         };
         let series = |name: &str| {
-            Series::new(name, line(curve, test, u))
+            Series::new(name, median(curve, test, u))
                 .style(style)
                 .colour(i / each)
         };
@@ -182,7 +195,13 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
     } else {
         ""
     };
-    let about = format!("Model {model}{branches}{said}. {}", muscle.line(u));
+    let mut points = list.iter().flat_map(|curve| &curve.points);
+    let is_built = points.any(|q| built(q, test, u).is_some());
+    let as_built = if is_built { ", medians as built" } else { "" };
+    let about = format!(
+        "Model {model}{as_built}{branches}{said}. {}",
+        muscle.line(u)
+    );
     Figure::new(title)
         .caption(caption(about))
         .sequential()
@@ -194,7 +213,7 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
 pub fn design(
     models: &[(&Candidate, Box<dyn ForceModel>)],
     wanted: &[OperatingPoint],
-    options: Options,
+    (options, is_model_named): (Options, bool),
     u: &Units,
 ) -> Figure {
     let mut panel = Panel::new(contraction(), pull(u));
@@ -226,7 +245,11 @@ pub fn design(
                     bands.extend(band(&curve, Test::Isobaric, u).map(|band| band.colour(0)));
                 }
                 let label = format!("{name} at {}", u.pressure.show(pressure));
-                let points = line(&curve, Test::Isobaric, u);
+                let points = if is_model_named {
+                    line(&curve, Test::Isobaric, u)
+                } else {
+                    median(&curve, Test::Isobaric, u)
+                };
                 panel = panel.series(Series::new(label, points).colour(i).style(style));
             }
         }
@@ -239,10 +262,11 @@ pub fn design(
     panel.series.extend(bands);
     let mut names: Vec<&str> = models.iter().map(|m| &*m.1.info().name).collect();
     names.dedup();
-    let branch = match options.direction {
-        Direction::Mean => "",
-        Direction::Contraction => ", less friction while it shortens",
-        Direction::Elongation => ", with friction while it lengthens",
+    let branch = match (is_model_named, options.direction) {
+        (false, direction) => format!(", as built, {}", direction.motion()),
+        (_, Direction::Mean) => String::new(),
+        (_, Direction::Contraction) => ", less friction while it shortens".into(),
+        (_, Direction::Elongation) => ", with friction while it lengthens".into(),
     };
     Figure::new("Candidates: pull over contraction")
         .caption(caption(format!(
@@ -288,7 +312,6 @@ pub fn compare(
     u: &Units,
 ) -> Figure {
     let mut panel = Panel::new(contraction(), pull(u));
-    let mut bands = vec![];
     let mut formulas = vec![];
     for (number, mut evaluation) in models.into_iter().enumerate() {
         let model = evaluation.model;
@@ -305,9 +328,6 @@ pub fn compare(
                 series = series.end_label(u.pressure.show(curve.fixed));
             }
             panel = panel.series(series);
-            // Of the first model alone: those of several would cover each other.
-            let band = band(curve, Test::Isobaric, u).filter(|_| number == 0);
-            bands.extend(band.map(|band| band.colour(colour)));
         }
     }
     if !measured.is_empty() {
@@ -316,9 +336,7 @@ pub fn compare(
             .map(|m| (m.contraction, u.force.value(m.force_n)));
         panel = panel.series(Series::scatter("measured", dots).colour(COLOURS));
     }
-    let said = said(&bands, " of the first model");
-    panel.series.extend(bands);
     Figure::new("Isobaric curves of models")
-        .caption(caption(format!("{about}{said}")))
+        .caption(caption(about))
         .panel(panel)
 }

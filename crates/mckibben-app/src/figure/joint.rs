@@ -50,9 +50,12 @@ fn torques(points: &[JointRow], u: &Units) -> (Panel, Vec<Series>) {
                 .collect()
         };
         panel = panel.series(
-            Series::line("", line(&|q| Some(q.point.torque_nm)))
-                .colour(i)
-                .end_label(label),
+            Series::line(
+                "",
+                line(&|q| q.point.predicted_nm.or(Some(q.point.torque_nm))),
+            )
+            .colour(i)
+            .end_label(label),
         );
         let edges: Vec<(f64, f64, f64)> = family
             .iter()

@@ -80,10 +80,10 @@ fn table<'a>(points: &'a [JointRow], u: &Units) -> Table<'a, JointRow> {
         .quantity("P2", &u.pressure, |q| {
             (q.pressure_2_mpa, q.pressure_2_uncertainty_mpa)
         })
-        .quantity("τ", &NEWTON_METRES, |q| q.point.torque_nm)
-        .quantity("as built", &NEWTON_METRES, |q| {
+        .quantity("τ as built", &NEWTON_METRES, |q| {
             (q.point.predicted_nm, q.point.uncertainty_nm)
         })
+        .quantity("τ of the model", &NEWTON_METRES, |q| q.point.torque_nm)
         .quantity("turning to +", &NEWTON_METRES, |q| q.torque_turning_plus_nm)
         .quantity("to −", &NEWTON_METRES, |q| q.torque_turning_minus_nm)
         .quantity("−dτ/dφ", &NM_PER_RAD, |q| {

@@ -60,13 +60,29 @@ impl MotionRun {
         let contraction = muscle.and_then(|muscle| last(&muscle.contraction));
         let half_deg = end.end_angle_uncertainty_deg;
         let moves = run.at_rest() != Some(true);
-        let rows = Rows::default()
+        let built = || {
+            let ends = [
+                end.end_contraction_predicted?,
+                end.end_contraction_predicted_low?,
+                end.end_contraction_predicted_high?,
+            ];
+            Some(bounds(ends, &PERCENT))
+        };
+        let built = built();
+        let of_model = if built.is_some() {
+            "by the model alone"
+        } else {
+            "ends at"
+        };
+        let pressure_mpa = muscle.and_then(|muscle| last(&muscle.pressure_mpa));
+        Rows::default()
+            .text("ends at", built)
             .quantity(
                 "ends at",
                 &DEGREES,
                 (angle_deg, half_deg.filter(|_| !moves)),
             )
-            .quantity("ends at", &PERCENT, contraction)
+            .quantity(of_model, &PERCENT, contraction)
             .text("at rest", run.at_rest().filter(|_| moves).map(|_| "no"))
             .quantity(
                 "its equilibrium",
@@ -77,17 +93,7 @@ impl MotionRun {
                 "its equilibrium",
                 &PERCENT,
                 run.equilibrium_contraction.filter(|_| moves),
-            );
-        let built = || {
-            let ends = [
-                end.end_contraction_predicted?,
-                end.end_contraction_predicted_low?,
-                end.end_contraction_predicted_high?,
-            ];
-            Some(bounds(ends, &PERCENT))
-        };
-        let pressure_mpa = muscle.and_then(|muscle| last(&muscle.pressure_mpa));
-        rows.text("as built", built())
+            )
             .quantity("with a pressure of", &u.pressure, pressure_mpa)
             .text("uncertainty", self.uncertainty_in(u))
     }

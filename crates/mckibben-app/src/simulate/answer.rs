@@ -5,7 +5,7 @@ use crate::{
     BuiltFile, FailedPoint, MuscleSummary, PressureLimits, Problem, Units,
     print::{Csv, Page, Show},
 };
-use mckibben_core::{curve::Test, model::Response, status::Status, warning::Warning};
+use mckibben_core::{built::Built, curve::Test, model::Response, status::Status, warning::Warning};
 use mckibben_fem::results::{ProfilePoint, Sensitivity, StrandState};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -61,6 +61,9 @@ pub struct SimulatedPoint {
     /// The values that every model gives; the pull of a slack muscle is 0.
     #[serde(flatten)]
     pub response: Response,
+    /// What a built muscle pulls there, as `force` answers.
+    #[serde(flatten)]
+    pub built: Option<Built>,
     /// Whether the muscle would have to push, and lies slack instead.
     pub slack: bool,
     /// Where it is slack: the free contraction at this pressure.
@@ -120,6 +123,7 @@ impl From<&Simulated> for SimulatedRow {
         };
         Self::Answered(Box::new(SimulatedPoint {
             response,
+            built: q.built,
             slack: q.slack,
             free_contraction: q.free_contraction,
             status: q.status,
@@ -140,9 +144,12 @@ impl From<&Simulated> for SimulatedRow {
 }
 
 /// Fields of a point in the table of a page.
-const SHOWN: [&str; 14] = [
+const SHOWN: [&str; 17] = [
     "pressure_mpa",
     "contraction",
+    "predicted_n",
+    "predicted_low_n",
+    "predicted_high_n",
     "force_n",
     "volume_mm3",
     "bulged_diameter_mm",
@@ -169,7 +176,12 @@ impl Show for SimulateAnswer {
         let answered = |row: &SimulatedRow| matches!(row, SimulatedRow::Answered(_));
         if let Some(last) = rows.iter().rfind(|row| answered(row)) {
             page.paragraph("last point");
-            let more = ["profile", "strands", "volume_per_pressure_mm3_per_mpa"];
+            let more = [
+                "profile",
+                "strands",
+                "volume_per_pressure_mm3_per_mpa",
+                "mean_n",
+            ];
             let without = [&SHOWN[2..], &more].concat();
             page.and(Page::of(last, u, &without));
         }

@@ -6,7 +6,7 @@ mod files;
 pub use answer::*;
 
 use crate::{
-    Contractions, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
+    AskFields, Contractions, Model, ModelFields, MuscleFields, MuscleSummary, Problem, ProblemKind,
     RequestedPoint, Result, Units, burst_of, check_count, check_test, contractions, figure,
     flags::{self, Args},
     forces, list, reach, steps, warnings,
@@ -15,6 +15,7 @@ use files::ShapeFiles;
 use mckibben_core::{
     analysis::Evaluation,
     answer::Options,
+    built::Built,
     cancel,
     curve::Test,
     extremes::peak,
@@ -48,6 +49,8 @@ pub struct Simulated {
     pub slack: bool,
     /// Where it is slack: the free contraction at this pressure.
     pub free_contraction: Option<f64>,
+    /// What a built muscle pulls there.
+    pub built: Option<Built>,
     pub status: Status,
 }
 
@@ -183,11 +186,20 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         Extent::Whole
     };
     let mut files = request.vtu.then(|| ShapeFiles::new(&summary));
+    let as_force = ModelFields::default().choose()?.bound(&muscle)?;
+    let in_use = AskFields::default().options(&muscle)?;
+    let own = &mut Workspace::new();
+    let mut as_built = Evaluation::new(&*as_force, own, in_use);
     let mut simulated = Vec::with_capacity(questions.len());
     for (i, &requested) in questions.iter().enumerate() {
         progress.report(i, questions.len());
         progress.check()?;
-        let point = solved(&*simulation, workspace, requested, request.two_sided)?;
+        let mut point = solved(&*simulation, workspace, requested, request.two_sided)?;
+        if let Ok(Solution { response, .. }) = &point.solution {
+            let contraction = requested.contraction.unwrap_or(response.contraction);
+            let at = as_built.point(requested.pressure_mpa, contraction);
+            point.built = at.ok().and_then(|at| at.built);
+        }
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
             let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
             files.add(shape, &solution.response)?;
@@ -355,6 +367,7 @@ fn solved(
         solution,
         slack,
         free_contraction: past_free,
+        built: None,
         status,
     })
 }

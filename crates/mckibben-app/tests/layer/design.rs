@@ -1,6 +1,9 @@
 //! What a design tells people to set.
 
-use super::{refusal, reply};
+use super::{
+    given::{number, with},
+    refusal, reply,
+};
 use serde_json::{Value, json};
 
 /// The pressure behind words of the decision, in MPa.
@@ -269,5 +272,19 @@ fn what_fits_on_a_shorter_way_is_said() {
             .find(|c| c["relax"] == "contraction");
         let share = shorter.unwrap()["share"].as_f64().unwrap();
         assert!((0.14..0.25).contains(&(share * contraction)), "{changes}");
+    }
+}
+
+/// A bound: at rest neighbours with their ends have room between their axes.
+#[test]
+fn no_muscle_is_wider_at_rest_than_the_pitch() {
+    let job = json!({ "force_n": 511, "contraction": 0.1, "max_pressure_mpa": 0.3, "count": 4 });
+    for pitch_mm in [12, 21, 30] {
+        let answer = reply("design", with(job.clone(), json!({ "pitch_mm": pitch_mm })));
+        for one in answer["candidates"].as_array().unwrap() {
+            let end_mm = one["ends"]["end_diameter_mm"].as_f64().unwrap_or(0.0);
+            let rest_mm = end_mm.max(number(one, "outer_diameter_mm"));
+            assert!(rest_mm <= f64::from(pitch_mm), "{pitch_mm}: {one}");
+        }
     }
 }

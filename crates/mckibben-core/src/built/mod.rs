@@ -63,18 +63,17 @@ const FRICTION_LAW: f64 = 0.41;
 /// What a muscle that is built will pull.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Built {
-    /// The model's pull, of the mean of both branches, N.
-    pub mean_n: f64,
-    /// The median of what a muscle that is built will pull, N: `mean_n` and all of
-    /// `predicted_shift_n`.
+    /// Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     pub predicted_n: f64,
     /// Lower end of its 95 % interval, N.
     pub predicted_low_n: f64,
-    /// Upper end, N.
+    /// Upper end of its 95 % interval, N.
     pub predicted_high_n: f64,
-    /// The branch on which it does: the one that is asked, else that of its work.
+    /// Branch of that pull: the one that is asked, else that of its work.
     pub predicted_direction: Direction,
-    /// What lies between the model's pull of the mean of both branches and the median, N.
+    /// Pull of the model alone, N: the mean of both branches.
+    pub mean_n: f64,
+    /// From the model's mean to the median, N.
     pub predicted_shift_n: BuiltShift,
 }
 
@@ -176,7 +175,9 @@ impl Evaluation<'_> {
             model_n.min(at.stated_n + HALF_95 * whole)
         };
         let mut covariance = predictor.covariance.clone();
-        let friction = Constant::Friction as usize;
+        let [factor, friction] = [Constant::PullFactor, Constant::Friction].map(|c| c as usize);
+        let beyond_measured = predictor.beyond_measured;
+        covariance[factor][factor] -= beyond_measured * beyond_measured;
         let friction_n = if muscle.friction().is_some() {
             let options = Options::from(predicted_direction);
             let n = self
@@ -201,7 +202,8 @@ impl Evaluation<'_> {
             Some(learnt) => learnt.at(&at.place, at.slopes),
             None => (0.0, at.slopes, whole * whole),
         };
-        let factor = predictor.centre[Constant::PullFactor as usize].exp();
+        let beyond_n = HALF_95 * beyond_measured * slopes[factor].abs();
+        let factor = predictor.centre[factor].exp();
         let unscaled_n = mean_n + at.ends_n + at.take_up_n;
         let shift = BuiltShift {
             friction: friction_n,
@@ -226,7 +228,10 @@ impl Evaluation<'_> {
                     scale_n.abs(),
                 )
             }),
-            measured: Some(HALF_95 * variance.sqrt().hypot(single)),
+            measured: Some(
+                HALF_95 * predictor.variance_factor.sqrt() * variance.sqrt().hypot(single),
+            ),
+            beyond_measured: Some(beyond_n).filter(|n| *n > 0.0),
             ..UncertaintyParts::of_constants(&slopes, &covariance, predictor.is_identified)
                 .with_rubber(predictor.limit_n(pressure_mpa, contraction))
         };

@@ -3,6 +3,7 @@
 use super::{
     Experience, HALF_95, Prior,
     learnt::{Learnt, Place},
+    measured::beyond_measured,
     twin::Twin,
 };
 use crate::{
@@ -25,6 +26,10 @@ pub struct Predictor {
     pub is_identified: bool,
     /// What the points of its own bench tell near them.
     pub learnt: Option<Learnt>,
+    /// Factor on the variances of differences between model and muscle.
+    pub variance_factor: f64,
+    /// What the size adds to the deviation of ln a.
+    pub beyond_measured: f64,
     stated: Twin,
     built: Twin,
     /// The muscle itself, and it with a constant below and above its centre and half of what lies
@@ -62,7 +67,10 @@ impl Predictor {
         let prior = Prior::of(muscle, experience);
         match muscle.any_bench() {
             Some(bench) => Self::identified(muscle, bench, &prior, experience),
-            None => Self::about(muscle, prior.centre, prior.covariance()),
+            None => Some(Self {
+                beyond_measured: beyond_measured(muscle),
+                ..Self::about(muscle, prior.centre, prior.covariance())?
+            }),
         }
     }
 
@@ -90,20 +98,31 @@ impl Predictor {
         for (i, deviation) in scatter.into_iter().flatten().enumerate() {
             covariance[i][i] += deviation * deviation;
         }
+        let beyond_measured = if muscle.differs_from_identified() {
+            beyond_measured(muscle)
+        } else {
+            0.0
+        };
+        let factor = Constant::PullFactor as usize;
+        covariance[factor][factor] += beyond_measured * beyond_measured;
         let mut out = Self::about(muscle, centre, covariance)?;
         out.is_identified = true;
+        out.beyond_measured = beyond_measured;
+        out.variance_factor = bench.variance_factor.unwrap_or(1.0);
         out.unlocked = unlocked(muscle);
         if scatter.is_none() {
-            let row = |&(p, e, sign, off_n): &OwnPoint| {
+            let row = |(i, &(p, e, sign, off_n)): (usize, &OwnPoint)| {
                 let mut at = out.at(p, e, sign)?;
                 // A stated law errs by a share of itself.
                 if let Some(law) = muscle.friction() {
                     at.slopes[Constant::Friction as usize] = sign * law.half_width_n(p, 0.0);
                 }
-                Some((at.place, off_n, at.slopes))
+                let noise_n = bench.own_noise.get(i).copied();
+                Some(((at.place, off_n, at.slopes), noise_n))
             };
-            let rows: Vec<_> = bench.own_points.iter().filter_map(row).collect();
-            out.learnt = Learnt::new(&rows, bench.pressure_mpa.1);
+            let rows = bench.own_points.iter().enumerate().filter_map(row);
+            let (rows, noise_n): (Vec<_>, Vec<_>) = rows.unzip();
+            out.learnt = Learnt::new(&rows, &noise_n, bench.pressure_mpa.1);
         }
         Some(out)
     }
@@ -120,6 +139,8 @@ impl Predictor {
             covariance,
             is_identified: false,
             learnt: None,
+            variance_factor: 1.0,
+            beyond_measured: 0.0,
         })
     }
 
