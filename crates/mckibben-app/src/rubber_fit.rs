@@ -17,8 +17,8 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     rubber::{
-        FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, TensionFit,
-        TensionPoint, fit_tension_with, read_tests,
+        FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, fit_tension_with,
+        read_tests,
     },
     rubber_over_time::{PronyFit, SofteningFit, fit_prony, fit_softening, read_history},
 };
@@ -95,6 +95,8 @@ pub struct RubberFitAnswer {
     pub points: usize,
     /// Points that were left out.
     pub left_out: usize,
+    /// Largest stretch of those beyond `up_to_stretch`, or beyond the stretches of a muscle.
+    pub left_out_to_stretch: Option<f64>,
     /// Points of modes that were held out.
     pub held_out: usize,
     /// Largest principal stretch of the points.
@@ -178,11 +180,9 @@ impl RubberFitAnswer {
         let over_time = softening
             .map(|s| &s.first_loading)
             .or(relaxation.map(|r| &r.instantaneous));
-        let first = || self.understood.first().map_or("", |table| &table.data);
         let stem = || {
-            Path::new(first())
-                .file_stem()
-                .map(|s| s.to_string_lossy().into_owned())
+            let stem = Path::new(&self.understood.first()?.data).file_stem()?;
+            Some(stem.to_string_lossy().into_owned())
         };
         let mut tube = muscle.tube().clone();
         tube.rubber = Rubber {
@@ -254,12 +254,12 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let warnings = fit.warnings.iter().cloned();
     let warnings = warnings
         .chain(both.map(|_| APART.into()))
-        .chain(beyond(&fit).filter(|_| request.up_to_stretch.is_none()))
         .map(Warning::from);
     let mut answer = RubberFitAnswer {
         understood,
         points: fit.points.len(),
         left_out: fit.left_out,
+        left_out_to_stretch: fit.left_out_to_stretch,
         held_out: fit.held_out.len(),
         fitted_to_stretch: fit.fitted_to_stretch,
         measure: settings.measure,
@@ -283,17 +283,6 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     Ok(answer)
 }
 
-/// What lies beyond the stretches of a muscle.
-fn beyond(fit: &TensionFit) -> Option<String> {
-    let points = fit.beyond.len();
-    let last = fit.beyond.iter().map(TensionPoint::plane_stretch);
-    let last = last.reduce(f64::max)?;
-    Some(format!(
-        "{points} points beyond the stretches of a muscle, up to {last:.4}, are left out; \
-         `up_to_stretch` takes them"
-    ))
-}
-
 impl RubberFitRequest {
     fn settings(&self) -> Result<FitSettings> {
         let usual = FitSettings::default().hoop_stretch;
@@ -306,11 +295,7 @@ impl RubberFitRequest {
                 Measure::Absolute
             },
             balance: self.balance,
-            mode_weights: self
-                .weights
-                .iter()
-                .map(|(&mode, &weight)| (mode, weight))
-                .collect(),
+            mode_weights: self.weights.clone().into_iter().collect(),
             fit_modes: self.fit_modes.clone(),
             up_to_stretch: self.up_to_stretch.or(Some(hoop_stretch)),
             history: self.relaxation.is_some() || self.softening,

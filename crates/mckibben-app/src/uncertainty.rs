@@ -36,6 +36,9 @@ pub struct UncertaintyWords {
     pub bench: Option<String>,
     /// What each measurement leaves of the ±, the best first; none of a muscle that was identified.
     pub measurements: Vec<Left>,
+    /// Whether its strands may lie in rubber without a word of it.
+    #[serde(skip)]
+    may_be_hose: bool,
     #[serde(skip)]
     parts: Option<UncertaintyParts>,
     #[serde(skip)]
@@ -64,7 +67,9 @@ impl UncertaintyWords {
         } else {
             vec![]
         };
+        let braid = model.model.muscle().braid();
         let mut out = Self {
+            may_be_hose: !braid.in_rubber && braid.sleeve.is_none(),
             measurements,
             parts,
             pull,
@@ -97,8 +102,13 @@ impl UncertaintyWords {
         let a_digit_more = 0.1 * force.value(pull.half_n());
         let show = |n: f64| within(force.value(n), a_digit_more);
         let shift = pull.predicted_shift_n;
+        let friction = if self.may_be_hose {
+            "friction (strands in rubber: `braid.in_rubber`)"
+        } else {
+            "friction"
+        };
         let shifts = [
-            ("friction", shift.friction),
+            (friction, shift.friction),
             ("take-up", shift.take_up),
             ("ends", shift.ends),
             ("factor", shift.factor),

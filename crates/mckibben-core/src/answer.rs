@@ -4,7 +4,7 @@
 pub use crate::analysis::Options;
 
 use crate::{
-    analysis::{AnalysisError, Evaluation, find_root},
+    analysis::{AnalysisError, Evaluation, root_near},
     built::{Built, UncertaintyParts},
     model::{ModelError, Response, Result},
     muscle::Direction,
@@ -469,28 +469,6 @@ impl Sought {
     fn flat(&self, answer: &Answer, sought: &'static str) -> Option<Warning> {
         let half_n = answer.uncertainty_n.filter(|_| self.ends.is_none())?;
         Some(Warning::flat(sought, half_n))
-    }
-}
-
-/// The root of a falling or rising function of a place, from a place near it and its slope there;
-/// `None` where it is not found within `reach`.
-fn root_near(
-    mut missed: impl FnMut(f64) -> Option<f64>,
-    (place, slope, reach): (f64, f64, f64),
-) -> Option<f64> {
-    let miss = missed(place)?;
-    let newton = (-miss / slope).clamp(-0.2 * reach, 0.2 * reach);
-    let (mut near, mut step) = (place, newton + (1e-5 * reach).copysign(newton));
-    loop {
-        let far = near + step;
-        if (far - place).abs() > reach || !far.is_finite() {
-            return None;
-        }
-        if missed(far)? * miss <= 0.0 {
-            let missed = |x: f64| missed(x).ok_or(());
-            return find_root(missed, near, far, 1e-10 * reach).ok()?;
-        }
-        (near, step) = (far, 1.5 * step);
     }
 }
 

@@ -7,7 +7,7 @@ use crate::{Build, OperatingPoint, Spec};
 use mckibben_core::{
     analysis::{
         Allowed, AnalysisError, Burst, Evaluation, FailureMode, NoBurst, Options, RELIEF, bisect,
-        burst_below, find_root,
+        burst_below, find_root, root_near,
     },
     built::{Built, HALF_95},
     cancel,
@@ -165,7 +165,7 @@ impl<'a> Assessed<'a> {
         let built = self.predicted(p, contraction);
         let held_n = match built {
             Some(built) if self.spec.built => built.predicted_n,
-            None if self.spec.built => self.evaluation().built_n(p, contraction)?,
+            None if self.spec.built => return Err(ModelError::not_converged(p, contraction)),
             _ => self.evaluation().force_n(p, contraction)?,
         };
         Ok(Pull {
@@ -212,17 +212,10 @@ impl<'a> Assessed<'a> {
 
     /// The same where nothing bounds the pressure; `None` where no pressure does.
     pub fn need_beyond(&mut self, point: &OperatingPoint, z: Option<f64>) -> Option<f64> {
-        const STEPS: i32 = 16;
-        const STEP: f64 = 1.25;
+        const REACH: f64 = 30.0;
         let from_mpa = self.highest_mpa;
-        for step in 1..=STEPS {
-            let high_mpa = from_mpa * STEP.powi(step);
-            if self.missed(high_mpa, point, z).ok()? <= 0.0 {
-                let missed = |p| self.missed(p, point, z);
-                return find_root(missed, high_mpa / STEP, high_mpa, 1e-6 * high_mpa).ok()?;
-            }
-        }
-        None
+        let missed = |p| self.missed(p, point, z).ok();
+        root_near(missed, (from_mpa, -1.0 / from_mpa, REACH * from_mpa))
     }
 
     /// The pressure at which the model's own pull is what is required, or the highest.

@@ -7,7 +7,7 @@
 use super::{
     error::{AnalysisError, Result},
     evaluation::{Evaluation, Options},
-    rising_root::rising_root,
+    root::root_near,
     sweep::Sweep,
 };
 use crate::{
@@ -194,20 +194,14 @@ impl Evaluation<'_> {
     }
 
     /// The pressure in MPa at which the pull rises through `force_n`, below one at which it is
-    /// more, by Newton's method from there: three to five answers of the model. Where a pull rises
+    /// more, from there. Where a pull rises
     /// and falls with the pressure it need not be the smallest, which [`Evaluation::pressure_at`]
     /// gives. `None` where it finds none.
     pub fn pressure_below(&mut self, force_n: f64, contraction: f64, more_mpa: f64) -> Option<f64> {
-        let lowest = self.model.info().range.pressure_mpa.0;
-        let excess = |p: f64| match self.response(p, contraction) {
-            Ok(r) => (
-                r.force_n - force_n,
-                r.force_per_pressure_mm2.unwrap_or(f64::NAN),
-            ),
-            Err(_) => (f64::NAN, f64::NAN),
-        };
-        rising_root(lowest, more_mpa, more_mpa, 1e-13, excess)
-            .filter(|p| *p > lowest && *p < more_mpa)
+        let reach = more_mpa - self.model.info().range.pressure_mpa.0;
+        let more = self.response(more_mpa, contraction).ok()?;
+        let excess = |p: f64| Some(self.force_n(p, contraction).ok()? - force_n);
+        root_near(excess, (more_mpa, more.force_per_pressure_mm2?, reach)).filter(|p| *p < more_mpa)
     }
 
     /// The contraction at which the pull is `force_n` at a pressure, of a muscle that is not longer

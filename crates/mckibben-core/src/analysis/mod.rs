@@ -8,7 +8,6 @@ mod error;
 mod evaluation;
 mod golden;
 mod inverse;
-mod rising_root;
 mod root;
 mod sweep;
 
@@ -25,5 +24,5 @@ pub(crate) use sweep::{Sweep, places};
 pub use {
     evaluation::source_of,
     golden::{Abscissa, golden},
-    root::{bisect, find_root},
+    root::{bisect, find_root, root_near},
 };

@@ -62,6 +62,28 @@ pub fn find_root<E>(
     Ok(Some(if fa.abs() < fb.abs() { a } else { b }))
 }
 
+/// The root of a falling or rising function of a place, from a place near it and its slope there;
+/// `None` where it is not found within `reach`.
+pub fn root_near(
+    mut missed: impl FnMut(f64) -> Option<f64>,
+    (place, slope, reach): (f64, f64, f64),
+) -> Option<f64> {
+    let miss = missed(place)?;
+    let newton = (-miss / slope).clamp(-0.2 * reach, 0.2 * reach);
+    let (mut near, mut step) = (place, newton + (1e-5 * reach).copysign(newton));
+    loop {
+        let far = near + step;
+        if (far - place).abs() > reach || !far.is_finite() {
+            return None;
+        }
+        if missed(far)? * miss <= 0.0 {
+            let missed = |x: f64| missed(x).ok_or(());
+            return find_root(missed, near, far, 1e-10 * reach).ok()?;
+        }
+        (near, step) = (far, 1.5 * step);
+    }
+}
+
 /// An interval, halved so often, with its lower end where something holds and its upper end where
 /// it does not.
 pub fn bisect(
@@ -109,6 +131,19 @@ mod tests {
                 "{solution} {root} {calls}"
             );
         }
+    }
+
+    /// tan x = 1e6 from the steep side, a cube root from far, and a function that ends.
+    #[test]
+    fn roots_near_a_place_are_known_ones() {
+        let tan = |x: f64| Some(x.tan() - 1e6);
+        let end = std::f64::consts::FRAC_PI_2 - 1e-8;
+        let root = root_near(tan, (end, 1.0 + end.tan().powi(2), 3.0)).unwrap();
+        assert!((root - 1e6f64.atan()).abs() < 1e-10);
+        let cube = root_near(|x| Some(x * x * x), (2.9, 3.0 * 2.9 * 2.9, 4.0)).unwrap();
+        assert!(cube.abs() < 1e-3);
+        assert_eq!(root_near(|x| Some(x * x + 1.0), (1.0, 2.0, 4.0)), None);
+        assert_eq!(root_near(|_| None, (1.0, 2.0, 4.0)), None);
     }
 
     #[test]

@@ -123,7 +123,7 @@ impl Predictor {
             Measurement::HungLoad => Some(vec![row(job)]),
             Measurement::OnePull => Some(vec![pull(p, 0.05, -1.0)?]),
             Measurement::TenPulls => {
-                let free = self.free_contraction(p)?;
+                let free = self.free_contraction(p);
                 let states = (0..10).map(|i| {
                     let pressure = if i < 5 { p } else { 0.5 * p };
                     let sign = if i % 2 == 0 { -1.0 } else { 1.0 };
@@ -133,7 +133,7 @@ impl Predictor {
                 states.collect()
             }
             Measurement::FreeContraction => {
-                let free = self.free_contraction(p)?;
+                let free = self.free_contraction(p);
                 let (slopes, _, place) = pull(p, free, -1.0)?;
                 let k = (self.at(p, free + RULER, -1.0)?.force_n
                     - self.at(p, free - RULER, -1.0)?.force_n)

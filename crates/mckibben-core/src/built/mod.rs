@@ -161,9 +161,19 @@ impl Evaluation<'_> {
         let predicted_direction = working_direction(&muscle, self.options.direction);
         let sign = predicted_direction.sign();
         let mut at = predictor.at(pressure_mpa, contraction, sign)?;
+        for constant in [Constant::Seating, Constant::Compliance, Constant::TakeUp] {
+            at.slopes[constant as usize] *= at.share;
+        }
         // Without an equilibrium its strands are slack.
         let model_n = force_n - self.friction_n(pressure_mpa, contraction).unwrap_or(0.0);
-        let mean_n = predictor.taut_n(model_n, at.stated_n, at.place.blocked_n);
+        let whole = learnt::DISCREPANCY * at.place.blocked_n;
+        // Below zero a model's muscle bends or folds; then it pulls no more than the infinitely long
+        // one and the smooth difference between both.
+        let mean_n = if model_n >= 0.0 || muscle.is_extensile() {
+            model_n
+        } else {
+            model_n.min(at.stated_n + HALF_95 * whole)
+        };
         let mut covariance = predictor.covariance.clone();
         let [factor, friction] = [Constant::PullFactor, Constant::Friction].map(|c| c as usize);
         let beyond_measured = predictor.beyond_measured;
@@ -188,7 +198,6 @@ impl Evaluation<'_> {
         } else {
             sign * predictor.centre[friction] * at.strands_n
         };
-        let whole = learnt::DISCREPANCY * at.place.blocked_n;
         let (own_n, slopes, variance) = match &predictor.learnt {
             Some(learnt) => learnt.at(&at.place, at.slopes),
             None => (0.0, at.slopes, whole * whole),
@@ -236,21 +245,11 @@ impl Evaluation<'_> {
         Some((self.interval(built, median_n, parts), parts))
     }
 
-    /// The median of what a muscle that is built pulls in N, without the ± and without slack, on its
-    /// working branch.
+    /// The median of what a muscle that is built pulls in N, without the ± and without slack, of the
+    /// mean of both branches, and half of what lies between them.
     ///
     /// # Errors
     /// As those of the model, and where the infinitely long muscle has no equilibrium.
-    pub fn built_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<f64> {
-        let branch = working_direction(self.model.muscle(), self.options.direction);
-        let [mean_n, half_n] = self.built_branches_n(pressure_mpa, contraction)?;
-        Ok(mean_n + branch.sign() * half_n)
-    }
-
-    /// The median of the mean of both branches, and half of what lies between them, likewise in N.
-    ///
-    /// # Errors
-    /// As those of [`built_n`](Self::built_n).
     pub fn built_branches_n(&mut self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 2]> {
         let muscle = Arc::clone(&self.model.info().muscle);
         let mean = Options {
@@ -270,8 +269,8 @@ impl Evaluation<'_> {
             let sign = built.predicted_direction.sign();
             return Ok([built.predicted_n - friction_n, sign * friction_n]);
         }
-        let (unscaled_n, strands_n) = predictor
-            .weaker_n(pressure_mpa, contraction, mean_n)
+        let (weaker_n, strands_n) = predictor
+            .weaker_n(pressure_mpa, contraction)
             .ok_or_else(none)?;
         let half_n = if muscle.friction().is_some() {
             self.half_width_n(pressure_mpa, contraction)?
@@ -279,7 +278,7 @@ impl Evaluation<'_> {
             predictor.centre[Constant::Friction as usize] * strands_n
         };
         let factor = predictor.centre[Constant::PullFactor as usize].exp();
-        Ok([factor * unscaled_n, half_n])
+        Ok([factor * (mean_n + weaker_n), half_n])
     }
 
     /// What each measurement leaves of the ± of the pull of a muscle that is built, at a pressure in

@@ -2,11 +2,12 @@
 
 use super::{
     Experience, HALF_95, Prior,
-    learnt::{DISCREPANCY, Learnt, Place},
+    learnt::{Learnt, Place},
     measured::beyond_measured,
     twin::Twin,
 };
 use crate::{
+    analysis::bisect,
     muscle::{Bench, Constant, Constants, Muscle, OwnPoint, Rubber, Tube},
     rubber::{Law, NeoHookean, RubberLaw},
 };
@@ -47,6 +48,9 @@ pub struct At {
     pub ends_n: f64,
     /// What the take-up pressure adds to it.
     pub take_up_n: f64,
+    /// How much of what slack and ends leave open counts: neither gives way by less than nothing, so
+    /// that a pressure which the take-up may need as a whole gains no more than its centre.
+    pub share: f64,
     /// T cosθ of the strands in N.
     pub strands_n: f64,
     /// ∂F by each constant, of a branch.
@@ -159,24 +163,12 @@ impl Predictor {
         Some(sides)
     }
 
-    /// The pull of the muscle as it is built in N, of the mean of both branches and without the factor
-    /// on it, where a model's pull of the muscle as it is described is `model_n`; and T cosθ of its
-    /// strands.
-    pub fn weaker_n(&self, p: f64, contraction: f64, model_n: f64) -> Option<(f64, f64)> {
-        let built = self.built.state(p, contraction)?;
-        let stated_n = self.stated.force_n(p, contraction)?;
-        let mean_n = self.taut_n(model_n, stated_n, self.blocked_n(p)?);
-        Some((mean_n + built.force_n - stated_n, built.strands_n))
-    }
-
-    /// The pull of a model in N; below zero, where its muscle bends or folds rather than pushes, at
-    /// most that of the infinitely long muscle and the smooth difference between both.
-    pub fn taut_n(&self, model_n: f64, stated_n: f64, blocked_n: f64) -> f64 {
-        if model_n >= 0.0 || self.muscle.is_extensile() {
-            model_n
-        } else {
-            model_n.min(stated_n + HALF_95 * DISCREPANCY * blocked_n)
-        }
+    /// What lies between the pull of the muscle as it is described and as it is built, in N, of the
+    /// mean of both branches, and T cosθ of its strands.
+    pub fn weaker_n(&self, pressure_mpa: f64, contraction: f64) -> Option<(f64, f64)> {
+        let built = self.built.state(pressure_mpa, contraction)?;
+        let stated_n = self.stated.force_n(pressure_mpa, contraction)?;
+        Some((built.force_n - stated_n, built.strands_n))
     }
 
     /// How much less the infinitely long muscle as it is described pulls at a contraction than at
@@ -184,35 +176,6 @@ impl Predictor {
     pub fn beyond_n(&self, pressure_mpa: f64, contraction: f64, free: f64) -> Option<f64> {
         let pull = |e: f64| self.stated.force_n(pressure_mpa, e);
         Some(pull(contraction)? - pull(free)?)
-    }
-
-    /// The blocked force of the muscle as it is built, in N without its sign.
-    fn blocked_n(&self, pressure_mpa: f64) -> Option<f64> {
-        let blocked_n = self.built.force_n(pressure_mpa, 0.0)?;
-        let sign = if self.muscle.is_extensile() {
-            -1.0
-        } else {
-            1.0
-        };
-        Some((sign * blocked_n).max(0.0))
-    }
-
-    /// How much of the slopes by the seating, the compliance and the take-up pressure counts: none of
-    /// them is below zero, so that a pressure which the take-up may need as a whole does not gain more
-    /// than their centre.
-    fn shares(&self, pressure_mpa: f64) -> [f64; 3] {
-        let d0_mm = self.muscle.outer_diameter_mm();
-        let ends = &self.built.ends;
-        let half = |constant: Constant| {
-            HALF_95 * self.covariance[constant as usize][constant as usize].sqrt()
-        };
-        let share = pressure_mpa / half(Constant::TakeUp);
-        [
-            (Constant::Seating, ends.seating_mm / d0_mm),
-            (Constant::Compliance, ends.slip_mm_per_n * d0_mm),
-            (Constant::TakeUp, ends.take_up_mpa),
-        ]
-        .map(|(constant, centre)| (centre / half(constant)).max(share).min(1.0))
     }
 
     /// What the limit of a law that the pull of another muscle gave makes of the pull, in N: it is not
@@ -242,22 +205,22 @@ impl Predictor {
         let mut slopes: Constants = [0.0; Constant::ALL.len()];
         let mut set = |constant: Constant, slope: f64| slopes[constant as usize] = slope;
         set(Constant::PullFactor, state.force_n);
-        let [seating, compliance, take_up] = self.shares(pressure_mpa);
-        set(Constant::Seating, -k * d0_mm * seating);
-        set(Constant::Compliance, -k * state.load_n / d0_mm * compliance);
-        set(Constant::TakeUp, -state.per_pressure_mm2 * take_up);
+        set(Constant::Seating, -k * d0_mm);
+        set(Constant::Compliance, -k * state.load_n / d0_mm);
+        set(Constant::TakeUp, -state.per_pressure_mm2);
         set(Constant::Friction, sign * state.strands_n);
         for (constant, [below, above], half) in sides {
             let at = |twin: &Twin| twin.force_n(pressure_mpa, contraction);
             // One side may have no equilibrium: the other then stands for both.
-            let slope = match (at(below), at(above)) {
-                (Some(below), Some(above)) => 0.5 * (above - below) / half,
-                (Some(below), None) => (state.force_n - below) / half,
-                (None, Some(above)) => (above - state.force_n) / half,
-                (None, None) => 0.0,
-            };
-            set(*constant, slope);
+            let mirror = |n: f64| 2.0 * state.force_n - n;
+            let (below, above) = (at(below), at(above));
+            let low_n = below.or(above.map(mirror)).unwrap_or_default();
+            let high_n = above.or(below.map(mirror)).unwrap_or_default();
+            set(*constant, 0.5 * (high_n - low_n) / half);
         }
+        let least_mpa = pressure_mpa.max(self.built.ends.take_up_mpa);
+        let take_up = Constant::TakeUp as usize;
+        let share = least_mpa / HALF_95 / self.covariance[take_up][take_up].sqrt();
         let stated_n = self.stated.force_n(pressure_mpa, contraction)?;
         // Shortened beyond what its strands allow a muscle pushes more with more pressure.
         let take_up_n = (state.force_n - taken_up_n).min(0.0);
@@ -265,29 +228,22 @@ impl Predictor {
             stated_n,
             ends_n: state.force_n - stated_n - take_up_n,
             take_up_n,
+            share: share.min(1.0),
             strands_n: state.strands_n,
             slopes,
             force_n: state.force_n,
             place: Place {
                 pressure_mpa,
                 contraction,
-                blocked_n: self.blocked_n(pressure_mpa)?,
+                blocked_n: self.built.force_n(least_mpa, 0.0)?.abs(),
             },
         })
     }
 
     /// Where the muscle as it is built pulls nothing.
-    pub fn free_contraction(&self, pressure_mpa: f64) -> Option<f64> {
-        let (mut low, mut high) = (0.0, self.muscle.max_ideal_contraction());
-        for _ in 0..30 {
-            let middle = 0.5 * (low + high);
-            if self.built.force_n(pressure_mpa, middle)? > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Some(low)
+    pub fn free_contraction(&self, pressure_mpa: f64) -> f64 {
+        let pulls = |e: f64| self.built.force_n(pressure_mpa, e).is_some_and(|n| n > 0.0);
+        bisect(0.0, self.muscle.max_ideal_contraction(), 30, pulls).0
     }
 }
 

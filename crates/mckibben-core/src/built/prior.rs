@@ -94,9 +94,8 @@ pub struct Prior {
     pub deviation: Constants,
 }
 
-/// Standard deviation of an angle in degrees: by the two diameters of the sleeve that its seller
-/// states, by measured length and turns of a strand, by any other measurement.
-const ANGLE_OF_SLEEVE_DEG: f64 = 1.6;
+/// Standard deviation of an angle in degrees: by measured length and turns of a strand, by any other
+/// measurement.
 const ANGLE_OF_TURNS_DEG: f64 = 0.4;
 const ANGLE_MEASURED_DEG: f64 = 0.8;
 /// Standard deviation of the logarithm of a stiffness that is stated.
@@ -138,7 +137,7 @@ impl Prior {
         let within = stiffness_factor(&muscle.tube().rubber);
         let angle_deg = match (&braid.sleeve, &braid.measured) {
             (_, Some(_)) => ANGLE_OF_TURNS_DEG,
-            (Some(_), None) => ANGLE_OF_SLEEVE_DEG,
+            (Some(sleeve), None) => sleeve.angle_deviation_deg,
             (None, None) => ANGLE_MEASURED_DEG,
         };
         let strands = match muscle.family_stiffness_n_per_mm() {

@@ -178,11 +178,6 @@ impl Muscle {
         self.bench.as_deref()
     }
 
-    /// Whether it differs from the identified muscle by its length alone.
-    pub(crate) fn has_another_length(&self) -> bool {
-        self.bench_of_lengths().is_some() && self.bench().is_none()
-    }
-
     /// Whether it has the length of the points that its bench keeps.
     pub(crate) fn has_own_points(&self) -> bool {
         let first_mm = |bench: &Bench| bench.lengths_mm.first().copied();

@@ -54,7 +54,10 @@ pub use {
     terminals::EndFactor,
 };
 
-use crate::rubber::{RubberLaw, library};
+use crate::{
+    joined,
+    rubber::{RubberLaw, library},
+};
 use std::sync::Arc;
 
 /// A muscle whose parts have been checked against each other.
@@ -238,12 +241,13 @@ impl Muscle {
 
     /// A bench that saw another muscle.
     fn bench_warning(&self) -> Option<String> {
-        if self.has_another_length() {
-            return Some(
-                "[identified] is valid for the lengths that were measured, and this muscle \
-                has another one: the ± includes that another length differs; identify it again"
-                    .to_owned(),
-            );
+        if let Some(bench) = self.bench_of_lengths().filter(|_| self.bench().is_none()) {
+            let measured = joined(bench.lengths_mm.iter().map(f64::to_string), ", ");
+            return Some(format!(
+                "[identified] is valid for the lengths that were measured ({measured}\u{a0}mm), and \
+                 this muscle has another one: the ± includes that another length differs; identify \
+                 it again"
+            ));
         }
         (self.bench.is_some() && self.bench().is_none()).then(|| {
             "[identified] is valid for the muscle and the table as `identify` wrote them, and one \

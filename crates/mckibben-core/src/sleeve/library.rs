@@ -1,7 +1,7 @@
 //! Named sleeves, from `data/braids.toml`, which states source and terms of each.
 
 use super::{
-    Helix, OF_STIFFNESS, Sleeve, SleeveShape, refused,
+    ANGLE_DEG, Helix, OF_STIFFNESS, Sleeve, SleeveShape, refused,
     row::{self, SleeveRow},
 };
 use crate::{
@@ -184,6 +184,7 @@ pub fn between(material: &str, least_mm: f64, largest_mm: f64) -> Result<Sleeve,
         helix,
         least_mm,
         largest_mm,
+        angle_deviation_deg: ANGLE_DEG,
     };
     Ok(estimated(Sleeve::new(shape), material, None))
 }

@@ -39,6 +39,8 @@ pub struct SleeveShape {
     pub least_mm: f64,
     /// Largest diameter it opens to, in mm.
     pub largest_mm: f64,
+    /// Standard deviation of its angle in degrees.
+    pub angle_deviation_deg: f64,
 }
 
 /// A sleeve: its shape and its strands, as far as they are known.
@@ -78,6 +80,9 @@ const COUNT_FACTOR: f64 = 1.25;
 /// By what factor strands may be fewer than those that touch at the ends of a range that is a rule
 /// for all sizes of a family, and strands whose strength is an estimate may be weaker.
 pub(crate) const ESTIMATE_FACTOR: f64 = 2.0;
+
+/// Standard deviation of an angle in degrees, by two diameters that a seller states.
+pub(crate) const ANGLE_DEG: f64 = 1.6;
 
 /// Estimates on which the stiffness depends.
 const OF_STIFFNESS: [&str; 2] = ["strand_diameter", "strand_modulus"];

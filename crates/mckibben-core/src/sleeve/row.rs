@@ -1,7 +1,7 @@
 //! A row of a table of sleeves, and the sleeves that follow from it.
 
 use super::{
-    ESTIMATE_FACTOR, Helix, Sleeve, SleeveShape,
+    ANGLE_DEG, ESTIMATE_FACTOR, Helix, Sleeve, SleeveShape,
     library::{Material, SleeveEntry, estimated},
 };
 use crate::{
@@ -49,6 +49,8 @@ pub struct SleeveRow {
     range: Option<(Positive<Ratio>, Positive<Ratio>)>,
     /// Angle of its strands at the nominal diameter
     angle: Option<Positive<Angle>>,
+    /// Standard deviation of that angle
+    angle_deviation: Option<Positive<Angle>>,
     /// Diameter to which it closes
     least_diameter: Option<Positive<Length>>,
     /// Diameter to which it opens
@@ -213,6 +215,7 @@ impl SleeveRow {
                 helix,
                 least_mm,
                 largest_mm,
+                angle_deviation_deg: self.angle_deviation.map_or(ANGLE_DEG, f64::from),
             })
         };
         // The range of a family is a rule, not that of a sleeve.

@@ -20,6 +20,7 @@ fn whole() -> Sleeve {
             helix,
             least_mm,
             largest_mm,
+            angle_deviation_deg: 1.6,
         })
     }
 }
@@ -74,6 +75,7 @@ fn jammed_strands_end_the_contraction_before() {
         helix,
         least_mm: 9.0,
         largest_mm: helix.diameter_mm(50.0),
+        angle_deviation_deg: 1.6,
     };
     let expected = 1.0 - 50f64.to_radians().cos() / 40f64.to_radians().cos();
     assert!(close(shape.largest_contraction_on(10.0).unwrap(), expected));

@@ -33,6 +33,7 @@ pub use fitted::FittedLaw;
 use mckibben_core::{
     by_number::SortByNumber,
     cancel::{self, Cancelled},
+    extremes::peak,
     progress::{Progress, Silent},
     rubber::MUSCLE_HOOP_STRETCH,
 };
@@ -76,13 +77,14 @@ pub fn fit_tension_with(
     };
     let mut warnings = warning::for_runs(&sorted);
     let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
-    let (within, beyond): (Vec<_>, Vec<_>) = sorted
+    let reached = peak(sorted.kept.iter().map(TensionPoint::plane_stretch));
+    let within = sorted
         .kept
         .into_iter()
-        .partition(|p| p.plane_stretch() <= limit);
+        .filter(|p| p.plane_stretch() <= limit);
     let is_fitted =
         |p: &TensionPoint| settings.fit_modes.is_empty() || settings.fit_modes.contains(&p.mode);
-    let (used, held_out): (Vec<_>, Vec<_>) = within.into_iter().partition(is_fitted);
+    let (used, held_out): (Vec<TensionPoint>, Vec<TensionPoint>) = within.partition(is_fitted);
     let problem = Problem::new(
         used,
         settings.measure,
@@ -132,7 +134,7 @@ pub fn fit_tension_with(
     Ok(TensionFit {
         points: problem.points,
         left_out: points.len() - count - held_out.len(),
-        beyond,
+        left_out_to_stretch: Some(reached).filter(|stretch| *stretch > limit),
         held_out,
         fitted_to_stretch,
         laws,
@@ -177,23 +179,20 @@ fn check(settings: &FitSettings) -> Result<()> {
 
 /// The requested laws, or all, that the number of points determines.
 fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>> {
-    let requested = if settings.forms.is_empty() {
+    let mut forms = if settings.forms.is_empty() {
         Form::all()
     } else {
         settings.forms.clone()
     };
-    let forms: Vec<Form> = requested
-        .iter()
-        .copied()
-        .filter(|f| points >= f.fewest_points())
-        .collect();
-    match (forms.is_empty(), requested.first()) {
-        (true, Some(first)) => Err(TensionFitError::TooFew {
+    let first = forms.first().copied();
+    forms.retain(|f| points >= f.fewest_points());
+    match first.filter(|_| forms.is_empty()) {
+        Some(first) => Err(TensionFitError::TooFew {
             points,
             law: first.name(),
             fewest: first.fewest_points(),
         }),
-        _ => Ok(forms),
+        None => Ok(forms),
     }
 }
 
