@@ -43,7 +43,11 @@ impl Contractions {
         self.values
             .iter()
             .map(|value| ratio(value / divisor))
-            .collect()
+            .collect::<Result<_>>()
+            .map_err(|problem| match self.in_mm {
+                true => problem.with_hint(format!("the muscle is {length_mm} mm long")),
+                false => problem,
+            })
     }
 }
 
@@ -164,7 +168,8 @@ pub fn is_ratio(e: f64) -> bool {
 /// A number that is no contraction ratio.
 pub fn no_ratio(field: &str, e: f64) -> Problem {
     let message = format!("{e} is not a valid contraction ratio ΔL/L0, which lies below 1");
-    let hint = if e > 1.0 && e < 100.0 {
+    // Less is a percentage that was read as one.
+    let hint = if e >= 2.0 && e < 100.0 {
         format!("write {e}% or {}", e / 100.0)
     } else {
         "write 15% or 0.15".to_owned()
@@ -188,5 +193,11 @@ mod tests {
         let fifteen: Contraction = "15".parse().unwrap();
         let refused = fifteen.of_length(220.0).unwrap_err();
         assert_eq!(refused.hint, "write 15% or 0.15");
+        // What was typed as a percentage or a length is not answered as a number.
+        for typed in ["150 %", "1.5", "300mm"] {
+            let read: Contraction = typed.parse().unwrap();
+            let hint = read.of_length(200.0).unwrap_err().hint;
+            assert!(!hint.contains("1.5%"), "{typed}: {hint}");
+        }
     }
 }

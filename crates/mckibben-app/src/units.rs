@@ -284,11 +284,7 @@ impl FromStr for Units {
     fn from_str(text: &str) -> Result<Self, String> {
         let mut units = KINDS.map(Dimension::unit_inside);
         let mut named = vec![];
-        for word in text
-            .split(',')
-            .map(str::trim)
-            .filter(|word| !word.is_empty())
-        {
+        for word in text.split(',').map(str::trim) {
             let Some((i, unit)) = (0..3).find_map(|i| Some((i, KINDS[i].unit(word)?))) else {
                 return Err(format!(
                     "\"{word:.40}\" is not a unit of pressure, force or length; one of {}, or several \

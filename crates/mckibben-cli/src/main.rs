@@ -80,21 +80,29 @@ fn main() -> ExitCode {
 /// A command line that clap refuses: a problem where a value is wrong or JSON is asked for; else
 /// clap's own words.
 fn unparsed(error: &clap::Error, context: &Context) -> ExitCode {
-    let gone = || problem::of_gone_flag(error, context).or_else(|| problem::of_gone_command(error));
-    let status = problem::of_gone_status();
-    if let Some(problem) = status.or_else(|| problem::of_value(error)).or_else(gone) {
+    let gone = || {
+        let flag = problem::of_gone_flag(error, context);
+        flag.or_else(|| problem::of_gone_command(error))
+            .or_else(|| problem::of_letters(error))
+    };
+    let word = problem::of_gone_word();
+    if let Some(problem) = word.or_else(|| problem::of_value(error)).or_else(gone) {
         return report(problem, context);
     }
     if error.use_stderr() && context.format == Format::Json {
         return report(problem::unparsed(error), context);
     }
     let text = error.render().to_string();
-    // Nothing better can be done if the terminal is gone.
-    let _ = match clean::lines(&text) {
+    let printed = match clean::lines(&text) {
         Cow::Borrowed(_) => error.print(),
         Cow::Owned(text) => std::io::stderr().write_all(text.as_bytes()),
     };
-    ExitCode::from(if error.use_stderr() { 2 } else { 0 })
+    match printed {
+        // Nothing better can be done if the terminal is gone.
+        _ if error.use_stderr() => ExitCode::from(2),
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => report(unprinted(&error), context),
+    }
 }
 
 /// The format of a command line that could not be parsed.

@@ -127,12 +127,33 @@ pub fn of_gone_command(error: &clap::Error) -> Option<Problem> {
     is_gone.then(|| Problem::usage("`validate` is now a study", "cargo study validation"))
 }
 
-/// `campaign status`, which is read as a plan.
-pub fn of_gone_status() -> Option<Problem> {
+/// A word that a command had, which is read as a file.
+pub fn of_gone_word() -> Option<Problem> {
+    const GONE: [([&str; 2], &str); 4] = [
+        (
+            ["campaign", "status"],
+            "`mckibben campaign show DIR` has the shards, the rate and the summary",
+        ),
+        (["rubber", "fit"], "`mckibben rubber FILE` fits the laws"),
+        (
+            ["rubber", "list"],
+            "`mckibben parts list rubbers` lists them",
+        ),
+        (["rubber", "show"], "`mckibben parts show NAME` shows it"),
+    ];
     let words: Vec<_> = std::env::args_os().skip(1).take(2).collect();
-    let message = "`mckibben campaign` has no status any more";
-    let hint = "`mckibben campaign show DIR` has the shards, the rate and the summary";
-    (words == ["campaign", "status"]).then(|| Problem::usage(message, hint))
+    let ([command, word], hint) = GONE.iter().find(|(gone, _)| words == *gone)?;
+    let message = format!("`mckibben {command}` has no {word} any more");
+    Some(Problem::usage(message, *hint))
+}
+
+/// An argument whose letters are not those of a text.
+pub fn of_letters(error: &clap::Error) -> Option<Problem> {
+    let is_wrong = |arg: &std::ffi::OsString| arg.to_str().is_none();
+    let of_letters = error.kind() == ErrorKind::InvalidUtf8;
+    let arg = std::env::args_os().find(|arg| of_letters && is_wrong(arg))?;
+    let message = format!("the argument \"{}\" is not UTF-8", arg.to_string_lossy());
+    Some(Problem::usage(message, "rename the file"))
 }
 
 /// A command line that clap refuses.

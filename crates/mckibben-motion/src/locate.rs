@@ -78,6 +78,6 @@ impl Integration<'_> {
                 .find(|g| g.0 == guard)
                 .map_or(0.0, |g| g.1))
         };
-        Ok(find_root(function, low, high, 1e-12 * (high - self.t))?.unwrap_or(low))
+        Ok(find_root(function, low, high, 1e-9 * (high - self.t))?.unwrap_or(low))
     }
 }

@@ -115,10 +115,10 @@ const SLACK: f64 = 1e-3;
 
 /// The last points with their answers: a step evaluates its start, three stages and its end, some
 /// of them again.
-type Kept = [Option<(f64, f64, Answer)>; 8];
+type Kept = [Option<Known>; 8];
 
-/// In place of the contraction of a muscle that was never slack.
-const NO_SLACK: f64 = f64::MAX;
+/// A pressure, a contraction, and the answer there.
+type Known = (f64, f64, Answer);
 
 pub struct Member {
     pub muscle: Actuated,
@@ -137,8 +137,8 @@ pub struct Member {
 pub struct Memory {
     workspace: RefCell<Workspace>,
     kept: RefCell<Kept>,
-    next: Cell<usize>,
-    clamp_slack: Cell<Option<f64>>,
+    /// Where it was slack.
+    slack: RefCell<Kept>,
     /// The infinitely long muscle that has G or its slopes, where friction needs them.
     long: OnceCell<ThickWall>,
     limits_mpa: OnceCell<[f64; 2]>,
@@ -147,9 +147,9 @@ pub struct Memory {
 impl Memory {
     /// It as numbers; workspaces begin anew.
     pub fn numbers(&self) -> Vec<f64> {
-        let slack = self.clamp_slack.get();
-        let mut out = vec![self.next.get() as f64, slack.unwrap_or(NO_SLACK)];
-        for (p, e, answer) in self.kept.borrow().iter().flatten() {
+        let (slack, kept) = (self.slack.borrow(), self.kept.borrow());
+        let mut out = vec![slack.iter().flatten().count() as f64];
+        for (p, e, answer) in slack.iter().chain(&*kept).flatten() {
             out.extend([*p, *e]);
             let three = |q: Quantity| [q.value, q.by_pressure, q.by_contraction];
             out.extend(answer.quantities().map(three).concat());
@@ -159,24 +159,31 @@ impl Memory {
 
     /// That of numbers.
     pub fn of(numbers: &[f64]) -> Option<Self> {
-        let (&[next, slack], kept) = numbers.split_first_chunk()?;
-        let mut known = Kept::default();
-        for (slot, numbers) in known.iter_mut().zip(kept.chunks_exact(14)) {
+        let (count, known) = numbers.split_first()?;
+        let mut known = known.chunks_exact(14).map(|numbers| {
             let quantity = |i: usize| Quantity {
                 value: numbers[3 * i + 2],
                 by_pressure: numbers[3 * i + 3],
                 by_contraction: numbers[3 * i + 4],
             };
             let answer = Answer::from_quantities(std::array::from_fn(quantity));
-            *slot = Some((numbers[0], numbers[1], answer));
-        }
+            (numbers[0], numbers[1], answer)
+        });
+        let slack: Kept = std::array::from_fn(|i| ((i as f64) < *count).then(|| known.next())?);
+        let kept: Kept = std::array::from_fn(|_| known.next());
         Some(Self {
-            next: (next as usize % known.len()).into(),
-            clamp_slack: Some(slack).filter(|e| *e != NO_SLACK).into(),
-            kept: known.into(),
+            slack: slack.into(),
+            kept: kept.into(),
             ..Self::default()
         })
     }
+}
+
+/// Keeps an answer in the place of the oldest.
+fn keep(kept: &RefCell<Kept>, known: Known) {
+    let kept = &mut *kept.borrow_mut();
+    kept.rotate_right(1);
+    kept[0] = Some(known);
 }
 
 impl Member {
@@ -229,7 +236,7 @@ impl Member {
         contraction: f64,
     ) -> Result<Answer, ModelError> {
         if slack {
-            return self.slack(pressure_mpa);
+            return self.slack(pressure_mpa, Some(contraction));
         }
         let contraction_here = Quantity {
             value: contraction,
@@ -266,9 +273,8 @@ impl Member {
         // to the last digits.
         let near = |(at_mpa, at, answer): &&(f64, f64, Answer)| {
             let pulls = answer.force_n.value > SLACK * answer.force_n.by_contraction.abs();
-            let near =
-                (at_mpa - p).abs() <= 10.0 * self.near * p && (at - contraction).abs() <= self.near;
-            near && pulls || *at_mpa == p && *at == contraction
+            let near = if pulls { self.near } else { 1e-3 * self.near };
+            (at_mpa - p).abs() <= 10.0 * near * p && (at - contraction).abs() <= near
         };
         let known = self
             .memory
@@ -305,12 +311,7 @@ impl Member {
             return Ok(at);
         }
         let at = self.evaluate(p, contraction)?;
-        let kept = &mut *self.memory.kept.borrow_mut();
-        let place = self.memory.next.get();
-        self.memory.next.set((place + 1) % kept.len());
-        if let Some(slot) = kept.get_mut(place) {
-            *slot = Some((p, contraction, at));
-        }
+        keep(&self.memory.kept, (p, contraction, at));
         Ok(at)
     }
 
@@ -401,77 +402,99 @@ impl Member {
         })
     }
 
-    /// The slack muscle at a pressure: Newton's method from where it was slack last, else a search.
-    pub fn slack(&self, pressure_mpa: f64) -> Result<Answer, ModelError> {
-        if let Some(Substitute::Moment(answer)) = self.substitute.get() {
-            return Ok(answer);
-        }
+    /// The slack muscle at a pressure: Newton's method from where it was slack last, else from a
+    /// contraction near which it goes slack, else a search.
+    pub fn slack(&self, pressure_mpa: f64, from: Option<f64>) -> Result<Answer, ModelError> {
+        let substitute = self.substitute.get();
         let p = pressure_mpa.max(LEAST_MPA);
-        let near = self
-            .memory
-            .clamp_slack
-            .get()
-            .and_then(|last| self.polished(p, last));
-        let contraction = if let Some(e) = near {
-            e
-        } else {
-            // Below zero where the ends slip or the sleeve is wider than the tube: it then
-            // hangs longer than at rest.
-            let options = Options {
-                two_sided: true,
-                ..Options::extrapolating()
-            };
-            let model = &self.muscle.model;
-            let workspace = &self.memory.workspace;
-            let search =
-                Evaluation::new(model, &mut workspace.borrow_mut(), options).free_contraction(p);
-            let why = |error| format!("a slack muscle has no free contraction: {error}");
-            let e = search.map_err(|error| ModelError::NoEquilibrium(why(error)))?;
-            self.polished(p, e).unwrap_or(e)
+        let last = match substitute {
+            Some(Substitute::Moment(answer)) => return Ok(answer),
+            Some(Substitute::Near(p, e, at)) => Some((p, e, at)),
+            _ => {
+                let slack = self.memory.slack.borrow();
+                let away = |k: &&Known| (k.0 - p).abs();
+                slack.iter().flatten().min_by_number(away).copied()
+            }
         };
-        self.memory.clamp_slack.set(Some(contraction));
-        let at = self.answer(p, contraction)?;
-        let slope = at.force_n.by_contraction;
-        let by_pressure = if slope < 0.0 {
-            -at.force_n.by_pressure / slope
-        } else {
-            0.0
+        let (at_mpa, at) = match last {
+            Some((at_mpa, _, at))
+                if substitute.is_some() || (at_mpa - p).abs() <= 10.0 * self.near * p =>
+            {
+                (at_mpa, at)
+            }
+            _ => {
+                // Not far along the tangent.
+                let further = |(at_mpa, e, at): Known| {
+                    let step_mpa = (p - at_mpa).clamp(-0.2 * at_mpa, 0.2 * at_mpa);
+                    e + at.contraction.by_pressure * step_mpa
+                };
+                let near = last.map(further).or(from);
+                let near = near.and_then(|e| self.polished(p, e));
+                let at = near.map_or_else(|| self.searched(p), Ok)?;
+                keep(&self.memory.slack, (p, at.contraction.value, at));
+                (p, at)
+            }
         };
         // Below the least pressure, and below none, where a liquid can come, it goes on linearly as
         // the taut muscle does.
-        let further = by_pressure * (pressure_mpa - p);
-        let contraction = Quantity {
-            value: contraction + further,
-            by_pressure,
-            by_contraction: 0.0,
+        let step_mpa = pressure_mpa - at_mpa;
+        Ok(at.moved(step_mpa, at.contraction.by_pressure * step_mpa))
+    }
+
+    /// The slack muscle by a search of its free contraction.
+    fn searched(&self, p: f64) -> Result<Answer, ModelError> {
+        // Below zero where the ends slip or the sleeve is wider than the tube: it then hangs longer
+        // than at rest.
+        let options = Options {
+            two_sided: true,
+            ..Options::extrapolating()
         };
-        Ok(Answer {
-            contraction,
-            ..at.moved(pressure_mpa - p, further)
-        })
+        let search = {
+            let workspace = &mut self.memory.workspace.borrow_mut();
+            Evaluation::new(&self.muscle.model, workspace, options).free_contraction(p)
+        };
+        let why = |error| format!("a slack muscle has no free contraction: {error}");
+        let e = search.map_err(|error| ModelError::NoEquilibrium(why(error)))?;
+        self.polished(p, e)
+            .map_or_else(|| Ok(slack_at(self.exact(p, e)?, e)), Ok)
     }
 
     /// Whether it is slack at a contraction, as far as that is known.
     pub fn hangs(&self, pressure_mpa: f64, contraction: f64) -> bool {
-        self.slack(pressure_mpa)
+        self.slack(pressure_mpa, None)
             .is_ok_and(|at| contraction >= at.contraction.value)
     }
 
-    /// The free contraction by Newton's method from near it, to the model's last digits.
-    fn polished(&self, p: f64, mut e: f64) -> Option<f64> {
-        let mut before = f64::INFINITY;
+    /// The slack muscle by Newton's method from near its free contraction, to the model's last digits:
+    /// the error of a step is its square.
+    fn polished(&self, p: f64, mut e: f64) -> Option<Answer> {
         for _ in 0..12 {
-            let force = self
-                .exact(p, e)
-                .ok()
-                .map(|a| a.force_n)
-                .filter(|f| f.by_contraction < 0.0)?;
+            let at = self.exact(p, e).ok()?;
+            let force = Some(at.force_n).filter(|f| f.by_contraction < 0.0)?;
             let step = -force.value / force.by_contraction;
-            if step.abs() < 1e-13 || step.abs() < 1e-9 && step.abs() >= 0.5 * before {
-                return Some(e);
+            e += step;
+            if step.abs() < 1e-7 {
+                return Some(slack_at(at.moved(0.0, step), e));
             }
-            (e, before) = (e + step, step.abs());
         }
         None
+    }
+}
+
+/// What a muscle answers that hangs at its free contraction.
+fn slack_at(at: Answer, contraction: f64) -> Answer {
+    let slope = at.force_n.by_contraction;
+    let by_pressure = if slope < 0.0 {
+        -at.force_n.by_pressure / slope
+    } else {
+        0.0
+    };
+    Answer {
+        contraction: Quantity {
+            value: contraction,
+            by_pressure,
+            by_contraction: 0.0,
+        },
+        ..at
     }
 }

@@ -453,12 +453,12 @@ impl Equations for System {
             .zip(&state.muscles)
             .zip(&modes.muscles)
             .enumerate();
-        for (i, ((member, now), _)) in parts.filter(|(_, (_, mode))| !mode.slack) {
+        for (i, ((member, now), mode)) in parts {
             let p = now.gauge_mpa();
             let e = self.drive.mechanism.lever(i, state.coordinate).contraction;
             member.substitute.set(
                 member
-                    .answer(p, e)
+                    .answer_or_slack(mode.slack, p, e)
                     .ok()
                     .map(|answer| Substitute::Near(p, e, answer)),
             );

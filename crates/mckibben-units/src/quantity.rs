@@ -103,9 +103,7 @@ pub fn split(text: &str, expected: Dimension) -> Result<(f64, &str), QuantityErr
     if !value.is_finite() {
         return Err(QuantityError::not_finite(t, expected));
     }
-    if expected == Dimension::Length
-        && let Some((share, behind)) = fraction(value, &t[end..])
-    {
+    if let Some((share, behind)) = fraction(value, &t[end..]) {
         return Ok((share, behind.trim()));
     }
     Ok((value, t[end..].trim()))
@@ -258,6 +256,20 @@ mod tests {
         }
         let list = parse_quantity("2,bar", Dimension::Pressure).unwrap_err();
         assert!(list.to_string().contains("unknown unit"), "{list}");
+    }
+
+    /// One rule for every quantity: its number may be a fraction.
+    #[test]
+    fn a_fraction_is_its_decimal_number_in_every_unit() {
+        for dimension in Dimension::all() {
+            for unit in dimension.unit_names().into_iter().chain([""]) {
+                for (fraction, decimal) in [("1/2", 0.5), ("1 1/4", 1.25), ("2-3/8", 2.375)] {
+                    let [a, b] = [format!("{fraction} {unit}"), format!("{decimal} {unit}")];
+                    let read = |text: &str| parse_quantity(text, dimension);
+                    assert_eq!(read(&a), read(&b), "{a} {dimension:?}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -31,7 +31,7 @@ impl Columns {
             quoted ^= c == '"';
             c == ',' && !quoted
         };
-        for part in text.split(comma).filter(|p| !p.trim().is_empty()) {
+        for part in text.trim().trim_end_matches(',').split(comma) {
             let form = || {
                 TableError::Refused(format!(
                     "\"{}\" is not a choice of a column; write quantity=\"heading:unit\", such as \
@@ -350,7 +350,15 @@ mod tests {
         );
         assert_eq!(parse("force=F=m*a"), [pair("force", "F=m*a")]);
         let said = |text: &str| Columns::parse(text).unwrap_err().to_string();
-        for text in ["pressure", "=P1", "force=", "force=\"\""] {
+        for text in [
+            "",
+            " ",
+            "a=b,,c=d",
+            "pressure",
+            "=P1",
+            "force=",
+            "force=\"\"",
+        ] {
             assert!(said(text).contains("is not a choice of a column"), "{text}");
         }
         assert_eq!(said("force=a,force=b"), "force is chosen twice");

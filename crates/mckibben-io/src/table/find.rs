@@ -253,8 +253,8 @@ impl Search {
             return self.choices[choice].missing(headings);
         }
         let needed = &self.vocabulary.needed;
-        let example = |need: &Need, heading: &str| {
-            let words = need.any_of[0].words();
+        let assigned = |meaning: Meaning, heading: &str| {
+            let words = meaning.words();
             let unit = words.dimension.map_or("", |d| d.unit_inside().name);
             let colon = if unit.is_empty() { "" } else { ":" };
             format!("{name}=\"{heading}{colon}{unit}\"", name = words.name)
@@ -264,7 +264,7 @@ impl Search {
             let numbered = needed
                 .iter()
                 .zip(1..)
-                .map(|(n, i)| example(n, &format!("#{i}")));
+                .map(|(need, i)| assigned(need.any_of[0], &format!("#{i}")));
             return TableError::Refused(format!(
                 "the table has no heading (line {line} holds numbers): write one above it, or \
                  choose columns by their numbers with `columns` {columns}",
@@ -275,7 +275,37 @@ impl Search {
         let need = &needed[guess.lacking.first().copied().unwrap_or_default()];
         let empty = listed(empty.iter().filter_map(|&i| headings.get(i).copied()));
         let columns = listed(headings.iter().copied());
-        TableError::missing_column(need, &columns, &empty, &example(need, "HEADING"))
+        let free = || {
+            let is_free = |h: &&&str| guess.columns.iter().all(|c| c.heading != **h);
+            headings.iter().filter(is_free)
+        };
+        let chosen = needed.iter().filter_map(|need| {
+            let known = guess
+                .columns
+                .iter()
+                .find(|c| need.any_of.contains(&c.meaning));
+            if let Some(Column {
+                meaning,
+                heading,
+                unit,
+                ..
+            }) = known
+            {
+                let lacks_unit = unit.is_none() && meaning.words().dimension.is_some();
+                return lacks_unit.then(|| assigned(*meaning, heading));
+            }
+            // A column that begins alike, where there is one.
+            let pairs = need
+                .any_of
+                .iter()
+                .flat_map(|m| free().map(move |h| (*m, *h)));
+            let mut alike = pairs
+                .filter(|(m, h)| m.words().name.chars().next() == heading::plain(h).chars().next());
+            let (meaning, heading) = alike.next().unwrap_or((need.any_of[0], "HEADING"));
+            Some(assigned(meaning, heading))
+        });
+        let chosen = joined(chosen, ",");
+        TableError::missing_column(need, &columns, &empty, &chosen)
     }
 
     /// A table without a heading, whose columns are chosen by number.

@@ -3,12 +3,18 @@
 use crate::support::{damped, note_muscle, ran, regulator, steps, valve};
 use mckibben_core::{
     analysis::burst,
-    model::{ForceModel, ModelKind},
+    model::{ForceModel, ModelError, ModelInfo, ModelKind, Response, Workspace},
     muscle::Friction,
     progress::Silent,
 };
 use mckibben_motion::*;
-use std::sync::Arc;
+use std::{
+    f64::consts::TAU,
+    sync::{
+        Arc,
+        atomic::{AtomicUsize, Ordering},
+    },
+};
 
 const STEP_S: f64 = 0.05;
 /// In MPa: the load lies on the stop and is lifted within a step.
@@ -135,4 +141,69 @@ fn identity_events_say_that_the_pressure_passed_the_limits_of_burst() {
         assert_eq!(is_above, share > 1.0);
     }
     assert_eq!(noted, [vec![], vec![1], vec![], vec![], vec![1]]);
+}
+
+/// A model that counts what is asked of it.
+struct Counted(Arc<dyn ForceModel>, Arc<AtomicUsize>);
+
+impl ForceModel for Counted {
+    fn info(&self) -> &ModelInfo {
+        self.0.info()
+    }
+
+    fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+        self.1.fetch_add(1, Ordering::Relaxed);
+        self.0.response(w, p, e)
+    }
+
+    fn force_n(&self, w: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
+        self.1.fetch_add(1, Ordering::Relaxed);
+        self.0.force_n(w, p, e)
+    }
+}
+
+/// A bound: a step in which a muscle goes slack or taut takes at most ten times as long as the median
+/// step, which is at most fifteen times as many answers of the model: what else a step of the
+/// integration costs is as much as some of them. It was 48 to 76 times.
+#[test]
+fn steps_at_slack_and_taut_are_no_dearer_than_ten_others() {
+    let inner: Arc<dyn ForceModel> = ModelKind::ThickWall.build(&note_muscle()).unwrap().into();
+    let count = Arc::new(AtomicUsize::new(0));
+    let model: Arc<dyn ForceModel> = Arc::new(Counted(inner, count.clone()));
+    let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
+    let mut events = 0;
+    for (actuator, frequency) in [
+        (regulator(0.01), 2.0),
+        (regulator(0.01), 5.0),
+        (valve(), 5.0),
+    ] {
+        let drive = Drive {
+            output_step_s: 1e-3,
+            ..drive(&load, &model, actuator)
+        };
+        let mut simulation = Simulation::new(&drive).unwrap();
+        let asked: Vec<usize> = (0..1200)
+            .map(|i| {
+                let before = count.load(Ordering::Relaxed);
+                let phase = TAU * frequency * 1e-3 * f64::from(i);
+                simulation.step(&[0.12 - 0.1 * phase.cos()]).unwrap();
+                count.load(Ordering::Relaxed) - before
+            })
+            .collect();
+        let mut sorted = asked.clone();
+        sorted.sort_unstable();
+        let most = 15 * sorted[asked.len() / 2];
+        for event in simulation.events() {
+            if [EventKind::Slack, EventKind::Taut].contains(&event.kind) {
+                let step = (1e3 * event.time_s) as usize;
+                assert!(
+                    asked[step] <= most,
+                    "{event:?}: {} over {most}",
+                    asked[step]
+                );
+                events += 1;
+            }
+        }
+    }
+    assert!(events >= 10, "{events}");
 }
