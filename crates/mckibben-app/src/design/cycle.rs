@@ -95,7 +95,7 @@ impl DesignRequest {
 
 impl CycleAnswer {
     /// The line of the decision.
-    pub(super) fn line(&self) -> String {
+    pub fn line(&self) -> String {
         let air = self
             .air_normal_litres_per_min
             .map(|litres| number(litres, 3));

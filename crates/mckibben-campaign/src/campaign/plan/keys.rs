@@ -80,7 +80,7 @@ impl Vary {
     ///
     /// # Errors
     /// [`FileError`] of the first key that cannot vary, or has no levels.
-    pub(super) fn axes(&self, source: &Source<'_>) -> Result<Vec<Axis>, FileError> {
+    pub fn axes(&self, source: &Source<'_>) -> Result<Vec<Axis>, FileError> {
         let variables = variables();
         let mut axes = vec![];
         in_table("", &self.0, source, &variables, &mut axes)?;

@@ -191,7 +191,7 @@ impl Keys {
 }
 
 /// The keys of a table, or of the tables in a list.
-pub(super) fn properties(schema: &Value) -> Option<&Map<String, Value>> {
+pub fn properties(schema: &Value) -> Option<&Map<String, Value>> {
     schema["properties"]
         .as_object()
         .or_else(|| properties(schema.get("items")?))
@@ -246,7 +246,7 @@ fn about(schema: &Value) -> String {
 }
 
 /// The sentence about a key, on one line and without a full stop.
-pub(super) fn description(schema: &Value) -> Option<String> {
+pub fn description(schema: &Value) -> Option<String> {
     let about = schema["description"].as_str()?;
     Some(about.trim_end_matches('.').replace('\n', " "))
 }
