@@ -182,8 +182,13 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         let stretch = warnings::largest_stretch(&mut c.evaluation(options), &states)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
-    let of_muscle = muscle.warnings().into_iter().chain(doubts);
-    let warned: Vec<Warning> = of_muscle.map(Warning::from).chain(beyond).collect();
+    let warned: Vec<Warning> = muscle
+        .warnings()
+        .into_iter()
+        .chain(doubts)
+        .map(Warning::from)
+        .chain(beyond)
+        .collect();
     let figure = request.figure.as_ref().map(|unit| {
         let about = MuscleSummary::from(&muscle).line(unit);
         let drawn = compared.iter_mut().map(|c| c.evaluation(options)).collect();
@@ -340,8 +345,10 @@ fn grid(
     let mut pressures: Vec<f64> = points.iter().map(|m| m.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();
-    let ends = points.iter().map(|m| m.contraction);
-    let (low, high) = ends.fold((0.0_f64, 0.0_f64), |(a, b), e| (a.min(e), b.max(e)));
+    let (low, high) = points
+        .iter()
+        .map(|m| m.contraction)
+        .fold((0.0_f64, 0.0_f64), |(a, b), e| (a.min(e), b.max(e)));
     Ok((pressures, steps(101, low, high)))
 }
 

@@ -225,10 +225,11 @@ pub fn reach(
     let end = free
         .unwrap_or(UNKNOWN)
         .min(if range > 0.0 { range } else { f64::INFINITY });
-    let round = (0..)
+    let mut list: Vec<f64> = (0..)
         .map(|i| f64::from(i) * step)
-        .map(|e| (e * 1e6).round() / 1e6);
-    let mut list: Vec<f64> = round.take_while(|e| *e < end - 1e-9).collect();
+        .map(|e| (e * 1e6).round() / 1e6)
+        .take_while(|e| *e < end - 1e-9)
+        .collect();
     if closed || free.is_none() {
         list.push(end);
     }

@@ -231,13 +231,17 @@ fn job_of(job: &Job, found: &Muscle, choice: &Model) -> Result<Job> {
     let mut workspace = Workspace::new();
     let mut model = Evaluation::new(&*model, &mut workspace, options);
     let takes = |point: &JobPoint| {
-        let answer = model
+        model
             .pressure(point.force.into(), point.contraction.into())
-            .ok()?;
-        answer.predicted_mpa
+            .ok()?
+            .predicted_mpa
     };
-    let set_mpa = job.points.iter().filter_map(takes).reduce(f64::max);
-    let set_mpa = set_mpa.unwrap_or(job.pressure.into());
+    let set_mpa = job
+        .points
+        .iter()
+        .filter_map(takes)
+        .reduce(f64::max)
+        .unwrap_or(job.pressure.into());
     let allowed_mpa = allowed.map_or(f64::INFINITY, |allowed| allowed.mpa);
     let most_mpa = job
         .supply
@@ -572,6 +576,10 @@ fn warnings(
         format!("these are the constants of a muscle with {measures}: give the measures of yours")
     });
     let notes = identified.notes.iter().cloned();
-    let said = prototype.into_iter().chain(notes).map(Warning::from);
-    said.chain(beyond).collect()
+    prototype
+        .into_iter()
+        .chain(notes)
+        .map(Warning::from)
+        .chain(beyond)
+        .collect()
 }

@@ -132,8 +132,13 @@ pub struct ModelAbout {
 
 /// The first point of the job, unless something else is stated.
 fn job_point(question: &Question, is_stated: bool) -> Option<JobPoint> {
-    let job = question.muscle.job().filter(|_| !is_stated)?;
-    job.points.first().copied()
+    question
+        .muscle
+        .job()
+        .filter(|_| !is_stated)?
+        .points
+        .first()
+        .copied()
 }
 
 /// F(P, ε).

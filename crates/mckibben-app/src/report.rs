@@ -96,12 +96,13 @@ pub fn report(
     })?;
     step(2)?;
     let units = &request.units;
-    let said = shown
+    let mut parts: Vec<Part> = shown
         .warnings
         .iter()
         .filter(|w| w.is_of_burst())
-        .map(|w| Part::Text(w.to_string()));
-    let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
+        .map(|w| Part::Text(w.to_string()))
+        .chain(state(&shown, &point, units))
+        .collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa.into()),

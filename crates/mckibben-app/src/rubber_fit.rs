@@ -370,8 +370,9 @@ fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
                 modes.join(", ")
             ))
         })?;
-        let weight = weight.parse::<Ratio>();
-        let weight = weight.map_err(|e| bad(&format!("has a weight that is none: {e}")))?;
+        let weight = weight
+            .parse::<Ratio>()
+            .map_err(|e| bad(&format!("has a weight that is none: {e}")))?;
         if out.insert(mode, weight.0).is_some() {
             return Err(bad("is given twice"));
         }

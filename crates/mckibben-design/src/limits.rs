@@ -217,8 +217,10 @@ impl AtPoint<'_, '_> {
 
     /// The larger of the bulged tube and its ends, in mm.
     pub fn width_mm(&self) -> f64 {
-        let bulged_mm = self.response.bulged_diameter_mm.unwrap_or(0.0);
-        bulged_mm.max(self.ends.width_mm)
+        self.response
+            .bulged_diameter_mm
+            .unwrap_or(0.0)
+            .max(self.ends.width_mm)
     }
 }
 
@@ -248,8 +250,8 @@ pub static LIMITS: [LimitEntry; 7] = [
             if !(at.spec().limits.buckling && at.spec().wanted.extends()) {
                 return Ok(None);
             }
-            let column = ThickWall::between_ends(at.assessed.muscle);
-            let buckles_n = column.buckling_n(at.pressure_mpa, at.point.contraction)?;
+            let buckles_n = ThickWall::between_ends(at.assessed.muscle)
+                .buckling_n(at.pressure_mpa, at.point.contraction)?;
             Ok(Some((at.point.force_n.abs(), buckles_n / BUCKLING)))
         },
         missed: |value_n, bound_n, show| {

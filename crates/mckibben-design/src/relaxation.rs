@@ -210,8 +210,10 @@ pub fn relaxations(search: &Search<'_>) -> Vec<Relaxation> {
     let limits = crate::limits::LIMITS
         .iter()
         .map(|entry| Freed::Limit(entry.limit));
-    let of_pull = [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty];
-    let kinds: Vec<Freed> = of_pull.into_iter().chain(limits).collect();
+    let kinds: Vec<Freed> = [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty]
+        .into_iter()
+        .chain(limits)
+        .collect();
     let mut changes: Vec<Change> = kinds
         .into_iter()
         .filter_map(|freed| least(search, freed))
@@ -231,8 +233,10 @@ fn nearest<'a>(search: &'a Search<'_>, freed: Freed) -> Vec<&'a Held> {
         _ => limit == Limit::Force,
     };
     let missed = |held: &&Held| {
-        let mut missed = held.checks.iter().filter(|c| c.excess() > 0.0);
-        missed.all(|c| is_freed(c.limit))
+        held.checks
+            .iter()
+            .filter(|c| c.excess() > 0.0)
+            .all(|c| is_freed(c.limit))
     };
     let mut near: Vec<&Held> = search.screened.iter().filter(missed).collect();
     near.sort_by_number(|held| held.miss());
@@ -295,8 +299,10 @@ fn proven(search: &Search<'_>, held: &Held, change: Change) -> Option<Change> {
 fn change(search: &Search<'_>, held: &Held, freed: Freed) -> Option<Change> {
     let spec = search.spec;
     let of = |limit: Limit| {
-        let checks = held.checks.iter().filter(move |c| c.limit == limit);
-        checks.max_by_number(|c| c.excess())
+        held.checks
+            .iter()
+            .filter(move |c| c.limit == limit)
+            .max_by_number(|c| c.excess())
     };
     let wanted = spec.wanted.on_radius(held.radius_mm);
     match freed {
@@ -349,11 +355,12 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
     };
     let muscle = held.place.muscle(&spec).ok()?;
     let mut assessed = Assessed::new(&spec, search.models.decides(), &muscle).ok()?;
-    let wanted = spec
+    let points = spec
         .wanted
         .on_radius(held.radius_mm)
-        .times(1.0 / f64::from(held.count));
-    let points = wanted.points(muscle.length_mm()).into_owned();
+        .times(1.0 / f64::from(held.count))
+        .points(muscle.length_mm())
+        .into_owned();
     assessed.keep_strands(&points).ok()?;
     let mut needed_mpa = 0.0_f64;
     for q in &points {

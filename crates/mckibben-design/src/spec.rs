@@ -422,10 +422,10 @@ impl Spec {
                             .angle_deg,
                     )
                 };
-                let all = list
-                    .iter()
-                    .flat_map(|b| self.tubes.iter().map(move |t| on(b, t)));
-                all.flatten().collect()
+                list.iter()
+                    .flat_map(|b| self.tubes.iter().map(move |t| on(b, t)))
+                    .flatten()
+                    .collect()
             }
             _ => vec![],
         };

@@ -94,10 +94,12 @@ fn shorter_by(error: f64) -> f64 {
 
 /// The root of the mean square of errors in shares of what is allowed.
 fn size<'a>(errors: impl IntoIterator<Item = &'a f64>, allowed: &DVector<f64>) -> f64 {
-    let squares = errors.into_iter().zip(allowed.iter().cycle());
-    let (sum, count) = squares.fold((0.0, 0), |(sum, count), (error, allowed)| {
-        (sum + (error / allowed).powi(2), count + 1)
-    });
+    let (sum, count) = errors
+        .into_iter()
+        .zip(allowed.iter().cycle())
+        .fold((0.0, 0), |(sum, count), (error, allowed)| {
+            (sum + (error / allowed).powi(2), count + 1)
+        });
     (sum / f64::from(count)).sqrt()
 }
 
@@ -277,8 +279,7 @@ impl Stepper {
         let allowed = self.allowed(equations);
         let n = allowed.len();
         let first = self.rates(equations, self.t, &self.state);
-        let found = self.iterate(equations, jacobian, &allowed);
-        let (z, iterations, factor) = found.ok_or(0.5 * h)?;
+        let (z, iterations, factor) = self.iterate(equations, jacobian, &allowed).ok_or(0.5 * h)?;
         let error = self.error(equations, jacobian, (&implicit(&first, n), &z), &allowed);
         let safety = SAFETY * (1 + 2 * ITERATIONS) as f64 / (iterations + 2 * ITERATIONS) as f64;
         let shorter = shorter_by(error / safety.powi(4));

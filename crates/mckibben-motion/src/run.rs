@@ -139,8 +139,13 @@ impl<'s> Integration<'s> {
 
     fn integrate(&mut self) -> Result<()> {
         let drive = &self.system.drive;
-        let commands = drive.target.commands().iter().chain([&drive.external]);
-        let mut ends: Vec<f64> = commands.flat_map(Command::breakpoints).collect();
+        let mut ends: Vec<f64> = drive
+            .target
+            .commands()
+            .iter()
+            .chain([&drive.external])
+            .flat_map(Command::breakpoints)
+            .collect();
         ends.extend(self.cycle.as_ref().map(|c| c.from_s));
         let until = drive.until_s;
         ends.retain(|t| *t > 0.0 && *t < until);

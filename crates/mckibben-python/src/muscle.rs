@@ -88,10 +88,10 @@ impl Muscle {
 
     /// Constants and measures by which a model has derivatives, with their values.
     fn parameters(&self) -> Vec<(String, f64)> {
-        let all = Target::all(&self.held)
+        Target::all(&self.held)
             .into_iter()
-            .filter(|target| *target != Target::Modulus);
-        all.filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?)))
+            .filter(|target| *target != Target::Modulus)
+            .filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?)))
             .collect()
     }
 

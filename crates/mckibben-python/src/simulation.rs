@@ -107,8 +107,10 @@ impl Simulation {
         let rows = py.detach(|| {
             let drive = self.drive();
             let series = &drive.motion().series;
-            let rows = (0..series.points()).filter_map(|i| series.row(i));
-            rows.flatten().collect::<Vec<f64>>()
+            (0..series.points())
+                .filter_map(|i| series.row(i))
+                .flatten()
+                .collect::<Vec<f64>>()
         });
         rows.into_pyarray(py)
     }

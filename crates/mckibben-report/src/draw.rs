@@ -114,8 +114,13 @@ fn panel(placed: &Placed<'_>, colours: &Colours) -> Item {
         let neutral = series.neutral.then_some(INK);
         draw_series(&mut out, runs, (series.style, number), neutral, colours);
     }
-    let marks = placed.panel.marks.iter();
-    let marks: Vec<Item> = marks.filter_map(|m| frame.mark(m)).map(mark).collect();
+    let marks: Vec<Item> = placed
+        .panel
+        .marks
+        .iter()
+        .filter_map(|m| frame.mark(m))
+        .map(mark)
+        .collect();
     if !anything && marks.is_empty() {
         let (middle, soft) = (frame.plot.middle(), Paint::fill(SOFT));
         out.push(text(middle, LABEL, Middle, soft, "no data in this range"));

@@ -185,8 +185,11 @@ impl Pages<'_> {
                 let x = LEFT_MM + width * i as f64 + 1.0;
                 let at = [x, self.y - 3.0];
                 self.sheet.text(at, 1.8, Start, name);
-                let shown = self.lines(text, TEXT_MM, width - 2.0);
-                let shown = shown.into_iter().next().unwrap_or_default();
+                let shown = self
+                    .lines(text, TEXT_MM, width - 2.0)
+                    .into_iter()
+                    .next()
+                    .unwrap_or_default();
                 self.sheet.text([x, self.y - 7.5], TEXT_MM, Start, shown);
             }
             self.y -= 9.0;

@@ -152,10 +152,10 @@ fn draw(spec: &Spec, build: &Build<'_>, found: &Outcome, unit: &Units) -> Result
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> = drawn
         .map(|c| Ok((c, build(&c.muscle)?)))
         .collect::<Result<_, ModelError>>()?;
-    let points = found
+    let points: Vec<OperatingPoint> = found
         .candidates
         .first()
-        .map(|c| c.points.iter().map(|q| q.wanted).collect());
-    let points: Vec<OperatingPoint> = points.unwrap_or_default();
+        .map(|c| c.points.iter().map(|q| q.wanted).collect())
+        .unwrap_or_default();
     Ok(figure::design(&drawn, &points, options, unit))
 }

@@ -317,10 +317,11 @@ impl DesignRequest {
             .iter()
             .map(|name| Ok(rubber(name)?.name))
             .collect::<Result<Vec<_>>>()?;
-        let sold = all
+        let mut found: Vec<TubePart> = all
             .iter()
-            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
-        let mut found: Vec<TubePart> = sold.cloned().collect();
+            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)))
+            .cloned()
+            .collect();
         if of_user.is_none() {
             // A stand-in for tubes as they are sold is no silicone that one casts.
             for name in &rubbers {
@@ -368,8 +369,9 @@ impl DesignRequest {
                 strand_diameter_mm: self.strand_diameter_mm,
                 ..MuscleFields::default()
             };
-            let modulus = self.strand_modulus_mpa.into_iter();
-            modulus.for_each(|value| fields.measures.set(&STRAND_MODULUS, value.0));
+            self.strand_modulus_mpa
+                .into_iter()
+                .for_each(|value| fields.measures.set(&STRAND_MODULUS, value.0));
             // Laid on any tube that it fits; the search lays it on others.
             fields.braid_on(sleeve(name)?.diameters().0, base)
         };
@@ -416,8 +418,10 @@ impl DesignRequest {
     /// The muscle around the search, the torques, and the radii of the pulley.
     fn joint(&self) -> Result<(Muscle, JointDemand, Values)> {
         let torques = self.torques.clone();
-        let mut numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
-        numbers.try_for_each(|v| finite("torques", v).map(drop))?;
+        torques
+            .iter()
+            .flat_map(|t| [t.torque_nm, t.angle_deg])
+            .try_for_each(|v| finite("torques", v).map(drop))?;
         let largest = peak(torques.iter().map(|t| t.angle_deg.abs()));
         let largest_angle_deg = finite(
             "largest_angle_deg",
@@ -455,16 +459,16 @@ impl DesignRequest {
                 .points
                 .iter()
                 .map(|w| {
-                    let contraction = ratio(w.contraction);
-                    let contraction = contraction.map_err(|problem| problem.in_field("points"))?;
+                    let contraction =
+                        ratio(w.contraction).map_err(|problem| problem.in_field("points"))?;
                     Ok((w.force_n, Some(contraction)))
                 })
                 .collect();
         }
-        let force_n = given("force_n", self.force_n, "a force, such as 300 N");
-        let force_n = force_n.map_err(|problem| {
-            problem.with_hint("or give what it lifts (`load`), or turns (`torques`)")
-        })?;
+        let force_n =
+            given("force_n", self.force_n, "a force, such as 300 N").map_err(|problem| {
+                problem.with_hint("or give what it lifts (`load`), or turns (`torques`)")
+            })?;
         match (self.contraction, self.stroke_mm) {
             (Some(e), _) => Ok(vec![(force_n, Some(ratio(e.0)?))]),
             (None, Some(_)) => Ok(vec![(force_n, None)]),

@@ -64,11 +64,12 @@ fn end_band(run: &MotionRun) -> Option<Series> {
     let end = &run.end;
     let time = &motion.series.time_s;
     let last = time.last().copied()?;
-    let settled = motion
+    let from = motion
         .steps
         .last()
-        .and_then(|step| Some(step.time_s + step.settling_time_s?));
-    let from = settled.unwrap_or(last).min(LAST * last);
+        .and_then(|step| Some(step.time_s + step.settling_time_s?))
+        .unwrap_or(last)
+        .min(LAST * last);
     let in_the_end = |list: &[f64]| list.last().copied();
     let (low, high) = if let Some(half) = end.end_angle_uncertainty_deg {
         let [angle, _] = motion.series.degrees()?;

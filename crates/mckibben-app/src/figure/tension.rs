@@ -38,13 +38,13 @@ pub fn tension(fit: &TensionFit, file: &str) -> Figure {
 /// The laws, the recommended one first, then by AICc; a free fit and its stable neighbour are two.
 fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
     let first = fit.recommended.and_then(|i| fit.laws.get(i));
-    let others = fit
+    let mut others: Vec<&FittedLaw> = fit
         .laws
         .iter()
         .enumerate()
         .filter(|(i, _)| fit.recommended != Some(*i))
-        .map(|o| o.1);
-    let mut others: Vec<&FittedLaw> = others.collect();
+        .map(|o| o.1)
+        .collect();
     others.sort_by_number(|a| a.quality.aicc);
     first.into_iter().chain(others).take(LAWS).collect()
 }

@@ -109,8 +109,10 @@ pub fn paper_method(points: &[FitPoint]) -> Result<PaperMethod> {
                 .collect();
             let first = curves.len();
             for p in distinct(of_wall.iter().map(|q| q.pressure_mpa)) {
-                let isobar = of_wall.iter().filter(|q| same(q.pressure_mpa, p));
-                let isobar = isobar.map(|q| (q.contraction, q.force_n));
+                let isobar = of_wall
+                    .iter()
+                    .filter(|q| same(q.pressure_mpa, p))
+                    .map(|q| (q.contraction, q.force_n));
                 curves.push(curve(d, s, p, isobar.collect())?);
             }
             lines.push(line(d, s, &curves[first..])?);

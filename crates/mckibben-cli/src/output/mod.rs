@@ -117,8 +117,11 @@ impl Context {
             Format::Csv => {
                 let csv = answer.csv();
                 let warnings = answer.warnings();
-                let all = warnings.iter().chain(&csv.warnings);
-                all.filter(|w| w.is_of_burst()).for_each(|w| self.warn(w));
+                warnings
+                    .iter()
+                    .chain(&csv.warnings)
+                    .filter(|w| w.is_of_burst())
+                    .for_each(|w| self.warn(w));
                 self.emit(table::csv(&CsvTable::of(csv)?)?, target)
             }
         }

@@ -21,9 +21,11 @@ impl Context {
     /// it. A campaign continues its file.
     pub fn check_named(&self, continues: bool) -> Result<(), Problem> {
         let is_written = |name: &str| WRITTEN.contains(&name) && !(continues && name == "--output");
-        let written = self.flags.iter().filter(|flag| is_written(&flag.name));
-        let mut paths = written.flat_map(|flag| &flag.texts);
-        paths.try_for_each(|(_, path)| self.check(Path::new(path)))
+        self.flags
+            .iter()
+            .filter(|flag| is_written(&flag.name))
+            .flat_map(|flag| &flag.texts)
+            .try_for_each(|(_, path)| self.check(Path::new(path)))
     }
 
     /// Refuses to write what is no answer, and to overwrite a file.

@@ -93,8 +93,9 @@ struct BuiltIn {
 
 impl BuiltIn {
     fn parse(text: &str) -> Result<Self, Refused> {
-        let table = Source::parse(text).and_then(|source| source.read());
-        let mut table: Self = table.map_err(damaged)?;
+        let mut table: Self = Source::parse(text)
+            .and_then(|source| source.read())
+            .map_err(damaged)?;
         for material in &mut table.material {
             material.source = table
                 .sources

@@ -130,8 +130,11 @@ impl MeasuredMuscle {
         if self.fit.branches.as_deref() != Some("both") {
             return mean_of_data(&self.points);
         }
-        let single = self.points.iter().filter(|p| !p.at.direction().is_mean());
-        single.copied().collect()
+        self.points
+            .iter()
+            .filter(|p| !p.at.direction().is_mean())
+            .copied()
+            .collect()
     }
 }
 

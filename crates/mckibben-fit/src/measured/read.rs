@@ -55,8 +55,9 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
     }
     leave_blank_out(&mut table)?;
     let beside = table.needed(CONTRACTION)?.meaning != Length;
-    let length = table.column(Length);
-    let ours = length.is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
+    let ours = table
+        .column(Length)
+        .is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
     let length_is_l0 = beside && ours && table.column(RestLength).is_none();
     if length_is_l0 {
         table.rename(Length, RestLength);

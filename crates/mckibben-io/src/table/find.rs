@@ -323,8 +323,11 @@ impl Search {
         let is_zero =
             column.meaning != Meaning::Force && !first.contains(|c| matches!(c, '1'..='9'));
         let in_its_place = |c: &Column| {
-            let mut groups = self.vocabulary.needed.iter().map(|need| &need.any_of);
-            groups.any(|any_of| any_of.contains(&c.meaning) && any_of.contains(&column.meaning))
+            self.vocabulary
+                .needed
+                .iter()
+                .map(|need| &need.any_of)
+                .any(|any_of| any_of.contains(&c.meaning) && any_of.contains(&column.meaning))
         };
         let yields = |c: &Column| {
             if c.meaning == column.meaning {

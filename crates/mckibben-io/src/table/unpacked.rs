@@ -77,8 +77,9 @@ fn cells(xml: &mut impl BufRead) -> Result<f64> {
 /// A number of repetitions in a tag; more than any sheet has where it is no plain number.
 fn repeats(tag: &str, name: &str) -> f64 {
     let number = |rest: &str| {
-        let mut parts = rest.split(['\'', '"']);
-        parts.nth(1).and_then(|digits| digits.parse::<u32>().ok())
+        rest.split(['\'', '"'])
+            .nth(1)
+            .and_then(|digits| digits.parse::<u32>().ok())
     };
     tag.split(name)
         .skip(1)

@@ -159,8 +159,9 @@ fn hose(
 ) -> Result<Option<Hose>, FileError> {
     let length = ("hose_length", length, "the hose's length");
     let diameter = ("hose_diameter", diameter, "the hose's inner diameter");
-    let both = source.both(table, length, diameter)?;
-    let hose = both.map(|(length, diameter)| Hose::new(diameter.into(), length.into()));
+    let hose = source
+        .both(table, length, diameter)?
+        .map(|(length, diameter)| Hose::new(diameter.into(), length.into()));
     hose.map(|hose| source.valid(&format!("{table}.hose_length"), hose))
         .transpose()
 }

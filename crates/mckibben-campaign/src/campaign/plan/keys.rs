@@ -114,8 +114,9 @@ fn in_table(
             let names = Vec::deserialize(value).map_err(|error| wrong(error.to_string()))?;
             axes.push(Axis::of_rubbers(names));
         } else if variables.iter().any(|v| v.key.starts_with(&inner)) {
-            let table = value.as_object();
-            let table = table.ok_or_else(|| wrong("must be a table of what varies".into()))?;
+            let table = value
+                .as_object()
+                .ok_or_else(|| wrong("must be a table of what varies".into()))?;
             in_table(&inner, table, source, variables, axes)?;
         } else {
             let table = format!("vary.{path}");

@@ -100,8 +100,10 @@ impl Opened {
 
     fn group(&self, index: usize) -> Result<Table> {
         let columns = self.fields.iter().map(|f| (f.name.as_str(), f.kind()));
-        let group = self.reader.group(index, columns);
-        let (columns, rows) = group.map_err(|error| undecoded(error, &self.path))?;
+        let (columns, rows) = self
+            .reader
+            .group(index, columns)
+            .map_err(|error| undecoded(error, &self.path))?;
         Ok(Table {
             fields: self.fields.clone(),
             columns,

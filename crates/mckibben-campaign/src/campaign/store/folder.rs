@@ -97,13 +97,13 @@ impl Folder {
             let error = Error::other("is a link, and the lock of a folder lies in it");
             return Err(CampaignError::write(&path)(error));
         }
-        let open = OpenOptions::new()
+        let file = OpenOptions::new()
             .create(true)
             .truncate(false)
             .read(true)
             .write(true)
-            .open(&path);
-        let file = open.map_err(CampaignError::write(&path))?;
+            .open(&path)
+            .map_err(CampaignError::write(&path))?;
         let lock = || {
             if shared {
                 file.try_lock_shared()

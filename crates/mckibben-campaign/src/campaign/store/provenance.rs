@@ -165,8 +165,10 @@ impl Provenance {
     }
 
     pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Option<u64>), String> {
-        let stored = pairs.iter().find(|(key, _)| key == STORED);
-        let (_, text) = stored.ok_or_else(|| format!("its metadata have no {STORED}"))?;
+        let (_, text) = pairs
+            .iter()
+            .find(|(key, _)| key == STORED)
+            .ok_or_else(|| format!("its metadata have no {STORED}"))?;
         Self::from_json(text.as_bytes())
     }
 }

@@ -61,10 +61,11 @@ pub fn held_out_samples(count: usize, seed: u64) -> Vec<Sample> {
 /// The same of another law, by its shear modulus in MPa and a number below one.
 pub fn drawn(count: usize, seed: u64, law: impl Fn(f64, f64) -> Law) -> Vec<Sample> {
     let mut r = Random(seed);
-    let muscles = (0..20 * count)
+    let numbered: Vec<_> = (0..20 * count)
         .filter_map(|_| random(&mut r, &law))
-        .take(count);
-    let numbered: Vec<_> = muscles.enumerate().collect();
+        .take(count)
+        .enumerate()
+        .collect();
     threads::map(&numbered, |(i, (m, p))| solved(*i, m, *p))
         .into_iter()
         .flatten()

@@ -132,9 +132,11 @@ impl MuscleFile {
     /// [`FileError`], as [`parse_muscle`].
     pub fn muscle(mut self, source: &Source<'_>) -> Result<Muscle, FileError> {
         let (bench, job) = (self.identified.take(), self.job.take());
-        let parts = self.stated(source)?.over(&Muscle::prototype());
-        let muscle = parts.and_then(Muscle::from_parts);
-        let mut muscle = muscle.map_err(|error| source.refused(&error))?;
+        let mut muscle = self
+            .stated(source)?
+            .over(&Muscle::prototype())
+            .and_then(Muscle::from_parts)
+            .map_err(|error| source.refused(&error))?;
         if let Some(bench) = bench {
             bench::check(&bench, source)?;
             muscle = muscle.with_bench(bench);

@@ -178,8 +178,10 @@ fn libraries(id: &str) -> (Vec<Entry>, Vec<Entry>) {
         (path, library.to_vec())
     };
     let third = SYSTEMS.map(|(_, folder, ending, library)| entry(folder, ending, library));
-    let in_second = SYSTEMS.iter().filter(|system| !system.0.is_empty());
-    let second = in_second.map(|(folder, _, ending, library)| entry(folder, ending, library));
+    let second = SYSTEMS
+        .iter()
+        .filter(|system| !system.0.is_empty())
+        .map(|(folder, _, ending, library)| entry(folder, ending, library));
     let macos = entry("darwin64", "dylib", &universal(&MACOS));
     (second.chain([macos]).collect(), third.to_vec())
 }
