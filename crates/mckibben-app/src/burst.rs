@@ -128,11 +128,12 @@ pub fn proof_mpa(found: &Burst, pressure_mpa: f64) -> Result<f64, Problem> {
              beyond their limit"
         );
         let most = rounded(most_mpa, 3, f64::floor);
-        let hint = format!("give a `pressure_mpa` of at most {most}\u{a0}MPa, or stiffer strands");
         ProblemKind::OutOfRange
             .problem(message)
             .in_field("pressure_mpa")
-            .with_hint(hint)
+            .with_hint(format!(
+                "give a `pressure_mpa` of at most {most}\u{a0}MPa, or stiffer strands"
+            ))
     })
 }
 

@@ -157,12 +157,14 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let doubts = doubts(&muscle, &read)?;
     let measured = request.on_branch(&read);
     if is_measured && measured.is_empty() && beside.is_empty() {
-        let message = format!(
-            "{}: there are no points of that branch",
-            request.tables.names()
-        );
-        let hint = "its column `branch` must say contraction or elongation";
-        return Err(Problem::new(ProblemKind::Data, message, hint));
+        return Err(Problem::new(
+            ProblemKind::Data,
+            format!(
+                "{}: there are no points of that branch",
+                request.tables.names()
+            ),
+            "its column `branch` must say contraction or elongation",
+        ));
     }
     let measured = is_measured.then_some(measured);
     let (pressures, contractions) = grid(request, &muscle, measured.as_deref())?;
@@ -192,8 +194,14 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let figure = request.figure.as_ref().map(|unit| {
         let about = MuscleSummary::from(&muscle).line(unit);
         let drawn = compared.iter_mut().map(|c| c.evaluation(options)).collect();
-        let measured = measured.as_deref().unwrap_or_default();
-        figure::compare(drawn, measured, &pressures, &contractions, &about, unit)
+        figure::compare(
+            drawn,
+            measured.as_deref().unwrap_or_default(),
+            &pressures,
+            &contractions,
+            &about,
+            unit,
+        )
     });
     Ok(CompareAnswer {
         reference: if measured.is_some() {

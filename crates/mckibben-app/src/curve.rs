@@ -161,8 +161,10 @@ impl CurveRequest {
     fn grid(&self, question: &mut Question, pressures: Vec<f64>) -> Result<(Vec<f64>, Vec<f64>)> {
         let isobaric = self.test == Test::Isobaric;
         if self.test == Test::Isotonic {
-            let forces = forces(&self.forces_n, &question.muscle, question.options)?;
-            return Ok((forces, pressures));
+            return Ok((
+                forces(&self.forces_n, &question.muscle, question.options)?,
+                pressures,
+            ));
         }
         let step = if isobaric { 0.01 } else { 0.05 };
         let length_mm = question.muscle.length_mm();
@@ -188,8 +190,7 @@ struct Family {
 
 impl Family {
     fn add(&mut self, curve: Curve) {
-        let of_points = warnings::of_points(answered([&curve]));
-        self.said.extend(of_points);
+        self.said.extend(warnings::of_points(answered([&curve])));
         self.said = Warning::gravest(&self.said);
         self.has_answers |= answered([&curve]).next().is_some();
         if !self.has_answers {

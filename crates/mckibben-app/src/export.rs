@@ -197,9 +197,11 @@ impl ExportFields {
 
     fn target(&self) -> Result<ExportTarget> {
         let missing = || {
-            let message = "`target` is missing: what the muscle is exported for";
-            let hint = format!("one of {}", ExportTarget::names());
-            Problem::usage(message, hint).in_field("target")
+            Problem::usage(
+                "`target` is missing: what the muscle is exported for",
+                format!("one of {}", ExportTarget::names()),
+            )
+            .in_field("target")
         };
         ExportTarget::named(self.target.as_deref().ok_or_else(missing)?)
             .map_err(|e| Problem::from(e).in_field("target"))

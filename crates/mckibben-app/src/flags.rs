@@ -213,9 +213,11 @@ pub fn volume(text: &str) -> Result<Volume, Problem> {
     let text = text.trim();
     let volume: Volume = text.parse().map_err(|e| ProblemKind::Quantity.problem(e))?;
     if volume.0 != 0.0 && text.parse::<f64>().is_ok() {
-        let message = format!("\"{text}\" has no unit, and a bare number is mm³");
-        let hint = format!("write {text}mL or {text}mm3");
-        return Err(Problem::new(ProblemKind::Quantity, message, hint));
+        return Err(Problem::new(
+            ProblemKind::Quantity,
+            format!("\"{text}\" has no unit, and a bare number is mm³"),
+            format!("write {text}mL or {text}mm3"),
+        ));
     }
     Ok(volume)
 }
@@ -304,12 +306,14 @@ pub fn terminal(text: &str) -> Result<Plug, Problem> {
 }
 
 fn no_terminal(text: &str) -> Problem {
-    let message = format!(
-        "\"{text}\" is not a terminal; expected rigid or aluminium, with an optional \
+    Problem::new(
+        ProblemKind::Terminal,
+        format!(
+            "\"{text}\" is not a terminal; expected rigid or aluminium, with an optional \
          insertion and radius of the nose (aluminium:20mm:3mm)"
-    );
-    let hint = "leave it out for a rigid plane";
-    Problem::new(ProblemKind::Terminal, message, hint)
+        ),
+        "leave it out for a rigid plane",
+    )
 }
 
 /// The diameter of a bolt: screws are sold by it, as M6.

@@ -177,8 +177,7 @@ impl<T: Args> Args for Flags<T> {
             .chain(of_all)
             .collect::<Vec<Arg>>()
             .into_iter();
-        let flags = flags.mut_args(|arg| in_order.next().unwrap_or(arg));
-        with_short_help(&path, flags)
+        with_short_help(&path, flags.mut_args(|arg| in_order.next().unwrap_or(arg)))
     }
 
     fn augment_args_for_update(command: clap::Command) -> clap::Command {

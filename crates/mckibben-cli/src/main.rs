@@ -65,8 +65,7 @@ fn main() -> ExitCode {
         if !matches!(cli.command, cli::Command::Serve(_)) {
             progress::watched();
         }
-        let continues = matches!(cli.command, cli::Command::Campaign(_));
-        context.check_named(continues)?;
+        context.check_named(matches!(cli.command, cli::Command::Campaign(_)))?;
         cli.command.run(&mut context)
     });
     threads::shortage()

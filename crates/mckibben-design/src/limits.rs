@@ -335,8 +335,10 @@ pub static LIMITS: [LimitEntry; 7] = [
         numbers: |at| {
             let fitted = at.assessed.muscle.tube().rubber.fitted_to_stretch;
             let limits = at.spec().limits;
-            let bound = limits.stretch.or(fitted.filter(|_| limits.fitted_stretch));
-            Ok(at.response.rubber_stretch().zip(bound))
+            Ok(at
+                .response
+                .rubber_stretch()
+                .zip(limits.stretch.or(fitted.filter(|_| limits.fitted_stretch))))
         },
         missed: |value, bound, _| {
             format!("rubber stretched to {value:.2}, at most {bound} allowed")

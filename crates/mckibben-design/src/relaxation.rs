@@ -153,10 +153,10 @@ impl Relaxation {
             Self::MaxLiquidVolume { liquid_volume_mm3 } => {
                 format!("provide {} mL of liquid", tidy(1e-3 * liquid_volume_mm3, 3))
             }
-            Self::Together { changes } => {
-                let all = changes.iter().map(|change| change.describe(spec, show));
-                joined(all, ", and together with that ")
-            }
+            Self::Together { changes } => joined(
+                changes.iter().map(|change| change.describe(spec, show)),
+                ", and together with that ",
+            ),
         }
     }
 }
@@ -279,8 +279,11 @@ fn together(search: &Search<'_>) -> Option<Change> {
             .map(|freed| change(search, &exact, freed))
             .collect();
         let (asks, changes): (Vec<f64>, Vec<Relaxation>) = all?.into_iter().unzip();
-        let change = (asks.into_iter().sum(), Relaxation::Together { changes });
-        proven(search, &exact, change)
+        proven(
+            search,
+            &exact,
+            (asks.into_iter().sum(), Relaxation::Together { changes }),
+        )
     });
     changes
         .into_iter()
@@ -370,15 +373,17 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
     match assessed.below.map(|below| below.by) {
         None => {
             let pressure_mpa = three_digits(needed_mpa / spec.supply_share, true);
-            let ask = (pressure_mpa / spec.max_pressure_mpa).ln();
-            Some((ask, Relaxation::MaxPressure { pressure_mpa }))
+            Some((
+                (pressure_mpa / spec.max_pressure_mpa).ln(),
+                Relaxation::MaxPressure { pressure_mpa },
+            ))
         }
         Some(Strands | Mesh | Bladder | Ends) if is_within => {
             let burst_margin = margin_at(&assessed, RELIEF * needed_mpa)?;
             let burst_margin = three_digits(burst_margin, false);
             let ask = (spec.limits.burst_margin? / burst_margin).ln();
-            let change = Relaxation::MinBurstMargin { burst_margin };
-            (burst_margin >= LEAST_SAFETY).then_some((ask, change))
+            (burst_margin >= LEAST_SAFETY)
+                .then_some((ask, Relaxation::MinBurstMargin { burst_margin }))
         }
         Some(FailureMode::StrandStrain) if is_within => {
             let mut strain = 0.0_f64;
@@ -387,8 +392,10 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
                 strain = strain.max(at.unwrap_or(0.0));
             }
             let strand_strain = three_digits(strain, true);
-            let ask = (strand_strain / spec.limits.strand_strain?).ln();
-            Some((ask, Relaxation::MaxStrandStrain { strand_strain }))
+            Some((
+                (strand_strain / spec.limits.strand_strain?).ln(),
+                Relaxation::MaxStrandStrain { strand_strain },
+            ))
         }
         _ => None,
     }

@@ -238,8 +238,7 @@ impl ElementModel for Whole {
             .reach(workspace, given)
             .map_err(|error| for_whole_muscle(self, displacement, error))?;
         let e = e.unwrap_or_else(|| self.ends.whole(point.contraction, displacement));
-        let point = whole_point(self, Some(e), point);
-        Ok(at_pressure(point, stated_mpa))
+        Ok(at_pressure(whole_point(self, Some(e), point), stated_mpa))
     }
 
     fn isometric(
@@ -252,8 +251,9 @@ impl ElementModel for Whole {
         let ends = &self.ends;
         if ends.slip_mm_per_n == 0.0 {
             let active: Vec<f64> = pressures_mpa.iter().map(|p| ends.active_mpa(*p)).collect();
-            let x = ends.between(e, ends.seating_mm);
-            let points = self.inner.isometric(workspace, x, &active, detail);
+            let points =
+                self.inner
+                    .isometric(workspace, ends.between(e, ends.seating_mm), &active, detail);
             return points
                 .into_iter()
                 .zip(pressures_mpa)

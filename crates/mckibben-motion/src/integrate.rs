@@ -226,8 +226,7 @@ impl Stepper {
     /// The state at a time within the last step.
     pub fn within(&self, t: f64) -> Option<Vec<f64>> {
         let step = self.last.as_ref()?;
-        let share = ((t - step.from) / step.h).clamp(0.0, 1.0);
-        Some(step.state(share))
+        Some(step.state(((t - step.from) / step.h).clamp(0.0, 1.0)))
     }
 
     /// Tries a step that does not go beyond `end`. False where it was rejected.
@@ -293,8 +292,8 @@ impl Stepper {
         equations.near(true);
         let at_start = self.rates(equations, self.t, &self.state);
         let rates = from_fn(|i| {
-            let t = self.t + STAGES[i] * h;
-            self.rates_at(equations, t, &z[i]).split_off(n)
+            self.rates_at(equations, self.t + STAGES[i] * h, &z[i])
+                .split_off(n)
         });
         equations.near(false);
         let step = Step {
@@ -502,8 +501,7 @@ impl Stepper {
         let moved = self.rates_at(equations, self.t + euler, &(&rates * euler));
         let moved = implicit(&moved, n);
         equations.differences(None);
-        let bend = size(&(moved - rates), &allowed) / euler;
-        let fastest = of_rates.max(bend);
+        let fastest = of_rates.max(size(&(moved - rates), &allowed) / euler);
         let by_bend = if fastest <= 1e-15 {
             (1e-3 * euler).max(1e-6)
         } else {

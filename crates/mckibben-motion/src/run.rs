@@ -252,8 +252,9 @@ impl<'s> Integration<'s> {
                 }
                 let h = method.next_step();
                 if h.is_nan() || h < shortest {
-                    let ended = self.ended_after(h, "the step has become too small");
-                    return Err(failed.unwrap_or(ended));
+                    return Err(
+                        failed.unwrap_or(self.ended_after(h, "the step has become too small"))
+                    );
                 }
                 continue;
             }

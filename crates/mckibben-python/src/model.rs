@@ -98,8 +98,13 @@ impl Model {
             nan,
             warnings,
         };
-        let pairs = [first.as_slice()?, second.as_slice()?];
-        self.answer(py, pairs, &many, out.as_slice_mut()?, progress)
+        self.answer(
+            py,
+            [first.as_slice()?, second.as_slice()?],
+            &many,
+            out.as_slice_mut()?,
+            progress,
+        )
     }
 
     /// The answer to one pair of numbers, NaN where it has none and `nan` is true, and what is to
@@ -119,8 +124,10 @@ impl Model {
             ..Many::default()
         };
         let mut place = [f64::NAN];
-        let said = self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
-        Ok((place[0], said))
+        Ok((
+            place[0],
+            self.answer(py, [&[first], &[second]], &many, &mut place, None)?,
+        ))
     }
 }
 

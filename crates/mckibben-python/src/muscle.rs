@@ -107,8 +107,10 @@ impl Muscle {
     fn stress(&self, mode: &str, stretches: Vec<f64>) -> PyResult<Vec<f64>> {
         let law = &self.held.tube().rubber.law;
         let wrong = |field: &str, message: String| {
-            let problem = Problem::new(ProblemKind::Quantity, message, "").in_field(field);
-            Err(Wrong::from(problem).into())
+            Err(
+                Wrong::from(Problem::new(ProblemKind::Quantity, message, "").in_field(field))
+                    .into(),
+            )
         };
         if let Some(none) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
             let message =

@@ -211,11 +211,12 @@ impl BoundModel {
     ) -> Result<Vec<Warning>, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
         if count != other || count.checked_mul(width) != Some(out.len()) {
-            let message = format!(
-                "{count} and {other} numbers for {} places of {width}",
-                out.len()
-            );
-            return Err(ProblemKind::Usage.problem(message).into());
+            return Err(ProblemKind::Usage
+                .problem(format!(
+                    "{count} and {other} numbers for {} places of {width}",
+                    out.len()
+                ))
+                .into());
         }
         let quiet = many.warnings.then(|| self.quiet()).transpose()?;
         let share = if self.is_elements() {

@@ -63,8 +63,7 @@ impl CurveAnswer {
 
     /// One row per value along the curves, one column per curve.
     fn table(&self, u: &Units) -> Table<'_, CurvePoint> {
-        let first = self.curves.first().map_or(&[][..], |c| &c.points[..]);
-        let table = Table::of(first);
+        let table = Table::of(self.curves.first().map_or(&[][..], |c| &c.points[..]));
         let mut table = match self.test {
             Test::Isobaric => table.quantity("ε", &PERCENT, |q| q.contraction),
             _ => table.quantity("P", &u.pressure, |q| q.pressure_mpa),

@@ -49,8 +49,10 @@ impl DesignRequest {
         };
         let frequency_hz = above_zero(ProblemKind::Range, "cycle_hz", frequency)?;
         if matches!(spec.wanted, Demand::Joint(_)) || spec.liquid.is_some() {
-            let message = "`cycle_hz` sizes the valve of muscles that air fills, without a joint";
-            return Err(Problem::usage(message, "`motion` computes a drive"));
+            return Err(Problem::usage(
+                "`cycle_hz` sizes the valve of muscles that air fills, without a joint",
+                "`motion` computes a drive",
+            ));
         }
         let force_n = peak(winner.points.iter().map(|q| q.wanted.force_n));
         let step = StepFields {

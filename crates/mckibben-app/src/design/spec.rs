@@ -239,11 +239,12 @@ impl DesignRequest {
         };
         match values(choice, FIELD)? {
             Values::List(list) => Ok(list),
-            Values::Interval(..) => {
-                let message = "give the sleeves that are sold as a list";
-                let hint = "such as 90,110,130mm";
-                Err(Problem::new(ProblemKind::Range, message, hint).in_field(FIELD))
-            }
+            Values::Interval(..) => Err(Problem::new(
+                ProblemKind::Range,
+                "give the sleeves that are sold as a list",
+                "such as 90,110,130mm",
+            )
+            .in_field(FIELD)),
         }
     }
 
@@ -281,8 +282,11 @@ impl DesignRequest {
         tubes.retain(|tube| !(self.sold && tube.is_cast || self.cast && !tube.is_cast));
         if tubes.is_empty() {
             let field = if self.sold { "sold" } else { "cast" };
-            let message = format!("`{field}` leaves none of the tubes that are named");
-            return Err(Problem::usage(message, "").in_field(field));
+            return Err(Problem::usage(
+                format!("`{field}` leaves none of the tubes that are named"),
+                "",
+            )
+            .in_field(field));
         }
         Ok(tubes)
     }
@@ -331,13 +335,15 @@ impl DesignRequest {
             }
         }
         if found.is_empty() {
-            let message = format!(
-                "no tube of {} is in the catalogue, and it is not cast",
-                rubbers.join(", ")
-            );
-            let hint = "give its size (`tubes`, such as 8x12mm), or sizes to search \
-                (`outer_diameter_mm` and `wall_mm`)";
-            return Err(Problem::usage(message, hint).in_field("rubbers"));
+            return Err(Problem::usage(
+                format!(
+                    "no tube of {} is in the catalogue, and it is not cast",
+                    rubbers.join(", ")
+                ),
+                "give its size (`tubes`, such as 8x12mm), or sizes to search \
+                (`outer_diameter_mm` and `wall_mm`)",
+            )
+            .in_field("rubbers"));
         }
         Ok(found)
     }
@@ -528,12 +534,14 @@ impl DesignRequest {
         let largest = peak(points.iter().map(|q| q.contraction.abs()));
         if self.length_mm.is_some() {
             let have = largest * length;
-            let message = format!(
-                "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many \
+            return Err(wrong(
+                format!(
+                    "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many \
                  data: with that length the largest contraction gives {have:.2}\u{a0}mm"
-            );
-            let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
-            return Err(wrong(message, hint).in_field("stroke_mm"));
+                ),
+                "leave out `stroke_mm`, `length_mm` or the contraction",
+            )
+            .in_field("stroke_mm"));
         }
         if largest <= 0.0 {
             return Err(wrong("a stroke needs a contraction above zero".into(), ""));
@@ -595,10 +603,9 @@ fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
             let low = finite(field, *low)?;
             let high = finite(field, *high)?;
             if low > high {
-                let message = format!(
+                return Err(ProblemKind::Range.problem(format!(
                     "the interval from {low} to {high} is reversed: write the smaller value first"
-                );
-                return Err(ProblemKind::Range.problem(message).in_field(field));
+                )).in_field(field));
             }
             Values::Interval(low, high)
         }

@@ -182,9 +182,11 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
     } else {
         ""
     };
-    let about = format!("Model {model}{branches}{said}. {}", muscle.line(u));
     Figure::new(title)
-        .caption(caption(about))
+        .caption(caption(format!(
+            "Model {model}{branches}{said}. {}",
+            muscle.line(u)
+        )))
         .sequential()
         .panel(panel)
 }
@@ -225,9 +227,14 @@ pub fn design(
                 if i == 0 && pressure == max_pressure_mpa {
                     bands.extend(band(&curve, Test::Isobaric, u).map(|band| band.colour(0)));
                 }
-                let label = format!("{name} at {}", u.pressure.show(pressure));
-                let points = line(&curve, Test::Isobaric, u);
-                panel = panel.series(Series::new(label, points).colour(i).style(style));
+                panel = panel.series(
+                    Series::new(
+                        format!("{name} at {}", u.pressure.show(pressure)),
+                        line(&curve, Test::Isobaric, u),
+                    )
+                    .colour(i)
+                    .style(style),
+                );
             }
         }
     }

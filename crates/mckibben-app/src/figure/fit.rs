@@ -350,8 +350,8 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
                 let label = format!("{} MPa", number(p, 3));
                 panel = pair(panel, &label, n, points, |e| formula.force_n(d, s, p, e));
                 if let Some(published) = &published {
-                    let line = line(0.0, 0.2, |e| published.force_n(d, s, p, e));
-                    let series = Series::new("", line).colour(n);
+                    let series = Series::new("", line(0.0, 0.2, |e| published.force_n(d, s, p, e)))
+                        .colour(n);
                     panel = panel.series(series.style(Style::Dashed));
                 }
             }

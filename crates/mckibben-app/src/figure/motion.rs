@@ -22,8 +22,7 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
         bands.extend(end_band(run).map(|band| band.colour(i)));
         let s = &run.motion.series;
         let over = |list: &[f64], shown: &dyn Fn(f64) -> f64| {
-            let points = s.time_s.iter().zip(list).map(|(t, v)| (*t, shown(*v)));
-            Series::line("", points).colour(i)
+            Series::line("", s.time_s.iter().zip(list).map(|(t, v)| (*t, shown(*v)))).colour(i)
         };
         let place = match s.degrees() {
             Some([angle, _]) => over(&angle, &|v| v),

@@ -224,8 +224,7 @@ impl Walk<'_> {
                     .flatten()
                     .filter_map(Value::as_object)
                     .map(|object| {
-                        let titled = title.clone().into_iter().chain(object.clone());
-                        Value::from_iter(titled)
+                        Value::from_iter(title.clone().into_iter().chain(object.clone()))
                     });
                 let list = lists.entry(field.name);
                 if let Value::Array(list) = list.or_insert_with(|| Value::Array(vec![])) {

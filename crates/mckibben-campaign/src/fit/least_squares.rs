@@ -87,7 +87,9 @@ impl Triangle {
 
     /// The coefficients; `None` where they have no finite answer.
     pub fn solve(&self) -> Option<DVector<f64>> {
-        let terms = self.matrix.columns(0, self.terms()).into_owned();
-        least_squares(terms, self.values())
+        least_squares(
+            self.matrix.columns(0, self.terms()).into_owned(),
+            self.values(),
+        )
     }
 }

@@ -62,8 +62,7 @@ impl Identify {
         self.plot.save(context, &mut answer.figure)?;
         let folder = self.save_measured.as_deref();
         if let Some(folder) = folder {
-            let files = self.request.measured_files(&answer)?;
-            context.save_inside(folder, files)?;
+            context.save_inside(folder, self.request.measured_files(&answer)?)?;
         }
         let measured = folder.map(|path| {
             let place = path_on_one_line(path);

@@ -116,13 +116,12 @@ pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Problem
     if endings.contains(&ending.as_str()) {
         return Ok(());
     }
-    let message = format!(
-        "{} ends in .{ending}, which is another format",
-        path.display()
-    );
     Err(Problem::new(
         ProblemKind::Output,
-        message,
+        format!(
+            "{} ends in .{ending}, which is another format",
+            path.display()
+        ),
         format!("end it in .{}", endings.join(" or .")),
     ))
 }

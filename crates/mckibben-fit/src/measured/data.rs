@@ -157,8 +157,11 @@ pub fn same(a: f64, b: f64) -> bool {
 pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
     let (mut groups, mut places): (Vec<Vec<DataPoint>>, HashMap<_, usize>) = Default::default();
     for p in points {
-        let section = p.section.values().map(|(_, value)| value.map(f64::to_bits));
-        let key = (section, p.set, p.measured as u8);
+        let key = (
+            p.section.values().map(|(_, value)| value.map(f64::to_bits)),
+            p.set,
+            p.measured as u8,
+        );
         let place = *places.entry(key).or_insert(groups.len());
         groups.resize_with(groups.len().max(place + 1), Vec::new);
         groups[place].push(*p);

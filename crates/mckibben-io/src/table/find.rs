@@ -97,8 +97,10 @@ impl Table {
             .map(|c| c.index)
             .collect();
         let rows = table.rows.iter();
-        let cells = rows.flat_map(|row| numeric.iter().map(|&i| row.field(i)));
-        table.decimal = number::decimal(cells, separator);
+        table.decimal = number::decimal(
+            rows.flat_map(|row| numeric.iter().map(|&i| row.field(i))),
+            separator,
+        );
         let constants: Vec<String> = search
             .choices
             .iter()
@@ -131,8 +133,12 @@ impl Table {
             let text = row.field(column.index);
             match (unit_of(column), column.unit) {
                 (Some((_, unit)), Some(before)) if unit != before => {
-                    let clash = format!(", or not the one above ({})", before.name);
-                    return Err(self.wrong_unit(row.line, column, text, clash));
+                    return Err(self.wrong_unit(
+                        row.line,
+                        column,
+                        text,
+                        format!(", or not the one above ({})", before.name),
+                    ));
                 }
                 (Some((meaning, unit)), None) => {
                     column.meaning = meaning;
@@ -428,8 +434,11 @@ fn unambiguous(columns: &[Column]) -> Result<Vec<Column>, TableError> {
                 } else {
                     &first.heading
                 };
-                let headings = best.iter().map(|c| c.heading.as_str());
-                return Err(TableError::ambiguous(column.meaning, headings, example));
+                return Err(TableError::ambiguous(
+                    column.meaning,
+                    best.iter().map(|c| c.heading.as_str()),
+                    example,
+                ));
             }
             _ => out.push(column.clone()),
         }

@@ -36,8 +36,9 @@ pub fn check(bytes: &[u8]) -> std::result::Result<(), TableError> {
         }
         // Sizes in the directory are what the file claims.
         let _ = copy(&mut part, &mut sink());
-        let read = left + 1 - part.into_inner().limit();
-        left = left.checked_sub(read).ok_or_else(too_large)?;
+        left = left
+            .checked_sub(left + 1 - part.into_inner().limit())
+            .ok_or_else(too_large)?;
     }
     Ok(())
 }

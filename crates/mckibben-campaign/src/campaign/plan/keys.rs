@@ -111,8 +111,9 @@ fn in_table(
                 names,
             });
         } else if key == RUBBER {
-            let names = Vec::deserialize(value).map_err(|error| wrong(error.to_string()))?;
-            axes.push(Axis::of_rubbers(names));
+            axes.push(Axis::of_rubbers(
+                Vec::deserialize(value).map_err(|error| wrong(error.to_string()))?,
+            ));
         } else if variables.iter().any(|v| v.key.starts_with(&inner)) {
             let table = value
                 .as_object()

@@ -57,8 +57,10 @@ impl Opened {
         let fields = provenance.layout.fields();
         let (rows, actual) = (provenance.rows_of(part), reader.rows());
         if u64::try_from(actual) != Ok(rows) {
-            let why = format!("it has {actual} rows instead of {rows}");
-            return Err(CampaignError::damaged(path, why));
+            return Err(CampaignError::damaged(
+                path,
+                format!("it has {actual} rows instead of {rows}"),
+            ));
         }
         Ok(Self {
             provenance,

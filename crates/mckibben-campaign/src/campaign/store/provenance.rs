@@ -93,8 +93,10 @@ impl Provenance {
         } else if theirs == self {
             return Ok(());
         } else {
-            let why = "its metadata are not those of this plan";
-            return Err(CampaignError::damaged(file, why));
+            return Err(CampaignError::damaged(
+                file,
+                "its metadata are not those of this plan",
+            ));
         };
         Err(CampaignError::OtherPlan(other))
     }

@@ -25,8 +25,7 @@ fn random(r: &mut Random, law: impl Fn(f64, f64) -> Law) -> Option<(Muscle, f64)
     let angle_deg = r.between(20.0, 35.0);
     let mu = r.log(0.08, 0.8);
     let k = outer_diameter_mm * r.log(4.0, 40.0);
-    let unit = r.unit();
-    let rubber = Rubber::new(law(mu, unit));
+    let rubber = Rubber::new(law(mu, r.unit()));
     let sin = angle_deg.to_radians().sin();
     let fits = |p: f64| {
         (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06

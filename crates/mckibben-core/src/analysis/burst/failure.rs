@@ -385,8 +385,10 @@ impl Burst {
             }
             _ => None,
         };
-        let unknown = self.not_checked().map(Warning::burst_not_checked);
-        above.into_iter().chain(unknown).collect()
+        above
+            .into_iter()
+            .chain(self.not_checked().map(Warning::burst_not_checked))
+            .collect()
     }
 
     /// Why the strength of the strands was not checked.

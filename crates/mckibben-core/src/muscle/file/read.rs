@@ -165,8 +165,10 @@ impl MuscleFile {
         // of before.
         let (new, old) = ("model.tondu-lopez.end_factor", "terminals.end_factor");
         if source.has(new) && source.has(old) {
-            let said = format!("is also given at {new}: leave one of them out");
-            return Err(source.error(old, said));
+            return Err(source.error(
+                old,
+                format!("is also given at {new}: leave one of them out"),
+            ));
         }
         let mut stated = Stated {
             rubber: Some(material::rubber(source, tube.rubber, tube.material)?),

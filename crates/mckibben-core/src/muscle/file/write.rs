@@ -96,8 +96,13 @@ fn written(value: &Value, schema: &Value) -> String {
         Value::Object(table) => {
             let keys = properties(schema);
             let one = |(key, value): (&String, &Value)| {
-                let schema = keys.and_then(|keys| keys.get(key)).unwrap_or(&Value::Null);
-                format!("{key} = {}", written(value, schema))
+                format!(
+                    "{key} = {}",
+                    written(
+                        value,
+                        keys.and_then(|keys| keys.get(key)).unwrap_or(&Value::Null)
+                    )
+                )
             };
             format!("{{ {} }}", joined(table.iter().map(one), ", "))
         }
