@@ -161,8 +161,10 @@ impl CurveRequest {
     fn grid(&self, question: &mut Question, pressures: Vec<f64>) -> Result<(Vec<f64>, Vec<f64>)> {
         let isobaric = self.test == Test::Isobaric;
         if self.test == Test::Isotonic {
-            let forces = forces(&self.forces_n, &question.muscle, question.options)?;
-            return Ok((forces, pressures));
+            return Ok((
+                forces(&self.forces_n, &question.muscle, question.options)?,
+                pressures,
+            ));
         }
         let step = if isobaric { 0.01 } else { 0.05 };
         let length_mm = question.muscle.length_mm();
@@ -188,8 +190,7 @@ struct Family {
 
 impl Family {
     fn add(&mut self, curve: Curve) {
-        let of_points = warnings::of_points(answered([&curve]));
-        self.said.extend(of_points);
+        self.said.extend(warnings::of_points(answered([&curve])));
         self.said = Warning::gravest(&self.said);
         self.has_answers |= answered([&curve]).next().is_some();
         if !self.has_answers {
@@ -225,10 +226,11 @@ pub fn reach(
     let end = free
         .unwrap_or(UNKNOWN)
         .min(if range > 0.0 { range } else { f64::INFINITY });
-    let round = (0..)
+    let mut list: Vec<f64> = (0..)
         .map(|i| f64::from(i) * step)
-        .map(|e| (e * 1e6).round() / 1e6);
-    let mut list: Vec<f64> = round.take_while(|e| *e < end - 1e-9).collect();
+        .map(|e| (e * 1e6).round() / 1e6)
+        .take_while(|e| *e < end - 1e-9)
+        .collect();
     if closed || free.is_none() {
         list.push(end);
     }

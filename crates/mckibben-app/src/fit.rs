@@ -181,10 +181,9 @@ fn universal(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer>
     request.check_foreign()?;
     let Some(path) = &request.campaign else {
         let name = request.table.as_ref().map_or("nothing", |t| &t.name);
-        let message = format!("{name}: the method universal takes a campaign in Parquet");
         return Err(Problem::new(
             ProblemKind::Data,
-            message,
+            format!("{name}: the method universal takes a campaign in Parquet"),
             "`mckibben campaign` makes one",
         ));
     };
@@ -445,8 +444,9 @@ fn rows(path: &Path) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)>
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
 fn rows(_: &Path) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
-    let message = "this build of the program cannot read campaigns from disk";
-    Err(ProblemKind::Usage.problem(message).in_field("campaign"))
+    Err(ProblemKind::Usage
+        .problem("this build of the program cannot read campaigns from disk")
+        .in_field("campaign"))
 }
 
 /// Whether all muscles of a campaign are of one make.

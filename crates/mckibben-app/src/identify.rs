@@ -231,13 +231,17 @@ fn job_of(job: &Job, found: &Muscle, choice: &Model) -> Result<Job> {
     let mut workspace = Workspace::new();
     let mut model = Evaluation::new(&*model, &mut workspace, options);
     let takes = |point: &JobPoint| {
-        let answer = model
+        model
             .pressure(point.force.into(), point.contraction.into())
-            .ok()?;
-        answer.predicted_mpa
+            .ok()?
+            .predicted_mpa
     };
-    let set_mpa = job.points.iter().filter_map(takes).reduce(f64::max);
-    let set_mpa = set_mpa.unwrap_or(job.pressure.into());
+    let set_mpa = job
+        .points
+        .iter()
+        .filter_map(takes)
+        .reduce(f64::max)
+        .unwrap_or(job.pressure.into());
     let allowed_mpa = allowed.map_or(f64::INFINITY, |allowed| allowed.mpa);
     let most_mpa = job
         .supply
@@ -255,22 +259,23 @@ fn muscle_file(
     model: &str,
     (identified, found): (&Identification, &Muscle),
 ) -> Result<String> {
-    let text = format!(
+    readable(format!(
         "# Identified from {} with the model {}:\n# {}\n{}",
         line(data),
         line(model),
         in_one_line(&identified.parameters),
         to_toml(found)
-    );
-    readable(text)
+    ))
 }
 
 /// A muscle file that every command reads again.
 pub fn readable(text: String) -> Result<String> {
     let wrong = |error| {
-        let message = format!("the identified constants make no muscle: {error}");
-        let hint = "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine";
-        Problem::new(ProblemKind::NotConverged, message, hint)
+        Problem::new(
+            ProblemKind::NotConverged,
+            format!("the identified constants make no muscle: {error}"),
+            "give bounds (`bounds` NAME=LOW:HIGH), or fix what the points do not determine",
+        )
     };
     parse_muscle(&text).map_err(wrong).map(|_| text)
 }
@@ -288,10 +293,12 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         points = mean_of_data(&points);
     }
     if points.len() > MOST_POINTS {
-        let message = format!("{} points, and the limit is {MOST_POINTS}", points.len());
-        return Err(
-            Problem::new(ProblemKind::Data, message, "take every tenth row").in_field("data"),
-        );
+        return Err(Problem::new(
+            ProblemKind::Data,
+            format!("{} points, and the limit is {MOST_POINTS}", points.len()),
+            "take every tenth row",
+        )
+        .in_field("data"));
     }
     let Parameters {
         free,
@@ -399,9 +406,10 @@ impl IdentifyRequest {
     /// The files of a measured muscle by name, for others who use these points.
     pub fn measured_files(&self, answer: &IdentifyAnswer) -> Result<Vec<(&'static str, String)>> {
         if self.branches == Branches::History {
-            let message = "a measured muscle has no rows in time order";
-            let hint = "let `branches` be both: each row then states its branch";
-            return Err(Problem::usage(message, hint));
+            return Err(Problem::usage(
+                "a measured muscle has no rows in time order",
+                "let `branches` be both: each row then states its branch",
+            ));
         }
         let muscle = self.muscle.resolve()?;
         let points = self.points(&muscle)?.points;
@@ -439,11 +447,10 @@ impl IdentifyRequest {
             .map(|file| file.name.clone())
             .collect();
         if sets.is_empty() {
-            let hint = "give `data` with pressures, contractions and forces";
             return Err(Problem::new(
                 ProblemKind::MissingInput,
                 "there are no data to identify from",
-                hint,
+                "give `data` with pressures, contractions and forces",
             ));
         }
         let weights = self.weights(sets.len())?;
@@ -467,8 +474,10 @@ impl IdentifyRequest {
         let weights = self.weights.as_deref().unwrap_or_default();
         let wrong = |message: String, hint| Err(Problem::usage(message, hint).in_field("weights"));
         if !weights.is_empty() && weights.len() != sets {
-            let message = format!("{} numbers for {sets} sets of data", weights.len());
-            return wrong(message, "one for each of `data`");
+            return wrong(
+                format!("{} numbers for {sets} sets of data", weights.len()),
+                "one for each of `data`",
+            );
         }
         for &w in weights {
             if finite("weights", w)? < 0.0 {
@@ -484,10 +493,13 @@ impl IdentifyRequest {
     /// What is free and what is held.
     fn parameters(&self, muscle: &Muscle) -> Result<Parameters> {
         if let Some(text) = self.free.iter().find(|text| text.contains('=')) {
-            let message = format!("\"{}\" has a start", text.trim());
-            let hint = "write the name alone: the search begins at what is known before; `bounds` \
-                NAME=LOW:HIGH bounds it";
-            return Err(Problem::new(ProblemKind::Parameter, message, hint).in_field("free"));
+            return Err(Problem::new(
+                ProblemKind::Parameter,
+                format!("\"{}\" has a start", text.trim()),
+                "write the name alone: the search begins at what is known before; `bounds` \
+                NAME=LOW:HIGH bounds it",
+            )
+            .in_field("free"));
         }
         let free = self.free.iter().map(|text| free_target(text, muscle));
         let fixed = self

@@ -95,8 +95,13 @@ impl MeshFields {
         Problem::refuse_unused(&[("mesh", self.mesh.is_some() && !elements)], why)?;
         let bricks = |m: &&Model| matches!(m, Model::Elements(Elements::ThreeDimensional(_)));
         let why = "it applies only to the bricks of `model` fe3d";
-        let unused = self.keep != Match::default() && !models.iter().any(bricks);
-        Problem::refuse_unused(&[("match", unused)], why)
+        Problem::refuse_unused(
+            &[(
+                "match",
+                self.keep != Match::default() && !models.iter().any(bricks),
+            )],
+            why,
+        )
     }
 
     /// Refuses a terminal of models that have none.
@@ -104,9 +109,12 @@ impl MeshFields {
         if self.terminal.is_none() {
             return Ok(());
         }
-        let message = "only `model` fe3d can model the terminal as a body";
-        let hint = "the other models have rigid planes: leave it out";
-        Err(Problem::new(ProblemKind::Terminal, message, hint).in_field("terminal"))
+        Err(Problem::new(
+            ProblemKind::Terminal,
+            "only `model` fe3d can model the terminal as a body",
+            "the other models have rigid planes: leave it out",
+        )
+        .in_field("terminal"))
     }
 }
 
@@ -121,10 +129,9 @@ pub fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
             muscle,
         );
     }
-    let hint = "leave one of them out";
     Err(Problem::usage(
         "`direction` selects one branch and `both` selects two",
-        hint,
+        "leave one of them out",
     ))
 }
 
@@ -133,8 +140,10 @@ pub fn check_branch(options: Options, muscle: &Muscle) -> Result<()> {
     if options.direction.is_mean() || muscle.friction().is_some() || options.friction_share > 0.0 {
         return Ok(());
     }
-    let message = "`direction` needs the braid's friction, which this muscle does not state; it is \
-        estimated only of muscles that contract";
-    let hint = "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file";
-    Err(Problem::new(ProblemKind::MissingInput, message, hint))
+    Err(Problem::new(
+        ProblemKind::MissingInput,
+        "`direction` needs the braid's friction, which this muscle does not state; it is \
+        estimated only of muscles that contract",
+        "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file",
+    ))
 }

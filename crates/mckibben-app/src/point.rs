@@ -132,8 +132,13 @@ pub struct ModelAbout {
 
 /// The first point of the job, unless something else is stated.
 fn job_point(question: &Question, is_stated: bool) -> Option<JobPoint> {
-    let job = question.muscle.job().filter(|_| !is_stated)?;
-    job.points.first().copied()
+    question
+        .muscle
+        .job()
+        .filter(|_| !is_stated)?
+        .points
+        .first()
+        .copied()
 }
 
 /// F(P, ε).
@@ -173,8 +178,10 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
         });
     }
     if request.force_n.is_some() {
-        let message = "`force_n` conflicts with `load`: give the load, or the pull";
-        return Err(Problem::usage(message, ""));
+        return Err(Problem::usage(
+            "`force_n` conflicts with `load`: give the load, or the pull",
+            "",
+        ));
     }
     let mut said: Option<LoadAnswer> = None;
     let mut answer = answered(question, sought, request.both, |model| {
@@ -279,9 +286,12 @@ pub fn pull(force_n: f64, options: Options) -> Result<()> {
     if force_n >= 0.0 || options.two_sided {
         return Ok(());
     }
-    let message = format!("{force_n}\u{a0}N is a push, and a muscle that contracts only pulls");
-    let hint = "`two_sided` gives the negative forces of the formula";
-    Err(Problem::new(ProblemKind::Quantity, message, hint).in_field("force_n"))
+    Err(Problem::new(
+        ProblemKind::Quantity,
+        format!("{force_n}\u{a0}N is a push, and a muscle that contracts only pulls"),
+        "`two_sided` gives the negative forces of the formula",
+    )
+    .in_field("force_n"))
 }
 
 /// A muscle, a model, and how it is evaluated.
@@ -326,8 +336,7 @@ pub struct Question {
 impl Question {
     /// The pressure of a request, or the one for which the muscle was designed.
     fn pressure_mpa(&self, given: Option<Pressure>) -> Result<f64> {
-        let of_job = self.muscle.pressure_to_set_mpa().map(Pressure);
-        given_mpa(given.or(of_job))
+        given_mpa(given.or(self.muscle.pressure_to_set_mpa().map(Pressure)))
     }
 
     /// A contraction ratio of its muscle; 0 where none is given.

@@ -82,8 +82,10 @@ pub fn report(
         .first()
         .filter(|at| at.required_n.is_some());
     // To a whole percent: a state that one can set.
-    let half = (50.0 * plan.operating.free_contraction).round() / 100.0;
-    let usual = job.map_or(half, |at| at.contraction);
+    let usual = job.map_or(
+        (50.0 * plan.operating.free_contraction).round() / 100.0,
+        |at| at.contraction,
+    );
     let contraction = match &request.contraction {
         Some(contraction) => contraction.of_length(plan.muscle.length_mm())?,
         None => ratio(usual)?,
@@ -96,12 +98,13 @@ pub fn report(
     })?;
     step(2)?;
     let units = &request.units;
-    let said = shown
+    let mut parts: Vec<Part> = shown
         .warnings
         .iter()
         .filter(|w| w.is_of_burst())
-        .map(|w| Part::Text(w.to_string()));
-    let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
+        .map(|w| Part::Text(w.to_string()))
+        .chain(state(&shown, &point, units))
+        .collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa.into()),
@@ -171,8 +174,7 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
         .map(|c| c.rows(u))
         .unwrap_or_default()
         .only(|label| rows.iter().all(|(name, _)| name != label));
-    let rows = rows.and(more);
-    vec![Part::Heading("Performance".into()), table(rows)]
+    vec![Part::Heading("Performance".into()), table(rows.and(more))]
 }
 
 /// The deformed muscle by itself.
@@ -190,8 +192,9 @@ fn body_part(request: &ShapeRequest) -> Result<Part> {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
     }
-    let data = serde_json::to_string(&answer).unwrap_or_default();
-    Ok(Part::Body(data))
+    Ok(Part::Body(
+        serde_json::to_string(&answer).unwrap_or_default(),
+    ))
 }
 
 fn curves(
@@ -255,8 +258,10 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
                 FailurePressure::At { mpa, least_mpa } => {
                     let least = units.pressure.show(least_mpa);
                     let least = (least_mpa < mpa).then(|| format!(" ({least} at least)"));
-                    let pressure = units.pressure.show(mpa) + &least.unwrap_or_default();
-                    (pressure, fixed(mpa / working_mpa, 1))
+                    (
+                        units.pressure.show(mpa) + &least.unwrap_or_default(),
+                        fixed(mpa / working_mpa, 1),
+                    )
                 }
                 FailurePressure::None => ("at no pressure".into(), "–".into()),
                 FailurePressure::Unknown(_) if mode == FailureMode::Ends => {

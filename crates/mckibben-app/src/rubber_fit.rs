@@ -226,15 +226,12 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let form = || match (settings.forms.as_slice(), taken) {
         ([form], _) => Ok(*form),
         (_, Some(law)) => Ok(law.form),
-        _ => {
-            let message = "none of these laws is stable over the stretches of a muscle; none is \
-                fitted over time";
-            Err(Problem::new(
-                ProblemKind::NoAnswer,
-                message,
-                "take `laws` with one law",
-            ))
-        }
+        _ => Err(Problem::new(
+            ProblemKind::NoAnswer,
+            "none of these laws is stable over the stretches of a muscle; none is \
+                fitted over time",
+            "take `laws` with one law",
+        )),
     };
     let history = || {
         let several = [("data", request.tables.data.len() > 1)];
@@ -331,8 +328,12 @@ impl RubberFitRequest {
             };
             if named.is_empty() {
                 let hint = format!("known: {}, all", Form::words().join(", "));
-                let message = format!("there is no law \"{:.60}\"", word.trim());
-                return Err(Problem::new(ProblemKind::Rubber, message, hint).in_field("laws"));
+                return Err(Problem::new(
+                    ProblemKind::Rubber,
+                    format!("there is no law \"{:.60}\"", word.trim()),
+                    hint,
+                )
+                .in_field("laws"));
             }
             for form in named {
                 let wanted = form
@@ -344,9 +345,11 @@ impl RubberFitRequest {
             }
         }
         if forms.is_empty() {
-            let message = "none of these laws has this number of terms";
-            let hint = "leave `terms` out, or take `laws` ogden";
-            return Err(Problem::usage(message, hint).in_field("terms"));
+            return Err(Problem::usage(
+                "none of these laws has this number of terms",
+                "leave `terms` out, or take `laws` ogden",
+            )
+            .in_field("terms"));
         }
         Ok(forms)
     }
@@ -357,8 +360,10 @@ fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
     let mut out = BTreeMap::new();
     for entry in text.split(',').filter(|entry| !entry.trim().is_empty()) {
         let bad = |why: &str| {
-            let message = format!("\"{:.60}\" {why}", entry.trim());
-            Problem::usage(message, "write uniaxial=1,equibiaxial=2")
+            Problem::usage(
+                format!("\"{:.60}\" {why}", entry.trim()),
+                "write uniaxial=1,equibiaxial=2",
+            )
         };
         let (mode, weight) = entry.split_once('=').ok_or_else(|| bad("has no ="))?;
         let mode = mckibben_core::units::named(mode.trim()).ok_or_else(|| {
@@ -368,8 +373,9 @@ fn weights(text: &str) -> Result<BTreeMap<Mode, f64>> {
                 modes.join(", ")
             ))
         })?;
-        let weight = weight.parse::<Ratio>();
-        let weight = weight.map_err(|e| bad(&format!("has a weight that is none: {e}")))?;
+        let weight = weight
+            .parse::<Ratio>()
+            .map_err(|e| bad(&format!("has a weight that is none: {e}")))?;
         if out.insert(mode, weight.0).is_some() {
             return Err(bad("is given twice"));
         }

@@ -144,8 +144,13 @@ fn point_and_shape(
         point.response.force_n
     };
     let active_mpa = ends.active_mpa(pressure_mpa);
-    let displacement_mm = ends.end_displacement_mm(active_mpa, force_n);
-    let between = ends.between(shape_contraction, displacement_mm);
-    let section = fe.section_at(workspace, active_mpa, between)?;
-    Ok((point, shape_contraction, section))
+    let between = ends.between(
+        shape_contraction,
+        ends.end_displacement_mm(active_mpa, force_n),
+    );
+    Ok((
+        point,
+        shape_contraction,
+        fe.section_at(workspace, active_mpa, between)?,
+    ))
 }

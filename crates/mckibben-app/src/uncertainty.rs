@@ -112,14 +112,16 @@ impl UncertaintyWords {
             ("take-up", shift.take_up),
             ("ends", shift.ends),
             ("factor", shift.factor),
-        ];
-        let shifts = shifts.map(|(name, n)| (name, n, show(n.abs())));
+        ]
+        .map(|(name, n)| (name, n, show(n.abs())));
         let counts = |text: &str| text.chars().any(|c| ('1'..='9').contains(&c));
-        let shifts = shifts.into_iter().filter(|(.., text)| counts(text));
-        let shifts = shifts.map(|(name, n, text)| {
-            let sign = if n < 0.0 { "−" } else { "+" };
-            format!("{name} {sign}{text}")
-        });
+        let shifts = shifts
+            .into_iter()
+            .filter(|(.., text)| counts(text))
+            .map(|(name, n, text)| {
+                let sign = if n < 0.0 { "−" } else { "+" };
+                format!("{name} {sign}{text}")
+            });
         let shifts = joined(shifts, ", ");
         let colon = if shifts.is_empty() { "" } else { ": " };
         Some(format!(

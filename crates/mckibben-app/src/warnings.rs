@@ -16,8 +16,10 @@ pub fn of_points<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<Warning> 
 /// What holds of a muscle at a pressure in MPa, whatever it pulls: its burst, and where nobody has
 /// measured.
 pub fn of_muscle(burst: &Burst, muscle: &Muscle, p: f64) -> impl Iterator<Item = Warning> {
-    let outside = Warning::not_measured(muscle, p);
-    burst.warnings(p).into_iter().chain(outside)
+    burst
+        .warnings(p)
+        .into_iter()
+        .chain(Warning::not_measured(muscle, p))
 }
 
 /// The same of responses of one muscle.

@@ -16,8 +16,7 @@ pub fn number(v: f64, digits: usize) -> String {
     if !(-5..15).contains(&magnitude) {
         return format!("{v:.*e}", digits.saturating_sub(1));
     }
-    let decimals = (digits as i32 - 1 - magnitude).max(0) as usize;
-    trimmed(v, decimals)
+    trimmed(v, (digits as i32 - 1 - magnitude).max(0) as usize)
 }
 
 /// A number to the last digit of its ± ([`half_width`]).

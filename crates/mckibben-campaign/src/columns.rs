@@ -130,8 +130,10 @@ impl Column {
 pub fn descriptions<'a>(columns: impl Iterator<Item = (&'a str, &'static Column)>) -> Value {
     let schema = schema_for!(PointRow).to_value();
     let about = |(name, column): (&str, &Column)| {
-        let about = column.about(&schema).unwrap_or_default();
-        (name.to_owned(), Value::from(about))
+        (
+            name.to_owned(),
+            Value::from(column.about(&schema).unwrap_or_default()),
+        )
     };
     columns.map(about).collect()
 }

@@ -170,10 +170,14 @@ impl<T: Args> Args for Flags<T> {
         // What every command takes stands behind its own flags, in the help too.
         let of_all: Vec<Arg> = command.get_arguments().cloned().collect();
         let flags = T::augment_args(command).about(about).long_about(None);
-        let own = flags.get_arguments().skip(of_all.len()).cloned();
-        let mut in_order = own.chain(of_all).collect::<Vec<Arg>>().into_iter();
-        let flags = flags.mut_args(|arg| in_order.next().unwrap_or(arg));
-        with_short_help(&path, flags)
+        let mut in_order = flags
+            .get_arguments()
+            .skip(of_all.len())
+            .cloned()
+            .chain(of_all)
+            .collect::<Vec<Arg>>()
+            .into_iter();
+        with_short_help(&path, flags.mut_args(|arg| in_order.next().unwrap_or(arg)))
     }
 
     fn augment_args_for_update(command: clap::Command) -> clap::Command {

@@ -65,12 +65,12 @@ fn main() -> ExitCode {
         if !matches!(cli.command, cli::Command::Serve(_)) {
             progress::watched();
         }
-        let continues = matches!(cli.command, cli::Command::Campaign(_));
-        context.check_named(continues)?;
+        context.check_named(matches!(cli.command, cli::Command::Campaign(_)))?;
         cli.command.run(&mut context)
     });
-    let shortage = threads::shortage();
-    shortage.into_iter().for_each(|text| context.warn(text));
+    threads::shortage()
+        .into_iter()
+        .for_each(|text| context.warn(text));
     match progress::last_word(done) {
         Ok(code) => ExitCode::from(code),
         Err(problem) => report(problem, &context),

@@ -16,8 +16,10 @@ pub fn unit_note(flag: &str, text: &str) -> Option<String> {
         .flat_map(|part| part.split(".."))
         .map(|part| part.trim().parse::<f64>())
         .collect();
-    let high = numbers.ok()?.into_iter().find(|p| *p >= HIGH_MPA)?;
-    Some(format!("{flag} {text}: {}", meant(high)))
+    Some(format!(
+        "{flag} {text}: {}",
+        meant(numbers.ok()?.into_iter().find(|p| *p >= HIGH_MPA)?)
+    ))
 }
 
 /// What a bare pressure as high as no muscle bears may have been meant to be.

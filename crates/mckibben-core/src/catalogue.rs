@@ -102,8 +102,10 @@ impl PartsFile {
         let source = Source::parse(text)?;
         let file: Self = source.read()?;
         if file.tube.is_empty() && file.cast.is_empty() && file.sleeve.is_empty() {
-            let problem = "there is no row; a row begins with [[tube]] or [[cast]] or [[sleeve]]";
-            return Err(source.error("", problem));
+            return Err(source.error(
+                "",
+                "there is no row; a row begins with [[tube]] or [[cast]] or [[sleeve]]",
+            ));
         }
         Ok(file)
     }

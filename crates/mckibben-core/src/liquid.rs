@@ -72,8 +72,10 @@ impl Liquid {
         let liquid = LIQUIDS.into_iter().find(|liquid| liquid.name == name);
         let liquid = liquid.ok_or_else(|| {
             let names = LIQUIDS.map(|liquid| liquid.name).join(", ");
-            let message = format!("there is no liquid \"{name}\"; the liquids are {names}");
-            Refused::new(["liquid", "name"], message)
+            Refused::new(
+                ["liquid", "name"],
+                format!("there is no liquid \"{name}\"; the liquids are {names}"),
+            )
         })?;
         Self {
             gas_share,
@@ -102,11 +104,13 @@ impl Liquid {
             ));
         }
         if !(0.0..=0.9).contains(&self.gas_share) {
-            let message = format!(
-                "the share of gas is {}; it must lie between 0 and 0.9",
-                self.gas_share
-            );
-            return Err(Refused::new(["gas_share"; 2], message));
+            return Err(Refused::new(
+                ["gas_share"; 2],
+                format!(
+                    "the share of gas is {}; it must lie between 0 and 0.9",
+                    self.gas_share
+                ),
+            ));
         }
         Ok(self)
     }

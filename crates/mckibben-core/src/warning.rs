@@ -92,11 +92,14 @@ impl Warning {
 
     /// Of a pressure in MPa at which a muscle fails that bursts at `burst_mpa`.
     pub fn of_burst(pressure_mpa: f64, burst_mpa: f64, by: FailureMode) -> Self {
-        let sentence = format!(
-            "BURST: {pressure_mpa:.3}\u{a0}MPa exceeds the burst pressure of this muscle, \
+        Self::new(
+            WarningKind::Burst,
+            pressure_mpa / burst_mpa,
+            format!(
+                "BURST: {pressure_mpa:.3}\u{a0}MPa exceeds the burst pressure of this muscle, \
              {burst_mpa:.3}\u{a0}MPa, at which {by}"
-        );
-        Self::new(WarningKind::Burst, pressure_mpa / burst_mpa, sentence)
+            ),
+        )
     }
 
     /// Of a pressure in MPa above the allowed one, which keeps its distance from a failure; from
@@ -113,8 +116,11 @@ impl Warning {
             most.by,
             most.failure_mpa()
         );
-        let sentence = format!("ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3}\u{a0}MPa; {reason}");
-        Self::new(WarningKind::AboveAllowed, pressure_mpa / most.mpa, sentence)
+        Self::new(
+            WarningKind::AboveAllowed,
+            pressure_mpa / most.mpa,
+            format!("ABOVE THE ALLOWED PRESSURE: {pressure_mpa:.3}\u{a0}MPa; {reason}"),
+        )
     }
 
     /// That a burst pressure is not known.
@@ -128,36 +134,41 @@ impl Warning {
 
     /// Of a slack muscle at a contraction that its braid does not reach.
     pub(crate) fn beyond_braid(contraction: f64, largest: f64) -> Self {
-        let sentence = format!(
-            "a contraction of {:.1} % is beyond the end of this braid: it contracts by {:.1} % at \
+        Self::new(
+            WarningKind::BeyondBraid,
+            contraction,
+            format!(
+                "a contraction of {:.1} % is beyond the end of this braid: it contracts by {:.1} % at \
              most (its angle is 54.7° there)",
-            100.0 * contraction,
-            100.0 * largest
-        );
-        Self::new(WarningKind::BeyondBraid, contraction, sentence)
+                100.0 * contraction,
+                100.0 * largest
+            ),
+        )
     }
 
     /// Of a pull that hardly changes with what is sought.
     pub(crate) fn flat(sought: &str, half_n: f64) -> Self {
-        let sentence = format!(
-            "the {sought} has no ±: here the pull changes so little with it that the ± of the \
+        Self::new(
+            WarningKind::Flat,
+            half_n,
+            format!(
+                "the {sought} has no ±: here the pull changes so little with it that the ± of the \
              pull, {half_n:.1}\u{a0}N, does not bound it"
-        );
-        Self::new(WarningKind::Flat, half_n, sentence)
+            ),
+        )
     }
 
     /// Of a stretch beyond the data that a rubber's constants were fitted to.
     pub fn of_stretch(rubber: &Rubber, stretch: f64) -> Option<Self> {
         let limit = rubber.fitted_to_stretch.filter(|limit| stretch > *limit)?;
         let rubber = rubber.name.as_deref().unwrap_or("this rubber");
-        let sentence = format!(
-            "the rubber is stretched to {stretch:.2}; the constants of {rubber} were fitted up to \
-             {limit:.2}"
-        );
         Some(Self::new(
             WarningKind::RubberStretch,
             stretch / limit,
-            sentence,
+            format!(
+                "the rubber is stretched to {stretch:.2}; the constants of {rubber} were fitted up to \
+             {limit:.2}"
+            ),
         ))
     }
 
@@ -244,34 +255,43 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     let mut out = vec![];
     let mut warn = |kind, gravity, sentence| out.push(Warning::new(kind, gravity, sentence));
     if let Some((tension_n, strength_n)) = overloaded(muscle, response) {
-        let sentence = format!(
-            "the strands break: at {:.3}\u{a0}MPa one of them carries {tension_n:.1}\u{a0}N, and \
+        warn(
+            StrandsBreak,
+            tension_n / strength_n,
+            format!(
+                "the strands break: at {:.3}\u{a0}MPa one of them carries {tension_n:.1}\u{a0}N, and \
              its strength is {strength_n}\u{a0}N; what is broken does not pull",
-            response.pressure_mpa
+                response.pressure_mpa
+            ),
         );
-        warn(StrandsBreak, tension_n / strength_n, sentence);
     } else if let Some((share, most)) = strand_load(muscle, response)
         && share > most
     {
-        let sentence = format!(
-            "the strands carry {:.0} % of their strength: {:.0} % is allowed; lower the load or \
+        warn(
+            StrandTension,
+            share,
+            format!(
+                "the strands carry {:.0} % of their strength: {:.0} % is allowed; lower the load or \
              the pressure",
-            100.0 * share,
-            100.0 * most
+                100.0 * share,
+                100.0 * most
+            ),
         );
-        warn(StrandTension, share, sentence);
     }
     if let Some(strain) = response
         .braid_tension_n
         .and_then(|t| muscle.strand_strain(t))
         && strain > VALIDATED_STRAND_STRAIN
     {
-        let sentence = format!(
-            "the strands stretch by {:.1} %: the validated range ends at {:.0} %",
-            100.0 * strain,
-            100.0 * VALIDATED_STRAND_STRAIN
+        warn(
+            StrandStrain,
+            strain,
+            format!(
+                "the strands stretch by {:.1} %: the validated range ends at {:.0} %",
+                100.0 * strain,
+                100.0 * VALIDATED_STRAND_STRAIN
+            ),
         );
-        warn(StrandStrain, strain, sentence);
     }
     if let Some(slope) = response.force_per_pressure_mm2
         && slope < 0.0
@@ -279,11 +299,14 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
         && response.contraction >= 0.0
         && !muscle.is_extensile()
     {
-        let sentence = format!(
-            "the pull falls when the pressure rises ({slope:.0}\u{a0}N/MPa): here the muscle \
+        warn(
+            FallsWithPressure,
+            -slope,
+            format!(
+                "the pull falls when the pressure rises ({slope:.0}\u{a0}N/MPa): here the muscle \
              widens instead of pulling"
+            ),
         );
-        warn(FallsWithPressure, -slope, sentence);
     }
     if let Some(bears_n) = buckling_load_n(muscle, response)
         && response.force_n < -bears_n / BUCKLING
@@ -294,13 +317,16 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
         } else {
             "may buckle"
         };
-        let sentence = format!(
-            "the muscle {what} between two joints: it pushes with {push_n:.1}\u{a0}N, its wall alone \
+        warn(
+            Buckles,
+            push_n / bears_n,
+            format!(
+                "the muscle {what} between two joints: it pushes with {push_n:.1}\u{a0}N, its wall alone \
              bears {bears_n:.1}\u{a0}N, and {:.1}\u{a0}N are allowed; guide it in a tube, or make \
              it shorter",
-            bears_n / BUCKLING
+                bears_n / BUCKLING
+            ),
         );
-        warn(Buckles, push_n / bears_n, sentence);
     }
     let rubber = &muscle.tube().rubber;
     out.extend(

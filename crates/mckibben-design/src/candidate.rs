@@ -141,8 +141,9 @@ impl Candidate {
         let free = assessed.evaluation().free_contraction(max_mpa).ok();
         let free_contraction = free.or_else(|| {
             let (model, workspace) = (&*assessed.thick_wall, &mut assessed.workspace);
-            let mut model = Evaluation::new(model, workspace, spec.options());
-            model.free_contraction(max_mpa).ok()
+            Evaluation::new(model, workspace, spec.options())
+                .free_contraction(max_mpa)
+                .ok()
         });
         let failures = burst(&*assessed.model).unwrap_or(assessed.burst);
         let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };

@@ -108,7 +108,7 @@ impl JointDemand {
 
 /// What is left in mm for the width of one muscle beside the other one at rest, where both must have
 /// room on a pulley.
-pub(crate) fn room_on_pulley_mm(demand: &Demand, radius_mm: f64, rest_mm: f64) -> Option<f64> {
+pub fn room_on_pulley_mm(demand: &Demand, radius_mm: f64, rest_mm: f64) -> Option<f64> {
     let Demand::Joint(joint) = demand else {
         return None;
     };

@@ -251,8 +251,9 @@ fn of_counts(spec: &Spec, (count, most_side_by_side): (u32, u32)) -> Spec {
 fn cut(spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
     if let Some(lengths) = &spec.length_mm {
         let (low, high) = lengths.bounds();
-        let is_inside = (low..=high).contains(&muscle.length_mm());
-        return is_inside.then(|| muscle.clone());
+        return (low..=high)
+            .contains(&muscle.length_mm())
+            .then(|| muscle.clone());
     }
     if spec.base.length_mm() == muscle.length_mm() {
         return Some(muscle.clone());

@@ -109,10 +109,10 @@ fn sections(spec: &Spec) -> Vec<Section> {
 
 fn braids(braid: &BraidChoice) -> Vec<BraidRule> {
     match braid {
-        BraidChoice::Angle(angles) => {
-            let angles = grid(angles, ANGLES);
-            angles.into_iter().map(BraidRule::Angle).collect()
-        }
+        BraidChoice::Angle(angles) => grid(angles, ANGLES)
+            .into_iter()
+            .map(BraidRule::Angle)
+            .collect(),
         BraidChoice::StrandLengthPerTurn(list) => {
             list.iter().copied().map(BraidRule::PerTurn).collect()
         }
@@ -153,8 +153,10 @@ fn grid(values: &Values, most: usize) -> Vec<f64> {
         Values::Interval(low, high) => (*low, *high),
     };
     let wide = (high - low) / most as f64;
-    let steps = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0];
-    let step = steps.into_iter().find(|step| *step >= wide).unwrap_or(wide);
+    let step = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|step| *step >= wide)
+        .unwrap_or(wide);
     let first = (low / step).floor() as i64 + 1;
     let between = (first..).map(|i| tidy(i as f64 * step, 6));
     let mut list = vec![low];

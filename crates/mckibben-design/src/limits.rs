@@ -219,8 +219,10 @@ impl AtPoint<'_, '_> {
 
     /// The larger of the bulged tube and its ends, in mm.
     pub fn width_mm(&self) -> f64 {
-        let bulged_mm = self.response.bulged_diameter_mm.unwrap_or(0.0);
-        bulged_mm.max(self.ends.width_mm)
+        self.response
+            .bulged_diameter_mm
+            .unwrap_or(0.0)
+            .max(self.ends.width_mm)
     }
 }
 
@@ -250,8 +252,8 @@ pub static LIMITS: [LimitEntry; 8] = [
             if !(at.spec().limits.buckling && at.spec().wanted.extends()) {
                 return Ok(None);
             }
-            let column = ThickWall::between_ends(at.assessed.muscle);
-            let buckles_n = column.buckling_n(at.pressure_mpa, at.point.contraction)?;
+            let buckles_n = ThickWall::between_ends(at.assessed.muscle)
+                .buckling_n(at.pressure_mpa, at.point.contraction)?;
             Ok(Some((at.point.force_n.abs(), buckles_n / BUCKLING)))
         },
         missed: |value_n, bound_n, show| {
@@ -349,8 +351,10 @@ pub static LIMITS: [LimitEntry; 8] = [
         numbers: |at| {
             let fitted = at.assessed.muscle.tube().rubber.fitted_to_stretch;
             let limits = at.spec().limits;
-            let bound = limits.stretch.or(fitted.filter(|_| limits.fitted_stretch));
-            Ok(at.response.rubber_stretch().zip(bound))
+            Ok(at
+                .response
+                .rubber_stretch()
+                .zip(limits.stretch.or(fitted.filter(|_| limits.fitted_stretch))))
         },
         missed: |value, bound, _| {
             format!("rubber stretched to {value:.2}, at most {bound} allowed")

@@ -159,10 +159,10 @@ impl Relaxation {
             Self::MaxLiquidVolume { liquid_volume_mm3 } => {
                 format!("provide {} mL of liquid", tidy(1e-3 * liquid_volume_mm3, 3))
             }
-            Self::Together { changes } => {
-                let all = changes.iter().map(|change| change.describe(spec, show));
-                joined(all, ", and together with that ")
-            }
+            Self::Together { changes } => joined(
+                changes.iter().map(|change| change.describe(spec, show)),
+                ", and together with that ",
+            ),
         }
     }
 }
@@ -216,8 +216,10 @@ pub fn relaxations(search: &Search<'_>) -> Vec<Relaxation> {
     let limits = crate::limits::LIMITS
         .iter()
         .map(|entry| Freed::Limit(entry.limit));
-    let of_pull = [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty];
-    let kinds: Vec<Freed> = of_pull.into_iter().chain(limits).collect();
+    let kinds: Vec<Freed> = [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty]
+        .into_iter()
+        .chain(limits)
+        .collect();
     let mut changes: Vec<Change> = kinds
         .into_iter()
         .filter_map(|freed| least(search, freed))
@@ -237,8 +239,10 @@ fn nearest<'a>(search: &'a Search<'_>, freed: Freed) -> Vec<&'a Held> {
         _ => limit == Limit::Force,
     };
     let missed = |held: &&Held| {
-        let mut missed = held.checks.iter().filter(|c| c.excess() > 0.0);
-        missed.all(|c| is_freed(c.limit))
+        held.checks
+            .iter()
+            .filter(|c| c.excess() > 0.0)
+            .all(|c| is_freed(c.limit))
     };
     let mut near: Vec<&Held> = search.screened.iter().filter(missed).collect();
     near.sort_by_number(|held| held.miss());
@@ -281,8 +285,11 @@ fn together(search: &Search<'_>) -> Option<Change> {
             .map(|freed| change(search, &exact, freed))
             .collect();
         let (asks, changes): (Vec<f64>, Vec<Relaxation>) = all?.into_iter().unzip();
-        let change = (asks.into_iter().sum(), Relaxation::Together { changes });
-        proven(search, &exact, change)
+        proven(
+            search,
+            &exact,
+            (asks.into_iter().sum(), Relaxation::Together { changes }),
+        )
     });
     changes
         .into_iter()
@@ -301,8 +308,10 @@ fn proven(search: &Search<'_>, held: &Held, change: Change) -> Option<Change> {
 fn change(search: &Search<'_>, held: &Held, freed: Freed) -> Option<Change> {
     let spec = search.spec;
     let of = |limit: Limit| {
-        let checks = held.checks.iter().filter(move |c| c.limit == limit);
-        checks.max_by_number(|c| c.excess())
+        held.checks
+            .iter()
+            .filter(move |c| c.limit == limit)
+            .max_by_number(|c| c.excess())
     };
     let wanted = spec.wanted.on_radius(held.radius_mm);
     match freed {
@@ -355,11 +364,12 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
     };
     let muscle = held.place.muscle(&spec).ok()?;
     let mut assessed = Assessed::new(&spec, search.models.decides(), &muscle).ok()?;
-    let wanted = spec
+    let points = spec
         .wanted
         .on_radius(held.radius_mm)
-        .times(1.0 / f64::from(held.count));
-    let points = wanted.points(muscle.length_mm()).into_owned();
+        .times(1.0 / f64::from(held.count))
+        .points(muscle.length_mm())
+        .into_owned();
     assessed.keep_strands(&points).ok()?;
     let mut needed_mpa = 0.0_f64;
     for q in &points {
@@ -369,15 +379,17 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
     match assessed.below.map(|below| below.by) {
         None => {
             let pressure_mpa = three_digits(needed_mpa / spec.supply_share, true);
-            let ask = (pressure_mpa / spec.max_pressure_mpa).ln();
-            Some((ask, Relaxation::MaxPressure { pressure_mpa }))
+            Some((
+                (pressure_mpa / spec.max_pressure_mpa).ln(),
+                Relaxation::MaxPressure { pressure_mpa },
+            ))
         }
         Some(Strands | Mesh | Bladder | Ends) if is_within => {
             let burst_margin = margin_at(&assessed, RELIEF * needed_mpa)?;
             let burst_margin = three_digits(burst_margin, false);
             let ask = (spec.limits.burst_margin? / burst_margin).ln();
-            let change = Relaxation::MinBurstMargin { burst_margin };
-            (burst_margin >= LEAST_SAFETY).then_some((ask, change))
+            (burst_margin >= LEAST_SAFETY)
+                .then_some((ask, Relaxation::MinBurstMargin { burst_margin }))
         }
         Some(FailureMode::StrandStrain) if is_within => {
             let mut strain = 0.0_f64;
@@ -386,8 +398,10 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
                 strain = strain.max(at.unwrap_or(0.0));
             }
             let strand_strain = three_digits(strain, true);
-            let ask = (strand_strain / spec.limits.strand_strain?).ln();
-            Some((ask, Relaxation::MaxStrandStrain { strand_strain }))
+            Some((
+                (strand_strain / spec.limits.strand_strain?).ln(),
+                Relaxation::MaxStrandStrain { strand_strain },
+            ))
         }
         _ => None,
     }

@@ -172,10 +172,8 @@ impl<'a> Search<'a> {
             }
             let one = |(_, job): &(f64, Job)| self.exact(spec, *job).filter(Held::fits);
             let held = threads::map(some, one).into_iter().flatten();
-            found.extend(held.map(|held| {
-                let rank = preferred(spec, &held, held.count, held.score[0]);
-                (rank, held)
-            }));
+            found
+                .extend(held.map(|held| (preferred(spec, &held, held.count, held.score[0]), held)));
             found.sort_by(|a, b| {
                 a.0.total_cmp(&b.0)
                     .then(a.1.score[1].total_cmp(&b.1.score[1]))

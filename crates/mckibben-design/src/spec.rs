@@ -248,8 +248,10 @@ impl Spec {
 
     /// So many side by side, within those that may be.
     pub(crate) fn count_of(&self, needed: f64) -> u32 {
-        let most = self.most_side_by_side.max(self.count);
-        needed.clamp(f64::from(self.count), f64::from(most)) as u32
+        needed.clamp(
+            f64::from(self.count),
+            f64::from(self.most_side_by_side.max(self.count)),
+        ) as u32
     }
 
     /// z of the chance that is required.
@@ -422,10 +424,10 @@ impl Spec {
                             .angle_deg,
                     )
                 };
-                let all = list
-                    .iter()
-                    .flat_map(|b| self.tubes.iter().map(move |t| on(b, t)));
-                all.flatten().collect()
+                list.iter()
+                    .flat_map(|b| self.tubes.iter().map(move |t| on(b, t)))
+                    .flatten()
+                    .collect()
             }
             _ => vec![],
         };

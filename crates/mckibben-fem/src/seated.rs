@@ -212,8 +212,10 @@ impl ElementModel for Whole {
     fn solve(&self, workspace: &mut Workspace, given: Given) -> Result<Solution> {
         let stated_mpa = given.pressure_mpa();
         let (given, displacement, e) = given_between(self, workspace, given)?;
-        let solved = self.inner.solve(workspace, given);
-        let mut solution = solved.map_err(|error| for_whole_muscle(self, displacement, error))?;
+        let mut solution = self
+            .inner
+            .solve(workspace, given)
+            .map_err(|error| for_whole_muscle(self, displacement, error))?;
         let ends = &self.ends;
         let active_mpa = solution.response.pressure_mpa;
         let load_n = ends.load_n(active_mpa, solution.response.force_n);
@@ -231,11 +233,12 @@ impl ElementModel for Whole {
     fn reach(&self, workspace: &mut Workspace, given: Given) -> Result<CurvePoint> {
         let stated_mpa = given.pressure_mpa();
         let (given, displacement, e) = given_between(self, workspace, given)?;
-        let reached = self.inner.reach(workspace, given);
-        let point = reached.map_err(|error| for_whole_muscle(self, displacement, error))?;
+        let point = self
+            .inner
+            .reach(workspace, given)
+            .map_err(|error| for_whole_muscle(self, displacement, error))?;
         let e = e.unwrap_or_else(|| self.ends.whole(point.contraction, displacement));
-        let point = whole_point(self, Some(e), point);
-        Ok(at_pressure(point, stated_mpa))
+        Ok(at_pressure(whole_point(self, Some(e), point), stated_mpa))
     }
 
     fn isometric(
@@ -248,8 +251,9 @@ impl ElementModel for Whole {
         let ends = &self.ends;
         if ends.slip_mm_per_n == 0.0 {
             let active: Vec<f64> = pressures_mpa.iter().map(|p| ends.active_mpa(*p)).collect();
-            let x = ends.between(e, ends.seating_mm);
-            let points = self.inner.isometric(workspace, x, &active, detail);
+            let points =
+                self.inner
+                    .isometric(workspace, ends.between(e, ends.seating_mm), &active, detail);
             return points
                 .into_iter()
                 .zip(pressures_mpa)

@@ -94,10 +94,12 @@ fn shorter_by(error: f64) -> f64 {
 
 /// The root of the mean square of errors in shares of what is allowed.
 fn size<'a>(errors: impl IntoIterator<Item = &'a f64>, allowed: &DVector<f64>) -> f64 {
-    let squares = errors.into_iter().zip(allowed.iter().cycle());
-    let (sum, count) = squares.fold((0.0, 0), |(sum, count), (error, allowed)| {
-        (sum + (error / allowed).powi(2), count + 1)
-    });
+    let (sum, count) = errors
+        .into_iter()
+        .zip(allowed.iter().cycle())
+        .fold((0.0, 0), |(sum, count), (error, allowed)| {
+            (sum + (error / allowed).powi(2), count + 1)
+        });
     (sum / f64::from(count)).sqrt()
 }
 
@@ -224,8 +226,7 @@ impl Stepper {
     /// The state at a time within the last step.
     pub fn within(&self, t: f64) -> Option<Vec<f64>> {
         let step = self.last.as_ref()?;
-        let share = ((t - step.from) / step.h).clamp(0.0, 1.0);
-        Some(step.state(share))
+        Some(step.state(((t - step.from) / step.h).clamp(0.0, 1.0)))
     }
 
     /// Tries a step that does not go beyond `end`. False where it was rejected.
@@ -277,8 +278,7 @@ impl Stepper {
         let allowed = self.allowed(equations);
         let n = allowed.len();
         let first = self.rates(equations, self.t, &self.state);
-        let found = self.iterate(equations, jacobian, &allowed);
-        let (z, iterations, factor) = found.ok_or(0.5 * h)?;
+        let (z, iterations, factor) = self.iterate(equations, jacobian, &allowed).ok_or(0.5 * h)?;
         let error = self.error(equations, jacobian, (&implicit(&first, n), &z), &allowed);
         let safety = SAFETY * (1 + 2 * ITERATIONS) as f64 / (iterations + 2 * ITERATIONS) as f64;
         let shorter = shorter_by(error / safety.powi(4));
@@ -292,8 +292,8 @@ impl Stepper {
         equations.near(true);
         let at_start = self.rates(equations, self.t, &self.state);
         let rates = from_fn(|i| {
-            let t = self.t + STAGES[i] * h;
-            self.rates_at(equations, t, &z[i]).split_off(n)
+            self.rates_at(equations, self.t + STAGES[i] * h, &z[i])
+                .split_off(n)
         });
         equations.near(false);
         let step = Step {
@@ -501,8 +501,7 @@ impl Stepper {
         let moved = self.rates_at(equations, self.t + euler, &(&rates * euler));
         let moved = implicit(&moved, n);
         equations.differences(None);
-        let bend = size(&(moved - rates), &allowed) / euler;
-        let fastest = of_rates.max(bend);
+        let fastest = of_rates.max(size(&(moved - rates), &allowed) / euler);
         let by_bend = if fastest <= 1e-15 {
             (1e-3 * euler).max(1e-6)
         } else {

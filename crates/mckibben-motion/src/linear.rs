@@ -112,8 +112,8 @@ impl Linear {
                 (4.0 * step, 1.0 / 3.0),
             ] {
                 let [above, below] = beside(sides[column], width);
-                let change = difference(&moved(above)?, &moved(below)?, above - below);
-                best += weight * DVector::from_vec(change);
+                best += weight
+                    * DVector::from_vec(difference(&moved(above)?, &moved(below)?, above - below));
             }
             a.set_column(column, &best);
         }

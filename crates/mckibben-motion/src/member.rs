@@ -321,8 +321,7 @@ impl Member {
         let not_finite = || ModelError::not_finite(&model.info().name, p, e);
         let mut at = |p: f64, e: f64| {
             let r = model.response(w, p, e)?;
-            let volume = r.volume_mm3.ok_or_else(not_finite)?;
-            Ok::<_, ModelError>((r, volume))
+            Ok::<_, ModelError>((r, r.volume_mm3.ok_or_else(not_finite)?))
         };
         let (r, volume_mm3) = at(p, e)?;
         // The slopes of pull and volume: those of the model, or differences between two points.

@@ -27,8 +27,10 @@ impl Formula {
         match read? {
             Document::Section(formula) => Ok(Self { formula: *formula }),
             Document::Universal(_) => {
-                let message = "a universal formula needs the whole muscle";
-                let problem = Problem::usage(message, "ask its model of a muscle");
+                let problem = Problem::usage(
+                    "a universal formula needs the whole muscle",
+                    "ask its model of a muscle",
+                );
                 Err(Wrong::from(problem).into())
             }
         }
@@ -68,9 +70,12 @@ impl Formula {
                     }
                     let message =
                         format!("{value} is outside of the formula's range, {low} to {high}");
-                    let hint = "extrapolate=True computes it all the same";
-                    let problem =
-                        Problem::new(ProblemKind::OutOfRange, message, hint).in_field(field);
+                    let problem = Problem::new(
+                        ProblemKind::OutOfRange,
+                        message,
+                        "extrapolate=True computes it all the same",
+                    )
+                    .in_field(field);
                     return Err(Wrong::Problem(problem, Some(index)));
                 }
                 let force = self.formula.force_n(d, s, p, e);

@@ -29,8 +29,9 @@ impl Model {
 
     /// Lowest and highest pressure in MPa of the model, at most the allowed one, and contraction.
     fn bounds(&self, py: Python<'_>) -> PyResult<[(f64, f64); 2]> {
-        let limits = run::quick(py, |_| Ok(self.bound.limits()?))?;
-        let allowed = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
+        let allowed = run::quick(py, |_| Ok(self.bound.limits()?))?
+            .allowed_pressure_mpa
+            .unwrap_or(f64::INFINITY);
         let range = &self.bound.info().range;
         let (low, high) = range.pressure_mpa;
         let (least, most) = range.contraction;
@@ -85,8 +86,11 @@ impl Model {
         warnings: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Vec<String>> {
-        let parameters = parameters.iter().map(|name| self.bound.parameter(name));
-        let parameters = parameters.collect::<Result<_, _>>().map_err(Wrong::from)?;
+        let parameters = parameters
+            .iter()
+            .map(|name| self.bound.parameter(name))
+            .collect::<Result<_, _>>()
+            .map_err(Wrong::from)?;
         let many = Many {
             wanted: named(wanted).unwrap_or_default(),
             slopes,
@@ -94,8 +98,13 @@ impl Model {
             nan,
             warnings,
         };
-        let pairs = [first.as_slice()?, second.as_slice()?];
-        self.answer(py, pairs, &many, out.as_slice_mut()?, progress)
+        self.answer(
+            py,
+            [first.as_slice()?, second.as_slice()?],
+            &many,
+            out.as_slice_mut()?,
+            progress,
+        )
     }
 
     /// The answer to one pair of numbers, NaN where it has none and `nan` is true, and what is to
@@ -115,8 +124,10 @@ impl Model {
             ..Many::default()
         };
         let mut place = [f64::NAN];
-        let said = self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
-        Ok((place[0], said))
+        Ok((
+            place[0],
+            self.answer(py, [&[first], &[second]], &many, &mut place, None)?,
+        ))
     }
 }
 

@@ -88,10 +88,10 @@ impl Muscle {
 
     /// Constants and measures by which a model has derivatives, with their values.
     fn parameters(&self) -> Vec<(String, f64)> {
-        let all = Target::all(&self.held)
+        Target::all(&self.held)
             .into_iter()
-            .filter(|target| *target != Target::Modulus);
-        all.filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?)))
+            .filter(|target| *target != Target::Modulus)
+            .filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?)))
             .collect()
     }
 
@@ -107,8 +107,10 @@ impl Muscle {
     fn stress(&self, mode: &str, stretches: Vec<f64>) -> PyResult<Vec<f64>> {
         let law = &self.held.tube().rubber.law;
         let wrong = |field: &str, message: String| {
-            let problem = Problem::new(ProblemKind::Quantity, message, "").in_field(field);
-            Err(Wrong::from(problem).into())
+            Err(
+                Wrong::from(Problem::new(ProblemKind::Quantity, message, "").in_field(field))
+                    .into(),
+            )
         };
         if let Some(none) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
             let message =

@@ -109,11 +109,11 @@ impl<'a> Reading<'a> {
     /// A schema without its reference, and the name of that.
     fn resolved(&self, schema: &'a Value) -> (&'a Value, &'a str) {
         let options = schema["anyOf"].as_array().into_iter().flatten();
-        let reference = std::iter::once(schema)
+        std::iter::once(schema)
             .chain(options)
             .find_map(|part| part["$ref"].as_str())
-            .and_then(|path| path.rsplit('/').next());
-        reference.map_or((schema, ""), |name| (&self.root["$defs"][name], name))
+            .and_then(|path| path.rsplit('/').next())
+            .map_or((schema, ""), |name| (&self.root["$defs"][name], name))
     }
 
     fn value(&mut self, name: &str, schema: &'a Value, value: &mut Value) -> Result<(), Problem> {

@@ -65,8 +65,12 @@ impl Document {
     /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each
     /// body's data in an element `.body` as JSON and shows it there.
     pub fn to_html(&self, viewer: &str) -> Result<String> {
-        let scripts = "; script-src 'unsafe-inline'; img-src data:";
-        let mut out = head(&self.title, STYLE, VIEWPORT, scripts);
+        let mut out = head(
+            &self.title,
+            STYLE,
+            VIEWPORT,
+            "; script-src 'unsafe-inline'; img-src data:",
+        );
         let title = markup(&self.title);
         let lead = markup(&self.lead);
         let block = title_block(&self.title_block);

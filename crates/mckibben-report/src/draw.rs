@@ -60,8 +60,13 @@ fn draw(figure: &Figure, page: &Page<'_>) -> Drawing {
             .map(|legend| drawn_legend(legend, colours)),
     );
     for (i, line) in page.caption.iter().enumerate() {
-        let at = (page.left, page.caption_y + i as f64 * 12.0);
-        items.push(text(at, CAPTION, Start, Paint::fill(SOFT), line));
+        items.push(text(
+            (page.left, page.caption_y + i as f64 * 12.0),
+            CAPTION,
+            Start,
+            Paint::fill(SOFT),
+            line,
+        ));
     }
     Drawing {
         title: figure.title.clone(),
@@ -114,8 +119,13 @@ fn panel(placed: &Placed<'_>, colours: &Colours) -> Item {
         let neutral = series.neutral.then_some(INK);
         draw_series(&mut out, runs, (series.style, number), neutral, colours);
     }
-    let marks = placed.panel.marks.iter();
-    let marks: Vec<Item> = marks.filter_map(|m| frame.mark(m)).map(mark).collect();
+    let marks: Vec<Item> = placed
+        .panel
+        .marks
+        .iter()
+        .filter_map(|m| frame.mark(m))
+        .map(mark)
+        .collect();
     if !anything && marks.is_empty() {
         let (middle, soft) = (frame.plot.middle(), Paint::fill(SOFT));
         out.push(text(middle, LABEL, Middle, soft, "no data in this range"));
@@ -239,8 +249,7 @@ fn draw_axes(out: &mut Vec<Item>, axes: &Axes) {
         write((plot.x, plot.y - 8.0), TICK, Start, &power);
     }
     for (i, line) in axes.x_label.iter().enumerate() {
-        let at = (x, row + i as f64 * (LABEL + 2.5));
-        write(at, LABEL, Middle, line);
+        write((x, row + i as f64 * (LABEL + 2.5)), LABEL, Middle, line);
     }
     for (i, line) in axes.y_label.iter().enumerate() {
         let at = (axes.y_label_x + i as f64 * (LABEL + 2.5), y);
@@ -262,8 +271,10 @@ fn draw_grid(out: &mut Vec<Item>, frame: &Frame) {
             .chain(frame.y.ticks.iter().map(|v| level(*v, c, d)))
             .collect()
     };
-    let grid = at_ticks([top, bottom], [left, right]);
-    out.push(Path(grid, Paint::stroke(GRID, 0.8)));
+    out.push(Path(
+        at_ticks([top, bottom], [left, right]),
+        Paint::stroke(GRID, 0.8),
+    ));
     let has_zero = |scale: &Scale| scale.low < 0.0 && scale.high > 0.0;
     let zero = has_zero(&frame.y).then(|| level(0.0, left, right));
     let other = has_zero(&frame.x).then(|| upright(0.0, top, bottom));

@@ -78,8 +78,10 @@ pub fn check_paper(width_mm: f64, height_mm: f64) -> Result<()> {
 /// Lays a figure out.
 pub fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
     if figure.panels.is_empty() {
-        let message = format!("the figure \"{}\" has no panel to draw", figure.title);
-        return Err(FigureError::Drawing(message));
+        return Err(FigureError::Drawing(format!(
+            "the figure \"{}\" has no panel to draw",
+            figure.title
+        )));
     }
     let (columns, rows) = grid(figure);
     let single = figure.panels.len() == 1;

@@ -85,16 +85,16 @@ impl Pages<'_> {
     /// Begins a new page where this one has less room than a height in mm.
     fn room(&mut self, height_mm: f64) {
         if self.y - height_mm < BOTTOM_MM && self.y < TOP_MM {
-            let full = std::mem::replace(&mut self.sheet, empty(self.title));
-            self.done.push(full);
+            self.done
+                .push(std::mem::replace(&mut self.sheet, empty(self.title)));
             self.y = TOP_MM;
         }
     }
 
     /// The lines of a text in a width of mm.
     fn lines(&self, text: &str, height_mm: f64, width_mm: f64) -> Vec<String> {
-        let size = height_mm * PER_MM / CAPITALS;
-        self.metrics.wrap(text, size, width_mm * PER_MM)
+        self.metrics
+            .wrap(text, height_mm * PER_MM / CAPITALS, width_mm * PER_MM)
     }
 
     /// Width in mm of a text of a table.
@@ -106,8 +106,7 @@ impl Pages<'_> {
         for line in self.lines(text, height_mm, RIGHT_MM - x) {
             self.room(LEADING * height_mm);
             self.y -= LEADING * height_mm;
-            let at = [x, self.y];
-            self.sheet.text(at, height_mm, Start, line);
+            self.sheet.text([x, self.y], height_mm, Start, line);
         }
     }
 
@@ -172,8 +171,8 @@ impl Pages<'_> {
         let top = self.y;
         list.iter().for_each(|text| self.item("  !", text));
         self.y -= 2.5;
-        let sides = [LEFT_MM, RIGHT_MM];
-        self.sheet.rectangle(Outline, sides, [self.y, top]);
+        self.sheet
+            .rectangle(Outline, [LEFT_MM, RIGHT_MM], [self.y, top]);
         self.y -= 1.0;
     }
 
@@ -183,10 +182,12 @@ impl Pages<'_> {
             self.rule(Thin);
             for (i, (name, text)) in row.iter().enumerate() {
                 let x = LEFT_MM + width * i as f64 + 1.0;
-                let at = [x, self.y - 3.0];
-                self.sheet.text(at, 1.8, Start, name);
-                let shown = self.lines(text, TEXT_MM, width - 2.0);
-                let shown = shown.into_iter().next().unwrap_or_default();
+                self.sheet.text([x, self.y - 3.0], 1.8, Start, name);
+                let shown = self
+                    .lines(text, TEXT_MM, width - 2.0)
+                    .into_iter()
+                    .next()
+                    .unwrap_or_default();
                 self.sheet.text([x, self.y - 7.5], TEXT_MM, Start, shown);
             }
             self.y -= 9.0;
@@ -249,8 +250,8 @@ impl Pages<'_> {
         let scale = (WIDTH_MM / width).min(FIGURE_MM / height);
         self.room(scale * height + 3.0);
         self.y -= 3.0 + scale * height;
-        let at = [LEFT_MM, self.y + scale * height];
-        self.sheet.embed(drawing, at, scale);
+        self.sheet
+            .embed(drawing, [LEFT_MM, self.y + scale * height], scale);
     }
 
     /// All pages with their numbers.

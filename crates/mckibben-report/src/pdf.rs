@@ -200,8 +200,8 @@ impl Writer {
             self.content.set_line_join(LineJoinStyle::RoundJoin);
         }
         if !paint.dashes.is_empty() {
-            let dashes = paint.dashes.iter().map(|length| *length as f32);
-            self.content.set_dash_pattern(dashes, 0.0);
+            self.content
+                .set_dash_pattern(paint.dashes.iter().map(|length| *length as f32), 0.0);
         }
     }
 

@@ -137,8 +137,9 @@ impl DrawingSheet {
         } = &self.drawing;
         check_paper(width / PER_MM, height / PER_MM)?;
         if self.is_lost {
-            let what = format!("a place of the drawing \"{title}\" is not a finite number");
-            return Err(FigureError::Drawing(what));
+            return Err(FigureError::Drawing(format!(
+                "a place of the drawing \"{title}\" is not a finite number"
+            )));
         }
         Ok(&self.drawing)
     }

@@ -49,8 +49,11 @@ pub async fn ask(
     })?;
     let body = timeout(BODY, Json::from_request(request, &())).await;
     let body = body.map_err(|_| {
-        let message = format!("the body did not come within {} seconds", BODY.as_secs());
-        Refusal::new(StatusCode::REQUEST_TIMEOUT, message, "send it in one piece")
+        Refusal::new(
+            StatusCode::REQUEST_TIMEOUT,
+            format!("the body did not come within {} seconds", BODY.as_secs()),
+            "send it in one piece",
+        )
     })?;
     let Json(UniqueKeys(request)) = body.map_err(|e| {
         let hint = match e.status() {
@@ -61,21 +64,19 @@ pub async fn ask(
         Refusal::new(e.status(), e.body_text(), hint)
     })?;
     if command.touches_disk(&request) {
-        let hint = format!(
-            "on the command line it is `mckibben {}`",
-            command.name.replace('-', " ")
-        );
         return Err(Refusal::new(
             StatusCode::FORBIDDEN,
             "the server touches no files",
-            hint,
+            format!(
+                "on the command line it is `mckibben {}`",
+                command.name.replace('-', " ")
+            ),
         ));
     }
     let place = places.try_acquire_owned().map_err(|_| {
-        let message = "too many requests are worked on";
         Refusal::new(
             StatusCode::SERVICE_UNAVAILABLE,
-            message,
+            "too many requests are worked on",
             "send the request again in a second",
         )
     })?;

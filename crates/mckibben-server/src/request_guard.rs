@@ -35,9 +35,12 @@ const LOCAL: [&str; 3] = ["localhost", "127.0.0.1", "[::1]"];
 pub async fn guarded(State(time): State<Duration>, request: Request, next: Next) -> Response {
     let mut response = match admitted(&request) {
         Ok(()) => timeout(time, next.run(request)).await.unwrap_or_else(|_| {
-            let message = format!("there was no answer within {} seconds", time.as_secs_f64());
-            let hint = "the command line has no limit of time";
-            Refusal::new(StatusCode::GATEWAY_TIMEOUT, message, hint).into_response()
+            Refusal::new(
+                StatusCode::GATEWAY_TIMEOUT,
+                format!("there was no answer within {} seconds", time.as_secs_f64()),
+                "the command line has no limit of time",
+            )
+            .into_response()
         }),
         Err(refusal) => refusal.into_response(),
     };
@@ -67,20 +70,18 @@ fn admitted(request: &Request) -> Result<(), Refusal> {
         .filter(|(_, port)| port.parse::<u16>().is_ok())
         .map_or(host, |(name, _)| name);
     if !LOCAL.iter().any(|local| local.eq_ignore_ascii_case(name)) {
-        let message = format!("\"{host}\" is not a name of this server");
         return Err(Refusal::new(
             StatusCode::FORBIDDEN,
-            message,
+            format!("\"{host}\" is not a name of this server"),
             "open it at `localhost` or `127.0.0.1`",
         ));
     }
     let own = format!("http://{host}");
     if headers.contains_key(ORIGIN) && !header(ORIGIN).eq_ignore_ascii_case(&own) {
-        let hint = "send the request from the page of this server";
         return Err(Refusal::new(
             StatusCode::FORBIDDEN,
             "this comes from a page of another origin",
-            hint,
+            "send the request from the page of this server",
         ));
     }
     Ok(())

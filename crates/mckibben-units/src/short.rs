@@ -73,8 +73,7 @@ fn short(value: f64) -> String {
     }
     let magnitude = value.abs().log10().floor() as i32;
     if (-5..15).contains(&magnitude) {
-        let decimals = (DIGITS - 1 - magnitude).max(0) as usize;
-        return trimmed(value, decimals);
+        return trimmed(value, (DIGITS - 1 - magnitude).max(0) as usize);
     }
     let text = format!("{value:.6e}");
     let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -30,8 +30,10 @@ impl<T: Copy> Words<T> {
             return parse_quantity(text, self.dimension).map(self.quantity);
         }
         let near = meant(nearest(text, self.words.iter().map(|(word, _)| *word)));
-        let problem = format!("is not known{near}; expected {self}");
-        Err(QuantityError::about(text, problem))
+        Err(QuantityError::about(
+            text,
+            format!("is not known{near}; expected {self}"),
+        ))
     }
 
     /// Reads a text, or a number in the unit inside.

@@ -61,8 +61,7 @@ impl Model {
     pub fn all() -> Vec<ModelEntry> {
         let closed = ModelKind::ALL.into_iter().map(ModelKind::entry);
         #[cfg(feature = "fem")]
-        let closed = closed.chain(Elements::ENTRIES);
-        closed.collect()
+        closed.chain(Elements::ENTRIES).collect()
     }
 
     /// Whether a word is the name of a model already.

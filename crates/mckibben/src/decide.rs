@@ -87,6 +87,5 @@ impl Deciding {
 /// # Errors
 /// [`SpecError`] where the specification cannot be searched; that nothing fits is an outcome.
 pub fn decide(spec: &Spec) -> Result<Outcome, SpecError> {
-    let deciding = Deciding::usual(spec.wanted.extends());
-    deciding.with_models(|models| design_with(spec, models, &Silent))
+    Deciding::usual(spec.wanted.extends()).with_models(|models| design_with(spec, models, &Silent))
 }

@@ -177,8 +177,10 @@ impl MuscleModel {
         contraction: f64,
         parameters: &[&str],
     ) -> Result<Gradient, GradientError> {
-        let list = parameters.iter().map(|name| parameter(self.muscle(), name));
-        let list = list.collect::<Result<Vec<_>, _>>()?;
+        let list = parameters
+            .iter()
+            .map(|name| parameter(self.muscle(), name))
+            .collect::<Result<Vec<_>, _>>()?;
         let force_n = self.force_n(pressure_mpa, contraction)?;
         let (choice, model, options) = (self.choice.clone(), self.shared(), self.options());
         let by_parameters = by_parameters(

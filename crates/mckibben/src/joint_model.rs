@@ -62,8 +62,11 @@ impl JointModel {
     ) -> Result<Self> {
         let muscles: Vec<MuscleModel> = muscles.into_iter().collect();
         let extrapolate = muscles.first().is_some_and(|m| m.options().extrapolate);
-        let models = muscles.iter().map(MuscleModel::shared).collect();
-        let joint = BoundJoint::new(joint, models, extrapolate)?;
+        let joint = BoundJoint::new(
+            joint,
+            muscles.iter().map(MuscleModel::shared).collect(),
+            extrapolate,
+        )?;
         Ok(Self {
             workspaces: joint.workspaces(),
             joint,
@@ -86,8 +89,12 @@ impl JointModel {
             path: mckibben_core::joint::Path::Pulley { radius_mm },
             contraction_at_neutral,
         };
-        let muscles = vec![on(radius_mm), on(-radius_mm)];
-        let joint = Joint::new(muscles, None, Default::default(), range_deg)?;
+        let joint = Joint::new(
+            vec![on(radius_mm), on(-radius_mm)],
+            None,
+            Default::default(),
+            range_deg,
+        )?;
         Self::new(joint, [muscle.clone(), muscle.clone()])
     }
 
@@ -145,8 +152,9 @@ impl JointModel {
             torque_nm,
             stiffness_nm_per_rad: Some(stiffness_nm_per_rad),
         };
-        let workspaces = &mut self.workspaces;
-        let found = self.joint.pressures(workspaces, wanted, supply_mpa);
+        let found = self
+            .joint
+            .pressures(&mut self.workspaces, wanted, supply_mpa);
         // A model without an answer at the supply is the reason before all others.
         if found.is_err() {
             self.joint.outside(supply_mpa)?;

@@ -261,8 +261,10 @@ impl MuscleModel {
 
     /// An answer with what is said of its pressure before all other warnings.
     fn warned(&self, mut answer: Answer) -> Answer {
-        let said = self.burst().warnings(answer.response.pressure_mpa);
-        Warning::put_first(&mut answer.warnings, said);
+        Warning::put_first(
+            &mut answer.warnings,
+            self.burst().warnings(answer.response.pressure_mpa),
+        );
         answer
     }
 }

@@ -173,8 +173,10 @@ impl BoundModel {
         };
         let quiet = [1.0, 0.5, 0.25].into_iter().find_map(|share| {
             let p = share * highest_mpa;
-            let probed = [0.0, 0.1, 0.2, 0.25, 0.3, 0.35].into_iter();
-            let e = probed.take_while(|e| is_quiet(p, *e)).last()?;
+            let e = [0.0, 0.1, 0.2, 0.25, 0.3, 0.35]
+                .into_iter()
+                .take_while(|e| is_quiet(p, *e))
+                .last()?;
             (e > 0.1).then_some((p, e))
         });
         Ok(*self
@@ -209,11 +211,12 @@ impl BoundModel {
     ) -> Result<Vec<Warning>, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
         if count != other || count.checked_mul(width) != Some(out.len()) {
-            let message = format!(
-                "{count} and {other} numbers for {} places of {width}",
-                out.len()
-            );
-            return Err(ProblemKind::Usage.problem(message).into());
+            return Err(ProblemKind::Usage
+                .problem(format!(
+                    "{count} and {other} numbers for {} places of {width}",
+                    out.len()
+                ))
+                .into());
         }
         let quiet = many.warnings.then(|| self.quiet()).transpose()?;
         let share = if self.is_elements() {
@@ -249,8 +252,11 @@ impl BoundModel {
             Threads::shared().fill(out, share * width, work)
         }
         progress.check().map_err(Problem::from)?;
-        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let said = found.into_values().collect::<Result<Vec<_>, _>>()?;
+        let said = found
+            .into_inner()
+            .unwrap_or_else(PoisonError::into_inner)
+            .into_values()
+            .collect::<Result<Vec<_>, _>>()?;
         Ok(Warning::gravest(said.iter().flatten()))
     }
 }

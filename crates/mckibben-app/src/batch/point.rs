@@ -67,8 +67,9 @@ impl BoundModel {
             }
         }
         if let Some((burst, _)) = quiet.filter(|_| answered) {
-            let of_muscle = warnings::of_muscle(&burst, self.muscle(), 0.0);
-            known.said.extend(of_muscle);
+            known
+                .said
+                .extend(warnings::of_muscle(&burst, self.muscle(), 0.0));
         }
         Ok(Warning::gravest(&known.said))
     }

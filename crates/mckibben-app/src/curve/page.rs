@@ -50,8 +50,10 @@ impl CurveAnswer {
 
     /// What the ± are, and the parts of the largest of the pull.
     fn half_widths(&self, page: &mut Page, u: &Units) {
-        let answers = self.points().filter_map(|q| q.answer.as_ref().ok());
-        let of_pull = answers.filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
+        let of_pull = self
+            .points()
+            .filter_map(|q| q.answer.as_ref().ok())
+            .filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
         if let Some(largest) = of_pull.max_by_number(|a| a.total()) {
             page.paragraph("medians, ±: 95 %, of a muscle that is built");
             let parts = breakdown(&largest, &u.force);
@@ -61,8 +63,7 @@ impl CurveAnswer {
 
     /// One row per value along the curves, one column per curve.
     fn table(&self, u: &Units) -> Table<'_, CurvePoint> {
-        let first = self.curves.first().map_or(&[][..], |c| &c.points[..]);
-        let table = Table::of(first);
+        let table = Table::of(self.curves.first().map_or(&[][..], |c| &c.points[..]));
         let mut table = match self.test {
             Test::Isobaric => table.quantity("ε", &PERCENT, |q| q.contraction),
             _ => table.quantity("P", &u.pressure, |q| q.pressure_mpa),
@@ -78,8 +79,11 @@ impl CurveAnswer {
             } else {
                 String::new()
             };
-            let amounts = curve.points.iter().map(|q| computed(self.test, q));
-            let amounts: Vec<Amount> = amounts.collect();
+            let amounts: Vec<Amount> = curve
+                .points
+                .iter()
+                .map(|q| computed(self.test, q))
+                .collect();
             table = table.with(Column::of(&(label + &branch), &scale.digits(4), &amounts));
         }
         table
@@ -113,8 +117,10 @@ impl Show for StudyAnswer {
         let mut page = Page::of(self, u, &["points"]);
         let curve = self.panels.first().and_then(|panel| panel.curves.first());
         let points = curve.map_or(1, |curve| curve.curve.points.len());
-        let ends = study_rows(&self.panels).skip(points - 1).step_by(points);
-        let ends: Vec<StudyRow> = ends.collect();
+        let ends: Vec<StudyRow> = study_rows(&self.panels)
+            .skip(points - 1)
+            .step_by(points)
+            .collect();
         page.list(
             "",
             &ends,

@@ -42,15 +42,17 @@ impl Decision<'_> {
         let Some(first) = self.found.candidates.first() else {
             return self.best_chances().into_iter().collect();
         };
-        let lines = [
+        [
             Some(self.what_to_take(first)),
             Some(pressures_to_set(first)),
             never_above(first),
             Some(self.pulls(first)),
             self.measure(first),
             Some(limit(first)),
-        ];
-        lines.into_iter().flatten().collect()
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
     }
 
     /// That nothing reaches the certainty, and what comes closest to it.
@@ -128,12 +130,12 @@ impl Decision<'_> {
                 show(Dimension::Pressure, q.response.pressure_mpa)
             );
             let built = q.built.map(|built| {
-                let numbers = [
+                let [low, high, median] = [
                     built.predicted_low_n,
                     built.predicted_high_n,
                     built.predicted_n,
-                ];
-                let [low, high, median] = numbers.map(|n| within(n, built.half_n()));
+                ]
+                .map(|n| within(n, built.half_n()));
                 let by = match spec.built {
                     true => String::new(),
                     false => format!(" by {}; as built {median}\u{a0}N", first.model),
@@ -236,8 +238,11 @@ fn parts(c: &Candidate) -> String {
     let outer_mm = m.outer_diameter_mm();
     let [bore, outer] = [outer_mm - 2.0 * m.wall_mm(), outer_mm].map(|mm| number(mm, 4));
     let rubber = crate::words::rubber_name(m);
-    let name = c.tube.as_ref().map(|name| format!(" ({name})"));
-    let name = name.unwrap_or_default();
+    let name = c
+        .tube
+        .as_ref()
+        .map(|name| format!(" ({name})"))
+        .unwrap_or_default();
     let sleeve = match &m.braid().sleeve {
         Some(sleeve) => format!("sleeve {}", sleeve.name),
         None => format!("braid at {}°", number(m.braid().angle_deg, 4)),

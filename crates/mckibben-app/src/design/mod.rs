@@ -55,8 +55,9 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     };
     if let Some(winner) = found.candidates.first() {
         answer.cycle = request.cycle_of(winner, spec, progress)?;
-        let line = answer.cycle.as_ref().map(|cycle| cycle.line());
-        answer.decision.extend(line);
+        answer
+            .decision
+            .extend(answer.cycle.as_ref().map(|cycle| cycle.line()));
     }
     if let (Some(unit), false) = (&request.figure, answer.candidates.is_empty()) {
         let decide = |m: &Muscle| policy.model.bound(m);
@@ -129,8 +130,10 @@ fn warnings(spec: &Spec, found: &Outcome) -> Result<Vec<Warning>> {
     // Where no pitch is given they touch just where they are required to pull.
     let bundle = found.bundle.as_ref().filter(|_| spec.pitch_mm.is_some());
     warnings.extend(bundle.and_then(|bundle| touches(bundle, winner)));
-    let highest_mpa = winner.highest_pressure_mpa;
-    warnings.extend(Warning::not_measured(&winner.muscle, highest_mpa));
+    warnings.extend(Warning::not_measured(
+        &winner.muscle,
+        winner.highest_pressure_mpa,
+    ));
     Ok(warnings)
 }
 
@@ -143,8 +146,11 @@ fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<U
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, spec.options());
     let place = (response.pressure_mpa, response.contraction);
-    let predicted = model.predicted(place.0, place.1, response.force_n);
-    Some(UncertaintyWords::at(predicted, place, &mut model))
+    Some(UncertaintyWords::at(
+        model.predicted(place.0, place.1, response.force_n),
+        place,
+        &mut model,
+    ))
 }
 
 fn draw(
@@ -158,10 +164,10 @@ fn draw(
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> = drawn
         .map(|c| Ok((c, build(&c.muscle)?)))
         .collect::<Result<_, ModelError>>()?;
-    let points = found
+    let points: Vec<OperatingPoint> = found
         .candidates
         .first()
-        .map(|c| c.points.iter().map(|q| q.wanted).collect());
-    let points: Vec<OperatingPoint> = points.unwrap_or_default();
+        .map(|c| c.points.iter().map(|q| q.wanted).collect())
+        .unwrap_or_default();
     Ok(figure::design(&drawn, &points, options, unit))
 }

@@ -150,8 +150,9 @@ impl CandidateJoint {
     /// The pulley between the muscles, and the joint file that goes with them. A joint file names
     /// its muscles relative to itself: it goes beside them.
     fn text(&self, several: Option<u32>, winner: Option<&str>, u: &Units) -> String {
-        let share = several.map(|count| format!(" (its torque is that of one of {count})"));
-        let share = share.unwrap_or_default();
+        let share = several
+            .map(|count| format!(" (its torque is that of one of {count})"))
+            .unwrap_or_default();
         let radius = u.length.show(self.radius_mm);
         let neutral = self.neutral();
         let place = match winner {

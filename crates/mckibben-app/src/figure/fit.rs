@@ -56,16 +56,15 @@ pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
         first
     };
     let last = ("figure_12_formula_and_points", against_points(f, at.0));
-    let all = f
-        .paper
+    f.paper
         .iter()
         .flat_map(|m| paper_figures(m, at))
-        .chain([last]);
-    all.map(|(name, figure)| NamedFigure {
-        name: name.into(),
-        figure,
-    })
-    .collect()
+        .chain([last])
+        .map(|(name, figure)| NamedFigure {
+            name: name.into(),
+            figure,
+        })
+        .collect()
 }
 
 /// Figures 5 to 11.
@@ -138,8 +137,10 @@ impl Section<'_> {
     /// At the highest pressure.
     fn isobaric_surfaces(&self) -> Figure {
         let (d, s) = (self.d, self.s);
-        let pressures = distinct(self.method.curves.iter().map(|c| c.pressure_mpa));
-        let top = pressures.last().copied().unwrap_or(0.0);
+        let top = distinct(self.method.curves.iter().map(|c| c.pressure_mpa))
+            .last()
+            .copied()
+            .unwrap_or(0.0);
         let over_wall = self.curve_panel(
             format!("over ε and s, D0 {} mm", number(d, 4)),
             |c| same(c.outer_diameter_mm, d) && same(c.pressure_mpa, top),
@@ -208,8 +209,11 @@ impl Section<'_> {
                 "Points and parabolas (9)",
             )
             .columns(3);
-        let mut walls = self.method.walls.iter();
-        let of_diameter = walls.find(|w| same(w.outer_diameter_mm, self.d));
+        let of_diameter = self
+            .method
+            .walls
+            .iter()
+            .find(|w| same(w.outer_diameter_mm, self.d));
         for (j, symbol, unit) in [(0, "m", "mm²"), (1, "q", "N")] {
             for (k, letter) in LETTERS.into_iter().enumerate() {
                 let y = Axis::new(format!("{symbol}_{letter} [{unit}]"));
@@ -346,8 +350,8 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
                 let label = format!("{} MPa", number(p, 3));
                 panel = pair(panel, &label, n, points, |e| formula.force_n(d, s, p, e));
                 if let Some(published) = &published {
-                    let line = line(0.0, 0.2, |e| published.force_n(d, s, p, e));
-                    let series = Series::new("", line).colour(n);
+                    let series = Series::new("", line(0.0, 0.2, |e| published.force_n(d, s, p, e)))
+                        .colour(n);
                     panel = panel.series(series.style(Style::Dashed));
                 }
             }

@@ -22,8 +22,7 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
         bands.extend(end_band(run).map(|band| band.colour(i)));
         let s = &run.motion.series;
         let over = |list: &[f64], shown: &dyn Fn(f64) -> f64| {
-            let points = s.time_s.iter().zip(list).map(|(t, v)| (*t, shown(*v)));
-            Series::line("", points).colour(i)
+            Series::line("", s.time_s.iter().zip(list).map(|(t, v)| (*t, shown(*v)))).colour(i)
         };
         let place = match s.degrees() {
             Some([angle, _]) => over(&angle, &|v| v),
@@ -64,11 +63,12 @@ fn end_band(run: &MotionRun) -> Option<Series> {
     let end = &run.end;
     let time = &motion.series.time_s;
     let last = time.last().copied()?;
-    let settled = motion
+    let from = motion
         .steps
         .last()
-        .and_then(|step| Some(step.time_s + step.settling_time_s?));
-    let from = settled.unwrap_or(last).min(LAST * last);
+        .and_then(|step| Some(step.time_s + step.settling_time_s?))
+        .unwrap_or(last)
+        .min(LAST * last);
     let in_the_end = |list: &[f64]| list.last().copied();
     let (low, high) = if let Some(half) = end.end_angle_uncertainty_deg {
         let [angle, _] = motion.series.degrees()?;

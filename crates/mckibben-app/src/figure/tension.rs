@@ -18,12 +18,11 @@ const WITHOUT_POINTS: f64 = 2.0;
 pub fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
     let some = some_of(laws.len(), fit.laws.len(), "laws");
-    let about = format!(
+    let mut figure = Figure::new("Laws fitted to tension tests")
+        .caption(caption(format!(
         "Nominal stress; points of {file}{some}. Dashed: unstable over the stretches of a muscle; \
          dotted: constrained to be stable"
-    );
-    let mut figure = Figure::new("Laws fitted to tension tests")
-        .caption(caption(about))
+    )))
         .columns(3)
         .size_mm(240.0, 110.0);
     for mode in Mode::OF_ONE_STRETCH {
@@ -38,13 +37,13 @@ pub fn tension(fit: &TensionFit, file: &str) -> Figure {
 /// The laws, the recommended one first, then by AICc; a free fit and its stable neighbour are two.
 fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
     let first = fit.recommended.and_then(|i| fit.laws.get(i));
-    let others = fit
+    let mut others: Vec<&FittedLaw> = fit
         .laws
         .iter()
         .enumerate()
         .filter(|(i, _)| fit.recommended != Some(*i))
-        .map(|o| o.1);
-    let mut others: Vec<&FittedLaw> = others.collect();
+        .map(|o| o.1)
+        .collect();
     others.sort_by_number(|a| a.quality.aicc);
     first.into_iter().chain(others).take(LAWS).collect()
 }

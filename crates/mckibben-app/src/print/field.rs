@@ -39,10 +39,9 @@ pub fn named(name: &str, about: &str, u: &Units) -> (Scale, String) {
         ("_s", Scale::fixed("s")),
         ("bytes", MEGABYTES),
     ];
-    let unit = units.into_iter().find_map(|(ending, scale)| {
-        let name = name.strip_suffix(ending)?;
-        Some((scale, name))
-    });
+    let unit = units
+        .into_iter()
+        .find_map(|(ending, scale)| Some((scale, name.strip_suffix(ending)?)));
     let is_share = || {
         let mut said = about.split(|c: char| !c.is_alphabetic());
         name.split('_').any(|word| SHARES.contains(&word))
@@ -68,8 +67,12 @@ const SHARES: [&str; 6] = [
 /// The beginning of a documentation where it is short, else the name in words.
 pub fn label(about: &str, name: &str, most: usize) -> String {
     let end = about.find([',', ':', ';', '(', '\n']);
-    let first = about[..end.unwrap_or(about.len())].split(". ").next();
-    let first = first.unwrap_or_default().trim().trim_end_matches('.');
+    let first = about[..end.unwrap_or(about.len())]
+        .split(". ")
+        .next()
+        .unwrap_or_default()
+        .trim()
+        .trim_end_matches('.');
     let unit = first.rsplit_once(" in ");
     let unit =
         unit.filter(|(_, unit)| unit.len() <= UNIT || unit.contains('/') || *unit == "degrees");

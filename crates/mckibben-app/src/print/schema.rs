@@ -50,6 +50,7 @@ pub fn properties<'a>(
 
 /// The schema of the items of a list.
 pub fn items<'a>(root: &'a Value, node: &'a Value) -> Option<&'a Value> {
-    let nodes = variants(root, node);
-    nodes.into_iter().find_map(|node| node.get("items"))
+    variants(root, node)
+        .into_iter()
+        .find_map(|node| node.get("items"))
 }

@@ -13,8 +13,11 @@ const APART: [&str; 5] = ["understood", "law", "parameters", "failed", "muscle_f
 
 impl Show for RubberFitAnswer {
     fn warnings(&self) -> Vec<Warning> {
-        let failed = self.failed.iter().cloned().map(Warning::from);
-        self.warnings.iter().cloned().chain(failed).collect()
+        self.warnings
+            .iter()
+            .cloned()
+            .chain(self.failed.iter().cloned().map(Warning::from))
+            .collect()
     }
 
     fn page(&self, u: &Units) -> Page {

@@ -22,8 +22,10 @@ impl ShapeFiles {
     }
 
     pub fn add(&mut self, shape: Shape, response: &Response) -> Result<()> {
-        let files = self.series.add(shape, response);
-        let mut files = files.map_err(|e| ProblemKind::Output.problem(e))?;
+        let mut files = self
+            .series
+            .add(shape, response)
+            .map_err(|e| ProblemKind::Output.problem(e))?;
         // The list comes once, when all points are known.
         files.pop();
         self.bytes += files.iter().map(|file| file.text.len()).sum::<usize>();

@@ -201,8 +201,10 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
             point.built = at.ok().and_then(|at| at.built);
         }
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
-            let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
-            files.add(shape, &solution.response)?;
+            files.add(
+                meshed.shape(workspace, &ends, &solution.response, extent)?,
+                &solution.response,
+            )?;
         }
         simulated.push(point);
     }
@@ -314,8 +316,11 @@ impl SimulateRequest {
 fn no_elements(model: &str) -> Problem {
     let message =
         format!("a test needs a finite-element model, and \"{model}\" is not one; give fe or fe3d");
-    let hint = "`curve` draws the curves of every model";
-    Problem::new(ProblemKind::Model, message, hint)
+    Problem::new(
+        ProblemKind::Model,
+        message,
+        "`curve` draws the curves of every model",
+    )
 }
 
 /// A point with what it means: slack, collapsed, or an answer. A slack muscle is what it is at its
@@ -377,8 +382,7 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
     if points.iter().any(|q| q.status.is_ok()) {
         return None;
     }
-    let first = points.iter().find_map(|q| q.solution.as_ref().err())?;
-    Some(ProblemKind::NotConverged.problem(first))
+    Some(ProblemKind::NotConverged.problem(points.iter().find_map(|q| q.solution.as_ref().err())?))
 }
 
 /// The input deck of an isometric test with three-dimensional elements.
@@ -389,9 +393,12 @@ fn written_deck(
     questions: &[RequestedPoint],
 ) -> Result<String> {
     let wrong = |message: String| {
-        let hint = "an example: an isometric test of fe3d at one contraction, with pressures from \
-            0.01 to 0.25 MPa";
-        Problem::new(ProblemKind::Deck, message, hint)
+        Problem::new(
+            ProblemKind::Deck,
+            message,
+            "an example: an isometric test of fe3d at one contraction, with pressures from \
+            0.01 to 0.25 MPa",
+        )
     };
     let Meshed::ThreeDimensional(model) = meshed else {
         return Err(wrong("an input deck needs the model `fe3d`".into()));

@@ -63,8 +63,9 @@ impl FitPoint {
 
     /// F of the published formula there, in N.
     pub fn published_n(&self) -> f64 {
-        let section = Coefficients::published().section(self.outer_diameter_mm, self.wall_mm);
-        section.force_n(self.pressure_mpa, self.contraction)
+        Coefficients::published()
+            .section(self.outer_diameter_mm, self.wall_mm)
+            .force_n(self.pressure_mpa, self.contraction)
     }
 }
 
@@ -131,11 +132,11 @@ impl Grid<'_> {
     /// without an answer are left out. The order is that of the lists, whatever the number of
     /// threads.
     pub fn compute(&self, muscle: impl Fn(f64, f64) -> Option<Muscle> + Sync) -> Vec<FitPoint> {
-        let sections = self
+        let sections: Vec<(f64, f64)> = self
             .diameters
             .iter()
-            .flat_map(|&d| self.walls.iter().map(move |&s| (d, s)));
-        let sections: Vec<(f64, f64)> = sections.collect();
+            .flat_map(|&d| self.walls.iter().map(move |&s| (d, s)))
+            .collect();
         let one =
             |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| self.muscle_points(&m));
         threads::map(&sections, one).concat()

@@ -44,8 +44,10 @@ impl ForceScales {
     pub fn new(points: &[FitPoint]) -> Result<Self> {
         let mut out = Self::default();
         for p in points {
-            let isobar = out.isobars.entry((section(p), bits(p.pressure_mpa)));
-            let isobar = isobar.or_insert(0.0);
+            let isobar = out
+                .isobars
+                .entry((section(p), bits(p.pressure_mpa)))
+                .or_insert(0.0);
             *isobar = isobar.max(p.force_n);
             let at = out.blocked.entry(section(p)).or_insert((f64::MIN, 0.0));
             if same(p.contraction, 0.0) && p.pressure_mpa > at.0 {

@@ -88,8 +88,9 @@ pub fn global(points: &[FitPoint], own: Option<&[[u8; 4]]>) -> Result<(GlobalTer
     let coefficients = nested(&full, &chosen);
     let left_out = own.map_or_else(|| leave_out(&groups), |_| None);
     cancel::check()?;
-    let count = left_out.and_then(|errors| enough(&errors, chosen.len()));
-    let count = count.unwrap_or(chosen.len());
+    let count = left_out
+        .and_then(|errors| enough(&errors, chosen.len()))
+        .unwrap_or(chosen.len());
     let values = coefficients(count).ok_or_else(|| FitError::singular("the global formula"))?;
     let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term {
         powers: candidates[j],

@@ -66,9 +66,11 @@ impl Triangle {
 
     /// Of all groups but one.
     pub fn without(groups: &[Self], left_out: Option<usize>) -> Self {
-        let kept = groups.iter().enumerate();
-        let kept = kept.filter(|(group, _)| Some(*group) != left_out);
-        kept.fold(Self::none(0), |sum, (_, group)| sum.and(group))
+        groups
+            .iter()
+            .enumerate()
+            .filter(|(group, _)| Some(*group) != left_out)
+            .fold(Self::none(0), |sum, (_, group)| sum.and(group))
     }
 
     fn terms(&self) -> usize {
@@ -85,7 +87,9 @@ impl Triangle {
 
     /// The coefficients; `None` where they have no finite answer.
     pub fn solve(&self) -> Option<DVector<f64>> {
-        let terms = self.matrix.columns(0, self.terms()).into_owned();
-        least_squares(terms, self.values())
+        least_squares(
+            self.matrix.columns(0, self.terms()).into_owned(),
+            self.values(),
+        )
     }
 }

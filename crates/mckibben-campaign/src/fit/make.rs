@@ -92,8 +92,12 @@ pub struct FittedFormula {
 impl FittedFormula {
     /// The published formula, with its errors on the same points.
     pub fn published(&self) -> Formula {
-        let held_out = self.formula.errors.held_out.as_ref();
-        let diameters = held_out.map_or_else(Vec::new, |h| h.outer_diameters_mm.clone());
+        let diameters = self
+            .formula
+            .errors
+            .held_out
+            .as_ref()
+            .map_or_else(Vec::new, |h| h.outer_diameters_mm.clone());
         let of = |p: &FitPoint| self.forces.compared(*p, p.published_n() - p.force_n);
         Formula {
             name: "paper".into(),

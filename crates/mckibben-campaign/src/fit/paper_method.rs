@@ -109,8 +109,10 @@ pub fn paper_method(points: &[FitPoint]) -> Result<PaperMethod> {
                 .collect();
             let first = curves.len();
             for p in distinct(of_wall.iter().map(|q| q.pressure_mpa)) {
-                let isobar = of_wall.iter().filter(|q| same(q.pressure_mpa, p));
-                let isobar = isobar.map(|q| (q.contraction, q.force_n));
+                let isobar = of_wall
+                    .iter()
+                    .filter(|q| same(q.pressure_mpa, p))
+                    .map(|q| (q.contraction, q.force_n));
                 curves.push(curve(d, s, p, isobar.collect())?);
             }
             lines.push(line(d, s, &curves[first..])?);
@@ -145,8 +147,12 @@ fn enough(
 /// Step 1.
 fn curve(d: f64, s: f64, p: f64, points: Vec<(f64, f64)>) -> Result<CurveFit> {
     let place = || format!("the curve of D0 {d}, s {s} mm at {p} MPa");
-    let count = distinct(points.iter().map(|q| q.0)).len();
-    enough("contraction", count, 3, place)?;
+    enough(
+        "contraction",
+        distinct(points.iter().map(|q| q.0)).len(),
+        3,
+        place,
+    )?;
     Ok(CurveFit {
         outer_diameter_mm: d,
         wall_mm: s,
@@ -239,8 +245,10 @@ pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
     let scale = if scale > 0.0 { scale } else { 1.0 };
     let power = |j: usize| i32::try_from(N - 1 - j).unwrap_or(0);
     let matrix = DMatrix::from_fn(points.len(), N, |i, j| (points[i].0 / scale).powi(power(j)));
-    let values = DVector::from_iterator(points.len(), points.iter().map(|p| p.1));
-    let solved = least_squares(matrix, values)?;
+    let solved = least_squares(
+        matrix,
+        DVector::from_iterator(points.len(), points.iter().map(|p| p.1)),
+    )?;
     let mut fitted = PolynomialFit {
         coefficients: std::array::from_fn(|j| solved[j] / scale.powi(power(j))),
         r2: 1.0,

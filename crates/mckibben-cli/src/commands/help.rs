@@ -133,6 +133,8 @@ fn page(command: &Command) -> Result<Vec<u8>, Problem> {
 }
 
 fn unknown(words: &[String]) -> Problem {
-    let message = format!("there is no command `{}`", words.join(" "));
-    Problem::usage(message, "`mckibben help` lists the commands")
+    Problem::usage(
+        format!("there is no command `{}`", words.join(" ")),
+        "`mckibben help` lists the commands",
+    )
 }

@@ -62,8 +62,7 @@ impl Identify {
         self.plot.save(context, &mut answer.figure)?;
         let folder = self.save_measured.as_deref();
         if let Some(folder) = folder {
-            let files = self.request.measured_files(&answer)?;
-            context.save_inside(folder, files)?;
+            context.save_inside(folder, self.request.measured_files(&answer)?)?;
         }
         let measured = folder.map(|path| {
             let place = path_on_one_line(path);
@@ -84,8 +83,10 @@ impl Identify {
         context.save(target, file.as_bytes())?;
         let written = target.map(|path| format!("The {what} is in {}.", path_on_one_line(path)));
         let add = |page: &mut Page| {
-            let texts = written.into_iter().chain(more);
-            texts.for_each(|text| page.paragraph(text));
+            written
+                .into_iter()
+                .chain(more)
+                .for_each(|text| page.paragraph(text));
         };
         context.print(answer, add, None)?;
         Ok(0)

@@ -21,9 +21,11 @@ impl Context {
     /// it. A campaign continues its file.
     pub fn check_named(&self, continues: bool) -> Result<(), Problem> {
         let is_written = |name: &str| WRITTEN.contains(&name) && !(continues && name == "--output");
-        let written = self.flags.iter().filter(|flag| is_written(&flag.name));
-        let mut paths = written.flat_map(|flag| &flag.texts);
-        paths.try_for_each(|(_, path)| self.check(Path::new(path)))
+        self.flags
+            .iter()
+            .filter(|flag| is_written(&flag.name))
+            .flat_map(|flag| &flag.texts)
+            .try_for_each(|(_, path)| self.check(Path::new(path)))
     }
 
     /// Refuses to write what is no answer, and to overwrite a file.
@@ -114,13 +116,12 @@ pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Problem
     if endings.contains(&ending.as_str()) {
         return Ok(());
     }
-    let message = format!(
-        "{} ends in .{ending}, which is another format",
-        path.display()
-    );
     Err(Problem::new(
         ProblemKind::Output,
-        message,
+        format!(
+            "{} ends in .{ending}, which is another format",
+            path.display()
+        ),
         format!("end it in .{}", endings.join(" or .")),
     ))
 }

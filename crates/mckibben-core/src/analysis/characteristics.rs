@@ -44,8 +44,7 @@ impl Evaluation<'_> {
         for panel in 0..PANELS {
             let mid = from + h * (panel as f64 + 0.5);
             for &(x, weight) in crate::model::gauss(4) {
-                let e = mid + 0.5 * h * x;
-                sum += 0.5 * h * weight * self.force_n(pressure_mpa, e)?;
+                sum += 0.5 * h * weight * self.force_n(pressure_mpa, mid + 0.5 * h * x)?;
             }
         }
         Ok(sum * self.model.muscle().length_mm() * 1e-3)

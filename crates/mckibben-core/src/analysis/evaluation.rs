@@ -167,8 +167,11 @@ impl<'a> Evaluation<'a> {
     fn check_point(&self, pressure_mpa: f64, contraction: f64) -> Result<()> {
         cancel::check().map_err(ModelError::Cancelled)?;
         if !(pressure_mpa.is_finite() && contraction.is_finite()) {
-            let name = &self.model.info().name;
-            return Err(ModelError::not_finite(name, pressure_mpa, contraction));
+            return Err(ModelError::not_finite(
+                &self.model.info().name,
+                pressure_mpa,
+                contraction,
+            ));
         }
         if pressure_mpa >= -ATMOSPHERE_MPA {
             return Ok(());

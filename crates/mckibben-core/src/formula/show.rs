@@ -86,7 +86,7 @@ impl Formula {
 const NEXT: &str = "&\\quad + ";
 
 /// The lines of an equation as a display of LaTeX.
-pub(super) fn display(lines: Vec<String>) -> String {
+pub fn display(lines: Vec<String>) -> String {
     let lines = lines.join("\\\\\n");
     format!("\\begin{{align*}}\n{lines}\n\\end{{align*}}\n")
 }

@@ -111,14 +111,15 @@ impl Evaluation<'_> {
             self.with(one_sided).free_contraction(pressure_mpa).ok()
         };
         let most = if free.is_some() { most } else { range.1 };
-        let ends = [
+        let (end, limit) = [
             (free.unwrap_or(f64::INFINITY), ""),
             (most, "the model's range"),
             (reach.1 / length, "the table of the load"),
             (0.95, "what any muscle reaches"),
-        ];
-        let nearest = ends.into_iter().min_by_number(|a| a.0);
-        let (end, limit) = nearest.unwrap_or_default();
+        ]
+        .into_iter()
+        .min_by_number(|a| a.0)
+        .unwrap_or_default();
         let excess_n = |e: f64| {
             let pull = if Some(e) == free {
                 0.0

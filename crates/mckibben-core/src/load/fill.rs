@@ -222,8 +222,9 @@ impl Evaluation<'_> {
         } else {
             // Beyond the ideal muscle's largest contraction nothing pulls but strands that stretch
             // a little.
-            let ideal = 1.3 * muscle.max_ideal_contraction() + 0.05;
-            high.min(most_mm / length_mm).min(ideal).min(0.95)
+            high.min(most_mm / length_mm)
+                .min(1.3 * muscle.max_ideal_contraction() + 0.05)
+                .min(0.95)
         };
         (highest_mpa.min(HIGHEST_PRESSURE_MPA), furthest)
     }

@@ -108,8 +108,10 @@ fn parse_part(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<L
                 None => false,
                 Some("level") => true,
                 Some(_) => {
-                    let expected = "expected a hanging mass, such as 20 kg, or 20 kg@level";
-                    return Err(refuse(text, expected));
+                    return Err(refuse(
+                        text,
+                        "expected a hanging mass, such as 20 kg, or 20 kg@level",
+                    ));
                 }
             },
         })

@@ -245,8 +245,9 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         if self.ends.slip_mm_per_n > 0.0 {
             return None;
         }
-        let x = self.between(0.0, e, force_n);
-        let active_mpa = self.inner.pressure_at_pull(workspace, force_n, x)?;
+        let active_mpa =
+            self.inner
+                .pressure_at_pull(workspace, force_n, self.between(0.0, e, force_n))?;
         Some(self.ends.whole_mpa(active_mpa))
     }
 
@@ -289,8 +290,11 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         };
         let mut known = known.into_iter();
         let one = |name: &String| {
-            let inner = Ends::inner_name(name).map_or(Some(0.0), |_| known.next())?;
-            Some(self.ends.slope(&state, name, inner))
+            Some(self.ends.slope(
+                &state,
+                name,
+                Ends::inner_name(name).map_or(Some(0.0), |_| known.next())?,
+            ))
         };
         Ok(names.iter().map(one).collect())
     }

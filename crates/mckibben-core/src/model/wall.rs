@@ -150,8 +150,10 @@ impl Wall {
             .max(0.0)
             .sqrt();
         let outside = outer_radius_mm / self.ro2.sqrt();
-        let thinnest = 1.0 / (lambda * inside.min(outside));
-        inside.max(outside).max(lambda).max(thinnest)
+        inside
+            .max(outside)
+            .max(lambda)
+            .max(1.0 / (lambda * inside.min(outside)))
     }
 }
 

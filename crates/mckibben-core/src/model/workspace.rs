@@ -80,8 +80,10 @@ impl Workspace {
         muscle: &Arc<Muscle>,
         make: impl FnOnce() -> T,
     ) -> Arc<T> {
-        let known = self.of_muscle.as_ref();
-        let known = known.filter(|(of, _)| Arc::ptr_eq(of, muscle));
+        let known = self
+            .of_muscle
+            .as_ref()
+            .filter(|(of, _)| Arc::ptr_eq(of, muscle));
         if let Some(known) = known.and_then(|(_, it)| Arc::clone(it).downcast().ok()) {
             return known;
         }

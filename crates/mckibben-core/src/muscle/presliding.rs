@@ -56,8 +56,9 @@ impl Presliding {
 
     /// What it remembers, as numbers.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
-        let elements = self.elements.iter().flat_map(|&(w, s)| [w, s]);
-        [self.at_mm, self.largest].into_iter().chain(elements)
+        [self.at_mm, self.largest]
+            .into_iter()
+            .chain(self.elements.iter().flat_map(|&(w, s)| [w, s]))
     }
 
     /// The same with other things to remember, an even count of [numbers](Self::numbers).

@@ -21,8 +21,8 @@ pub fn largest_stretch(tube: &Tube, braid: &Braid) -> f64 {
     let inner = tube.inner_radius_mm();
     let lay = braid.lay(tube);
     let axial = cos_neutral / cos;
-    let hoop = sin_neutral / sin;
-    let bore = lay.outer_radius_mm(hoop).powi(2) - (outer * outer - inner * inner) / axial;
+    let bore =
+        lay.outer_radius_mm(sin_neutral / sin).powi(2) - (outer * outer - inner * inner) / axial;
     // Before it was mounted the bore was wider by √λp, and at rest the tube is as long as λp. A
     // muscle that extends is longest at 54.7°.
     (bore.max(0.0).sqrt() / (inner * tube.prestretch.sqrt())).max(tube.prestretch * axial.max(1.0))

@@ -101,8 +101,11 @@ impl Parts {
     /// A strand is thicker than a fibre, and thinner than the tube.
     fn check_strand_section(&self) -> Result<(), MuscleError> {
         const FIELDS: [&str; 2] = ["braid.strand_diameter", "braid.strand_area"];
-        let area_mm2 = self.braid.strands.and_then(|s| s.area_mm2);
-        let strand_mm = area_mm2.map_or(0.0, |area| (4.0 * area / PI).sqrt());
+        let strand_mm = self
+            .braid
+            .strands
+            .and_then(|s| s.area_mm2)
+            .map_or(0.0, |area| (4.0 * area / PI).sqrt());
         let outer_mm = self.tube.outer_diameter_mm;
         MuscleError::unless(
             strand_mm == 0.0 || strand_mm >= THINNEST_STRAND_MM,

@@ -68,8 +68,7 @@ impl Stated {
         parts.braid.stiffness = self.stiffness.unwrap_or(parts.braid.stiffness);
         if let Some(Sleeve { shape, .. }) = &self.sleeve {
             let (least, largest) = (shape.least_mm, shape.largest_mm);
-            let nearest_mm = parts.tube.outer_diameter_mm.max(least).min(largest);
-            let angle = shape.angle_deg_on(nearest_mm);
+            let angle = shape.angle_deg_on(parts.tube.outer_diameter_mm.max(least).min(largest));
             parts.braid.angle_deg = angle.unwrap_or(parts.braid.angle_deg);
         }
         parts
@@ -120,9 +119,11 @@ impl Stated {
         let area = self.strand_area_mm2()?;
         let has_modulus = self.measures.get(&STRAND_MODULUS).is_some();
         if has_modulus && self.stiffness.is_some() {
-            let message = "give either `stiffness`, or `strands`, `strand_area` (or \
-                `strand_diameter`) and `strand_modulus`; both are given";
-            return Err(MuscleError::new(["braid.stiffness"], message));
+            return Err(MuscleError::new(
+                ["braid.stiffness"],
+                "give either `stiffness`, or `strands`, `strand_area` (or \
+                `strand_diameter`) and `strand_modulus`; both are given",
+            ));
         }
         parts.braid.compression = self.compression.unwrap_or(parts.braid.compression);
         parts.braid.in_rubber = self.in_rubber.unwrap_or(parts.braid.in_rubber);
@@ -161,10 +162,10 @@ impl Stated {
     /// The cross-section of a strand, as an area or as the diameter of a round one.
     fn strand_area_mm2(&self) -> Result<Option<f64>, MuscleError> {
         match (self.measures.get(&STRAND_AREA), self.strand_diameter_mm) {
-            (Some(_), Some(_)) => {
-                let message = "give either `strand_area` or `strand_diameter`; both are given";
-                Err(MuscleError::new(["braid.strand_diameter"], message))
-            }
+            (Some(_), Some(_)) => Err(MuscleError::new(
+                ["braid.strand_diameter"],
+                "give either `strand_area` or `strand_diameter`; both are given",
+            )),
             (None, Some(d)) => {
                 positive("braid.strand_diameter", d, "mm").map(|()| Some(PI * d * d / 4.0))
             }
@@ -256,8 +257,10 @@ impl Stated {
                 "braid.strand_strength",
                 "braid.strand_area",
             ];
-            let message = "braid.strands is missing; the load is shared among them";
-            return Err(MuscleError::new(fields, message));
+            return Err(MuscleError::new(
+                fields,
+                "braid.strands is missing; the load is shared among them",
+            ));
         }
         if is_described {
             braid.stiffness = BraidStiffness::OfStrands;

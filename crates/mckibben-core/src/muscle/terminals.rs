@@ -37,8 +37,9 @@ impl<'de> Deserialize<'de> for EndFactor {
             let OfPressure { a, b } = OfPressure::deserialize(value).map_err(D::Error::custom)?;
             return Ok(Self::OfPressure { a, b });
         }
-        let k = f64::deserialize(value).map_err(D::Error::custom)?;
-        Ok(Self::Constant(k))
+        Ok(Self::Constant(
+            f64::deserialize(value).map_err(D::Error::custom)?,
+        ))
     }
 }
 

@@ -11,9 +11,7 @@ impl<T: InvariantLaw> RubberLaw for T {
 
     fn principal(&self, l: [f64; 3]) -> Principal {
         let q = l.map(|x| x * x);
-        let i1 = q[0] + q[1] + q[2];
-        let i2 = q[0] * q[1] + q[1] * q[2] + q[2] * q[0];
-        let f = self.invariant(i1, i2);
+        let f = self.invariant(q[0] + q[1] + q[2], q[0] * q[1] + q[1] * q[2] + q[2] * q[0]);
         let others = [q[1] + q[2], q[2] + q[0], q[0] + q[1]];
         // ∂I1/∂λi = 2λi, ∂I2/∂λi = 2λi(λj² + λk²)
         let a = l.map(|x| 2.0 * x);

@@ -18,7 +18,7 @@ pub struct LawFault {
 }
 
 /// Principal stretches in which a law is tried; their product need not be 1.
-pub(super) const STATES: [[f64; 3]; 4] = [
+pub const STATES: [[f64; 3]; 4] = [
     [0.8, 1.6, 0.7],
     [1.0, 1.0, 1.0],
     [0.45, 2.3, 0.9],
@@ -144,7 +144,7 @@ impl Check<'_> {
 }
 
 /// A law with the way through principal stretches alone.
-pub(super) struct Plain<'a>(pub &'a dyn RubberLaw);
+pub struct Plain<'a>(pub &'a dyn RubberLaw);
 
 impl RubberLaw for Plain<'_> {
     fn shear_modulus_mpa(&self) -> f64 {

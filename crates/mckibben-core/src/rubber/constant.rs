@@ -195,11 +195,13 @@ impl LawKind {
         {
             let name = c.name;
             let count = list.len();
-            let message = format!(
-                "has {count} numbers, but {first} has {terms}; an {law} law needs one {name} for \
+            return Err(Refused::new(
+                [name],
+                format!(
+                    "has {count} numbers, but {first} has {terms}; an {law} law needs one {name} for \
                  each {first}"
-            );
-            return Err(Refused::new([name], message));
+                ),
+            ));
         }
         let values: Vec<f64> = (0..terms)
             .flat_map(|t| lists.iter().filter_map(move |l| l.get(t).copied()))

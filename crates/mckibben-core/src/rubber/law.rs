@@ -103,16 +103,20 @@ impl Law {
         let law = self.name();
         let constants = self.constants();
         if self.kind().is_sum && constants.len() > MOST_TERMS * self.kind().constants.len() {
-            let message = format!("an {law} law has at most {MOST_TERMS} terms");
-            return Err(Refused::new(["alpha"], message));
+            return Err(Refused::new(
+                ["alpha"],
+                format!("an {law} law has at most {MOST_TERMS} terms"),
+            ));
         }
         if let Some(ConstantValue { name, value, .. }) =
             constants.iter().find(|c| !c.value.is_finite())
         {
-            let message = format!(
-                "the constant {name} of the {law} law is {value}; it must be a finite number"
-            );
-            return Err(Refused::new([], message));
+            return Err(Refused::new(
+                [],
+                format!(
+                    "the constant {name} of the {law} law is {value}; it must be a finite number"
+                ),
+            ));
         }
         // Moduli are judged together, by the stiffness that they give.
         for ConstantValue {
@@ -132,8 +136,10 @@ impl Law {
         let mu = self.shear_modulus_mpa();
         // A sum of terms without a term, or with one that is not defined.
         if self.kind().is_sum && (constants.is_empty() || !self.principal([1.0; 3]).w.is_finite()) {
-            let message = "an ogden law needs one alpha other than zero for each mu";
-            return Err(Refused::new(["alpha"], message));
+            return Err(Refused::new(
+                ["alpha"],
+                "an ogden law needs one alpha other than zero for each mu",
+            ));
         }
         if mu > 0.0 {
             return Ok(self);

@@ -82,8 +82,11 @@ pub fn law_of(written: &Map<String, Value>) -> Result<Law, Refused> {
     let names = kind.names();
     let is_foreign = |key: &&String| *key != "law" && !names.contains(&key.as_str());
     if let Some(key) = written.keys().find(is_foreign) {
-        let all = Law::KINDS.iter().flat_map(LawKind::names);
-        let fields = all.filter(|name| name == key).chain(["law"]);
+        let fields = Law::KINDS
+            .iter()
+            .flat_map(LawKind::names)
+            .filter(|name| name == key)
+            .chain(["law"]);
         return Err(Refused::new(fields, format!("{key} {}", foreign(kind))));
     }
     let one = |constant: &Constant, value: &Value| match constant.dimension {

@@ -93,8 +93,9 @@ struct BuiltIn {
 
 impl BuiltIn {
     fn parse(text: &str) -> Result<Self, Refused> {
-        let table = Source::parse(text).and_then(|source| source.read());
-        let mut table: Self = table.map_err(damaged)?;
+        let mut table: Self = Source::parse(text)
+            .and_then(|source| source.read())
+            .map_err(damaged)?;
         for material in &mut table.material {
             material.source = table
                 .sources
@@ -204,8 +205,7 @@ pub fn material_of(name: &str) -> Option<&'static Material> {
 pub fn read(text: &str) -> Result<Vec<SleeveEntry>, Refused> {
     let wrong = |error: String| refused(format!("the table of sleeves: {error}"));
     let file = PartsFile::parse(text).map_err(|error| wrong(error.to_string()))?;
-    let materials = materials().unwrap_or_default();
-    row::entries(&file.sleeve, &file.sources, materials).map_err(wrong)
+    row::entries(&file.sleeve, &file.sources, materials().unwrap_or_default()).map_err(wrong)
 }
 
 /// A sleeve with what its source does not state taken from its material.

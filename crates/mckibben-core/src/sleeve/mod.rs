@@ -134,8 +134,11 @@ impl SleeveShape {
     /// before.
     pub fn largest_contraction_on(&self, outer_diameter_mm: f64) -> Result<f64, Refused> {
         let start = self.angle_deg_on(outer_diameter_mm)?;
-        let jammed = self.helix.angle_deg(self.largest_mm).unwrap_or(90.0);
-        let end = jammed.min(NEUTRAL_ANGLE_DEG);
+        let end = self
+            .helix
+            .angle_deg(self.largest_mm)
+            .unwrap_or(90.0)
+            .min(NEUTRAL_ANGLE_DEG);
         Ok((1.0 - end.to_radians().cos() / start.to_radians().cos()).max(0.0))
     }
 

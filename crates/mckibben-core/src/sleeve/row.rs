@@ -144,8 +144,9 @@ impl SleeveRow {
         let Some(grams) = self.grams_per_metre else {
             return Ok(None);
         };
-        let density = material.and_then(|material| material.density_kg_per_m3);
-        let density = density.ok_or("`grams_per_metre` needs a material of known density")?;
+        let density = material
+            .and_then(|material| material.density_kg_per_m3)
+            .ok_or("`grams_per_metre` needs a material of known density")?;
         let counted = sleeve.strands_of_mass(f64::from(grams), density);
         counted
             .ok_or("`grams_per_metre` gives no number of strands")
@@ -176,10 +177,12 @@ impl SleeveRow {
         let nominal_mm = mm(self.nominal_diameter).or(size.map(|s| s.0));
         // Half of the circumference.
         let flat = |width| mm(width).map(|w| 2.0 * w / PI);
-        let least = mm(self.least_diameter).or(flat(self.least_flat_width));
-        let least = least.or(size.map(|s| s.1));
-        let largest = mm(self.largest_diameter).or(flat(self.largest_flat_width));
-        let largest = largest.or(size.map(|s| s.2));
+        let least = mm(self.least_diameter)
+            .or(flat(self.least_flat_width))
+            .or(size.map(|s| s.1));
+        let largest = mm(self.largest_diameter)
+            .or(flat(self.largest_flat_width))
+            .or(size.map(|s| s.2));
         let strands = self.strands.map(|count| count.0);
         let filaments = self.filaments.map_or(1, |count| count.0);
         let strand_diameter_mm = mm(self.strand_diameter);
@@ -199,10 +202,10 @@ impl SleeveRow {
         let helix = helix.ok_or("nothing that gives a helix")?;
         // What is not stated of the range is where the strands jam.
         let jams = width.and_then(|w| helix.jams_at(w));
-        let bounds = least
+        let (least_mm, largest_mm) = least
             .or(jams.map(|j| j.0))
-            .zip(largest.or(jams.map(|j| j.1)));
-        let (least_mm, largest_mm) = bounds.ok_or("no range")?;
+            .zip(largest.or(jams.map(|j| j.1)))
+            .ok_or("no range")?;
         let stated = Sleeve {
             strands,
             filaments,

@@ -33,7 +33,7 @@ use std::sync::Arc;
 
 /// The last station after everything else was condensed.
 #[derive(Debug, Clone)]
-pub(super) struct EndSystem {
+pub struct EndSystem {
     /// Number of the unknowns of the last station that are free.
     pub free: usize,
     /// Unknowns of the last station that are not held, with their places here: those that follow the

@@ -16,7 +16,7 @@ use mckibben_core::{
 use std::f64::consts::PI;
 
 /// Length ℓ of the layer beside a terminal over the outer radius.
-pub(super) const LAYER: f64 = 1.4;
+pub const LAYER: f64 = 1.4;
 
 /// Smallest share of the way in which a tube is drawn on its plugs.
 const SMALLEST_DRAW: f64 = 1.0 / 256.0;
@@ -135,7 +135,7 @@ pub struct Discretisation {
 }
 
 /// Nodes of an element of a slab, in the element's order.
-pub(crate) fn nodes(mesh: &Mesh, slab: usize, element: usize) -> [[f64; 2]; NODES] {
+pub fn nodes(mesh: &Mesh, slab: usize, element: usize) -> [[f64; 2]; NODES] {
     let stations = Layout::numbers(slab);
     std::array::from_fn(|a| mesh.node(2 * element + a % 3, stations[a / 3]))
 }

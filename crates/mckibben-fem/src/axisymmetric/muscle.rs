@@ -218,8 +218,11 @@ impl Body {
     fn guess_ideal(&mut self, pressure: f64, terminal: f64) {
         self.rest();
         self.state.pressure = pressure;
-        let stretch = 1.0 + terminal / self.discretisation.half_length();
-        guess::loads(&self.discretisation, &mut self.state, stretch);
+        guess::loads(
+            &self.discretisation,
+            &mut self.state,
+            1.0 + terminal / self.discretisation.half_length(),
+        );
     }
 
     /// The shape of a tube that does not reach its strands; `false` where the infinitely long

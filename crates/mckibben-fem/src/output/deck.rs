@@ -123,8 +123,11 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     let bricks = mesh.bricks();
     // Ours run through the wall, around, along; theirs around the face.
     for (e, nodes) in bricks.iter().enumerate() {
-        let numbers = vtu::ORDER.iter().map(|&a| (nodes[a] + 1).to_string());
-        out += &format!("{}, {}\n", e + 1, joined(numbers, ", "));
+        out += &format!(
+            "{}, {}\n",
+            e + 1,
+            joined(vtu::ORDER.iter().map(|&a| (nodes[a] + 1).to_string()), ", ")
+        );
     }
     strands(&mut out, model, bricks.len())?;
     sets(&mut out, model);

@@ -107,8 +107,11 @@ impl Descent {
 fn predict(last: &State, other: Option<&State>, pressure: f64, out: &mut State) {
     match other {
         Some(other) => {
-            let ratio = (last.pressure - pressure) / (other.pressure - last.pressure);
-            out.extrapolate(last, other, ratio);
+            out.extrapolate(
+                last,
+                other,
+                (last.pressure - pressure) / (other.pressure - last.pressure),
+            );
         }
         None => out.copy_from(last),
     }

@@ -91,8 +91,11 @@ impl Numeric {
                 let rows = s.below(d);
                 let first = rows.partition_point(|r| (*r as usize) < columns.start);
                 let inside = first + rows[first..].partition_point(|r| (*r as usize) < columns.end);
-                let from = (&head[s.values(d)], s.columns(d).len());
-                self.take_off(from, (rows, first..inside), (block, height))?;
+                self.take_off(
+                    (&head[s.values(d)], s.columns(d).len()),
+                    (rows, first..inside),
+                    (block, height),
+                )?;
             }
             self.eliminate((block, height, columns.len()))?;
         }

@@ -244,8 +244,8 @@ impl Symbolic {
         self.first_value.push(0);
         for i in 0..self.count() {
             sum += self.columns(i).len() as u64 * self.height(i) as u64;
-            let end = usize::try_from(sum).ok().filter(|_| sum <= MOST)?;
-            self.first_value.push(end);
+            self.first_value
+                .push(usize::try_from(sum).ok().filter(|_| sum <= MOST)?);
         }
         Some(())
     }

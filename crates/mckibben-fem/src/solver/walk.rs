@@ -26,10 +26,10 @@ impl<B: Body> Continuation<B> {
     /// Goes to where the strands are taut, if `guess` from a guess, else from rest; then lets the
     /// pressure down.
     pub(super) fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Walked {
-        let pulling = self
+        let taut = self
             .body
-            .pulling_pressure(-terminal / self.body.half_length());
-        let taut = pulling.map_or(pressure, |p| pressure.max(TAUT * p));
+            .pulling_pressure(-terminal / self.body.half_length())
+            .map_or(pressure, |p| pressure.max(TAUT * p));
         if !(guess && taut > pressure && self.stable_guess(taut, terminal)) {
             self.restart(taut, terminal)?;
         }

@@ -119,7 +119,7 @@ impl Material {
 }
 
 /// β = 1 − γ/k; 0 where γ = k but for rounding.
-pub(super) fn share(compliance: f64, augment: f64) -> f64 {
+pub fn share(compliance: f64, augment: f64) -> f64 {
     let share = 1.0 - augment * compliance;
     if share > 1e-12 { share } else { 0.0 }
 }

@@ -446,7 +446,7 @@ impl BrickMesh {
 }
 
 /// (cos, sin) of line j of `lines` around the quarter, exactly in the planes of symmetry.
-pub(super) fn direction(j: usize, lines: usize) -> (f64, f64) {
+pub fn direction(j: usize, lines: usize) -> (f64, f64) {
     let phi = FRAC_PI_2 * j as f64 / (lines - 1) as f64;
     match j {
         0 => (1.0, 0.0),

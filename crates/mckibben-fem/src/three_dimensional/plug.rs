@@ -111,7 +111,7 @@ impl Plug {
 
 /// (r, how far before the bond) from the axis to the inner surface, with intervals of `order` and
 /// as many columns as suit `around` bricks.
-pub(super) fn profile(inner: f64, nose: f64, around: usize, order: usize) -> Vec<(f64, f64)> {
+pub fn profile(inner: f64, nose: f64, around: usize, order: usize) -> Vec<(f64, f64)> {
     let columns = (around / 4).clamp(2, 16);
     let flat = inner - nose;
     let round = columns * order;

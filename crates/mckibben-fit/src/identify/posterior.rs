@@ -112,8 +112,8 @@ pub struct PosteriorRequest<'a> {
 pub struct Row {
     section: Section,
     place: Place,
-    pub(super) predicted_n: f64,
-    pub(super) slopes: Constants,
+    pub predicted_n: f64,
+    pub slopes: Constants,
     /// T cosθ η: h in N.
     half_loop_n: f64,
     /// N per unit of what was measured.

@@ -17,15 +17,15 @@ use std::sync::LazyLock;
 static FOLDERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/data/measured");
 
 /// The file of the identified muscle.
-pub(super) const IDENTIFIED: &str = "identified.toml";
+pub const IDENTIFIED: &str = "identified.toml";
 
 /// A file of a folder that is built in.
-pub(super) fn text_of(name: &str, file: &str) -> Option<&'static str> {
+pub fn text_of(name: &str, file: &str) -> Option<&'static str> {
     FOLDERS.get_file(format!("{name}/{file}"))?.contents_utf8()
 }
 
 /// The folders that are built in and hold a file.
-pub(super) fn with_file(file: &str) -> Vec<String> {
+pub fn with_file(file: &str) -> Vec<String> {
     let folders = FOLDERS.dirs().map(|folder| folder.path().to_string_lossy());
     let mut names: Vec<String> = folders
         .filter(|name| FOLDERS.contains(format!("{name}/{file}")))
@@ -130,8 +130,11 @@ impl MeasuredMuscle {
         if self.fit.branches.as_deref() != Some("both") {
             return mean_of_data(&self.points);
         }
-        let single = self.points.iter().filter(|p| !p.at.direction().is_mean());
-        single.copied().collect()
+        self.points
+            .iter()
+            .filter(|p| !p.at.direction().is_mean())
+            .copied()
+            .collect()
     }
 }
 

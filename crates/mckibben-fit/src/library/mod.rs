@@ -40,8 +40,9 @@ pub fn file(name: &str) -> Result<&'static str, String> {
 
 /// The muscles of the library, each with its identified muscle.
 pub fn library() -> Vec<(&'static MeasuredMuscle, &'static Muscle)> {
-    let all = measured().iter();
-    all.filter_map(|of| Some((of, of.identified.as_ref()?)))
+    measured()
+        .iter()
+        .filter_map(|of| Some((of, of.identified.as_ref()?)))
         .collect()
 }
 

@@ -70,8 +70,8 @@ fn residual(
             (point.volume_mm3? - here.volume_mm3?) * per_contraction / volume_per_contraction
         }
     };
-    let mut evaluation = Evaluation::new(model, blocked, options);
-    let predicted = evaluation.predicted(pressure_mpa, contraction, here.force_n);
+    let predicted =
+        Evaluation::new(model, blocked, options).predicted(pressure_mpa, contraction, here.force_n);
     let is_pull = point.measured != Quantity::Volume;
     let of_built_n = predicted.filter(|_| is_pull).map(|predicted| {
         let (median_n, half_n) = of_branch(branch, predicted);

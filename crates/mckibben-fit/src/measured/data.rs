@@ -116,8 +116,10 @@ impl DataPoint {
             ("error", self.error),
             ("weight", Some(self.weight)),
         ];
-        let mut known = numbers.into_iter().filter_map(|(name, v)| Some((name, v?)));
-        known.find(|(_, value)| value.is_nan() || value.abs() > MOST)
+        numbers
+            .into_iter()
+            .filter_map(|(name, v)| Some((name, v?)))
+            .find(|(_, value)| value.is_nan() || value.abs() > MOST)
     }
 
     /// A measured pull of the muscle itself.
@@ -155,8 +157,11 @@ pub fn same(a: f64, b: f64) -> bool {
 pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
     let (mut groups, mut places): (Vec<Vec<DataPoint>>, HashMap<_, usize>) = Default::default();
     for p in points {
-        let section = p.section.values().map(|(_, value)| value.map(f64::to_bits));
-        let key = (section, p.set, p.measured as u8);
+        let key = (
+            p.section.values().map(|(_, value)| value.map(f64::to_bits)),
+            p.set,
+            p.measured as u8,
+        );
         let place = *places.entry(key).or_insert(groups.len());
         groups.resize_with(groups.len().max(place + 1), Vec::new);
         groups[place].push(*p);
@@ -260,8 +265,11 @@ fn held_pressures(points: &[MeasuredPoint]) -> Vec<Indexed> {
 /// The lower and the upper branch, each by rising contraction.
 fn branches(points: &Indexed) -> [Indexed; 2] {
     [Direction::Contraction, Direction::Elongation].map(|branch| {
-        let of_branch = points.iter().filter(|(_, p)| p.branch == Some(branch));
-        let mut list: Indexed = of_branch.copied().collect();
+        let mut list: Indexed = points
+            .iter()
+            .filter(|(_, p)| p.branch == Some(branch))
+            .copied()
+            .collect();
         list.sort_by_number(|(_, at)| at.contraction);
         list
     })

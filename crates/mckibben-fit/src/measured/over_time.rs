@@ -83,12 +83,12 @@ fn offset(log: &[(f64, f64)], times: &[f64], pulls: &[f64]) -> Option<f64> {
 
 /// Of pressure and pull at a shift; not a number where too few rows overlap.
 fn correlation(log: &[(f64, f64)], rows: &[(f64, f64)], shift: f64) -> f64 {
-    let pairs = rows
+    let [n, x, y, xx, yy, xy] = rows
         .iter()
-        .filter_map(|(t, pull)| Some((interpolate(log, t - shift)?, *pull)));
-    let [n, x, y, xx, yy, xy] = pairs.fold([0.0; 6], |[n, x, y, xx, yy, xy], (p, f)| {
-        [n + 1.0, x + p, y + f, xx + p * p, yy + f * f, xy + p * f]
-    });
+        .filter_map(|(t, pull)| Some((interpolate(log, t - shift)?, *pull)))
+        .fold([0.0; 6], |[n, x, y, xx, yy, xy], (p, f)| {
+            [n + 1.0, x + p, y + f, xx + p * p, yy + f * f, xy + p * f]
+        });
     (n * xy - x * y) / ((n * xx - x * x) * (n * yy - y * y)).sqrt()
 }
 

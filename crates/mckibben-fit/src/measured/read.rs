@@ -55,8 +55,9 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
     }
     leave_blank_out(&mut table)?;
     let beside = table.needed(CONTRACTION)?.meaning != Length;
-    let length = table.column(Length);
-    let ours = length.is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
+    let ours = table
+        .column(Length)
+        .is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
     let length_is_l0 = beside && ours && table.column(RestLength).is_none();
     if length_is_l0 {
         table.rename(Length, RestLength);
@@ -89,8 +90,10 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
     }
     let by_velocity = by_velocity.then(|| "branches by the sign of the velocity".to_owned());
     let note = mckibben_core::joined(note.into_iter().chain(by_velocity), "; ");
-    let note = (!note.is_empty()).then_some(note);
-    Ok((points, understood(&table, joined, note)?))
+    Ok((
+        points,
+        understood(&table, joined, (!note.is_empty()).then_some(note))?,
+    ))
 }
 
 /// The table, whose pressures may be those of a log.
@@ -114,8 +117,10 @@ fn pressures_by_log(table: &mut Table, log: Option<&PressureLog>) -> Result<(Vec
     let (pressures, joined) = log.pressures_at(&times, &pulls);
     table.retain(|row| pressures[row].is_some());
     let outside = pressures.len() - table.lines().len();
-    let note = format!("{joined}; {outside} rows outside of it");
-    Ok((pressures.into_iter().flatten().collect(), Some(note)))
+    Ok((
+        pressures.into_iter().flatten().collect(),
+        Some(format!("{joined}; {outside} rows outside of it")),
+    ))
 }
 
 /// Leaves out the rows of a sheet whose measured quantity is not filled in yet.
@@ -198,8 +203,10 @@ fn contractions(
             let ratios: Option<Vec<f64>> = free.into_iter().enumerate().map(one).collect();
             let needs = "the length of the muscle at that pressure without load, from which it \
                 counts, and L0: free_length=250mm in `set`, or a column free_length_mm";
-            let ratios = ratios.ok_or_else(|| column.needs(needs))?;
-            (ratios, Some("from the free length at its pressure".into()))
+            (
+                ratios.ok_or_else(|| column.needs(needs))?,
+                Some("from the free length at its pressure".into()),
+            )
         }
         meaning => {
             let in_rows = rest.iter().any(Option::is_some);
@@ -334,13 +341,21 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let branches: Vec<(&str, Direction)> = branches.collect();
     let one = |(row, line): (usize, u64)| {
         cancel::check()?;
-        let known = "neither \"contraction\" (while it shortens) nor \"elongation\" (while it \
+        let branch = table.word(
+            row,
+            Branch,
+            &branches,
+            "neither \"contraction\" (while it shortens) nor \"elongation\" (while it \
             lengthens) nor \"mean\" (of both); say what your words mean with `set`, such as \
-            Up=contraction, or let branch=velocity cut a log";
-        let branch = table.word(row, Branch, &branches, known)?;
-        let known = "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"";
+            Up=contraction, or let branch=velocity cut a log",
+        )?;
         let measured = table
-            .word(row, Measured, &Quantity::WORDS, known)?
+            .word(
+                row,
+                Measured,
+                &Quantity::WORDS,
+                "neither \"force\", \"contraction\", \"pressure\" nor \"volume\"",
+            )?
             .unwrap_or(otherwise);
         let error = stated[measured as usize][row];
         let is_volume = measured == Quantity::Volume;

@@ -36,11 +36,13 @@ pub fn read_tests(text: &str, columns: &Columns) -> Result<(Vec<TensionPoint>, U
         _ => vec![1.0; table.lines().len()],
     };
     let areas = match stress.meaning {
-        Force => {
-            let needs = "the cross-section of the specimen at rest: a column `area`, or `set` such \
-                as area=8mm2";
-            of_specimen(&table, Area, stress, needs)?
-        }
+        Force => of_specimen(
+            &table,
+            Area,
+            stress,
+            "the cross-section of the specimen at rest: a column `area`, or `set` such \
+                as area=8mm2",
+        )?,
         _ => vec![],
     };
     let lengths = stretches(&table, stretch, &gauges)?;

@@ -27,8 +27,11 @@ pub fn sort(points: &[TensionPoint]) -> Sorted {
     out.kept
         .extend(points.iter().filter(|p| p.mode == Mode::General));
     for mode in Mode::OF_ONE_STRETCH {
-        let tests = points.iter().filter(|p| p.mode == mode).copied();
-        let (mut pulled, pressed): (Vec<_>, Vec<_>) = tests.partition(|p| p.stretch >= 1.0);
+        let (mut pulled, pressed): (Vec<_>, Vec<_>) = points
+            .iter()
+            .filter(|p| p.mode == mode)
+            .copied()
+            .partition(|p| p.stretch >= 1.0);
         out.kept.extend(pressed);
         let stretches: Vec<f64> = pulled.iter().map(|p| p.stretch).collect();
         let mut ends: Vec<usize> = runs(&stretches, TURN)

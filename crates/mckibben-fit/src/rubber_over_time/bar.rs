@@ -100,8 +100,11 @@ impl<'a, L: RubberLaw> Bar<'a, L> {
             -sigma * stretch / 3.0,
         ];
         let change = [now[0] - self.last[0], now[1] - self.last[1]];
-        let duration_s = self.time_s.map_or(0.0, |before| time_s - before);
-        self.prony.step(&mut self.states, change, duration_s);
+        self.prony.step(
+            &mut self.states,
+            change,
+            self.time_s.map_or(0.0, |before| time_s - before),
+        );
         (self.last, self.time_s) = (now, Some(time_s));
         let [along, across] = self.prony.stress(now, &self.states);
         stretch * along - across / (stretch * stretch)

@@ -80,8 +80,10 @@ impl PronyFit {
 pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit> {
     check(history)?;
     let points = history.len();
-    let ends = history.first().zip(history.last());
-    let duration_s = ends.map_or(0.0, |(a, b)| b.time_s - a.time_s);
+    let duration_s = history
+        .first()
+        .zip(history.last())
+        .map_or(0.0, |(a, b)| b.time_s - a.time_s);
     let too_few = OverTimeFitError::Refused(format!(
         "{points} points over {duration_s} s do not determine {branches} branches; take fewer \
          branches or a longer test"
@@ -94,8 +96,11 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         return Err(too_few);
     }
     // The shortest time that the data resolve: a median step.
-    let steps = history.windows(2).map(|w| w[1].time_s - w[0].time_s);
-    let mut steps: Vec<f64> = steps.filter(|d| *d > 0.0).collect();
+    let mut steps: Vec<f64> = history
+        .windows(2)
+        .map(|w| w[1].time_s - w[0].time_s)
+        .filter(|d| *d > 0.0)
+        .collect();
     steps.sort_by(f64::total_cmp);
     let Some(&step) = steps.get(steps.len() / 2) else {
         return Err(too_few);

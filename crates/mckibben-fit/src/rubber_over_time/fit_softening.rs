@@ -92,8 +92,11 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
         beta: x[2],
     };
     let differences = |x: &[f64]| -> Option<Vec<f64>> {
-        let all = Bar::new(&law, Some(softening(x)), &none).differences(history)?;
-        let later = all.into_iter().zip(&virgin).filter(|(_, first)| !**first);
+        let later = Bar::new(&law, Some(softening(x)), &none)
+            .differences(history)?
+            .into_iter()
+            .zip(&virgin)
+            .filter(|(_, first)| !**first);
         Some(later.map(|(difference, _)| difference).collect())
     };
     let weights = vec![1.0; later];

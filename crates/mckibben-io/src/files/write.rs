@@ -117,8 +117,10 @@ impl Destination {
         }
         let place = Self { target, old };
         if !place.folder().is_dir() {
-            let message = format!("the folder {} does not exist", place.folder().display());
-            return Err(Error::new(ErrorKind::NotFound, message));
+            return Err(Error::new(
+                ErrorKind::NotFound,
+                format!("the folder {} does not exist", place.folder().display()),
+            ));
         }
         Ok(place)
     }

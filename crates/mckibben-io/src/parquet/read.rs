@@ -106,7 +106,7 @@ impl Reader {
 /// The metadata at the end of the file begin, in the compact protocol of Thrift, with the version
 /// (field 1: `15` and a byte) and the number of elements (field 2: `19`; below 15 in one byte with
 /// `c`, else `fc` and a varint).
-pub(super) fn check_schema_size(file: &impl ChunkReader) -> Result<()> {
+pub fn check_schema_size(file: &impl ChunkReader) -> Result<()> {
     let end = file.len().saturating_sub(FOOTER_SIZE as u64);
     let tail = FooterTail::try_from(&file.get_bytes(end, FOOTER_SIZE)?[..])?;
     let start = end.saturating_sub(tail.metadata_length() as u64);
@@ -118,13 +118,13 @@ pub(super) fn check_schema_size(file: &impl ChunkReader) -> Result<()> {
     }
 }
 
-pub(super) fn wrong<T>(why: impl Into<String>) -> Result<T> {
+pub fn wrong<T>(why: impl Into<String>) -> Result<T> {
     Err(ParquetError::General(why.into()))
 }
 
 /// Pages of a column. The library makes room for as many values as a dictionary says that it has,
 /// up to 64 GB; each takes four bytes at least.
-pub(super) struct Pages(pub Box<dyn PageReader>);
+pub struct Pages(pub Box<dyn PageReader>);
 
 impl Iterator for Pages {
     type Item = Result<Page>;
@@ -158,7 +158,7 @@ impl PageReader for Pages {
 }
 
 /// Runs the decoder, which panics on damaged pages: that is an error of the file.
-pub(super) fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
+pub fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     // What the decoder held is dropped with its error.
     catch_unwind(AssertUnwindSafe(work))
         .unwrap_or_else(|_| wrong("the decoder of Parquet gives up on it"))

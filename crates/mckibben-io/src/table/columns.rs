@@ -42,8 +42,11 @@ impl Columns {
             let (name, heading) = part.split_once('=').ok_or_else(form)?;
             let name = name.trim();
             let heading = heading.trim();
-            let inner = heading.strip_prefix('"').and_then(|h| h.strip_suffix('"'));
-            let heading = inner.unwrap_or(heading).trim();
+            let heading = heading
+                .strip_prefix('"')
+                .and_then(|h| h.strip_suffix('"'))
+                .unwrap_or(heading)
+                .trim();
             if name.is_empty() || heading.is_empty() {
                 return Err(form());
             }

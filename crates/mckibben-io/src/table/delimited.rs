@@ -130,8 +130,10 @@ impl Sheet {
         let comments = before
             .filter(|(_, l)| is_comment(l))
             .filter_map(|(line, l)| {
-                let text = l.trim_start().trim_start_matches(['#', '/']);
-                Some(TableRow::new(line, fields(text, separator)?))
+                Some(TableRow::new(
+                    line,
+                    fields(l.trim_start().trim_start_matches(['#', '/']), separator)?,
+                ))
             });
         Ok(Self {
             comments: comments.collect(),

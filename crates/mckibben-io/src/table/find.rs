@@ -97,8 +97,10 @@ impl Table {
             .map(|c| c.index)
             .collect();
         let rows = table.rows.iter();
-        let cells = rows.flat_map(|row| numeric.iter().map(|&i| row.field(i)));
-        table.decimal = number::decimal(cells, separator);
+        table.decimal = number::decimal(
+            rows.flat_map(|row| numeric.iter().map(|&i| row.field(i))),
+            separator,
+        );
         let constants: Vec<String> = search
             .choices
             .iter()
@@ -131,8 +133,12 @@ impl Table {
             let text = row.field(column.index);
             match (unit_of(column), column.unit) {
                 (Some((_, unit)), Some(before)) if unit != before => {
-                    let clash = format!(", or not the one above ({})", before.name);
-                    return Err(self.wrong_unit(row.line, column, text, clash));
+                    return Err(self.wrong_unit(
+                        row.line,
+                        column,
+                        text,
+                        format!(", or not the one above ({})", before.name),
+                    ));
                 }
                 (Some((meaning, unit)), None) => {
                     column.meaning = meaning;
@@ -353,8 +359,11 @@ impl Search {
         let is_zero =
             column.meaning != Meaning::Force && !first.contains(|c| matches!(c, '1'..='9'));
         let in_its_place = |c: &Column| {
-            let mut groups = self.vocabulary.needed.iter().map(|need| &need.any_of);
-            groups.any(|any_of| any_of.contains(&c.meaning) && any_of.contains(&column.meaning))
+            self.vocabulary
+                .needed
+                .iter()
+                .map(|need| &need.any_of)
+                .any(|any_of| any_of.contains(&c.meaning) && any_of.contains(&column.meaning))
         };
         let yields = |c: &Column| {
             if c.meaning == column.meaning {
@@ -455,8 +464,11 @@ fn unambiguous(columns: &[Column]) -> Result<Vec<Column>, TableError> {
                 } else {
                     &first.heading
                 };
-                let headings = best.iter().map(|c| c.heading.as_str());
-                return Err(TableError::ambiguous(column.meaning, headings, example));
+                return Err(TableError::ambiguous(
+                    column.meaning,
+                    best.iter().map(|c| c.heading.as_str()),
+                    example,
+                ));
             }
             _ => out.push(column.clone()),
         }

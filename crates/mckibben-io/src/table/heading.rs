@@ -116,8 +116,7 @@ pub fn plain(heading: &str) -> String {
 /// A unit as it is in a heading: in brackets, with underscores for strokes, or bare.
 pub fn unit(text: &str, dimension: Dimension) -> Option<Unit> {
     let text = text.trim().trim_end_matches('.');
-    let inner = unbracketed(text).unwrap_or(text);
-    let tidy = inner.trim();
+    let tidy = unbracketed(text).unwrap_or(text).trim();
     let first = tidy.split([',', ';']).next().unwrap_or(tidy).trim();
     [tidy, first].into_iter().find_map(|word| {
         dimension
@@ -283,8 +282,8 @@ impl Vocabulary {
 
     /// The unit of a text for a quantity, and the quantity that it then is.
     pub(crate) fn unit_of(&self, meaning: Meaning, text: &str) -> Option<(Meaning, Unit)> {
-        let mut readings = self.readings(meaning);
-        readings.find_map(|(meaning, dimension)| Some((meaning, unit(text, dimension)?)))
+        self.readings(meaning)
+            .find_map(|(meaning, dimension)| Some((meaning, unit(text, dimension)?)))
     }
 
     /// The words before a unit of a quantity, in plain form.

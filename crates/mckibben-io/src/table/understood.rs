@@ -133,8 +133,12 @@ impl Table {
     /// What was done with a column, or is odd of it.
     fn noted(&self, column: &Column, note: Option<&str>) -> Option<String> {
         let percent = column.unit.is_some_and(|unit| unit.name == "%");
-        let values = self.some_numbers(column.meaning).unwrap_or_default();
-        let mut values = values.into_iter().flatten().map(f64::abs);
+        let mut values = self
+            .some_numbers(column.meaning)
+            .unwrap_or_default()
+            .into_iter()
+            .flatten()
+            .map(f64::abs);
         let small = percent && values.clone().any(|v| v > 0.0) && values.all(|v| v < SMALL);
         let notes = [
             note,

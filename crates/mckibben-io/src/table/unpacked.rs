@@ -36,8 +36,9 @@ pub fn check(bytes: &[u8]) -> std::result::Result<(), TableError> {
         }
         // Sizes in the directory are what the file claims.
         let _ = copy(&mut part, &mut sink());
-        let read = left + 1 - part.into_inner().limit();
-        left = left.checked_sub(read).ok_or_else(too_large)?;
+        left = left
+            .checked_sub(left + 1 - part.into_inner().limit())
+            .ok_or_else(too_large)?;
     }
     Ok(())
 }
@@ -77,8 +78,9 @@ fn cells(xml: &mut impl BufRead) -> Result<f64> {
 /// A number of repetitions in a tag; more than any sheet has where it is no plain number.
 fn repeats(tag: &str, name: &str) -> f64 {
     let number = |rest: &str| {
-        let mut parts = rest.split(['\'', '"']);
-        parts.nth(1).and_then(|digits| digits.parse::<u32>().ok())
+        rest.split(['\'', '"'])
+            .nth(1)
+            .and_then(|digits| digits.parse::<u32>().ok())
     };
     tag.split(name)
         .skip(1)

@@ -185,10 +185,12 @@ impl Table {
             ("", None, _) => Err(self.no_unit(column)),
             (_, stated, dimension) => match dimension.and_then(|d| d.heading_unit(said)) {
                 Some(unit) if stated.is_none_or(|s| s == unit) => Ok(unit.inside(value)),
-                Some(_) => {
-                    let clash = format!(" here: its heading is {}", stated.map_or("", |u| u.name));
-                    Err(self.wrong_unit(row.line, column, said, clash))
-                }
+                Some(_) => Err(self.wrong_unit(
+                    row.line,
+                    column,
+                    said,
+                    format!(" here: its heading is {}", stated.map_or("", |u| u.name)),
+                )),
                 None => Err(not_finite(row, column, "")),
             },
         }

@@ -41,11 +41,10 @@ impl Sheet {
             let lines = place.0 - at.0;
             let tabs = place.1 - if place.0 > at.0 { 0 } else { at.1 };
             if out.len() + (lines + tabs) as usize + text.len() > MAX_BYTES {
-                let message = format!(
+                return Err(TableError::Refused(format!(
                     "the sheet is larger than {} MB; take fewer rows",
                     MAX_BYTES >> 20
-                );
-                return Err(TableError::Refused(message));
+                )));
             }
             out.extend((0..lines).map(|_| '\n').chain((0..tabs).map(|_| '\t')));
             out += text;

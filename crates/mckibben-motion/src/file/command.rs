@@ -125,11 +125,12 @@ impl Commands<'_> {
         let mut given = targets.into_iter().flatten();
         match (given.next(), given.next()) {
             (Some(target), None) => Ok(target),
-            (None, _) => {
-                let expected = "what is commanded: pressure, valve (its opening), volume (of a \
-                    syringe) or position";
-                Err(self.source.missing("command.pressure", "command", expected))
-            }
+            (None, _) => Err(self.source.missing(
+                "command.pressure",
+                "command",
+                "what is commanded: pressure, valve (its opening), volume (of a \
+                    syringe) or position",
+            )),
             _ => Err(self.source.error(
                 "command.until",
                 "belongs to one command: give pressure, valve, volume or position",
@@ -157,8 +158,9 @@ impl Commands<'_> {
             (None, None, None) => Ok(None),
             _ => {
                 let name = key.rsplit('.').next().unwrap_or(key);
-                let said = format!("conflicts with {name}_1 and {name}_2");
-                Err(self.source.error(key, said))
+                Err(self
+                    .source
+                    .error(key, format!("conflicts with {name}_1 and {name}_2")))
             }
         }
     }
@@ -181,9 +183,11 @@ impl Commands<'_> {
 
     fn pid(&self, keys: Option<OfController>) -> Result<Pid, FileError> {
         let keys = keys.ok_or_else(|| {
-            let needs = "the controller's gain, in MPa (or opening) per unit of position";
-            self.source
-                .missing("controller.proportional", "controller", needs)
+            self.source.missing(
+                "controller.proportional",
+                "controller",
+                "the controller's gain, in MPa (or opening) per unit of position",
+            )
         })?;
         Ok(Pid {
             proportional: keys.proportional,

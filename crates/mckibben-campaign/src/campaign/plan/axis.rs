@@ -201,8 +201,10 @@ impl Inputs {
         values: &[f64],
     ) -> Self {
         let mut stated = stated.clone();
-        let number = axes.iter().position(|axis| axis.key == RUBBER);
-        let number = number.map_or(0.0, |axis| values[axis]);
+        let number = axes
+            .iter()
+            .position(|axis| axis.key == RUBBER)
+            .map_or(0.0, |axis| values[axis]);
         let of_plan = rubbers.get(number as usize);
         let mut rubber = of_plan.map_or_else(Rubber::paper, |of_plan| of_plan.rubber.clone());
         let mut pairs: Vec<(&Axis, f64)> = axes.iter().zip(values.iter().copied()).collect();

@@ -80,7 +80,7 @@ impl Vary {
     ///
     /// # Errors
     /// [`FileError`] of the first key that cannot vary, or has no levels.
-    pub(super) fn axes(&self, source: &Source<'_>) -> Result<Vec<Axis>, FileError> {
+    pub fn axes(&self, source: &Source<'_>) -> Result<Vec<Axis>, FileError> {
         let variables = variables();
         let mut axes = vec![];
         in_table("", &self.0, source, &variables, &mut axes)?;
@@ -111,11 +111,13 @@ fn in_table(
                 names,
             });
         } else if key == RUBBER {
-            let names = Vec::deserialize(value).map_err(|error| wrong(error.to_string()))?;
-            axes.push(Axis::of_rubbers(names));
+            axes.push(Axis::of_rubbers(
+                Vec::deserialize(value).map_err(|error| wrong(error.to_string()))?,
+            ));
         } else if variables.iter().any(|v| v.key.starts_with(&inner)) {
-            let table = value.as_object();
-            let table = table.ok_or_else(|| wrong("must be a table of what varies".into()))?;
+            let table = value
+                .as_object()
+                .ok_or_else(|| wrong("must be a table of what varies".into()))?;
             in_table(&inner, table, source, variables, axes)?;
         } else {
             let table = format!("vary.{path}");

@@ -138,8 +138,9 @@ impl Plan {
     /// So many of its muscles, spread over the plan, as far as they are some.
     fn spread(&self, most: u64) -> impl Iterator<Item = Muscle> {
         let step = self.muscles().div_ceil(most).max(1) as usize;
-        let numbers = (0..self.muscles()).step_by(step);
-        numbers.filter_map(|number| self.inputs(number).muscle().ok())
+        (0..self.muscles())
+            .step_by(step)
+            .filter_map(|number| self.inputs(number).muscle().ok())
     }
 
     /// The measures of a muscle of the plan.

@@ -37,8 +37,10 @@ impl Plan {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Source::parse(text)?;
         if source.text_at("sampling.method") == Some("latin-hypercube") {
-            let why = "is gone: take \"sobol\", which more samples extend";
-            return Err(source.error("sampling.method", why));
+            return Err(source.error(
+                "sampling.method",
+                "is gone: take \"sobol\", which more samples extend",
+            ));
         }
         let keys: PlanKeys = source.read()?;
         let stated = source.part::<MuscleFile>(keys.muscle)?.stated(&source)?;
@@ -54,19 +56,25 @@ impl Plan {
         vary::check_all(&axes, &source, &rubber.law, sampling.method)?;
         let testing = testing(keys.test, &source)?;
         if rubber.is_conditioned() {
-            let why = "is not possible in a campaign, whose muscles are on their first inflation: \
-                leave it out";
-            return Err(source.error("tube.material.conditioned", why));
+            return Err(source.error(
+                "tube.material.conditioned",
+                "is not possible in a campaign, whose muscles are on their first inflation: \
+                leave it out",
+            ));
         }
         let method = sampling.method;
         if method != SamplingMethod::Factorial && axes.is_empty() {
-            let why = format!("a {method} plan needs something to vary: add [vary]");
-            return Err(source.error("sampling.method", why));
+            return Err(source.error(
+                "sampling.method",
+                format!("a {method} plan needs something to vary: add [vary]"),
+            ));
         }
         let design = Design::new(sampling, &axes, values);
         if design.muscles > MOST_MUSCLES {
-            let why = format!("makes {} muscles, more than {MOST_MUSCLES}", design.muscles);
-            return Err(source.error("vary", why));
+            return Err(source.error(
+                "vary",
+                format!("makes {} muscles, more than {MOST_MUSCLES}", design.muscles),
+            ));
         }
         let mut plan = Plan {
             rubbers: rubbers(rubber, &axes).map_err(|why| source.error("vary.tube.rubber", why))?,
@@ -129,8 +137,9 @@ impl Plan {
                 let Some(name) = name.filter(|_| library::follows(&of_plan.rubber)) else {
                     continue;
                 };
-                let found = library::find_for(&name, reach).map_err(|error| error.to_string())?;
-                *of_plan = PlanRubber::of(found);
+                *of_plan = PlanRubber::of(
+                    library::find_for(&name, reach).map_err(|error| error.to_string())?,
+                );
             }
         }
         Ok(())
@@ -171,8 +180,10 @@ fn rubbers(stated: Rubber, axes: &[Axis]) -> Result<Vec<PlanRubber>, String> {
 fn own_samples(table: &str, source: &Source<'_>) -> Result<OwnSamples, FileError> {
     for key in ["vary", "sampling"] {
         if source.has(key) {
-            let why = "is stated, and `samples` gives the muscles: leave one of them out";
-            return Err(source.error(key, why));
+            return Err(source.error(
+                key,
+                "is stated, and `samples` gives the muscles: leave one of them out",
+            ));
         }
     }
     table::read(table).map_err(|error| FileError {
@@ -229,9 +240,11 @@ fn sampling(keys: &OfSampling, source: &Source<'_>) -> Result<Sampling, FileErro
             return Err(source.error(key, format!("must be a whole number up to {most}")));
         }
         if value.is_some() && keys.method == SamplingMethod::Factorial {
-            let why = "a factorial plan takes every level with every other: it has neither \
-                samples nor a seed";
-            return Err(source.error(key, why));
+            return Err(source.error(
+                key,
+                "a factorial plan takes every level with every other: it has neither \
+                samples nor a seed",
+            ));
         }
     }
     if keys.method == SamplingMethod::Factorial {
@@ -258,12 +271,16 @@ fn testing(keys: OfTest, source: &Source<'_>) -> Result<Testing, FileError> {
     let pressures_mpa = levels(keys.pressures, PRESSURES, source)?;
     let most = if keys.of_ideal { 1.2 } else { 0.9 };
     if let Some(e) = contractions.iter().find(|e| !(0.0..=most).contains(*e)) {
-        let why = format!("contains {e}; contractions must lie between 0 and {most}");
-        return Err(source.error(CONTRACTIONS, why));
+        return Err(source.error(
+            CONTRACTIONS,
+            format!("contains {e}; contractions must lie between 0 and {most}"),
+        ));
     }
     if let Some(p) = pressures_mpa.iter().find(|p| **p < 0.0) {
-        let why = format!("contains {p}\u{a0}MPa; a pressure must not be below zero");
-        return Err(source.error(PRESSURES, why));
+        return Err(source.error(
+            PRESSURES,
+            format!("contains {p}\u{a0}MPa; a pressure must not be below zero"),
+        ));
     }
     let top = peak(pressures_mpa.iter().copied());
     let text = source.text_at(PRESSURES).unwrap_or_default();
@@ -281,8 +298,10 @@ fn testing(keys: OfTest, source: &Source<'_>) -> Result<Testing, FileError> {
     }
     let elements = elements(keys.model, keys.mesh, source)?;
     if keys.sensitivities && matches!(elements, Elements::ThreeDimensional(_)) {
-        let why = "is true, and fe3d has none: take model = \"fe\", or leave it out";
-        return Err(source.error("test.sensitivities", why));
+        return Err(source.error(
+            "test.sensitivities",
+            "is true, and fe3d has none: take model = \"fe\", or leave it out",
+        ));
     }
     Ok(Testing {
         contractions,
@@ -319,8 +338,10 @@ fn elements(
 ) -> Result<Elements, FileError> {
     let word = model.as_deref().unwrap_or(Elements::ENTRIES[0].name);
     let unknown = |_| {
-        let said = "is not known; expected a finite-element model: fe or fe3d";
-        source.error("test.model", said)
+        source.error(
+            "test.model",
+            "is not known; expected a finite-element model: fe or fe3d",
+        )
     };
     let elements: Elements = word.parse().map_err(unknown)?;
     let Some(mesh) = mesh else {

@@ -73,8 +73,11 @@ impl Design {
                 let (net, point) = (number / NET, number % NET);
                 // Odd and large, so that nets of neighbouring seeds differ.
                 let scramble = seed.wrapping_add((net as u32).wrapping_mul(0x9e37_79b9));
-                let share = sobol_burley::sample(point as u32, axis as u32, scramble);
-                axes[axis].at_share(f64::from(share))
+                axes[axis].at_share(f64::from(sobol_burley::sample(
+                    point as u32,
+                    axis as u32,
+                    scramble,
+                )))
             }
         }
     }

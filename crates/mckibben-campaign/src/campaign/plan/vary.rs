@@ -24,8 +24,10 @@ const EITHER: [(&str, &str); 3] = [
 
 /// The key of what a varied quantity stands in place of: its own, or that of which it is a ratio.
 pub fn stated_key(key: &str) -> &str {
-    let either = EITHER.iter().find(|pair| pair.1 == key);
-    either.map_or(key, |pair| pair.0)
+    EITHER
+        .iter()
+        .find(|pair| pair.1 == key)
+        .map_or(key, |pair| pair.0)
 }
 
 pub fn check_all(

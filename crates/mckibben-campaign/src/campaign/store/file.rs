@@ -57,8 +57,10 @@ impl Opened {
         let fields = provenance.layout.fields();
         let (rows, actual) = (provenance.rows_of(part), reader.rows());
         if u64::try_from(actual) != Ok(rows) {
-            let why = format!("it has {actual} rows instead of {rows}");
-            return Err(CampaignError::damaged(path, why));
+            return Err(CampaignError::damaged(
+                path,
+                format!("it has {actual} rows instead of {rows}"),
+            ));
         }
         Ok(Self {
             provenance,
@@ -100,8 +102,10 @@ impl Opened {
 
     fn group(&self, index: usize) -> Result<Table> {
         let columns = self.fields.iter().map(|f| (f.name.as_str(), f.kind()));
-        let group = self.reader.group(index, columns);
-        let (columns, rows) = group.map_err(|error| undecoded(error, &self.path))?;
+        let (columns, rows) = self
+            .reader
+            .group(index, columns)
+            .map_err(|error| undecoded(error, &self.path))?;
         Ok(Table {
             fields: self.fields.clone(),
             columns,

@@ -94,16 +94,17 @@ impl Folder {
     fn lock(&mut self, name: &str, shared: bool) -> Result<()> {
         let path = self.path.join(name);
         if path.is_symlink() {
-            let error = Error::other("is a link, and the lock of a folder lies in it");
-            return Err(CampaignError::write(&path)(error));
+            return Err(CampaignError::write(&path)(Error::other(
+                "is a link, and the lock of a folder lies in it",
+            )));
         }
-        let open = OpenOptions::new()
+        let file = OpenOptions::new()
             .create(true)
             .truncate(false)
             .read(true)
             .write(true)
-            .open(&path);
-        let file = open.map_err(CampaignError::write(&path))?;
+            .open(&path)
+            .map_err(CampaignError::write(&path))?;
         let lock = || {
             if shared {
                 file.try_lock_shared()
@@ -154,8 +155,10 @@ impl Folder {
                 .strip_prefix(LOCK)?
                 .strip_prefix('-')?
                 .replace("-of-", "/");
-            let modified = path.join(name).metadata().ok()?.modified().ok()?;
-            Some((modified, shard.parse::<Shard>().ok()?.count()))
+            Some((
+                path.join(name).metadata().ok()?.modified().ok()?,
+                shard.parse::<Shard>().ok()?.count(),
+            ))
         };
         Ok(names(path)?
             .into_iter()

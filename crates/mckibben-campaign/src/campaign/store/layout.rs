@@ -34,7 +34,7 @@ impl Field {
     }
 
     /// An empty column of its kind.
-    pub(super) fn kind(&self) -> Values {
+    pub fn kind(&self) -> Values {
         match self.slot(&mut PointRow::default()) {
             Slot::Whole(_) => Values::Int64(vec![]),
             Slot::Count(_) => Values::Int32(vec![]),
@@ -48,7 +48,7 @@ impl Field {
     }
 
     /// Its column in a file: inputs repeat few values, and answers differ.
-    pub(super) fn parquet(&self) -> mckibben_io::parquet::Field {
+    pub fn parquet(&self) -> mckibben_io::parquet::Field {
         let packing = if self.column.role == Role::Answer {
             Packing::Distinct
         } else {

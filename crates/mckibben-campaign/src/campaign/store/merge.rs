@@ -51,8 +51,10 @@ impl Parts {
         }
         let folder = folders.first().cloned().unwrap_or_default();
         let Some(first) = parts.values().next() else {
-            let why = "there is no part in it".into();
-            return Err(CampaignError::NoCampaign(folder, why));
+            return Err(CampaignError::NoCampaign(
+                folder,
+                "there is no part in it".into(),
+            ));
         };
         let provenance = Opened::file(first)?.provenance;
         let count = provenance.parts();
@@ -67,8 +69,10 @@ impl Parts {
             )));
         }
         if let Some((_, path)) = parts.range(count..).next() {
-            let why = format!("the plan has only {count} parts");
-            return Err(CampaignError::damaged(path, why));
+            return Err(CampaignError::damaged(
+                path,
+                format!("the plan has only {count} parts"),
+            ));
         }
         Ok(Self {
             provenance,
@@ -89,8 +93,13 @@ impl Parts {
         Unfinished::sweep(out);
         let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
         let provenance = self.provenance.clone();
-        let tables = chained(self.opened(), Opened::tables);
-        write(&provenance, None, tables, file.file(), out)?;
+        write(
+            &provenance,
+            None,
+            chained(self.opened(), Opened::tables),
+            file.file(),
+            out,
+        )?;
         file.put(clobber).map_err(|error| match error.kind() {
             ErrorKind::AlreadyExists => CampaignError::Appeared(out.into()),
             _ => CampaignError::write(out)(error),

@@ -93,8 +93,10 @@ impl Provenance {
         } else if theirs == self {
             return Ok(());
         } else {
-            let why = "its metadata are not those of this plan";
-            return Err(CampaignError::damaged(file, why));
+            return Err(CampaignError::damaged(
+                file,
+                "its metadata are not those of this plan",
+            ));
         };
         Err(CampaignError::OtherPlan(other))
     }
@@ -165,8 +167,10 @@ impl Provenance {
     }
 
     pub(crate) fn read(pairs: &[(String, String)]) -> Result<(Self, Option<u64>), String> {
-        let stored = pairs.iter().find(|(key, _)| key == STORED);
-        let (_, text) = stored.ok_or_else(|| format!("its metadata have no {STORED}"))?;
+        let (_, text) = pairs
+            .iter()
+            .find(|(key, _)| key == STORED)
+            .ok_or_else(|| format!("its metadata have no {STORED}"))?;
         Self::from_json(text.as_bytes())
     }
 }

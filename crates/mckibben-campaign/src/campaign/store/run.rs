@@ -209,12 +209,13 @@ impl Run<'_> {
         let out = self.out;
         let overwrite = self.options.overwrite;
         if self.options.shard.is_some() {
-            let message = format!(
-                "a shard writes parts, and {} would be one file",
-                out.display()
-            );
-            let hint = "give a folder, and merge the parts into a file when all shards are there";
-            return Err(CampaignError::Refused(message, hint));
+            return Err(CampaignError::Refused(
+                format!(
+                    "a shard writes parts, and {} would be one file",
+                    out.display()
+                ),
+                "give a folder, and merge the parts into a file when all shards are there",
+            ));
         }
         let is_replaced = out.exists();
         if is_replaced {

@@ -49,8 +49,11 @@ pub fn parts_per_s(mut written: Vec<SystemTime>) -> Option<f64> {
     const NEWEST: usize = 50;
     written.sort_unstable();
     let newest = &written[written.len().saturating_sub(NEWEST)..];
-    let time = newest.last()?.duration_since(*newest.first()?).ok()?;
-    let seconds = time.as_secs_f64();
+    let seconds = newest
+        .last()?
+        .duration_since(*newest.first()?)
+        .ok()?
+        .as_secs_f64();
     (seconds > 0.0).then(|| (newest.len() - 1) as f64 / seconds)
 }
 

@@ -25,8 +25,7 @@ fn random(r: &mut Random, law: impl Fn(f64, f64) -> Law) -> Option<(Muscle, f64)
     let angle_deg = r.between(20.0, 35.0);
     let mu = r.log(0.08, 0.8);
     let k = outer_diameter_mm * r.log(4.0, 40.0);
-    let unit = r.unit();
-    let rubber = Rubber::new(law(mu, unit));
+    let rubber = Rubber::new(law(mu, r.unit()));
     let sin = angle_deg.to_radians().sin();
     let fits = |p: f64| {
         (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06
@@ -61,10 +60,11 @@ pub fn held_out_samples(count: usize, seed: u64) -> Vec<Sample> {
 /// The same of another law, by its shear modulus in MPa and a number below one.
 pub fn drawn(count: usize, seed: u64, law: impl Fn(f64, f64) -> Law) -> Vec<Sample> {
     let mut r = Random(seed);
-    let muscles = (0..20 * count)
+    let numbered: Vec<_> = (0..20 * count)
         .filter_map(|_| random(&mut r, &law))
-        .take(count);
-    let numbered: Vec<_> = muscles.enumerate().collect();
+        .take(count)
+        .enumerate()
+        .collect();
     threads::map(&numbered, |(i, (m, p))| solved(*i, m, *p))
         .into_iter()
         .flatten()

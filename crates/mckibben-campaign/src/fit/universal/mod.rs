@@ -222,15 +222,19 @@ fn folds(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]]) -> 
             let weight = end.force_by_deficit_n_per_mm / p.blocked_n
                 * if low { LOW_PRESSURE.1 } else { 1.0 };
             let right = end.deficit_mm - end.start_mm;
-            let row = end.columns_mm.into_iter().chain([right]);
-            let row: Vec<f64> = row.map(|c| weight * c).collect();
+            let row: Vec<f64> = end
+                .columns_mm
+                .into_iter()
+                .chain([right])
+                .map(|c| weight * c)
+                .collect();
             row.iter().all(|v| v.is_finite()).then_some(row)
         };
-        let chosen = s
-            .points
+        s.points
             .iter()
-            .filter(|p| inside(s, p, &empty.range, MARGIN));
-        chosen.filter_map(row).collect()
+            .filter(|p| inside(s, p, &empty.range, MARGIN))
+            .filter_map(row)
+            .collect()
     };
     let all: Vec<usize> = (0..FOLDS).collect();
     threads::map(&all, |fold| {

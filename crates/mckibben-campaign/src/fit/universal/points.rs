@@ -142,8 +142,9 @@ pub fn shares(
         let Some(model) = build(s) else { return vec![] };
         let mut workspace = Workspace::new();
         let share = |p: &PullPoint| {
-            let force = model.force_n(&mut workspace, p.pressure_mpa, p.contraction);
-            force.map_or(f64::INFINITY, |f| (f - p.force_n) / p.blocked_n)
+            model
+                .force_n(&mut workspace, p.pressure_mpa, p.contraction)
+                .map_or(f64::INFINITY, |f| (f - p.force_n) / p.blocked_n)
         };
         s.points
             .iter()

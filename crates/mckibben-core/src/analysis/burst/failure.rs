@@ -344,10 +344,14 @@ impl Burst {
             _ => self.modes().into_iter().filter_map(of).collect(),
         };
         let rated = self.rated_mpa.map(|p| one(p, FailureMode::Fittings));
-        let strained = self.strained.mpa();
-        let strained = strained.map(|p| one(p, FailureMode::StrandStrain));
-        let answered = self.strained.answered_up_to_mpa();
-        let answered = answered.map(|p| one(p, FailureMode::NoAnswer));
+        let strained = self
+            .strained
+            .mpa()
+            .map(|p| one(p, FailureMode::StrandStrain));
+        let answered = self
+            .strained
+            .answered_up_to_mpa()
+            .map(|p| one(p, FailureMode::NoAnswer));
         failures
             .into_iter()
             .chain(rated)
@@ -360,9 +364,12 @@ impl Burst {
     /// three quarters of the least burst pressure and what the strands stretch to at most; `None`
     /// where that leaves no room for a relief valve between both.
     pub fn proof_mpa(&self, working_mpa: f64) -> Option<f64> {
-        let burst_mpa = self.least().map(|(_, mpa)| PROOF_TO_BURST * mpa);
-        let most_mpa = burst_mpa.into_iter().chain(self.strained.mpa());
-        let proof_mpa = most_mpa.fold(PROOF_TO_WORKING * working_mpa, f64::min);
+        let proof_mpa = self
+            .least()
+            .map(|(_, mpa)| PROOF_TO_BURST * mpa)
+            .into_iter()
+            .chain(self.strained.mpa())
+            .fold(PROOF_TO_WORKING * working_mpa, f64::min);
         // To the last digit of what the allowed pressure follows from.
         (proof_mpa >= RELIEF * working_mpa * (1.0 - 1e-9)).then_some(proof_mpa)
     }
@@ -378,8 +385,10 @@ impl Burst {
             }
             _ => None,
         };
-        let unknown = self.not_checked().map(Warning::burst_not_checked);
-        above.into_iter().chain(unknown).collect()
+        above
+            .into_iter()
+            .chain(self.not_checked().map(Warning::burst_not_checked))
+            .collect()
     }
 
     /// Why the strength of the strands was not checked.

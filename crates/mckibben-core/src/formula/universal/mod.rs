@@ -83,8 +83,9 @@ pub struct UniversalFormula {
 }
 
 static LARGE: LazyLock<Option<Arc<UniversalFormula>>> = LazyLock::new(|| {
-    let text = include_str!("../../../data/universal.json");
-    UniversalFormula::built_in(text).ok().map(Arc::new)
+    UniversalFormula::built_in(include_str!("../../../data/universal.json"))
+        .ok()
+        .map(Arc::new)
 });
 
 impl UniversalFormula {

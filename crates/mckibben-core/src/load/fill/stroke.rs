@@ -22,7 +22,10 @@ impl Evaluation<'_> {
         contraction: f64,
     ) -> Result<f64> {
         let there_mm3 = self.cavity_mm3(pressure_mpa, contraction)?;
-        let rest_mm3 = self.cavity_mm3(0.0, 0.0)?;
-        Ok(liquid.pushed_mm3((rest_mm3, there_mm3), *dead_volume_mm3, pressure_mpa))
+        Ok(liquid.pushed_mm3(
+            (self.cavity_mm3(0.0, 0.0)?, there_mm3),
+            *dead_volume_mm3,
+            pressure_mpa,
+        ))
     }
 }

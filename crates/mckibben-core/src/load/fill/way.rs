@@ -113,8 +113,10 @@ impl Way<'_> {
             None => sweep.all_zeros()?.first().map(|zero| zero.at),
             share => share,
         };
-        let largest = sweep.least(f64::abs).map_or(0.0, |(share, _)| share);
-        Ok((place(share.unwrap_or(largest)), share.is_some()))
+        Ok((
+            place(share.unwrap_or(sweep.least(f64::abs).map_or(0.0, |(share, _)| share))),
+            share.is_some(),
+        ))
     }
 
     /// (∫ P dV, what friction took) in J along a part of a leg.

@@ -60,8 +60,10 @@ impl Bound {
         }
         let coefficient =
             |powers: &[usize; 3]| terms.iter().find(|t| t.0 == *powers).map_or(0.0, |t| t.1);
-        let low = terms.iter().all(|t| t.0.iter().sum::<usize>() <= 2);
-        let second = low.then(|| SECOND.map(|powers| coefficient(&powers)));
+        let second = terms
+            .iter()
+            .all(|t| t.0.iter().sum::<usize>() <= 2)
+            .then(|| SECOND.map(|powers| coefficient(&powers)));
         Self {
             terms,
             second,

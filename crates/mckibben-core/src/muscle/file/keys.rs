@@ -95,8 +95,10 @@ impl Keys {
     fn schema_of_key(&self, dotted: &str) -> Option<&Value> {
         // All tables of a list have the same keys.
         let is_key = |part: &&str| !part.is_empty() && part.parse::<usize>().is_err();
-        let mut parts = dotted.split('.').filter(is_key);
-        parts.try_fold(&self.0, |schema, key| properties(schema)?.get(key))
+        dotted
+            .split('.')
+            .filter(is_key)
+            .try_fold(&self.0, |schema, key| properties(schema)?.get(key))
     }
 
     /// What the number at a dotted key measures.
@@ -191,7 +193,7 @@ impl Keys {
 }
 
 /// The keys of a table, or of the tables in a list.
-pub(super) fn properties(schema: &Value) -> Option<&Map<String, Value>> {
+pub fn properties(schema: &Value) -> Option<&Map<String, Value>> {
     schema["properties"]
         .as_object()
         .or_else(|| properties(schema.get("items")?))
@@ -214,11 +216,16 @@ fn dotted(path: &str, table: &Value, out: &mut Vec<String>) {
 /// The words that a text may be.
 fn words(schema: &Value) -> Vec<&str> {
     let all = schema["enum"].as_array().into_iter().flatten();
-    let each = schema["oneOf"].as_array().into_iter().flatten();
-    let each = each.map(|word| &word["const"]);
+    let each = schema["oneOf"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .map(|word| &word["const"]);
     let inner = schema["anyOf"].as_array().into_iter().flatten();
-    let own = all.chain(each).filter_map(Value::as_str);
-    own.chain(inner.flat_map(words)).collect()
+    all.chain(each)
+        .filter_map(Value::as_str)
+        .chain(inner.flat_map(words))
+        .collect()
 }
 
 /// What a key needs.
@@ -235,9 +242,13 @@ fn expected(schema: &Value) -> String {
 
 /// What is said of a list, where something else is possible beside it.
 fn list(schema: &Value) -> &Value {
-    let choices = schema["anyOf"].as_array().into_iter().flatten();
-    let mut lists = choices.filter(|choice| choice["type"] == "array");
-    lists.next().unwrap_or(schema)
+    schema["anyOf"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter(|choice| choice["type"] == "array")
+        .next()
+        .unwrap_or(schema)
 }
 
 fn about(schema: &Value) -> String {
@@ -246,7 +257,7 @@ fn about(schema: &Value) -> String {
 }
 
 /// The sentence about a key, on one line and without a full stop.
-pub(super) fn description(schema: &Value) -> Option<String> {
+pub fn description(schema: &Value) -> Option<String> {
     let about = schema["description"].as_str()?;
     Some(about.trim_end_matches('.').replace('\n', " "))
 }

@@ -177,12 +177,17 @@ fn with_constants(source: &Source<'_>, material: Material) -> Result<Rubber, Fil
         if let Held::For(time_s) = held
             && time_s < 0.0
         {
-            let said = format!("is {time_s}\u{a0}s; it must not be below zero");
-            return Err(source.error("tube.material.held", said));
+            return Err(source.error(
+                "tube.material.held",
+                format!("is {time_s}\u{a0}s; it must not be below zero"),
+            ));
         }
         if rubber.prony.is_none() {
-            let needs = "it says how the rubber relaxes";
-            return Err(source.missing("tube.material.prony", "tube.material.held", needs));
+            return Err(source.missing(
+                "tube.material.prony",
+                "tube.material.held",
+                "it says how the rubber relaxes",
+            ));
         }
         // Before its stresses are taken as less, the series must be one.
         rubber.check().map_err(located)?;

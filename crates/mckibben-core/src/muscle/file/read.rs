@@ -132,9 +132,11 @@ impl MuscleFile {
     /// [`FileError`], as [`parse_muscle`].
     pub fn muscle(mut self, source: &Source<'_>) -> Result<Muscle, FileError> {
         let (bench, job) = (self.identified.take(), self.job.take());
-        let parts = self.stated(source)?.over(&Muscle::prototype());
-        let muscle = parts.and_then(Muscle::from_parts);
-        let mut muscle = muscle.map_err(|error| source.refused(&error))?;
+        let mut muscle = self
+            .stated(source)?
+            .over(&Muscle::prototype())
+            .and_then(Muscle::from_parts)
+            .map_err(|error| source.refused(&error))?;
         if let Some(bench) = bench {
             bench::check(&bench, source)?;
             muscle = muscle.with_bench(bench);
@@ -163,8 +165,10 @@ impl MuscleFile {
         // of before.
         let (new, old) = ("model.tondu-lopez.end_factor", "terminals.end_factor");
         if source.has(new) && source.has(old) {
-            let said = format!("is also given at {new}: leave one of them out");
-            return Err(source.error(old, said));
+            return Err(source.error(
+                old,
+                format!("is also given at {new}: leave one of them out"),
+            ));
         }
         let mut stated = Stated {
             rubber: Some(material::rubber(source, tube.rubber, tube.material)?),

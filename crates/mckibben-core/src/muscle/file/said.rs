@@ -41,8 +41,10 @@ pub fn in_our_words(said: &str) -> String {
     };
     let given = given.split_once(": ").map_or(given, |(_, given)| given);
     let ours = |words: &[(&str, &'static str)], theirs: &str| {
-        let found = words.iter().find(|(begin, _)| theirs.starts_with(begin));
-        found.map(|(_, ours)| *ours)
+        words
+            .iter()
+            .find(|(begin, _)| theirs.starts_with(begin))
+            .map(|(_, ours)| *ours)
     };
     let given = ours(&GIVEN, given).unwrap_or("something else");
     let expected = ours(&EXPECTED, expected).unwrap_or(expected);

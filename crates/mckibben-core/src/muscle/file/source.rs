@@ -220,14 +220,17 @@ impl<'t> Source<'t> {
             }
         };
         let keys: Vec<Cow<'_, str>> = error.fields.iter().map(full).collect();
-        let written = keys.iter().find(|k| self.has(k)).or(keys.first());
-        let key = written.map_or("muscle", |key| key.as_ref());
+        let key = keys
+            .iter()
+            .find(|k| self.has(k))
+            .or(keys.first())
+            .map_or("muscle", |key| key.as_ref());
         // What does not suit the other measures may be a default.
         let sizes = ["tube.outer_diameter", "tube.wall_thickness", "tube.length"];
         let default = keys
             .iter()
-            .find(|k| sizes.contains(&k.as_ref()) && !self.has(k));
-        let default = default.map(|key| format!("; {key} is not written, so this is its default"));
+            .find(|k| sizes.contains(&k.as_ref()) && !self.has(k))
+            .map(|key| format!("; {key} is not written, so this is its default"));
         self.error(key, without_key(error, key) + &default.unwrap_or_default())
     }
 

@@ -30,8 +30,9 @@ impl<const TABLE: usize> Measured<TABLE> {
             let measure = Self::all()
                 .find(|m| m.name() == name)
                 .ok_or_else(|| source.unknown(SECTIONS[TABLE], name))?;
-            let read = measure.read(value);
-            let value = read.map_err(|e| source.error(measure.key, e.to_string()))?;
+            let value = measure
+                .read(value)
+                .map_err(|e| source.error(measure.key, e.to_string()))?;
             measure.check(value).map_err(|e| source.refused(&e))?;
             values.set(measure, value);
         }

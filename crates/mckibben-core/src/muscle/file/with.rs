@@ -18,8 +18,9 @@ pub fn with_keys(text: &str, keys: &[String]) -> Result<String, FileError> {
     let mut given = BTreeSet::new();
     for entry in keys {
         let Some((key, value)) = entry.split_once('=') else {
-            let problem = format!("\"{entry}\" is not KEY=VALUE, such as terminals.seating=1.6mm");
-            return Err(FileError::new(problem));
+            return Err(FileError::new(format!(
+                "\"{entry}\" is not KEY=VALUE, such as terminals.seating=1.6mm"
+            )));
         };
         let value = value.trim();
         let read: Value = value.parse().unwrap_or_else(|_| value.into());

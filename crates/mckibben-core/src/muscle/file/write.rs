@@ -67,8 +67,9 @@ impl Text {
         let entries = table.as_object().into_iter().flatten();
         for (key, value) in entries.filter(|entry| !entry.1.is_null()) {
             let dotted = join(path, key);
-            let schema = properties(keys).and_then(|all| all.get(key));
-            let schema = schema.unwrap_or(&Value::Null);
+            let schema = properties(keys)
+                .and_then(|all| all.get(key))
+                .unwrap_or(&Value::Null);
             if is_table(&dotted, value) {
                 self.table(&dotted, value, schema);
                 continue;
@@ -95,8 +96,13 @@ fn written(value: &Value, schema: &Value) -> String {
         Value::Object(table) => {
             let keys = properties(schema);
             let one = |(key, value): (&String, &Value)| {
-                let schema = keys.and_then(|keys| keys.get(key)).unwrap_or(&Value::Null);
-                format!("{key} = {}", written(value, schema))
+                format!(
+                    "{key} = {}",
+                    written(
+                        value,
+                        keys.and_then(|keys| keys.get(key)).unwrap_or(&Value::Null)
+                    )
+                )
             };
             format!("{{ {} }}", joined(table.iter().map(one), ", "))
         }

@@ -134,8 +134,10 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         // Without the numbers of the muscle.
         let all = [of_unit, &SOURCES[..2]].concat();
         let entry = |file: File| {
-            let name = format!("sources/{}", file.name);
-            (name, file.content.bytes().to_vec())
+            (
+                format!("sources/{}", file.name),
+                file.content.bytes().to_vec(),
+            )
         };
         Vec::from_iter(files(muscle, &all).into_iter().map(entry))
     };
@@ -174,12 +176,13 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
 /// The libraries of all systems in FMI 2.0 and in FMI 3.0.
 fn libraries(id: &str) -> (Vec<Entry>, Vec<Entry>) {
     let entry = |folder: &str, ending: &str, library: &[u8]| {
-        let path = format!("binaries/{folder}/{id}.{ending}");
-        (path, library.to_vec())
+        (format!("binaries/{folder}/{id}.{ending}"), library.to_vec())
     };
     let third = SYSTEMS.map(|(_, folder, ending, library)| entry(folder, ending, library));
-    let in_second = SYSTEMS.iter().filter(|system| !system.0.is_empty());
-    let second = in_second.map(|(folder, _, ending, library)| entry(folder, ending, library));
+    let second = SYSTEMS
+        .iter()
+        .filter(|system| !system.0.is_empty())
+        .map(|(folder, _, ending, library)| entry(folder, ending, library));
     let macos = entry("darwin64", "dylib", &universal(&MACOS));
     (second.chain([macos]).collect(), third.to_vec())
 }

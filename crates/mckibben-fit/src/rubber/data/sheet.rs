@@ -90,8 +90,11 @@ impl Tests<'_> {
                     .chain([difference])
                     .find_map(|meaning| table.column(meaning))
                     .map_or_else(|| table.needed(STRESS), Ok)?;
-                let expected = "is not a valid stress, nor is there another in its line";
-                return Err(table.impossible(row, column, expected));
+                return Err(table.impossible(
+                    row,
+                    column,
+                    "is not a valid stress, nor is there another in its line",
+                ));
             }
         }
         Ok(out)
