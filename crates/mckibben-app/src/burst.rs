@@ -84,8 +84,11 @@ pub fn supply_mpa(found: &Burst, muscle: &Muscle) -> f64 {
     let Some(job) = muscle.job() else {
         return usual_mpa(found, muscle);
     };
-    let supply_mpa = job.supply.map(f64::from).or(allowed_mpa);
-    let supply_mpa = supply_mpa.unwrap_or_else(|| job.pressure.into());
+    let supply_mpa = job
+        .supply
+        .map(f64::from)
+        .or(allowed_mpa)
+        .unwrap_or_else(|| job.pressure.into());
     allowed_mpa.map_or(supply_mpa, |allowed_mpa| supply_mpa.min(allowed_mpa))
 }
 
@@ -125,11 +128,12 @@ pub fn proof_mpa(found: &Burst, pressure_mpa: f64) -> Result<f64, Problem> {
              beyond their limit"
         );
         let most = rounded(most_mpa, 3, f64::floor);
-        let hint = format!("give a `pressure_mpa` of at most {most}\u{a0}MPa, or stiffer strands");
         ProblemKind::OutOfRange
             .problem(message)
             .in_field("pressure_mpa")
-            .with_hint(hint)
+            .with_hint(format!(
+                "give a `pressure_mpa` of at most {most}\u{a0}MPa, or stiffer strands"
+            ))
     })
 }
 
@@ -155,8 +159,10 @@ impl LimitRows for PressureLimits {
     fn rows_with(&self, note: &str, u: &Units) -> Rows {
         let pressure = |p: f64| u.pressure.show(p);
         let burst = self.burst_pressure_mpa.map(|least| {
-            let by = self.burst_by.map(|by| format!("; there {by}"));
-            let by = by.unwrap_or_default();
+            let by = self
+                .burst_by
+                .map(|by| format!("; there {by}"))
+                .unwrap_or_default();
             match self.nominal_burst_pressure_mpa {
                 Some(nominal) => format!(
                     "{} at least, {} by nominal numbers of its strands{by}{note}",

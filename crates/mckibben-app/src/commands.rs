@@ -227,8 +227,7 @@ pub fn understood<T: DeserializeOwned>(request: &Value) -> Result<T, Problem> {
         let wrong = |request: &Value| {
             T::deserialize(request).map_or_else(|e| e.to_string(), |_: T| String::new())
         };
-        let field = blamed(request, &error.to_string(), &wrong);
-        not_understood(&error, field)
+        not_understood(&error, blamed(request, &error.to_string(), &wrong))
     })
 }
 

@@ -157,12 +157,14 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let doubts = doubts(&muscle, &read)?;
     let measured = request.on_branch(&read);
     if is_measured && measured.is_empty() && beside.is_empty() {
-        let message = format!(
-            "{}: there are no points of that branch",
-            request.tables.names()
-        );
-        let hint = "its column `branch` must say contraction or elongation";
-        return Err(Problem::new(ProblemKind::Data, message, hint));
+        return Err(Problem::new(
+            ProblemKind::Data,
+            format!(
+                "{}: there are no points of that branch",
+                request.tables.names()
+            ),
+            "its column `branch` must say contraction or elongation",
+        ));
     }
     let measured = is_measured.then_some(measured);
     let (pressures, contractions) = grid(request, &muscle, measured.as_deref())?;
@@ -182,13 +184,24 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         let stretch = warnings::largest_stretch(&mut c.evaluation(options), &states)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
-    let of_muscle = muscle.warnings().into_iter().chain(doubts);
-    let warned: Vec<Warning> = of_muscle.map(Warning::from).chain(beyond).collect();
+    let warned: Vec<Warning> = muscle
+        .warnings()
+        .into_iter()
+        .chain(doubts)
+        .map(Warning::from)
+        .chain(beyond)
+        .collect();
     let figure = request.figure.as_ref().map(|unit| {
         let about = MuscleSummary::from(&muscle).line(unit);
         let drawn = compared.iter_mut().map(|c| c.evaluation(options)).collect();
-        let measured = measured.as_deref().unwrap_or_default();
-        figure::compare(drawn, measured, &pressures, &contractions, &about, unit)
+        figure::compare(
+            drawn,
+            measured.as_deref().unwrap_or_default(),
+            &pressures,
+            &contractions,
+            &about,
+            unit,
+        )
     });
     Ok(CompareAnswer {
         reference: if measured.is_some() {
@@ -355,14 +368,13 @@ fn answers(
         .iter()
         .flat_map(|&p| contractions.iter().map(move |&e| (p, e)));
     let point = |(pressure_mpa, contraction)| {
-        let force_n = evaluation
-            .point(pressure_mpa, contraction)?
-            .response
-            .force_n;
         Ok(MeasuredPoint {
             pressure_mpa,
             contraction,
-            force_n,
+            force_n: evaluation
+                .point(pressure_mpa, contraction)?
+                .response
+                .force_n,
             branch: Some(Direction::Mean),
         })
     };

@@ -25,8 +25,9 @@ impl<const LOW: usize, const HIGH: usize> FromStr for Count<LOW, HIGH> {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let n = text.trim().parse::<usize>();
-        n.map_err(|_| format!("{text} is not a whole number from {LOW} to {HIGH}"))?
+        text.trim()
+            .parse::<usize>()
+            .map_err(|_| format!("{text} is not a whole number from {LOW} to {HIGH}"))?
             .try_into()
     }
 }

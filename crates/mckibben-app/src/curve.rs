@@ -112,9 +112,9 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         (None, _) => None,
         (Some(_), true) => loaded(&request.load, &mut question.evaluation(), &fixed)?,
         (Some(_), false) => {
-            let message =
-                "`load` is for isobaric tests only, where the pressure is constant along a curve";
-            return Err(ProblemKind::Usage.problem(message).in_field("load"));
+            return Err(ProblemKind::Usage
+                .problem("`load` is for isobaric tests, where a curve has one pressure")
+                .in_field("load"));
         }
     };
     let mut family = Family::default();
@@ -165,9 +165,9 @@ impl CurveRequest {
             return Ok((forces, pressures));
         }
         let step = if isobaric { 0.01 } else { 0.05 };
-        let length_mm = question.muscle.length_mm();
-        let reach = || reach(&mut question.evaluation(), &pressures, step, isobaric);
-        let contractions = contractions(&self.contractions, length_mm, reach)?;
+        let contractions = contractions(&self.contractions, question.muscle.length_mm(), || {
+            reach(&mut question.evaluation(), &pressures, step, isobaric)
+        })?;
         Ok(if isobaric {
             (pressures, contractions)
         } else {
@@ -188,8 +188,7 @@ struct Family {
 
 impl Family {
     fn add(&mut self, curve: Curve) {
-        let of_points = warnings::of_points(answered([&curve]));
-        self.said.extend(of_points);
+        self.said.extend(warnings::of_points(answered([&curve])));
         self.said = Warning::gravest(&self.said);
         self.has_answers |= answered([&curve]).next().is_some();
         if !self.has_answers {
@@ -225,10 +224,11 @@ pub fn reach(
     let end = free
         .unwrap_or(UNKNOWN)
         .min(if range > 0.0 { range } else { f64::INFINITY });
-    let round = (0..)
+    let mut list: Vec<f64> = (0..)
         .map(|i| f64::from(i) * step)
-        .map(|e| (e * 1e6).round() / 1e6);
-    let mut list: Vec<f64> = round.take_while(|e| *e < end - 1e-9).collect();
+        .map(|e| (e * 1e6).round() / 1e6)
+        .take_while(|e| *e < end - 1e-9)
+        .collect();
     if closed || free.is_none() {
         list.push(end);
     }
@@ -524,8 +524,11 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
         let MuscleSummary {
             angle_deg, rubber, ..
         } = (&base).into();
-        let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");
-        figure::study(&study, &about, unit)
+        figure::study(
+            &study,
+            &format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}"),
+            unit,
+        )
     });
     let curves = study
         .panels

@@ -145,14 +145,19 @@ struct Supplied {
 
 impl ExportFields {
     fn supplied(&self, choice: &Model, muscles: &[&Muscle]) -> Result<Supplied> {
-        let models = muscles.iter().map(|muscle| choice.bound(muscle));
-        let models = models.collect::<Result<Vec<_>, _>>()?;
-        let bursts = models.iter();
-        let bursts = bursts.map(|model| burst_with(self.overpressure, choice, &**model));
-        let bursts = bursts.collect::<Result<Vec<_>>>()?;
-        let usual = bursts.iter().zip(muscles);
-        let usual = usual.map(|(burst, muscle)| supply_mpa(burst, muscle));
-        let least = usual.fold(f64::INFINITY, f64::min);
+        let models = muscles
+            .iter()
+            .map(|muscle| choice.bound(muscle))
+            .collect::<Result<Vec<_>, _>>()?;
+        let bursts = models
+            .iter()
+            .map(|model| burst_with(self.overpressure, choice, &**model))
+            .collect::<Result<Vec<_>>>()?;
+        let least = bursts
+            .iter()
+            .zip(muscles)
+            .map(|(burst, muscle)| supply_mpa(burst, muscle))
+            .fold(f64::INFINITY, f64::min);
         let supply_mpa = self.pressure_mpa.map_or(least, f64::from);
         above_zero(ProblemKind::OutOfRange, "pressure_mpa", supply_mpa)?;
         for (burst, model) in bursts.iter().zip(&models) {
@@ -162,19 +167,26 @@ impl ExportFields {
         }
         let of_bursts = bursts.iter().flat_map(|b| b.warnings(supply_mpa));
         let of_muscles = muscles.iter().flat_map(|muscle| {
-            let said = muscle.warnings().into_iter().map(Warning::from);
-            said.chain(Warning::not_measured(muscle, supply_mpa))
+            muscle
+                .warnings()
+                .into_iter()
+                .map(Warning::from)
+                .chain(Warning::not_measured(muscle, supply_mpa))
         });
         let warnings = of_bursts.chain(of_muscles).collect();
-        let known = models.iter().zip(&bursts);
-        let known = known.map(|(model, burst)| known_of(&**model, burst, supply_mpa));
-        let known = known.collect::<Result<Vec<_>>>()?;
+        let known = models
+            .iter()
+            .zip(&bursts)
+            .map(|(model, burst)| known_of(&**model, burst, supply_mpa))
+            .collect::<Result<Vec<_>>>()?;
         // A controller has to do with the muscle that is built.
-        let models = models.into_iter().zip(&known);
-        let models = models.map(|(model, known)| match known.point {
-            Some(_) => Box::new(BuiltMedian(model)) as Box<dyn ForceModel>,
-            None => model,
-        });
+        let models = models
+            .into_iter()
+            .zip(&known)
+            .map(|(model, known)| match known.point {
+                Some(_) => Box::new(BuiltMedian(model)) as Box<dyn ForceModel>,
+                None => model,
+            });
         Ok(Supplied {
             models: models.collect(),
             known,
@@ -185,9 +197,11 @@ impl ExportFields {
 
     fn target(&self) -> Result<ExportTarget> {
         let missing = || {
-            let message = "`target` is missing: what the muscle is exported for";
-            let hint = format!("one of {}", ExportTarget::names());
-            Problem::usage(message, hint).in_field("target")
+            Problem::usage(
+                "`target` is missing: what the muscle is exported for",
+                format!("one of {}", ExportTarget::names()),
+            )
+            .in_field("target")
         };
         ExportTarget::named(self.target.as_deref().ok_or_else(missing)?)
             .map_err(|e| Problem::from(e).in_field("target"))
@@ -206,8 +220,15 @@ fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Kn
     let muscle = model.muscle();
     let of_job = muscle.job().and_then(|job| {
         let pressure_mpa = f64::from(job.pressure);
-        let point = job.points.first().filter(|_| pressure_mpa <= supply_mpa)?;
-        Some((pressure_mpa, f64::from(point.contraction)))
+        Some((
+            pressure_mpa,
+            f64::from(
+                job.points
+                    .first()
+                    .filter(|_| pressure_mpa <= supply_mpa)?
+                    .contraction,
+            ),
+        ))
     });
     let (pressure_mpa, contraction) = of_job.unwrap_or((supply_mpa, 0.0));
     let options = AskFields::default().options(muscle)?;
@@ -227,8 +248,12 @@ fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Kn
 
 /// Warnings of the fits and those of the muscles, each once.
 fn warnings_of(fits: &[ExportedMuscle], others: Vec<Warning>) -> Vec<Warning> {
-    let of_fits = fits.iter().flat_map(ExportedMuscle::warnings);
-    let mut warnings = Vec::from_iter(of_fits.map(Warning::from).chain(others));
+    let mut warnings = Vec::from_iter(
+        fits.iter()
+            .flat_map(ExportedMuscle::warnings)
+            .map(Warning::from)
+            .chain(others),
+    );
     let mut known = std::collections::BTreeSet::new();
     warnings.retain(|warning| known.insert(warning.to_string()));
     warnings
@@ -248,8 +273,11 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
             .transpose()
             .map_err(|problem| problem.in_field(field))
     };
-    let job = muscle.job().into_iter().flat_map(|job| &job.points);
-    let of_job = job.fold(0.0, |low: f64, point| low.min(point.contraction.0));
+    let of_job = muscle
+        .job()
+        .into_iter()
+        .flat_map(|job| &job.points)
+        .fold(0.0, |low: f64, point| low.min(point.contraction.0));
     let wanted = BoxRequest {
         supply_mpa: supplied.supply_mpa,
         contraction_low: end("contraction_low", &request.contraction_low)?.unwrap_or(of_job),

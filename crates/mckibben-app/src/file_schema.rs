@@ -36,11 +36,13 @@ pub fn file_schema(kind: &str) -> Result<Value, Problem> {
     let Some((name, schema)) = KINDS.iter().find(|known| known.0 == kind) else {
         let hint = nearest(kind, file_kinds())
             .map_or_else(String::new, |name| format!("did you mean {name}?"));
-        let message = format!(
-            "there is no file of kind \"{kind}\"; the kinds are {}",
-            joined(file_kinds(), ", ")
-        );
-        return Err(Problem::usage(message, hint));
+        return Err(Problem::usage(
+            format!(
+                "there is no file of kind \"{kind}\"; the kinds are {}",
+                joined(file_kinds(), ", ")
+            ),
+            hint,
+        ));
     };
     let mut schema = schema();
     schema["title"] = format!("{name} file of mckibben").into();

@@ -104,9 +104,11 @@ fn named(path: &Path) -> Result<()> {
     if !text.trim().is_empty() && text.parse::<f64>().is_err() || path.exists() {
         return Ok(());
     }
-    let message = format!("\"{text}\" is no name of a file");
-    let hint = "name a file, or leave it out; a number stands behind the name of its quantity";
-    Err(Problem::new(ProblemKind::File, message, hint))
+    Err(Problem::new(
+        ProblemKind::File,
+        format!("\"{text}\" is no name of a file"),
+        "name a file, or leave it out; a number stands behind the name of its quantity",
+    ))
 }
 
 impl JointFields {

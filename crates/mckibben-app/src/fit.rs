@@ -127,8 +127,10 @@ pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
         FitMethod::Global => section(request, Method::Global),
         FitMethod::Universal => universal(request, progress),
         FitMethod::Paper => {
-            let why = "`method` paper has its own 48 terms";
-            Problem::refuse_unused(&[("terms", request.terms.is_some())], why)?;
+            Problem::refuse_unused(
+                &[("terms", request.terms.is_some())],
+                "`method` paper has its own 48 terms",
+            )?;
             section(request, Method::Paper)
         }
     }
@@ -144,10 +146,9 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
     } = request.points()?;
     let (hold_out, hold_out_share) = request.held_out(&points, &origin.name)?;
     let terms = request.powers()?;
-    let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
     let fitted = make(FormulaRequest {
         points,
-        made_for,
+        made_for: made_for.map_or_else(|| request.made_for(), Ok)?,
         method,
         terms: terms.as_deref(),
         hold_out: &hold_out,
@@ -181,10 +182,9 @@ fn universal(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer>
     request.check_foreign()?;
     let Some(path) = &request.campaign else {
         let name = request.table.as_ref().map_or("nothing", |t| &t.name);
-        let message = format!("{name}: the method universal takes a campaign in Parquet");
         return Err(Problem::new(
             ProblemKind::Data,
-            message,
+            format!("{name}: the method universal takes a campaign in Parquet"),
             "`mckibben campaign` makes one",
         ));
     };
@@ -199,9 +199,12 @@ fn universal(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer>
         name: request.name.clone().unwrap_or_else(|| "universal".into()),
         from: origin.from,
     };
-    let fitted = universal::universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?;
     Ok(FitAnswer {
-        formula: Document::Universal(fitted.into()),
+        formula: Document::Universal(
+            universal::universal(&wanted, progress)
+                .map_err(|e| no_fit(&origin.name, e))?
+                .into(),
+        ),
         tables: vec![],
         figures: vec![],
         failed: 0,
@@ -377,9 +380,11 @@ fn built_in(name: &str) -> Result<Document> {
     formula
         .map(|formula| Document::Universal(Box::new((*formula).clone())))
         .ok_or_else(|| {
-            let message =
-                format!("there is no built-in formula \"{name}\"; there are paper and universal");
-            ProblemKind::Model.problem(message).in_field("name")
+            ProblemKind::Model
+                .problem(format!(
+                    "there is no built-in formula \"{name}\"; there are paper and universal"
+                ))
+                .in_field("name")
         })
 }
 
@@ -445,8 +450,9 @@ fn rows(path: &Path) -> Result<(impl Iterator<Item = Result<PointRow>>, Origin)>
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
 fn rows(_: &Path) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
-    let message = "this build of the program cannot read campaigns from disk";
-    Err(ProblemKind::Usage.problem(message).in_field("campaign"))
+    Err(ProblemKind::Usage
+        .problem("this build of the program cannot read campaigns from disk")
+        .in_field("campaign"))
 }
 
 /// Whether all muscles of a campaign are of one make.
@@ -454,8 +460,11 @@ fn is_of_one_make(path: &Path) -> Result<bool> {
     let mut made: Option<MakeOfRows> = None;
     for row in rows(path)?.0 {
         let row = row?;
-        let made = made.get_or_insert_with(|| MakeOfRows::new(&row));
-        if made.add(&row).is_err() {
+        if made
+            .get_or_insert_with(|| MakeOfRows::new(&row))
+            .add(&row)
+            .is_err()
+        {
             return Ok(false);
         }
     }

@@ -60,11 +60,17 @@ impl<T: DeserializeOwned + JsonSchema + Clone + Send + Sync + 'static> TypedValu
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let schema = schemars::schema_for!(T).to_value();
-        let variants = schema["oneOf"].as_array().cloned().unwrap_or_default();
+        let variants = schemars::schema_for!(T).to_value()["oneOf"]
+            .as_array()
+            .cloned()
+            .unwrap_or_default();
         Some(Box::new(variants.into_iter().filter_map(|variant| {
-            let help = variant["description"].as_str().unwrap_or_default();
-            let help = help.replace('\n', " ").trim_end_matches('.').to_owned();
+            let help = variant["description"]
+                .as_str()
+                .unwrap_or_default()
+                .replace('\n', " ")
+                .trim_end_matches('.')
+                .to_owned();
             Some(PossibleValue::new(variant["const"].as_str()?.to_owned()).help(help))
         })))
     }
@@ -118,16 +124,18 @@ fn models() -> Vec<String> {
 }
 
 fn rubber_names() -> Vec<String> {
-    let all = rubber::library::entries().ok();
-    all.iter()
+    rubber::library::entries()
+        .ok()
+        .iter()
         .flat_map(|list| list.iter())
         .map(|entry| entry.name.clone())
         .collect()
 }
 
 fn sleeve_names() -> Vec<String> {
-    let all = sleeve::library::entries().ok();
-    all.iter()
+    sleeve::library::entries()
+        .ok()
+        .iter()
         .flat_map(|list| list.iter())
         .map(|entry| entry.sleeve.shape.name.clone())
         .collect()
@@ -176,11 +184,16 @@ pub fn laws() -> Names<String> {
 pub fn parts() -> Names<String> {
     let list = || {
         let tubes = mckibben_design::tubes::catalogue().ok();
-        let tubes = tubes.iter().flat_map(|list| list.iter());
-        let tubes = tubes.map(|tube| tube.name.clone());
-        let others = [sleeve_names(), rubber_names(), models()];
+        let tubes = tubes
+            .iter()
+            .flat_map(|list| list.iter())
+            .map(|tube| tube.name.clone());
         tubes
-            .chain(others.into_iter().flatten())
+            .chain(
+                [sleeve_names(), rubber_names(), models()]
+                    .into_iter()
+                    .flatten(),
+            )
             .chain(library::names())
             .collect()
     };
@@ -207,9 +220,11 @@ pub fn volume(text: &str) -> Result<Volume, Problem> {
     let text = text.trim();
     let volume: Volume = text.parse().map_err(|e| ProblemKind::Quantity.problem(e))?;
     if volume.0 != 0.0 && text.parse::<f64>().is_ok() {
-        let message = format!("\"{text}\" has no unit, and a bare number is mm³");
-        let hint = format!("write {text}mL or {text}mm3");
-        return Err(Problem::new(ProblemKind::Quantity, message, hint));
+        return Err(Problem::new(
+            ProblemKind::Quantity,
+            format!("\"{text}\" has no unit, and a bare number is mm³"),
+            format!("write {text}mL or {text}mm3"),
+        ));
     }
     Ok(volume)
 }
@@ -222,8 +237,8 @@ impl Args for Measures {
         let args = FLAGS.into_iter().filter_map(|measure| {
             let dimension = measure.dimension;
             let read = move |text: &str| parse_quantity(text, dimension);
-            let arg = Arg::new(measure.field?).long(measure.flag()?);
-            let arg = arg
+            let arg = Arg::new(measure.field?)
+                .long(measure.flag()?)
                 .value_name(measure.value_name())
                 .help(measure.help().replacen(" at rest", "", 1));
             Some(
@@ -266,8 +281,12 @@ pub fn stiffness(text: &str) -> Result<crate::Stiffness, Problem> {
         return Ok(word);
     }
     let read: Result<mckibben_core::units::typed::Stiffness, _> = text.parse();
-    let wrong = |e| ProblemKind::Quantity.problem(format!("{e}, or `inextensible`, or `paper`"));
-    Ok(crate::Stiffness::NewtonPerMm(read.map_err(wrong)?.0))
+    Ok(crate::Stiffness::NewtonPerMm(
+        read.map_err(|e| {
+            ProblemKind::Quantity.problem(format!("{e}, or `inextensible`, or `paper`"))
+        })?
+        .0,
+    ))
 }
 
 /// A terminal of `fe3d`: rigid or aluminium, with the insertion and the radius of the nose
@@ -283,8 +302,10 @@ pub fn terminal(text: &str) -> Result<Plug, Problem> {
         return Err(no_terminal(text));
     }
     let length = |at: usize| {
-        let read = words.get(at).map(|text| text.parse::<Length>());
-        read.transpose()
+        words
+            .get(at)
+            .map(|text| text.parse::<Length>())
+            .transpose()
             .map(|length| length.map(f64::from))
             .map_err(|e| ProblemKind::Quantity.problem(e))
     };
@@ -296,12 +317,14 @@ pub fn terminal(text: &str) -> Result<Plug, Problem> {
 }
 
 fn no_terminal(text: &str) -> Problem {
-    let message = format!(
-        "\"{text}\" is not a terminal; expected rigid or aluminium, with an optional \
+    Problem::new(
+        ProblemKind::Terminal,
+        format!(
+            "\"{text}\" is not a terminal; expected rigid or aluminium, with an optional \
          insertion and radius of the nose (aluminium:20mm:3mm)"
-    );
-    let hint = "leave it out for a rigid plane";
-    Problem::new(ProblemKind::Terminal, message, hint)
+        ),
+        "leave it out for a rigid plane",
+    )
 }
 
 /// The diameter of a bolt: screws are sold by it, as M6.
@@ -319,8 +342,9 @@ pub fn stretch(text: &str) -> Result<f64, QuantityError> {
 /// The name of a target of `export`.
 pub fn targets() -> Names<String> {
     let list = || {
-        let all = crate::export_list(&crate::ExportListRequest {}).ok();
-        all.into_iter()
+        crate::export_list(&crate::ExportListRequest {})
+            .ok()
+            .into_iter()
             .flat_map(|answer| answer.targets)
             .map(|target| target.name.to_owned())
             .collect()

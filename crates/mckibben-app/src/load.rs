@@ -138,9 +138,8 @@ pub fn loaded(
         }
         _ => None,
     };
-    let text = fields.load.clone().unwrap_or_default();
     Ok(Some(LoadAnswer {
-        load: text,
+        load: fields.load.clone().unwrap_or_default(),
         at,
         cycle,
         line: load,

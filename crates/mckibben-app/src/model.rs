@@ -29,8 +29,7 @@ pub fn model_from_formula(file: &TextFile) -> Result<Model> {
         return Err(ProblemKind::Formula
             .problem("formula files need the full engine; this is a reduced one"));
     }
-    let read = Model::from_formula(&file.text);
-    Ok(read.map_err(|e| e.in_file(std::path::Path::new(&file.name)))?)
+    Ok(Model::from_formula(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?)
 }
 
 /// A muscle of the make that a formula is for.
@@ -104,9 +103,12 @@ impl MeshFields {
         if self.terminal.is_none() {
             return Ok(());
         }
-        let message = "only `model` fe3d can model the terminal as a body";
-        let hint = "the other models have rigid planes: leave it out";
-        Err(Problem::new(ProblemKind::Terminal, message, hint).in_field("terminal"))
+        Err(Problem::new(
+            ProblemKind::Terminal,
+            "only `model` fe3d can model the terminal as a body",
+            "the other models have rigid planes: leave it out",
+        )
+        .in_field("terminal"))
     }
 }
 
@@ -121,10 +123,9 @@ pub fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
             muscle,
         );
     }
-    let hint = "leave one of them out";
     Err(Problem::usage(
         "`direction` selects one branch and `both` selects two",
-        hint,
+        "leave one of them out",
     ))
 }
 
@@ -133,8 +134,10 @@ pub fn check_branch(options: Options, muscle: &Muscle) -> Result<()> {
     if options.direction.is_mean() || muscle.friction().is_some() || options.friction_share > 0.0 {
         return Ok(());
     }
-    let message = "`direction` needs the braid's friction, which this muscle does not state; it is \
-        estimated only of muscles that contract";
-    let hint = "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file";
-    Err(Problem::new(ProblemKind::MissingInput, message, hint))
+    Err(Problem::new(
+        ProblemKind::MissingInput,
+        "`direction` needs the braid's friction, which this muscle does not state; it is \
+        estimated only of muscles that contract",
+        "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file",
+    ))
 }

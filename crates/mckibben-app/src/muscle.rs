@@ -137,9 +137,12 @@ pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
         return Ok(Cow::Borrowed(&file.text));
     }
     let Some(name) = muscles::named(&file.name) else {
-        let message = format!("\"{}\" says nothing of a muscle", file.name);
-        let hint = "give the text of a muscle file, or lib:NAME for a muscle of the library";
-        return Err(Problem::new(ProblemKind::File, message, hint).in_field("muscle"));
+        return Err(Problem::new(
+            ProblemKind::File,
+            format!("\"{}\" says nothing of a muscle", file.name),
+            "give the text of a muscle file, or lib:NAME for a muscle of the library",
+        )
+        .in_field("muscle"));
     };
     if !cfg!(feature = "whole") {
         return Err(ProblemKind::File

@@ -141,13 +141,15 @@ impl FromStr for TubeSize {
 
     fn from_str(text: &str) -> Result<Self, Problem> {
         let wrong = || {
-            let message = format!(
-                "\"{text}\" is not a tube; expected its bore and outer diameter, such as 8x12mm, \
+            Problem::new(
+                ProblemKind::Quantity,
+                format!(
+                    "\"{text}\" is not a tube; expected its bore and outer diameter, such as 8x12mm, \
                  or its name"
-            );
-            let hint = "`parts list tubes` lists the names; or give `outer_diameter_mm` and \
-                `wall_mm`";
-            Problem::new(ProblemKind::Quantity, message, hint)
+                ),
+                "`parts list tubes` lists the names; or give `outer_diameter_mm` and \
+                `wall_mm`",
+            )
         };
         if let Ok(part) = tubes::catalogue().and_then(|all| tubes::find(all, text)) {
             return Ok(Self {

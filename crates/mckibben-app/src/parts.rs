@@ -227,6 +227,8 @@ pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
         .chain(muscles.iter().map(String::as_str));
     let all = all.chain(Model::all().into_iter().map(|m| m.name));
     let meant = meant(nearest(library::named(name).unwrap_or(name), all));
-    let message = format!("there is no part named \"{name:.60}\"{meant}");
-    Err(Problem::usage(message, "`parts list` lists them"))
+    Err(Problem::usage(
+        format!("there is no part named \"{name:.60}\"{meant}"),
+        "`parts list` lists them",
+    ))
 }

@@ -57,9 +57,11 @@ pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer
         .muscles()
         .saturating_mul(plan.points_per_muscle() as u64);
     if points > MOST_POINTS {
-        let message = format!("{points} points exceed the limit of {MOST_POINTS} points in memory");
-        let hint = "`campaign` computes plans of any size, into files";
-        return Err(Problem::new(ProblemKind::Range, message, hint));
+        return Err(Problem::new(
+            ProblemKind::Range,
+            format!("{points} points exceed the limit of {MOST_POINTS} points in memory"),
+            "`campaign` computes plans of any size, into files",
+        ));
     }
     let rows = campaign::compute(&plan, progress)?;
     let mut text = format!("{},status\n", COLUMNS.join(","));

@@ -132,15 +132,22 @@ pub struct ModelAbout {
 
 /// The first point of the job, unless something else is stated.
 fn job_point(question: &Question, is_stated: bool) -> Option<JobPoint> {
-    let job = question.muscle.job().filter(|_| !is_stated)?;
-    job.points.first().copied()
+    question
+        .muscle
+        .job()
+        .filter(|_| !is_stated)?
+        .points
+        .first()
+        .copied()
 }
 
 /// F(P, ε).
 pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let point = job_point(&question, request.pressure_mpa.is_some());
-    let contraction = question.ratio(&request.contraction, point)?;
+    let contraction = question.ratio(
+        &request.contraction,
+        job_point(&question, request.pressure_mpa.is_some()),
+    )?;
     let pressure_mpa = question.pressure_mpa(request.pressure_mpa)?;
     answered(question, PointQuantity::Force, request.both, |model| {
         Ok(model.answer(pressure_mpa, contraction)?)
@@ -173,8 +180,10 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
         });
     }
     if request.force_n.is_some() {
-        let message = "`force_n` conflicts with `load`: give the load, or the pull";
-        return Err(Problem::usage(message, ""));
+        return Err(Problem::usage(
+            "`force_n` conflicts with `load`: give the load, or the pull",
+            "",
+        ));
     }
     let mut said: Option<LoadAnswer> = None;
     let mut answer = answered(question, sought, request.both, |model| {
@@ -226,8 +235,11 @@ fn answered(
             })
         })
         .collect::<Result<_>>()?;
-    let all = std::iter::once(&point).chain(&branches);
-    let highest_mpa = peak(all.map(|a| a.response.pressure_mpa));
+    let highest_mpa = peak(
+        std::iter::once(&point)
+            .chain(&branches)
+            .map(|a| a.response.pressure_mpa),
+    );
     let background = question.background(&mut point, highest_mpa)?;
     Ok(PointAnswer {
         point,
@@ -279,9 +291,12 @@ pub fn pull(force_n: f64, options: Options) -> Result<()> {
     if force_n >= 0.0 || options.two_sided {
         return Ok(());
     }
-    let message = format!("{force_n}\u{a0}N is a push, and a muscle that contracts only pulls");
-    let hint = "`two_sided` gives the negative forces of the formula";
-    Err(Problem::new(ProblemKind::Quantity, message, hint).in_field("force_n"))
+    Err(Problem::new(
+        ProblemKind::Quantity,
+        format!("{force_n}\u{a0}N is a push, and a muscle that contracts only pulls"),
+        "`two_sided` gives the negative forces of the formula",
+    )
+    .in_field("force_n"))
 }
 
 /// A muscle, a model, and how it is evaluated.
@@ -326,8 +341,7 @@ pub struct Question {
 impl Question {
     /// The pressure of a request, or the one for which the muscle was designed.
     fn pressure_mpa(&self, given: Option<Pressure>) -> Result<f64> {
-        let of_job = self.muscle.pressure_to_set_mpa().map(Pressure);
-        given_mpa(given.or(of_job))
+        given_mpa(given.or(self.muscle.pressure_to_set_mpa().map(Pressure)))
     }
 
     /// A contraction ratio of its muscle; 0 where none is given.

@@ -236,10 +236,10 @@ impl Problem {
     /// other field.
     pub fn refuse_unused(fields: &[(&str, bool)], why: impl fmt::Display) -> Result<(), Self> {
         match fields.iter().find(|field| field.1) {
-            Some((field, _)) => {
-                let message = format!("`{field}` has no effect: {why}");
-                Err(Self::usage(message, "leave one of them out"))
-            }
+            Some((field, _)) => Err(Self::usage(
+                format!("`{field}` has no effect: {why}"),
+                "leave one of them out",
+            )),
             None => Ok(()),
         }
     }
@@ -346,8 +346,11 @@ impl From<ModelError> for Problem {
                 } else {
                     ""
                 };
-                let hint = format!("`extrapolate` gives an answer with a warning{other}");
-                Self::new(ProblemKind::OutOfRange, message, hint)
+                Self::new(
+                    ProblemKind::OutOfRange,
+                    message,
+                    format!("`extrapolate` gives an answer with a warning{other}"),
+                )
             }
             ModelError::Missing { key, .. } => {
                 let hint = match key {
@@ -496,11 +499,13 @@ fn internal(cause: &(dyn Any + Send)) -> Problem {
         .unwrap_or("no reason given");
     let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner).take();
     let place = place.map_or_else(String::new, |place| format!(" ({place})"));
-    let message = format!(
-        "internal error of mckibben {}: {said}{place}",
-        env!("CARGO_PKG_VERSION")
-    );
-    let hint = "please report this message with the request and its files; the same request will \
-        fail again";
-    Problem::new(ProblemKind::Internal, message, hint)
+    Problem::new(
+        ProblemKind::Internal,
+        format!(
+            "internal error of mckibben {}: {said}{place}",
+            env!("CARGO_PKG_VERSION")
+        ),
+        "please report this message with the request and its files; the same request will \
+        fail again",
+    )
 }

@@ -96,12 +96,13 @@ pub fn report(
     })?;
     step(2)?;
     let units = &request.units;
-    let said = shown
+    let mut parts: Vec<Part> = shown
         .warnings
         .iter()
         .filter(|w| w.is_of_burst())
-        .map(|w| Part::Text(w.to_string()));
-    let mut parts: Vec<Part> = said.chain(state(&shown, &point, units)).collect();
+        .map(|w| Part::Text(w.to_string()))
+        .chain(state(&shown, &point, units))
+        .collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa.into()),
@@ -120,8 +121,7 @@ pub fn report(
     }
     step(4)?;
     parts.extend(limits(&shown, &point));
-    let file = to_toml(&shown.muscle);
-    let hash = mckibben_campaign::sha256(file.as_bytes());
+    let hash = mckibben_campaign::sha256(to_toml(&shown.muscle).as_bytes());
     let version = env!("CARGO_PKG_VERSION");
     Ok(Document {
         title: format!("Report: {}", plan.title()),
@@ -190,8 +190,9 @@ fn body_part(request: &ShapeRequest) -> Result<Part> {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
     }
-    let data = serde_json::to_string(&answer).unwrap_or_default();
-    Ok(Part::Body(data))
+    Ok(Part::Body(
+        serde_json::to_string(&answer).unwrap_or_default(),
+    ))
 }
 
 fn curves(
@@ -230,9 +231,11 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
             "The clamped length on each plug is not stated; the cut lengths assume {cut} mm."
         ));
     }
-    let warnings = shown.warnings.iter().chain(&point.point.warnings);
     list.extend(
-        warnings
+        shown
+            .warnings
+            .iter()
+            .chain(&point.point.warnings)
             .filter(|w| !w.is_of_burst())
             .map(ToString::to_string),
     );

@@ -68,10 +68,13 @@ fn check_fields(
     };
     for (field, value) in fields {
         let Some(schema) = known.get(field) else {
-            let near = nearest(field, known.keys().map(String::as_str));
-            let hint = near.map_or_else(String::new, |name| format!("did you mean `{name}`?"));
-            let message = format!("there is no field \"{field}\" in this request");
-            return Err(Problem::usage(message, hint).in_field(field.clone()));
+            let hint = nearest(field, known.keys().map(String::as_str))
+                .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
+            return Err(Problem::usage(
+                format!("there is no field \"{field}\" in this request"),
+                hint,
+            )
+            .in_field(field.clone()));
         };
         check_fields(format_args!("`{field}`"), value, schema, root).map_err(|problem| {
             Problem {

@@ -144,8 +144,10 @@ fn point_and_shape(
         point.response.force_n
     };
     let active_mpa = ends.active_mpa(pressure_mpa);
-    let displacement_mm = ends.end_displacement_mm(active_mpa, force_n);
-    let between = ends.between(shape_contraction, displacement_mm);
+    let between = ends.between(
+        shape_contraction,
+        ends.end_displacement_mm(active_mpa, force_n),
+    );
     let section = fe.section_at(workspace, active_mpa, between)?;
     Ok((point, shape_contraction, section))
 }

@@ -102,14 +102,16 @@ impl UncertaintyWords {
             ("take-up", shift.take_up),
             ("ends", shift.ends),
             ("factor", shift.factor),
-        ];
-        let shifts = shifts.map(|(name, n)| (name, n, show(n.abs())));
+        ]
+        .map(|(name, n)| (name, n, show(n.abs())));
         let counts = |text: &str| text.chars().any(|c| ('1'..='9').contains(&c));
-        let shifts = shifts.into_iter().filter(|(.., text)| counts(text));
-        let shifts = shifts.map(|(name, n, text)| {
-            let sign = if n < 0.0 { "−" } else { "+" };
-            format!("{name} {sign}{text}")
-        });
+        let shifts = shifts
+            .into_iter()
+            .filter(|(.., text)| counts(text))
+            .map(|(name, n, text)| {
+                let sign = if n < 0.0 { "−" } else { "+" };
+                format!("{name} {sign}{text}")
+            });
         let shifts = joined(shifts, ", ");
         let colon = if shifts.is_empty() { "" } else { ": " };
         Some(format!(
@@ -147,12 +149,14 @@ impl UncertaintyWords {
 
 /// A median with its interval and branch: `520 N (170 N to 900 N, 95 %) while it shortens`.
 pub fn interval(pull: &Built, scale: &Scale) -> String {
-    let pulls = [
-        pull.predicted_n,
-        pull.predicted_low_n,
-        pull.predicted_high_n,
-    ];
-    bounds(pulls, scale) + &pull.way()
+    bounds(
+        [
+            pull.predicted_n,
+            pull.predicted_low_n,
+            pull.predicted_high_n,
+        ],
+        scale,
+    ) + &pull.way()
 }
 
 /// A median and the two ends of its interval.

@@ -258,8 +258,10 @@ impl Units {
                 out[from..].parse::<f64>(),
             ) {
                 (Some(scale), Ok(value)) => {
-                    let mantissa = out[from..].split('e').next().unwrap_or_default();
-                    let digits = mantissa
+                    let digits = out[from..]
+                        .split('e')
+                        .next()
+                        .unwrap_or_default()
                         .trim_start_matches(['-', '+', '0', '.'])
                         .matches(|c: char| c.is_ascii_digit());
                     let value = number(scale.value(value), digits.count().clamp(3, 6));

@@ -170,8 +170,13 @@ impl<T: Args> Args for Flags<T> {
         // What every command takes stands behind its own flags, in the help too.
         let of_all: Vec<Arg> = command.get_arguments().cloned().collect();
         let flags = T::augment_args(command).about(about).long_about(None);
-        let own = flags.get_arguments().skip(of_all.len()).cloned();
-        let mut in_order = own.chain(of_all).collect::<Vec<Arg>>().into_iter();
+        let mut in_order = flags
+            .get_arguments()
+            .skip(of_all.len())
+            .cloned()
+            .chain(of_all)
+            .collect::<Vec<Arg>>()
+            .into_iter();
         let flags = flags.mut_args(|arg| in_order.next().unwrap_or(arg));
         with_short_help(&path, flags)
     }
@@ -238,8 +243,12 @@ fn with_usual_name(arg: Arg) -> Arg {
 
 /// Gives a command and those below it the names of their flags and their short help.
 fn with_short_help(path: &str, mut command: clap::Command) -> clap::Command {
-    let names = command.get_subcommands().map(clap::Command::get_name);
-    for name in names.map(str::to_owned).collect::<Vec<_>>() {
+    for name in command
+        .get_subcommands()
+        .map(clap::Command::get_name)
+        .map(str::to_owned)
+        .collect::<Vec<_>>()
+    {
         let path = format!("{path} {name}");
         command = command.mut_subcommand(name, |sub| with_short_help(&path, sub));
     }

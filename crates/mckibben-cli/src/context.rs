@@ -41,8 +41,10 @@ impl Flag {
         let is_typed =
             |matches: &&ArgMatches| matches.value_source(id) == Some(ValueSource::CommandLine);
         let texts = matches.filter(is_typed).and_then(|matches| {
-            let texts = matches.try_get_raw(id).ok()??;
-            let texts = texts.map(|text| text.to_string_lossy().into_owned());
+            let texts = matches
+                .try_get_raw(id)
+                .ok()??
+                .map(|text| text.to_string_lossy().into_owned());
             Some(matches.indices_of(id)?.zip(texts).collect())
         });
         Some(Self {
@@ -81,8 +83,10 @@ impl Context {
                 leaf = leaf.and_then(ArgMatches::subcommand).map(|(_, sub)| sub);
             }
         }
-        let all = command.get_arguments();
-        let flags: Vec<Flag> = all.filter_map(|arg| Flag::new(arg, args, leaf)).collect();
+        let flags: Vec<Flag> = command
+            .get_arguments()
+            .filter_map(|arg| Flag::new(arg, args, leaf))
+            .collect();
         let with_units = || {
             flags
                 .iter()

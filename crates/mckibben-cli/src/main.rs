@@ -69,8 +69,9 @@ fn main() -> ExitCode {
         context.check_named(continues)?;
         cli.command.run(&mut context)
     });
-    let shortage = threads::shortage();
-    shortage.into_iter().for_each(|text| context.warn(text));
+    threads::shortage()
+        .into_iter()
+        .for_each(|text| context.warn(text));
     match progress::last_word(done) {
         Ok(code) => ExitCode::from(code),
         Err(problem) => report(problem, &context),

@@ -41,8 +41,10 @@ fn width(text: &str) -> Result<Length, Problem> {
     if (20.0..=2000.0).contains(&width.0) {
         return Ok(width);
     }
-    let message = format!("{} mm; a figure is 20 to 2000 mm wide", width.0);
-    Err(wrong(message))
+    Err(wrong(format!(
+        "{} mm; a figure is 20 to 2000 mm wide",
+        width.0
+    )))
 }
 
 impl Plot {

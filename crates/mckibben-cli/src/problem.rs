@@ -94,13 +94,16 @@ pub fn of_gone_flag(error: &clap::Error, context: &Context) -> Option<Problem> {
     let command = std::env::args_os().nth(1).unwrap_or_default();
     let is_gone = |gone: &&(&str, &[&str], &str)| command == gone.0 && gone.1.contains(&&**flag);
     if let Some((name, _, hint)) = GONE.iter().find(is_gone) {
-        let message = format!("`mckibben {name}` has no {flag} any more");
-        return Some(Problem::usage(message, *hint));
+        return Some(Problem::usage(
+            format!("`mckibben {name}` has no {flag} any more"),
+            *hint,
+        ));
     }
     if command == "force" && ["-F", "--force"].contains(&&**flag) {
-        let message = "`mckibben force` gives the force at a pressure and a contraction";
-        let hint = "`mckibben pressure` and `mckibben contraction` take a force";
-        return Some(Problem::usage(message, hint));
+        return Some(Problem::usage(
+            "`mckibben force` gives the force at a pressure and a contraction",
+            "`mckibben pressure` and `mckibben contraction` take a force",
+        ));
     }
     let is_table = !flag.starts_with('-') && flag.contains('.');
     let of_table = ["--area", "--gauge-length", "--mode"].contains(&&**flag);
@@ -113,9 +116,10 @@ pub fn of_gone_flag(error: &clap::Error, context: &Context) -> Option<Problem> {
         return None;
     };
     let thing = if is_table { "place for" } else { "flag" };
-    let message = format!("there is no {thing} {flag}: {what}");
-    let hint = format!("write {hint}");
-    Some(Problem::usage(message, hint))
+    Some(Problem::usage(
+        format!("there is no {thing} {flag}: {what}"),
+        format!("write {hint}"),
+    ))
 }
 
 /// A command that is a study of the repository.
@@ -139,14 +143,14 @@ pub fn of_gone_status() -> Option<Problem> {
 pub fn unparsed(error: &clap::Error) -> Problem {
     let text = error.render().to_string();
     // The sentence and the indented lines below it; usage follows after an empty line.
-    let message = joined(
-        text.lines()
-            .take_while(|l| !l.trim().is_empty())
-            .map(str::trim),
-        " ",
-    );
     Problem::usage(
-        message.trim_start_matches("error: "),
+        joined(
+            text.lines()
+                .take_while(|l| !l.trim().is_empty())
+                .map(str::trim),
+            " ",
+        )
+        .trim_start_matches("error: "),
         "see `mckibben --help`",
     )
 }

@@ -113,9 +113,9 @@ impl Bar {
     /// A bar that counts things of this name.
     pub fn new(things: &str) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        let template =
-            format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
-        if let Ok(style) = ProgressStyle::with_template(&template) {
+        if let Ok(style) = ProgressStyle::with_template(&format!(
+            "{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}"
+        )) {
             let rate = |s: &ProgressState, to: &mut dyn Write| {
                 // Nothing better can be done if the message cannot be shown.
                 let _ = write!(to, "{} a second", number(s.per_sec(), 3));

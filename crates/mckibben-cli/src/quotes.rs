@@ -34,8 +34,10 @@ pub fn check_quotes(args: &[String]) -> Result<(), Problem> {
         } else {
             format!("{flag} {number}{unit} or ")
         };
-        let hint = format!("write {short}{flag} '{number} {unit}'");
-        return Err(Problem::usage(message, hint));
+        return Err(Problem::usage(
+            message,
+            format!("write {short}{flag} '{number} {unit}'"),
+        ));
     }
     Ok(())
 }

@@ -125,16 +125,16 @@ pub fn touches_at(
 ) -> Option<f64> {
     let thick_wall = ThickWall::between_ends(model.muscle());
     let mut diameter = |contraction: f64| {
-        let own = model
+        model
             .response(workspace, pressure_mpa, contraction)
             .ok()?
-            .bulged_diameter_mm;
-        own.or_else(|| {
-            thick_wall
-                .response(workspace, pressure_mpa, contraction)
-                .ok()?
-                .bulged_diameter_mm
-        })
+            .bulged_diameter_mm
+            .or_else(|| {
+                thick_wall
+                    .response(workspace, pressure_mpa, contraction)
+                    .ok()?
+                    .bulged_diameter_mm
+            })
     };
     if diameter(0.0)? >= pitch_mm {
         return Some(0.0);

@@ -138,12 +138,15 @@ impl Candidate {
         let [pressure_low_mpa, pressure_high_mpa] = NINE_OF_TEN.map(&mut pressure);
         let max_mpa = assessed.highest_mpa;
         let blocked_force_n = assessed.pull(max_mpa, 0.0)?.held_n;
-        let free = assessed.evaluation().free_contraction(max_mpa).ok();
-        let free_contraction = free.or_else(|| {
-            let (model, workspace) = (&*assessed.thick_wall, &mut assessed.workspace);
-            let mut model = Evaluation::new(model, workspace, spec.options());
-            model.free_contraction(max_mpa).ok()
-        });
+        let free_contraction = assessed
+            .evaluation()
+            .free_contraction(max_mpa)
+            .ok()
+            .or_else(|| {
+                let (model, workspace) = (&*assessed.thick_wall, &mut assessed.workspace);
+                let mut model = Evaluation::new(model, workspace, spec.options());
+                model.free_contraction(max_mpa).ok()
+            });
         let failures = burst(&*assessed.model).unwrap_or(assessed.burst);
         let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
         let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);

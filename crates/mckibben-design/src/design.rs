@@ -118,8 +118,10 @@ pub fn design_with(
 
 impl Search<'_> {
     fn best(&self, kind: ChoiceKind, spec: &Spec, cast: Option<bool>) -> Option<Choice> {
-        let candidate = self.candidate(self.answer(spec, cast, 1).first()?)?;
-        Some(Choice { kind, candidate })
+        Some(Choice {
+            kind,
+            candidate: self.candidate(self.answer(spec, cast, 1).first()?)?,
+        })
     }
 
     /// The first beside those of other chances, of the other make and number, and as sold.
@@ -162,8 +164,13 @@ impl Search<'_> {
             kind: ChoiceKind::Take,
             candidate: first.clone(),
         }];
-        let others = others.filter_map(of_chance).chain(of_make).chain(of_number);
-        choices.extend(others.filter(is_other));
+        choices.extend(
+            others
+                .filter_map(of_chance)
+                .chain(of_make)
+                .chain(of_number)
+                .filter(is_other),
+        );
         choices.extend(self.products(first.radius_mm));
         choices
     }
@@ -251,8 +258,9 @@ fn of_counts(spec: &Spec, (count, most_side_by_side): (u32, u32)) -> Spec {
 fn cut(spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
     if let Some(lengths) = &spec.length_mm {
         let (low, high) = lengths.bounds();
-        let is_inside = (low..=high).contains(&muscle.length_mm());
-        return is_inside.then(|| muscle.clone());
+        return (low..=high)
+            .contains(&muscle.length_mm())
+            .then(|| muscle.clone());
     }
     if spec.base.length_mm() == muscle.length_mm() {
         return Some(muscle.clone());

@@ -95,13 +95,14 @@ fn sections(spec: &Spec) -> Vec<Section> {
     let mut sections = vec![];
     for rubber in 0..spec.rubbers.len().max(1) {
         for &wall_mm in &walls {
-            let fit = diameters.iter().filter(|d0| has_bore(**d0, wall_mm));
-            sections.extend(fit.map(|&outer_diameter_mm| Section {
-                tube: None,
-                rubber,
-                outer_diameter_mm,
-                wall_mm,
-            }));
+            sections.extend(diameters.iter().filter(|d0| has_bore(**d0, wall_mm)).map(
+                |&outer_diameter_mm| Section {
+                    tube: None,
+                    rubber,
+                    outer_diameter_mm,
+                    wall_mm,
+                },
+            ));
         }
     }
     sections
@@ -109,10 +110,10 @@ fn sections(spec: &Spec) -> Vec<Section> {
 
 fn braids(braid: &BraidChoice) -> Vec<BraidRule> {
     match braid {
-        BraidChoice::Angle(angles) => {
-            let angles = grid(angles, ANGLES);
-            angles.into_iter().map(BraidRule::Angle).collect()
-        }
+        BraidChoice::Angle(angles) => grid(angles, ANGLES)
+            .into_iter()
+            .map(BraidRule::Angle)
+            .collect(),
         BraidChoice::StrandLengthPerTurn(list) => {
             list.iter().copied().map(BraidRule::PerTurn).collect()
         }
@@ -153,8 +154,10 @@ fn grid(values: &Values, most: usize) -> Vec<f64> {
         Values::Interval(low, high) => (*low, *high),
     };
     let wide = (high - low) / most as f64;
-    let steps = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0];
-    let step = steps.into_iter().find(|step| *step >= wide).unwrap_or(wide);
+    let step = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|step| *step >= wide)
+        .unwrap_or(wide);
     let first = (low / step).floor() as i64 + 1;
     let between = (first..).map(|i| tidy(i as f64 * step, 6));
     let mut list = vec![low];
@@ -191,10 +194,12 @@ impl Place {
         };
         let braid = match (self.braid, &spec.braid) {
             (BraidRule::Angle(angle_deg), _) => angled(angle_deg),
-            (BraidRule::PerTurn(length_mm), _) => {
-                let sin = (std::f64::consts::PI * d0 / length_mm).min(1.0);
-                angled(sin.asin().to_degrees())
-            }
+            (BraidRule::PerTurn(length_mm), _) => angled(
+                (std::f64::consts::PI * d0 / length_mm)
+                    .min(1.0)
+                    .asin()
+                    .to_degrees(),
+            ),
             (BraidRule::Sleeve(i), BraidChoice::Sleeves(list)) => {
                 list[i].clone().on_diameter(d0)?
             }

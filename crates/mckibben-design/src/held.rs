@@ -198,8 +198,11 @@ impl Held {
             Objective::Pressure => [pressure_mpa, size],
             Objective::Air => [air, size],
             Objective::Chance => {
-                let missing = self.checks.iter().find(|c| c.limit == Limit::Force);
-                let missing = missing.map_or(0.0, |c| c.bound / c.value);
+                let missing = self
+                    .checks
+                    .iter()
+                    .find(|c| c.limit == Limit::Force)
+                    .map_or(0.0, |c| c.bound / c.value);
                 [self.chance.map_or(missing, |chance| 1.0 - chance), size]
             }
             Objective::BulgedDiameter => [size, mass_g.unwrap_or(0.0)],
@@ -242,8 +245,10 @@ fn ends_at(assessed: &mut Assessed<'_>, pressure_mpa: f64, precision: Precision)
     let Some(ends) = assessed.spec.ends else {
         return Ends::NONE;
     };
-    let blocked_n = assessed.evaluation().force_n(pressure_mpa, 0.0);
-    let blocked_n = blocked_n.unwrap_or(0.0).max(0.0);
-    let made = ends(assessed.muscle, blocked_n, pressure_mpa, precision);
-    made.unwrap_or(Ends::NONE)
+    let blocked_n = assessed
+        .evaluation()
+        .force_n(pressure_mpa, 0.0)
+        .unwrap_or(0.0)
+        .max(0.0);
+    ends(assessed.muscle, blocked_n, pressure_mpa, precision).unwrap_or(Ends::NONE)
 }

@@ -219,8 +219,10 @@ impl AtPoint<'_, '_> {
 
     /// The larger of the bulged tube and its ends, in mm.
     pub fn width_mm(&self) -> f64 {
-        let bulged_mm = self.response.bulged_diameter_mm.unwrap_or(0.0);
-        bulged_mm.max(self.ends.width_mm)
+        self.response
+            .bulged_diameter_mm
+            .unwrap_or(0.0)
+            .max(self.ends.width_mm)
     }
 }
 
@@ -250,8 +252,8 @@ pub static LIMITS: [LimitEntry; 8] = [
             if !(at.spec().limits.buckling && at.spec().wanted.extends()) {
                 return Ok(None);
             }
-            let column = ThickWall::between_ends(at.assessed.muscle);
-            let buckles_n = column.buckling_n(at.pressure_mpa, at.point.contraction)?;
+            let buckles_n = ThickWall::between_ends(at.assessed.muscle)
+                .buckling_n(at.pressure_mpa, at.point.contraction)?;
             Ok(Some((at.point.force_n.abs(), buckles_n / BUCKLING)))
         },
         missed: |value_n, bound_n, show| {
@@ -285,8 +287,10 @@ pub static LIMITS: [LimitEntry; 8] = [
         limit: Limit::BulgedDiameter,
         name: "the largest bulged diameter",
         numbers: |at| {
-            let bulged = at.response.bulged_diameter_mm;
-            Ok(bulged.zip(at.spec().limits.bulged_diameter_mm))
+            Ok(at
+                .response
+                .bulged_diameter_mm
+                .zip(at.spec().limits.bulged_diameter_mm))
         },
         missed: |value_mm, bound_mm, show| {
             let value_mm = (10.0 * value_mm).round() / 10.0;
@@ -319,8 +323,8 @@ pub static LIMITS: [LimitEntry; 8] = [
         // One is as wide as at the point, the other one as at rest.
         numbers: |at| {
             let rest_mm = at.assessed.muscle.outer_diameter_mm().max(at.ends.width_mm);
-            let room = room_on_pulley_mm(&at.spec().wanted, at.radius_mm, rest_mm);
-            Ok(room.map(|room_mm| (at.width_mm(), room_mm)))
+            Ok(room_on_pulley_mm(&at.spec().wanted, at.radius_mm, rest_mm)
+                .map(|room_mm| (at.width_mm(), room_mm)))
         },
         missed: |value_mm, bound_mm, show| {
             let value_mm = (10.0 * value_mm).round() / 10.0;
@@ -360,10 +364,7 @@ pub static LIMITS: [LimitEntry; 8] = [
     LimitEntry {
         limit: Limit::Mass,
         name: "the largest mass",
-        numbers: |at| {
-            let mass_g = all_g(at.assessed.muscle, at.ends, at.count);
-            Ok(mass_g.zip(at.spec().limits.mass_g))
-        },
+        numbers: |at| Ok(all_g(at.assessed.muscle, at.ends, at.count).zip(at.spec().limits.mass_g)),
         missed: |value_g, bound_g, _| {
             format!(
                 "{} g with its ends, at most {bound_g} g allowed",

@@ -216,8 +216,10 @@ pub fn relaxations(search: &Search<'_>) -> Vec<Relaxation> {
     let limits = crate::limits::LIMITS
         .iter()
         .map(|entry| Freed::Limit(entry.limit));
-    let of_pull = [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty];
-    let kinds: Vec<Freed> = of_pull.into_iter().chain(limits).collect();
+    let kinds: Vec<Freed> = [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty]
+        .into_iter()
+        .chain(limits)
+        .collect();
     let mut changes: Vec<Change> = kinds
         .into_iter()
         .filter_map(|freed| least(search, freed))
@@ -248,15 +250,13 @@ fn nearest<'a>(search: &'a Search<'_>, freed: Freed) -> Vec<&'a Held> {
 
 /// The smallest change that frees a requirement.
 fn least(search: &Search<'_>, freed: Freed) -> Option<Change> {
-    let near = nearest(search, freed);
-    let changes = threads::map(&near, |held| {
+    threads::map(&nearest(search, freed), |held| {
         let exact = search.exact(search.spec, held.job())?;
         proven(search, &exact, change(search, &exact, freed)?)
-    });
-    changes
-        .into_iter()
-        .flatten()
-        .min_by_number(|change| change.0)
+    })
+    .into_iter()
+    .flatten()
+    .min_by_number(|change| change.0)
 }
 
 /// All limits that are missed, moved together, of the closest muscles.
@@ -301,8 +301,10 @@ fn proven(search: &Search<'_>, held: &Held, change: Change) -> Option<Change> {
 fn change(search: &Search<'_>, held: &Held, freed: Freed) -> Option<Change> {
     let spec = search.spec;
     let of = |limit: Limit| {
-        let checks = held.checks.iter().filter(move |c| c.limit == limit);
-        checks.max_by_number(|c| c.excess())
+        held.checks
+            .iter()
+            .filter(move |c| c.limit == limit)
+            .max_by_number(|c| c.excess())
     };
     let wanted = spec.wanted.on_radius(held.radius_mm);
     match freed {
@@ -355,11 +357,12 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
     };
     let muscle = held.place.muscle(&spec).ok()?;
     let mut assessed = Assessed::new(&spec, search.models.decides(), &muscle).ok()?;
-    let wanted = spec
+    let points = spec
         .wanted
         .on_radius(held.radius_mm)
-        .times(1.0 / f64::from(held.count));
-    let points = wanted.points(muscle.length_mm()).into_owned();
+        .times(1.0 / f64::from(held.count))
+        .points(muscle.length_mm())
+        .into_owned();
     assessed.keep_strands(&points).ok()?;
     let mut needed_mpa = 0.0_f64;
     for q in &points {
@@ -369,8 +372,10 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
     match assessed.below.map(|below| below.by) {
         None => {
             let pressure_mpa = three_digits(needed_mpa / spec.supply_share, true);
-            let ask = (pressure_mpa / spec.max_pressure_mpa).ln();
-            Some((ask, Relaxation::MaxPressure { pressure_mpa }))
+            Some((
+                (pressure_mpa / spec.max_pressure_mpa).ln(),
+                Relaxation::MaxPressure { pressure_mpa },
+            ))
         }
         Some(Strands | Mesh | Bladder | Ends) if is_within => {
             let burst_margin = margin_at(&assessed, RELIEF * needed_mpa)?;
@@ -382,8 +387,12 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
         Some(FailureMode::StrandStrain) if is_within => {
             let mut strain = 0.0_f64;
             for contraction in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
-                let at = assessed.strand_strain(needed_mpa, contraction).ok()?;
-                strain = strain.max(at.unwrap_or(0.0));
+                strain = strain.max(
+                    assessed
+                        .strand_strain(needed_mpa, contraction)
+                        .ok()?
+                        .unwrap_or(0.0),
+                );
             }
             let strand_strain = three_digits(strain, true);
             let ask = (strand_strain / spec.limits.strand_strain?).ln();
@@ -397,8 +406,13 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
 fn margin_at(assessed: &Assessed<'_>, most_mpa: f64) -> Option<f64> {
     let margins = assessed.burst.modes().into_iter().filter_map(|(by, at)| {
         let least = Some(at.least_mpa()?).filter(|p| *p < PROVED * most_mpa);
-        let failure_mpa = at.mpa().unwrap_or(f64::INFINITY);
-        Some(failure_mpa.min(least.unwrap_or(f64::INFINITY)) / by.share() / most_mpa)
+        Some(
+            at.mpa()
+                .unwrap_or(f64::INFINITY)
+                .min(least.unwrap_or(f64::INFINITY))
+                / by.share()
+                / most_mpa,
+        )
     });
     margins.reduce(f64::min)
 }

@@ -235,8 +235,12 @@ impl Spec {
     pub fn of_parts(mut self) -> Result<Self, SpecError> {
         let usual =
             |tube: &&TubePart| !tube.is_cast || tube.rubber.name.as_deref() == Some(CAST_RUBBER);
-        let tubes = tubes::catalogue().map_err(|e| SpecError::Refused(e.to_string()))?;
-        self.tubes = tubes.iter().filter(usual).cloned().collect();
+        self.tubes = tubes::catalogue()
+            .map_err(|e| SpecError::Refused(e.to_string()))?
+            .iter()
+            .filter(usual)
+            .cloned()
+            .collect();
         let sleeves = sleeve::library::entries().map_err(|e| SpecError::Refused(e.message))?;
         // Each on the least tube that it fits; the search lays it on others.
         let on_least = |entry: &SleeveEntry| entry.sleeve.on(entry.sleeve.diameters().0);
@@ -311,8 +315,10 @@ impl Spec {
             ));
         }
         let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
-        let some = self.length_mm.as_ref().map_or(1.0, count);
-        let all = sections * some * braids * self.rubbers.len().max(1) as f64;
+        let all = sections
+            * self.length_mm.as_ref().map_or(1.0, count)
+            * braids
+            * self.rubbers.len().max(1) as f64;
         if all > 1e6 {
             return Err(SpecError::Refused(format!(
                 "{all:.3e} combinations are too many; at most 1 million: take larger steps or \
@@ -422,10 +428,10 @@ impl Spec {
                             .angle_deg,
                     )
                 };
-                let all = list
-                    .iter()
-                    .flat_map(|b| self.tubes.iter().map(move |t| on(b, t)));
-                all.flatten().collect()
+                list.iter()
+                    .flat_map(|b| self.tubes.iter().map(move |t| on(b, t)))
+                    .flatten()
+                    .collect()
             }
             _ => vec![],
         };

@@ -91,10 +91,10 @@ pub fn find(tubes: &[TubePart], name: &str) -> Result<TubePart, TubeError> {
     let cast =
         rubber.and_then(|rubber| cast_of(rubber).ok()?.into_iter().find(|t| t.name == plain));
     cast.ok_or_else(|| {
-        let near = mckibben_core::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str()));
-        let known = near.map_or("; `parts list tubes` lists them".into(), |n| {
-            format!(" (did you mean {n}?)")
-        });
+        let known = mckibben_core::nearest::nearest(&plain, tubes.iter().map(|t| t.name.as_str()))
+            .map_or("; `parts list tubes` lists them".into(), |n| {
+                format!(" (did you mean {n}?)")
+            });
         TubeError(format!("there is no tube named \"{name:.60}\"{known}"))
     })
 }
@@ -119,8 +119,11 @@ fn file(text: &str) -> Result<PartsFile, TubeError> {
 /// The tubes of a table.
 pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = file(text)?;
-    let listed = file.tube.into_iter().map(|row| listed(row, &file.sources));
-    let mut out = listed.collect::<Result<Vec<_>, _>>()?;
+    let mut out = file
+        .tube
+        .into_iter()
+        .map(|row| listed(row, &file.sources))
+        .collect::<Result<Vec<_>, _>>()?;
     for row in &file.cast {
         for rubber in &row.rubbers {
             out.extend(cast(row, &file.sources, rubber)?);
@@ -152,15 +155,19 @@ pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
 fn cast(row: &CastRow, sources: &Sources, rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let source = sources.source_and_terms(row.source.as_deref()).0;
     let pairs = row.bores.iter().flat_map(|&bore| {
-        let walls = row.walls.iter();
-        walls.map(move |&wall| (f64::from(bore), f64::from(wall)))
+        row.walls
+            .iter()
+            .map(move |&wall| (f64::from(bore), f64::from(wall)))
     });
     let one = |(bore, wall): (f64, f64)| {
         let outer = bore + 2.0 * wall;
-        let name = format!("cast-{bore}x{outer}-{rubber}");
         Ok(TubePart {
             is_cast: true,
-            ..part((name, bore, outer), rubber, source)?
+            ..part(
+                (format!("cast-{bore}x{outer}-{rubber}"), bore, outer),
+                rubber,
+                source,
+            )?
         })
     };
     pairs

@@ -323,11 +323,10 @@ const RIDGE: f64 = 3e-5;
 
 fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
     let high = form.contraction_high;
-    let n = form.contractions.len();
     let spline = Spline {
         low: form.contraction_low,
         high,
-        inner: form.contractions[1..n - 1].to_vec(),
+        inner: form.contractions[1..form.contractions.len() - 1].to_vec(),
     };
     let mut rows: Vec<Row> = vec![];
     for p in at {
@@ -506,10 +505,9 @@ fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
     }
     let scale = peak(known.iter().map(|k| k.1.abs()));
     // Of a muscle that pulls from a higher pressure on, the points do not determine all of them.
-    let of_points = known
+    let rows: Vec<Row> = known
         .iter()
-        .map(|k| (functions(k.0).0.to_vec(), k.1 / scale, 1.0));
-    let rows: Vec<Row> = of_points
+        .map(|k| (functions(k.0).0.to_vec(), k.1 / scale, 1.0))
         .chain((2..FUNCTIONS).map(|i| ridge(i, FUNCTIONS)))
         .collect();
     let solved = least_squares(&rows, 0).ok_or(ExportError::Points(known.len()))?;

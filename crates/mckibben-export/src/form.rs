@@ -112,8 +112,9 @@ impl Form {
     /// The pull that the form gives, negative where the muscle would have to push, and its slope in
     /// ε; pressure in Pa.
     pub fn two_sided_n(&self, pressure_pa: f64, contraction: f64) -> (f64, f64) {
-        let nodes = self.nodes();
-        let state = self.muscle(&nodes, true).state(pressure_pa, contraction);
+        let state = self
+            .muscle(&self.nodes(), true)
+            .state(pressure_pa, contraction);
         (state.pull, state.slope_in_contraction())
     }
 
@@ -169,8 +170,8 @@ impl Form {
     /// The contraction at which the pull is `force_n` at a pressure in Pa; along the tangent outside
     /// of the box.
     pub fn contraction(&self, force_n: f64, pressure_pa: f64) -> f64 {
-        let nodes = self.nodes();
-        let muscle = self.muscle(&nodes, true);
-        muscle.contraction_and_status(force_n, pressure_pa).0
+        self.muscle(&self.nodes(), true)
+            .contraction_and_status(force_n, pressure_pa)
+            .0
     }
 }

@@ -60,8 +60,8 @@ impl ExportedJoint {
         for (i, (&model, held)) in models.iter().zip(joint.muscles()).enumerate() {
             let states = Vec::from_iter(states(joint, i));
             // Short enough that what tells the muscles apart stays in their identifiers.
-            let name = format!("{name:.36}_{}", i + 1);
-            let mut muscle = fit_muscle(model, &name, supply_mpa, &states)?;
+            let mut muscle =
+                fit_muscle(model, &format!("{name:.36}_{}", i + 1), supply_mpa, &states)?;
             let neutral_m = muscle.form.length_m * (1.0 - held.contraction_at_neutral);
             muscle.cord_m = 1e-3 * held.path.length_mm(0.0) - neutral_m;
             let arm_m = peak(states.iter().map(|s| 1e-3 * s.1.arm_mm.abs()));
@@ -113,8 +113,10 @@ impl ExportedJoint {
             ),
         ];
         facts.extend(self.muscles.iter().flat_map(|muscle| {
-            let facts = muscle.facts();
-            facts.into_iter().filter(|fact| !fact.contains("against"))
+            muscle
+                .facts()
+                .into_iter()
+                .filter(|fact| !fact.contains("against"))
         }));
         facts
     }

@@ -156,8 +156,9 @@ impl ExportedMuscle {
             )));
         }
         if !form.pulls_again().is_empty() {
-            let again = "behind its free contraction the form pulls again";
-            return Err(ExportError::Misses(again.into()));
+            return Err(ExportError::Misses(
+                "behind its free contraction the form pulls again".into(),
+            ));
         }
         let muscle_file = to_toml(model.muscle());
         let version = env!("CARGO_PKG_VERSION");

@@ -141,10 +141,9 @@ impl Command {
     pub fn value_within(&self, time_s: f64, within: f64) -> f64 {
         match self {
             Self::Constant(value) => *value,
-            Self::Steps(points) => {
-                let after = points.partition_point(|p| p.0 <= within);
-                points.get(after.saturating_sub(1)).map_or(0.0, |p| p.1)
-            }
+            Self::Steps(points) => points
+                .get(points.partition_point(|p| p.0 <= within).saturating_sub(1))
+                .map_or(0.0, |p| p.1),
             Self::Ramps(points) => {
                 let after = points.partition_point(|p| p.0 <= within);
                 let last = points.len().saturating_sub(1);

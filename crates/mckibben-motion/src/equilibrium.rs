@@ -154,8 +154,12 @@ impl System {
             // Syringes are full, and the muscles without pressure.
             Commanded::Volume(commands) => {
                 for command in commands {
-                    let start = command.value(0.0);
-                    within("the commanded volume at the start in mm³", start, 0.0, 0.0)?;
+                    within(
+                        "the commanded volume at the start in mm³",
+                        command.value(0.0),
+                        0.0,
+                        0.0,
+                    )?;
                 }
                 self.rests_at(self.stated_or(vec![0.0; self.members.len()]))
             }

@@ -131,8 +131,7 @@ impl System {
                 (None, Some(now)) => self.command(t, i, None) - now.gauge_mpa(),
                 (None, None) => continue,
             };
-            let valve = (hysteresis_mpa, closed_centre);
-            guards.extend(self.switches(i, valve, mode.switch, signal));
+            guards.extend(self.switches(i, (hysteresis_mpa, closed_centre), mode.switch, signal));
         }
         Ok(guards)
     }

@@ -463,8 +463,11 @@ impl Stepper {
             return f64::NAN;
         };
         if size(&error, allowed) >= 1.0 && (self.last.is_none() || self.is_rejected) {
-            let rates = self.rates_at(equations, self.t, &error);
-            error = estimate(&implicit(&rates, allowed.len())).unwrap_or(error);
+            error = estimate(&implicit(
+                &self.rates_at(equations, self.t, &error),
+                allowed.len(),
+            ))
+            .unwrap_or(error);
         }
         size(&error, allowed).max(1e-10)
     }

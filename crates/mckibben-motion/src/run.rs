@@ -139,8 +139,13 @@ impl<'s> Integration<'s> {
 
     fn integrate(&mut self) -> Result<()> {
         let drive = &self.system.drive;
-        let commands = drive.target.commands().iter().chain([&drive.external]);
-        let mut ends: Vec<f64> = commands.flat_map(Command::breakpoints).collect();
+        let mut ends: Vec<f64> = drive
+            .target
+            .commands()
+            .iter()
+            .chain([&drive.external])
+            .flat_map(Command::breakpoints)
+            .collect();
         ends.extend(self.cycle.as_ref().map(|c| c.from_s));
         let until = drive.until_s;
         ends.retain(|t| *t > 0.0 && *t < until);
@@ -247,8 +252,9 @@ impl<'s> Integration<'s> {
                 }
                 let h = method.next_step();
                 if h.is_nan() || h < shortest {
-                    let ended = self.ended_after(h, "the step has become too small");
-                    return Err(failed.unwrap_or(ended));
+                    return Err(
+                        failed.unwrap_or(self.ended_after(h, "the step has become too small"))
+                    );
                 }
                 continue;
             }

@@ -221,9 +221,10 @@ impl Simulation {
         let mut drive = self.system.drive.clone();
         let step_s = drive.output_step_s;
         let steps = |k: usize| {
-            let values = given.iter().enumerate();
             Command::Steps(
-                values
+                given
+                    .iter()
+                    .enumerate()
                     .map(|(i, step)| (step_s * i as f64, step[k]))
                     .collect(),
             )
@@ -343,8 +344,9 @@ impl Simulation {
             };
             (mode.slack, mode.sign) = (slack != 0.0, sign);
             mode.above = [allowed, burst].map(|is_above| is_above != 0.0);
-            let all = [Switch::Fill, Switch::Hold, Switch::Vent];
-            mode.switch = all.into_iter().find(|s| f64::from(*s as u8) == switch)?;
+            mode.switch = [Switch::Fill, Switch::Hold, Switch::Vent]
+                .into_iter()
+                .find(|s| f64::from(*s as u8) == switch)?;
             let turns = take(turns as usize)?;
             mode.presliding = mode.presliding.as_ref().map(|p| p.remembering(turns));
             let &[count] = take(1)? else { return None };

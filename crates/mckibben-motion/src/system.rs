@@ -325,8 +325,7 @@ fn add_flows(totals: &mut Totals, medium: &dyn Medium, fluid: &FluidRates, cavit
     totals.enthalpy_in += absolute_mpa * pushed;
     totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
     totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
-    let flows = [fluid.supply, fluid.exhaust];
-    totals.heat += medium.heat_mw(fluid.pressure_rate, cavity, &flows);
+    totals.heat += medium.heat_mw(fluid.pressure_rate, cavity, &[fluid.supply, fluid.exhaust]);
     totals.gas_work += absolute_mpa * swelling;
 }
 

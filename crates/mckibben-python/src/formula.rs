@@ -26,11 +26,11 @@ impl Formula {
             .map_err(|e| Wrong::from(Problem::from(e.in_file(Path::new(&name)))));
         match read? {
             Document::Section(formula) => Ok(Self { formula: *formula }),
-            Document::Universal(_) => {
-                let message = "a universal formula needs the whole muscle";
-                let problem = Problem::usage(message, "ask its model of a muscle");
-                Err(Wrong::from(problem).into())
-            }
+            Document::Universal(_) => Err(Wrong::from(Problem::usage(
+                "a universal formula needs the whole muscle",
+                "ask its model of a muscle",
+            ))
+            .into()),
         }
     }
 
@@ -66,11 +66,12 @@ impl Formula {
                     if nan {
                         continue;
                     }
-                    let message =
-                        format!("{value} is outside of the formula's range, {low} to {high}");
-                    let hint = "extrapolate=True computes it all the same";
-                    let problem =
-                        Problem::new(ProblemKind::OutOfRange, message, hint).in_field(field);
+                    let problem = Problem::new(
+                        ProblemKind::OutOfRange,
+                        format!("{value} is outside of the formula's range, {low} to {high}"),
+                        "extrapolate=True computes it all the same",
+                    )
+                    .in_field(field);
                     return Err(Wrong::Problem(problem, Some(index)));
                 }
                 let force = self.formula.force_n(d, s, p, e);

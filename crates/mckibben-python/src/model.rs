@@ -29,8 +29,9 @@ impl Model {
 
     /// Lowest and highest pressure in MPa of the model, at most the allowed one, and contraction.
     fn bounds(&self, py: Python<'_>) -> PyResult<[(f64, f64); 2]> {
-        let limits = run::quick(py, |_| Ok(self.bound.limits()?))?;
-        let allowed = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
+        let allowed = run::quick(py, |_| Ok(self.bound.limits()?))?
+            .allowed_pressure_mpa
+            .unwrap_or(f64::INFINITY);
         let range = &self.bound.info().range;
         let (low, high) = range.pressure_mpa;
         let (least, most) = range.contraction;
@@ -61,8 +62,12 @@ impl Model {
                 }
                 Err(problem) => Err(Wrong::Problem(problem, Some(index))),
             };
-            let rows = answers.enumerate().map(row);
-            Ok(json!(rows.collect::<Result<Vec<_>, _>>()?))
+            Ok(json!(
+                answers
+                    .enumerate()
+                    .map(row)
+                    .collect::<Result<Vec<_>, _>>()?
+            ))
         };
         value::answer(py, &self.work(py, points.len(), progress, work)?)
     }
@@ -85,8 +90,11 @@ impl Model {
         warnings: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Vec<String>> {
-        let parameters = parameters.iter().map(|name| self.bound.parameter(name));
-        let parameters = parameters.collect::<Result<_, _>>().map_err(Wrong::from)?;
+        let parameters = parameters
+            .iter()
+            .map(|name| self.bound.parameter(name))
+            .collect::<Result<_, _>>()
+            .map_err(Wrong::from)?;
         let many = Many {
             wanted: named(wanted).unwrap_or_default(),
             slopes,
@@ -132,8 +140,8 @@ impl Model {
     ) -> PyResult<Vec<String>> {
         let numbers = places.len();
         let work = |progress: &dyn Progress| Ok(self.bound.fill(pairs, many, places, progress)?);
-        let said = self.work(py, numbers, progress, work)?;
-        Ok(said
+        Ok(self
+            .work(py, numbers, progress, work)?
             .iter()
             .map(|warning| warning.to_string().replace('\u{a0}', " "))
             .collect())

@@ -72,8 +72,9 @@ impl Muscle {
         let request = request::given(py, "check", request)?;
         run::quick(py, |_| {
             let question: QuestionFields = understood(&request)?;
-            let made = question.muscle.resolve();
-            Ok(made
+            Ok(question
+                .muscle
+                .resolve()
                 .map_err(|problem| blamed(problem, &request["muscle"]))?
                 .into())
         })
@@ -88,10 +89,10 @@ impl Muscle {
 
     /// Constants and measures by which a model has derivatives, with their values.
     fn parameters(&self) -> Vec<(String, f64)> {
-        let all = Target::all(&self.held)
+        Target::all(&self.held)
             .into_iter()
-            .filter(|target| *target != Target::Modulus);
-        all.filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?)))
+            .filter(|target| *target != Target::Modulus)
+            .filter_map(|t| Some((t.name(&self.held), t.value(&self.held)?)))
             .collect()
     }
 
@@ -111,9 +112,10 @@ impl Muscle {
             Err(Wrong::from(problem).into())
         };
         if let Some(none) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
-            let message =
-                format!("a stretch of {none}: it is the length over that at rest, above 0");
-            return wrong("stretch", message);
+            return wrong(
+                "stretch",
+                format!("a stretch of {none}: it is the length over that at rest, above 0"),
+            );
         }
         let stress: fn(&_, f64) -> f64 = match mode {
             "uniaxial" => RubberLaw::uniaxial_stress_mpa,

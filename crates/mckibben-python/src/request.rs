@@ -69,11 +69,10 @@ fn stated(text: &str, kind: Dimension) -> Result<(), Problem> {
     if kind == Dimension::Ratio || !bare {
         return Ok(());
     }
-    let hint = format!("expected {}", kind.expectation());
     Err(Problem::new(
         ProblemKind::Quantity,
         format!("\"{text}\" has no unit"),
-        hint,
+        format!("expected {}", kind.expectation()),
     ))
 }
 
@@ -109,11 +108,11 @@ impl<'a> Reading<'a> {
     /// A schema without its reference, and the name of that.
     fn resolved(&self, schema: &'a Value) -> (&'a Value, &'a str) {
         let options = schema["anyOf"].as_array().into_iter().flatten();
-        let reference = std::iter::once(schema)
+        std::iter::once(schema)
             .chain(options)
             .find_map(|part| part["$ref"].as_str())
-            .and_then(|path| path.rsplit('/').next());
-        reference.map_or((schema, ""), |name| (&self.root["$defs"][name], name))
+            .and_then(|path| path.rsplit('/').next())
+            .map_or((schema, ""), |name| (&self.root["$defs"][name], name))
     }
 
     fn value(&mut self, name: &str, schema: &'a Value, value: &mut Value) -> Result<(), Problem> {

@@ -68,10 +68,12 @@ pub fn long<T: Send>(
                 .stack_size(STACK_BYTES)
                 .spawn_scoped(scope, body);
             if let Err(error) = started {
-                let message = format!("cannot start a thread: {error}");
-                return Err(
-                    Problem::new(ProblemKind::Internal, message, "end other programs").into(),
-                );
+                return Err(Problem::new(
+                    ProblemKind::Internal,
+                    format!("cannot start a thread: {error}"),
+                    "end other programs",
+                )
+                .into());
             }
             let mut raised = None;
             let mut reported = (0, 0);
@@ -93,8 +95,12 @@ pub fn long<T: Send>(
                         }
                     }
                     Err(RecvTimeoutError::Disconnected) => {
-                        let message = "the work ended without an answer";
-                        break Err(Problem::new(ProblemKind::Internal, message, "").into());
+                        break Err(Problem::new(
+                            ProblemKind::Internal,
+                            "the work ended without an answer",
+                            "",
+                        )
+                        .into());
                     }
                 }
             };

@@ -22,7 +22,8 @@ pub fn page_html(
             let request: BuildRequest = understood(&request)?;
             build(&request, progress)?.document.unwrap_or_default()
         };
-        let html = document.to_html(&mckibben_web::viewer());
-        html.map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), "").into())
+        document
+            .to_html(&mckibben_web::viewer())
+            .map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), "").into())
     })
 }

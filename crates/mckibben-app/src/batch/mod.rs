@@ -155,8 +155,9 @@ impl BoundModel {
             return Ok(*known);
         }
         let burst = burst_of(&self.choice, &*self.model)?;
-        let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
-        let highest_mpa = allowed_mpa
+        let highest_mpa = burst
+            .allowed()
+            .map_or(f64::INFINITY, |allowed| allowed.mpa)
             .min(measured_up_to_mpa(self.muscle()))
             .min(self.info().range.pressure_mpa.1);
         let choice = if self.is_elements() {
@@ -173,8 +174,10 @@ impl BoundModel {
         };
         let quiet = [1.0, 0.5, 0.25].into_iter().find_map(|share| {
             let p = share * highest_mpa;
-            let probed = [0.0, 0.1, 0.2, 0.25, 0.3, 0.35].into_iter();
-            let e = probed.take_while(|e| is_quiet(p, *e)).last()?;
+            let e = [0.0, 0.1, 0.2, 0.25, 0.3, 0.35]
+                .into_iter()
+                .take_while(|e| is_quiet(p, *e))
+                .last()?;
             (e > 0.1).then_some((p, e))
         });
         Ok(*self
@@ -209,11 +212,12 @@ impl BoundModel {
     ) -> Result<Vec<Warning>, ArrayError> {
         let (width, [count, other]) = (many.width(), pairs.map(<[f64]>::len));
         if count != other || count.checked_mul(width) != Some(out.len()) {
-            let message = format!(
-                "{count} and {other} numbers for {} places of {width}",
-                out.len()
-            );
-            return Err(ProblemKind::Usage.problem(message).into());
+            return Err(ProblemKind::Usage
+                .problem(format!(
+                    "{count} and {other} numbers for {} places of {width}",
+                    out.len()
+                ))
+                .into());
         }
         let quiet = many.warnings.then(|| self.quiet()).transpose()?;
         let share = if self.is_elements() {
@@ -249,8 +253,14 @@ impl BoundModel {
             Threads::shared().fill(out, share * width, work)
         }
         progress.check().map_err(Problem::from)?;
-        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let said = found.into_values().collect::<Result<Vec<_>, _>>()?;
-        Ok(Warning::gravest(said.iter().flatten()))
+        Ok(Warning::gravest(
+            found
+                .into_inner()
+                .unwrap_or_else(PoisonError::into_inner)
+                .into_values()
+                .collect::<Result<Vec<_>, _>>()?
+                .iter()
+                .flatten(),
+        ))
     }
 }

@@ -60,8 +60,10 @@ impl BoundModel {
                 Ok(()) => answered = true,
                 // Work that is to end says so of every point.
                 Err(problem) if !many.nan || cancel::check().is_err() => {
-                    let index = Some(from + index);
-                    return Err(ArrayError { index, problem });
+                    return Err(ArrayError {
+                        index: Some(from + index),
+                        problem,
+                    });
                 }
                 Err(_) => places.fill(f64::NAN),
             }

@@ -40,8 +40,11 @@ const HEADINGS: [(FindingKind, &str, &str); 4] = [
 impl Show for CheckAnswer {
     /// The others are among the findings.
     fn warnings(&self) -> Vec<Warning> {
-        let of_burst = self.warnings.iter().filter(|w| w.is_of_burst());
-        of_burst.cloned().collect()
+        self.warnings
+            .iter()
+            .filter(|w| w.is_of_burst())
+            .cloned()
+            .collect()
     }
 
     fn page(&self, u: &Units) -> Page {

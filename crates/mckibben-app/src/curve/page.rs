@@ -50,8 +50,10 @@ impl CurveAnswer {
 
     /// What the ± are, and the parts of the largest of the pull.
     fn half_widths(&self, page: &mut Page, u: &Units) {
-        let answers = self.points().filter_map(|q| q.answer.as_ref().ok());
-        let of_pull = answers.filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
+        let of_pull = self
+            .points()
+            .filter_map(|q| q.answer.as_ref().ok())
+            .filter_map(|a| a.uncertainty_parts_n.filter(|_| !a.slack));
         if let Some(largest) = of_pull.max_by_number(|a| a.total()) {
             page.paragraph("medians, ±: 95 %, of a muscle that is built");
             let parts = breakdown(&largest, &u.force);
@@ -78,8 +80,11 @@ impl CurveAnswer {
             } else {
                 String::new()
             };
-            let amounts = curve.points.iter().map(|q| computed(self.test, q));
-            let amounts: Vec<Amount> = amounts.collect();
+            let amounts: Vec<Amount> = curve
+                .points
+                .iter()
+                .map(|q| computed(self.test, q))
+                .collect();
             table = table.with(Column::of(&(label + &branch), &scale.digits(4), &amounts));
         }
         table
@@ -113,8 +118,10 @@ impl Show for StudyAnswer {
         let mut page = Page::of(self, u, &["points"]);
         let curve = self.panels.first().and_then(|panel| panel.curves.first());
         let points = curve.map_or(1, |curve| curve.curve.points.len());
-        let ends = study_rows(&self.panels).skip(points - 1).step_by(points);
-        let ends: Vec<StudyRow> = ends.collect();
+        let ends: Vec<StudyRow> = study_rows(&self.panels)
+            .skip(points - 1)
+            .step_by(points)
+            .collect();
         page.list(
             "",
             &ends,

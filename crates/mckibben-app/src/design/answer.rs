@@ -380,8 +380,8 @@ impl From<&Rejected> for RejectedAnswer {
 /// is not stated.
 pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
     let closest = outcome.rejected.first();
-    let missing = closest.and_then(|closest| Burst::missing(&closest.muscle));
-    missing
+    closest
+        .and_then(|closest| Burst::missing(&closest.muscle))
         .map(|why| Burst::unknown(why).warnings(max_pressure_mpa))
         .unwrap_or_default()
 }

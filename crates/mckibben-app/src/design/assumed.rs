@@ -117,8 +117,11 @@ impl Stated {
 
 /// What friction takes off the pull of a model, where it is estimated.
 fn friction(winner: &Candidate) -> Option<String> {
-    let point = winner.points.iter().filter(|q| q.friction_n != 0.0);
-    let point = point.max_by_number(|a| a.friction_n.abs())?;
+    let point = winner
+        .points
+        .iter()
+        .filter(|q| q.friction_n != 0.0)
+        .max_by_number(|a| a.friction_n.abs())?;
     let estimated = winner.muscle.friction().is_none();
     let moves = if point.friction_n < 0.0 {
         "shortens: friction takes"

@@ -49,8 +49,10 @@ impl DesignRequest {
         };
         let frequency_hz = above_zero(ProblemKind::Range, "cycle_hz", frequency)?;
         if matches!(spec.wanted, Demand::Joint(_)) || spec.liquid.is_some() {
-            let message = "`cycle_hz` sizes the valve of muscles that air fills, without a joint";
-            return Err(Problem::usage(message, "`motion` computes a drive"));
+            return Err(Problem::usage(
+                "`cycle_hz` sizes the valve of muscles that air fills, without a joint",
+                "`motion` computes a drive",
+            ));
         }
         let force_n = peak(winner.points.iter().map(|q| q.wanted.force_n));
         let step = StepFields {
@@ -77,14 +79,14 @@ impl DesignRequest {
             Err(problem) => (None, Some(problem.message)),
         };
         let size = |v: &&NamedValve| v.supply.conductance_l_per_s_bar;
-        let enough = valves()
+        let valve = valves()
             .iter()
-            .filter(|v| needed.is_some_and(|c| size(v) >= c));
-        let valve = enough.min_by_number(size);
-        let stroke = winner.largest(|q| q.air_normal_litres);
+            .filter(|v| needed.is_some_and(|c| size(v) >= c))
+            .min_by_number(size);
         Ok(Some(CycleAnswer {
             frequency_hz,
-            air_normal_litres_per_min: stroke
+            air_normal_litres_per_min: winner
+                .largest(|q| q.air_normal_litres)
                 .map(|litres| 60.0 * frequency_hz * litres * f64::from(winner.count)),
             sonic_conductance_l_per_s_bar: needed,
             valve: valve.map(|v| v.name.clone()),
@@ -98,8 +100,8 @@ impl CycleAnswer {
     pub(super) fn line(&self) -> String {
         let air = self
             .air_normal_litres_per_min
-            .map(|litres| number(litres, 3));
-        let air = air.map_or_else(String::new, |l| format!(": {l} normal L of air a minute"));
+            .map(|litres| number(litres, 3))
+            .map_or_else(String::new, |l| format!(": {l} normal L of air a minute"));
         let valve = match (self.sonic_conductance_l_per_s_bar, &self.valve) {
             (Some(c), Some(name)) => {
                 format!("; a valve of {} L/(s bar) or more ({name})", number(c, 3))

@@ -42,15 +42,17 @@ impl Decision<'_> {
         let Some(first) = self.found.candidates.first() else {
             return self.best_chances().into_iter().collect();
         };
-        let lines = [
+        [
             Some(self.what_to_take(first)),
             Some(pressures_to_set(first)),
             never_above(first),
             Some(self.pulls(first)),
             self.measure(first),
             Some(limit(first)),
-        ];
-        lines.into_iter().flatten().collect()
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
     }
 
     /// That nothing reaches the certainty, and what comes closest to it.
@@ -169,14 +171,19 @@ impl Decision<'_> {
     fn measure(&self, first: &Candidate) -> Option<String> {
         let words = self.words?;
         let half_n = first.largest(|q| q.uncertainty_n);
-        let best = words.worth().next().zip(half_n).zip(first.chance);
-        let then = best.map(|((left, half_n), chance)| {
-            let z = normal_deviations(chance) * half_n / left.uncertainty_n;
-            format!(
-                "; where it is as expected, {} then",
-                in_words(normal_share(z))
-            )
-        });
+        let then =
+            words
+                .worth()
+                .next()
+                .zip(half_n)
+                .zip(first.chance)
+                .map(|((left, half_n), chance)| {
+                    let z = normal_deviations(chance) * half_n / left.uncertainty_n;
+                    format!(
+                        "; where it is as expected, {} then",
+                        in_words(normal_share(z))
+                    )
+                });
         Some(format!(
             "Measure {}{}",
             words.bench.as_ref()?,
@@ -236,8 +243,11 @@ fn parts(c: &Candidate) -> String {
     let outer_mm = m.outer_diameter_mm();
     let [bore, outer] = [outer_mm - 2.0 * m.wall_mm(), outer_mm].map(|mm| number(mm, 4));
     let rubber = crate::words::rubber_name(m);
-    let name = c.tube.as_ref().map(|name| format!(" ({name})"));
-    let name = name.unwrap_or_default();
+    let name = c
+        .tube
+        .as_ref()
+        .map(|name| format!(" ({name})"))
+        .unwrap_or_default();
     let sleeve = match &m.braid().sleeve {
         Some(sleeve) => format!("sleeve {}", sleeve.name),
         None => format!("braid at {}°", number(m.braid().angle_deg, 4)),
@@ -253,16 +263,20 @@ fn pressures_to_set(first: &Candidate) -> String {
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
     let show_mpa = |p: f64| Units::default().show(Dimension::Pressure, p);
     let set = show_mpa(tidy(set_mpa, digits).min(rounded(highest_mpa, 4, f64::floor)));
-    let ends = first.pressure_low_mpa.zip(first.pressure_high_mpa);
-    let ends = ends.map(|(low, high)| {
-        let [low, high] = [low, high].map(|p| show(Dimension::Pressure, p));
-        format!(
-            "; nine of ten end between {low} and {high}: hang the load, raise it until it lifts"
-        )
-    });
+    let ends = first
+        .pressure_low_mpa
+        .zip(first.pressure_high_mpa)
+        .map(|(low, high)| {
+            let [low, high] = [low, high].map(|p| show(Dimension::Pressure, p));
+            format!(
+                "; nine of ten end between {low} and {high}: hang the load, raise it until it lifts"
+            )
+        });
     let allowed_mpa = PressureLimits::from(&first.burst).allowed_pressure_mpa;
-    let used_mpa = set_mpa.max(first.pressure_high_mpa.unwrap_or(0.0));
-    let relief = show_mpa(relief_mpa(used_mpa, allowed_mpa.unwrap_or(f64::INFINITY)));
+    let relief = show_mpa(relief_mpa(
+        set_mpa.max(first.pressure_high_mpa.unwrap_or(0.0)),
+        allowed_mpa.unwrap_or(f64::INFINITY),
+    ));
     format!(
         "Set {set} to begin with{}; relief valve at {relief}",
         ends.unwrap_or_default()
@@ -273,8 +287,14 @@ fn pressures_to_set(first: &Candidate) -> String {
 fn never_above(first: &Candidate) -> Option<String> {
     let limits = PressureLimits::from(&first.burst);
     let highest_mpa = first.highest_pressure_mpa;
-    let allowed_mpa = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
-    let most_mpa = rounded(allowed_mpa.min(RELIEF * highest_mpa), 4, f64::floor);
+    let most_mpa = rounded(
+        limits
+            .allowed_pressure_mpa
+            .unwrap_or(f64::INFINITY)
+            .min(RELIEF * highest_mpa),
+        4,
+        f64::floor,
+    );
     let most = Units::default().show(Dimension::Pressure, most_mpa);
     let below = first
         .below

@@ -60,8 +60,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     }
     if let (Some(unit), false) = (&request.figure, answer.candidates.is_empty()) {
         let decide = |m: &Muscle| policy.model.bound(m);
-        let is_model_named = request.model.name.is_some();
-        answer.figure = Some(draw((spec, is_model_named), &decide, &found, unit)?);
+        answer.figure = Some(draw(
+            (spec, request.model.name.is_some()),
+            &decide,
+            &found,
+            unit,
+        )?);
     }
     Ok(answer)
 }
@@ -129,8 +133,10 @@ fn warnings(spec: &Spec, found: &Outcome) -> Result<Vec<Warning>> {
     // Where no pitch is given they touch just where they are required to pull.
     let bundle = found.bundle.as_ref().filter(|_| spec.pitch_mm.is_some());
     warnings.extend(bundle.and_then(|bundle| touches(bundle, winner)));
-    let highest_mpa = winner.highest_pressure_mpa;
-    warnings.extend(Warning::not_measured(&winner.muscle, highest_mpa));
+    warnings.extend(Warning::not_measured(
+        &winner.muscle,
+        winner.highest_pressure_mpa,
+    ));
     Ok(warnings)
 }
 
@@ -158,10 +164,10 @@ fn draw(
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> = drawn
         .map(|c| Ok((c, build(&c.muscle)?)))
         .collect::<Result<_, ModelError>>()?;
-    let points = found
+    let points: Vec<OperatingPoint> = found
         .candidates
         .first()
-        .map(|c| c.points.iter().map(|q| q.wanted).collect());
-    let points: Vec<OperatingPoint> = points.unwrap_or_default();
+        .map(|c| c.points.iter().map(|q| q.wanted).collect())
+        .unwrap_or_default();
     Ok(figure::design(&drawn, &points, options, unit))
 }

@@ -150,19 +150,19 @@ impl CandidateJoint {
     /// The pulley between the muscles, and the joint file that goes with them. A joint file names
     /// its muscles relative to itself: it goes beside them.
     fn text(&self, several: Option<u32>, winner: Option<&str>, u: &Units) -> String {
-        let share = several.map(|count| format!(" (its torque is that of one of {count})"));
-        let share = share.unwrap_or_default();
+        let share = several
+            .map(|count| format!(" (its torque is that of one of {count})"))
+            .unwrap_or_default();
         let radius = u.length.show(self.radius_mm);
         let neutral = self.neutral();
         let place = match winner {
             Some(_) => "beside the muscle file",
             None => "with the muscle in winner.toml (-o winner.toml)",
         };
-        let file = self.file(winner.unwrap_or("winner.toml"));
         format!(
             "The first muscle on a pulley of radius {radius}, both muscles contracted by {neutral} % \
              at the neutral angle. As a joint file{share}, {place}:\n\n{}",
-            file.trim_end()
+            self.file(winner.unwrap_or("winner.toml")).trim_end()
         )
     }
 }
@@ -191,7 +191,10 @@ impl ClosestAnswer {
             1 => "A muscle fits with this change:",
             _ => "A muscle fits with any of these changes, the smallest first:",
         });
-        let changes = self.relaxations.iter();
-        page.lines(changes.map(|change| format!("  - {}", u.sentence(&change.text))));
+        page.lines(
+            self.relaxations
+                .iter()
+                .map(|change| format!("  - {}", u.sentence(&change.text))),
+        );
     }
 }

@@ -264,20 +264,23 @@ impl DesignRequest {
         if let Some(share) = self.guaranteed {
             // X of two sides is (1 + X)/2 of one.
             let percent = number(50.0 * (1.0 + share.0), 4);
-            let message = "`guaranteed` is gone: a share of two sides is a larger one of one side";
-            let hint = format!("give `certainty` {percent}%");
-            return Err(Problem::usage(message, hint).in_field("guaranteed"));
+            return Err(Problem::usage(
+                "`guaranteed` is gone: a share of two sides is a larger one of one side",
+                format!("give `certainty` {percent}%"),
+            )
+            .in_field("guaranteed"));
         }
         let is_joint = !self.torques.is_empty();
         if let Some(Choice::One(Length(mm))) = self.length_mm
             && mm > 0.0
             && mm < SHORTEST_MM
         {
-            let message = format!("{mm}\u{a0}mm is shorter than any muscle");
-            let hint = format!("did you mean {mm}\u{a0}m?");
-            return Err(
-                Problem::new(ProblemKind::Specification, message, hint).in_field("length_mm")
-            );
+            return Err(Problem::new(
+                ProblemKind::Specification,
+                format!("{mm}\u{a0}mm is shorter than any muscle"),
+                format!("did you mean {mm}\u{a0}m?"),
+            )
+            .in_field("length_mm"));
         }
         let requirements = [
             ("force_n", self.force_n.is_some()),
@@ -292,25 +295,33 @@ impl DesignRequest {
         }
         if is_joint {
             let stroke = [contraction[0], ("stroke_mm", self.stroke_mm.is_some())];
-            let why = "the angles and the pulley set the contraction of a joint's muscles";
-            Problem::refuse_unused(&stroke, why)?;
+            Problem::refuse_unused(
+                &stroke,
+                "the angles and the pulley set the contraction of a joint's muscles",
+            )?;
         } else {
             let of_joint = [
                 ("radius_mm", self.radius_mm.is_some()),
                 ("largest_angle_deg", self.largest_angle_deg.is_some()),
             ];
-            let why = "it belongs to a joint, and no `torques` are given";
-            Problem::refuse_unused(&of_joint, why)?;
+            Problem::refuse_unused(
+                &of_joint,
+                "it belongs to a joint, and no `torques` are given",
+            )?;
         }
         if self.count.is_none_or(|count| count.0 == 1) {
-            let why = "it is the distance of neighbours in a `count` of two muscles or more";
-            Problem::refuse_unused(&[("pitch_mm", self.pitch_mm.is_some())], why)?;
+            Problem::refuse_unused(
+                &[("pitch_mm", self.pitch_mm.is_some())],
+                "it is the distance of neighbours in a `count` of two muscles or more",
+            )?;
         }
         let makes = [("sold", self.sold), ("cast", self.cast)];
         Problem::refuse_several(&makes, "say which tubes are searched")?;
         if self.muscle.is_some() {
-            let again = [("also_muscle", self.also_muscle.is_some())];
-            Problem::refuse_unused(&again, "a muscle file is given already")?;
+            Problem::refuse_unused(
+                &[("also_muscle", self.also_muscle.is_some())],
+                "a muscle file is given already",
+            )?;
         }
         let angles = [
             ("braids", !self.braids.is_empty()),
@@ -330,10 +341,11 @@ impl DesignRequest {
             _ => strand_strength_n(base),
         };
         if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
-            let message =
-                "`min_burst_margin` needs the strands' strength, which this muscle does not state";
-            let hint = "give braid.strands and braid.strand_strength in the muscle file";
-            return Err(Problem::new(ProblemKind::Specification, message, hint));
+            return Err(Problem::new(
+                ProblemKind::Specification,
+                "`min_burst_margin` needs the strands' strength, which this muscle does not state",
+                "give braid.strands and braid.strand_strength in the muscle file",
+            ));
         }
         Ok(Limits {
             bulged_diameter_mm: self.max_bulged_diameter_mm.map(f64::from),
@@ -373,17 +385,21 @@ fn supply(text: &str) -> Result<Pressure> {
     let is_bare = text.trim().parse::<f64>().is_ok();
     if is_bare && pressure.0 > MOST_MPA {
         let (text, bar) = (text.trim(), 10.0 * pressure.0);
-        let message = format!("{text} is {text}\u{a0}MPa, {bar}\u{a0}bar: write the unit");
-        let hint = format!("write {text}bar, or {bar}bar");
-        return Err(Problem::new(ProblemKind::Quantity, message, hint));
+        return Err(Problem::new(
+            ProblemKind::Quantity,
+            format!("{text} is {text}\u{a0}MPa, {bar}\u{a0}bar: write the unit"),
+            format!("write {text}bar, or {bar}bar"),
+        ));
     }
     Ok(pressure)
 }
 
 /// A required pull at a contraction: `700N@15%`.
 fn operating_point(text: &str) -> Result<OperatingPoint> {
-    let expected = "operating point; expected a pull at a contraction such as 700N@15%";
-    let (Force(force_n), Ratio(contraction)) = pair_at_sign(text, expected)?;
+    let (Force(force_n), Ratio(contraction)) = pair_at_sign(
+        text,
+        "operating point; expected a pull at a contraction such as 700N@15%",
+    )?;
     Ok(OperatingPoint {
         force_n,
         contraction,
@@ -392,8 +408,8 @@ fn operating_point(text: &str) -> Result<OperatingPoint> {
 
 /// A required torque at an angle to either side: `8Nm@45deg`.
 fn torque(text: &str) -> Result<TorqueWanted> {
-    let expected = "torque at an angle; expected one such as 8Nm@45deg";
-    let (typed::Torque(torque_nm), Angle(angle_deg)) = pair_at_sign(text, expected)?;
+    let (typed::Torque(torque_nm), Angle(angle_deg)) =
+        pair_at_sign(text, "torque at an angle; expected one such as 8Nm@45deg")?;
     Ok(TorqueWanted {
         torque_nm,
         angle_deg,

@@ -239,11 +239,12 @@ impl DesignRequest {
         };
         match values(choice, FIELD)? {
             Values::List(list) => Ok(list),
-            Values::Interval(..) => {
-                let message = "give the sleeves that are sold as a list";
-                let hint = "such as 90,110,130mm";
-                Err(Problem::new(ProblemKind::Range, message, hint).in_field(FIELD))
-            }
+            Values::Interval(..) => Err(Problem::new(
+                ProblemKind::Range,
+                "give the sleeves that are sold as a list",
+                "such as 90,110,130mm",
+            )
+            .in_field(FIELD)),
         }
     }
 
@@ -281,8 +282,11 @@ impl DesignRequest {
         tubes.retain(|tube| !(self.sold && tube.is_cast || self.cast && !tube.is_cast));
         if tubes.is_empty() {
             let field = if self.sold { "sold" } else { "cast" };
-            let message = format!("`{field}` leaves none of the tubes that are named");
-            return Err(Problem::usage(message, "").in_field(field));
+            return Err(Problem::usage(
+                format!("`{field}` leaves none of the tubes that are named"),
+                "",
+            )
+            .in_field(field));
         }
         Ok(tubes)
     }
@@ -317,10 +321,11 @@ impl DesignRequest {
             .iter()
             .map(|name| Ok(rubber(name)?.name))
             .collect::<Result<Vec<_>>>()?;
-        let sold = all
+        let mut found: Vec<TubePart> = all
             .iter()
-            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)));
-        let mut found: Vec<TubePart> = sold.cloned().collect();
+            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)))
+            .cloned()
+            .collect();
         if of_user.is_none() {
             // A stand-in for tubes as they are sold is no silicone that one casts.
             for name in &rubbers {
@@ -330,13 +335,15 @@ impl DesignRequest {
             }
         }
         if found.is_empty() {
-            let message = format!(
-                "no tube of {} is in the catalogue, and it is not cast",
-                rubbers.join(", ")
-            );
-            let hint = "give its size (`tubes`, such as 8x12mm), or sizes to search \
-                (`outer_diameter_mm` and `wall_mm`)";
-            return Err(Problem::usage(message, hint).in_field("rubbers"));
+            return Err(Problem::usage(
+                format!(
+                    "no tube of {} is in the catalogue, and it is not cast",
+                    rubbers.join(", ")
+                ),
+                "give its size (`tubes`, such as 8x12mm), or sizes to search \
+                (`outer_diameter_mm` and `wall_mm`)",
+            )
+            .in_field("rubbers"));
         }
         Ok(found)
     }
@@ -368,8 +375,9 @@ impl DesignRequest {
                 strand_diameter_mm: self.strand_diameter_mm,
                 ..MuscleFields::default()
             };
-            let modulus = self.strand_modulus_mpa.into_iter();
-            modulus.for_each(|value| fields.measures.set(&STRAND_MODULUS, value.0));
+            self.strand_modulus_mpa
+                .into_iter()
+                .for_each(|value| fields.measures.set(&STRAND_MODULUS, value.0));
             // Laid on any tube that it fits; the search lays it on others.
             fields.braid_on(sleeve(name)?.diameters().0, base)
         };
@@ -407,8 +415,14 @@ impl DesignRequest {
             && self.length_is_searched()
         {
             let load = Load::Force { force_n: force_n.0 };
-            let way = Lift::Stroke(stroke.0);
-            return Ok((base, Demand::Load { load, way }, None));
+            return Ok((
+                base,
+                Demand::Load {
+                    load,
+                    way: Lift::Stroke(stroke.0),
+                },
+                None,
+            ));
         }
         Ok((base, points.into(), None))
     }
@@ -455,16 +469,16 @@ impl DesignRequest {
                 .points
                 .iter()
                 .map(|w| {
-                    let contraction = ratio(w.contraction);
-                    let contraction = contraction.map_err(|problem| problem.in_field("points"))?;
+                    let contraction =
+                        ratio(w.contraction).map_err(|problem| problem.in_field("points"))?;
                     Ok((w.force_n, Some(contraction)))
                 })
                 .collect();
         }
-        let force_n = given("force_n", self.force_n, "a force, such as 300 N");
-        let force_n = force_n.map_err(|problem| {
-            problem.with_hint("or give what it lifts (`load`), or turns (`torques`)")
-        })?;
+        let force_n =
+            given("force_n", self.force_n, "a force, such as 300 N").map_err(|problem| {
+                problem.with_hint("or give what it lifts (`load`), or turns (`torques`)")
+            })?;
         match (self.contraction, self.stroke_mm) {
             (Some(e), _) => Ok(vec![(force_n, Some(ratio(e.0)?))]),
             (None, Some(_)) => Ok(vec![(force_n, None)]),
@@ -486,9 +500,12 @@ impl DesignRequest {
         let length_mm = match &self.length_mm {
             Some(Choice::One(length)) => Some(length.0),
             Some(_) if self.stroke_mm.is_some() && !self.length_is_searched() => {
-                let message =
-                    "`stroke_mm` and a contraction set the length: give one of the three less";
-                return Err(wrong(message.into(), "").in_field("length_mm"));
+                return Err(wrong(
+                    "`stroke_mm` and a contraction set the length: give one of the three less"
+                        .into(),
+                    "",
+                )
+                .in_field("length_mm"));
             }
             _ => None,
         };
@@ -509,12 +526,11 @@ impl DesignRequest {
             .transpose()?;
         let point = |(force_n, contraction): &(f64, Option<f64>)| {
             let way = force_n.signum();
-            let contraction = contraction
-                .or(stroke.map(|s| way * s / length))
-                .unwrap_or(0.0);
             OperatingPoint {
                 force_n: *force_n,
-                contraction,
+                contraction: contraction
+                    .or(stroke.map(|s| way * s / length))
+                    .unwrap_or(0.0),
             }
         };
         let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
@@ -524,12 +540,14 @@ impl DesignRequest {
         let largest = peak(points.iter().map(|q| q.contraction.abs()));
         if self.length_mm.is_some() {
             let have = largest * length;
-            let message = format!(
-                "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many \
+            return Err(wrong(
+                format!(
+                    "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many \
                  data: with that length the largest contraction gives {have:.2}\u{a0}mm"
-            );
-            let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
-            return Err(wrong(message, hint).in_field("stroke_mm"));
+                ),
+                "leave out `stroke_mm`, `length_mm` or the contraction",
+            )
+            .in_field("stroke_mm"));
         }
         if largest <= 0.0 {
             return Err(wrong("a stroke needs a contraction above zero".into(), ""));
@@ -564,14 +582,16 @@ pub fn design_ends(
 
 /// The muscles of the library that have a product.
 fn products() -> Vec<Product> {
-    let products = library().into_iter().filter_map(|(of, muscle)| {
-        let product = of.facts.product.as_deref()?;
-        Some(Product {
-            name: format!("{product} ({PREFIX}{})", of.facts.name),
-            muscle: muscle.clone(),
+    library()
+        .into_iter()
+        .filter_map(|(of, muscle)| {
+            let product = of.facts.product.as_deref()?;
+            Some(Product {
+                name: format!("{product} ({PREFIX}{})", of.facts.name),
+                muscle: muscle.clone(),
+            })
         })
-    });
-    products.collect()
+        .collect()
 }
 
 /// The values of a choice, checked.
@@ -583,18 +603,18 @@ fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
                 .problem("the list is empty")
                 .in_field(field));
         }
-        Choice::Several(list) => {
-            let list = list.iter().map(|&value| finite(field, value));
-            Values::List(list.collect::<Result<_>>()?)
-        }
+        Choice::Several(list) => Values::List(
+            list.iter()
+                .map(|&value| finite(field, value))
+                .collect::<Result<_>>()?,
+        ),
         Choice::Between { low, high } => {
             let low = finite(field, *low)?;
             let high = finite(field, *high)?;
             if low > high {
-                let message = format!(
+                return Err(ProblemKind::Range.problem(format!(
                     "the interval from {low} to {high} is reversed: write the smaller value first"
-                );
-                return Err(ProblemKind::Range.problem(message).in_field(field));
+                )).in_field(field));
             }
             Values::Interval(low, high)
         }

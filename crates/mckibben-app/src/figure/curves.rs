@@ -198,12 +198,11 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
     let mut points = list.iter().flat_map(|curve| &curve.points);
     let is_built = points.any(|q| built(q, test, u).is_some());
     let as_built = if is_built { ", medians as built" } else { "" };
-    let about = format!(
-        "Model {model}{as_built}{branches}{said}. {}",
-        muscle.line(u)
-    );
     Figure::new(title)
-        .caption(caption(about))
+        .caption(caption(format!(
+            "Model {model}{as_built}{branches}{said}. {}",
+            muscle.line(u)
+        )))
         .sequential()
         .panel(panel)
 }

@@ -56,16 +56,15 @@ pub fn fitted(f: &FittedFormula) -> Vec<NamedFigure> {
         first
     };
     let last = ("figure_12_formula_and_points", against_points(f, at.0));
-    let all = f
-        .paper
+    f.paper
         .iter()
         .flat_map(|m| paper_figures(m, at))
-        .chain([last]);
-    all.map(|(name, figure)| NamedFigure {
-        name: name.into(),
-        figure,
-    })
-    .collect()
+        .chain([last])
+        .map(|(name, figure)| NamedFigure {
+            name: name.into(),
+            figure,
+        })
+        .collect()
 }
 
 /// Figures 5 to 11.
@@ -138,8 +137,10 @@ impl Section<'_> {
     /// At the highest pressure.
     fn isobaric_surfaces(&self) -> Figure {
         let (d, s) = (self.d, self.s);
-        let pressures = distinct(self.method.curves.iter().map(|c| c.pressure_mpa));
-        let top = pressures.last().copied().unwrap_or(0.0);
+        let top = distinct(self.method.curves.iter().map(|c| c.pressure_mpa))
+            .last()
+            .copied()
+            .unwrap_or(0.0);
         let over_wall = self.curve_panel(
             format!("over ε and s, D0 {} mm", number(d, 4)),
             |c| same(c.outer_diameter_mm, d) && same(c.pressure_mpa, top),
@@ -190,8 +191,13 @@ impl Section<'_> {
                     .filter(|c| same(c.outer_diameter_mm, self.d) && same(c.wall_mm, l.wall_mm))
                     .map(|c| (c.pressure_mpa, c.abc.coefficients[k]))
                     .collect();
-                let label = format!("s {}", number(l.wall_mm, 3));
-                panel = pair(panel, &label, n, points, |p| l.lines[k].at(p));
+                panel = pair(
+                    panel,
+                    &format!("s {}", number(l.wall_mm, 3)),
+                    n,
+                    points,
+                    |p| l.lines[k].at(p),
+                );
             }
             figure = figure.panel(panel);
         }
@@ -343,12 +349,12 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
                 .map(|q| (q.contraction, q.force_n))
                 .collect();
             if !points.is_empty() {
-                let label = format!("{} MPa", number(p, 3));
-                panel = pair(panel, &label, n, points, |e| formula.force_n(d, s, p, e));
+                panel = pair(panel, &format!("{} MPa", number(p, 3)), n, points, |e| {
+                    formula.force_n(d, s, p, e)
+                });
                 if let Some(published) = &published {
                     let line = line(0.0, 0.2, |e| published.force_n(d, s, p, e));
-                    let series = Series::new("", line).colour(n);
-                    panel = panel.series(series.style(Style::Dashed));
+                    panel = panel.series(Series::new("", line).colour(n).style(Style::Dashed));
                 }
             }
         }

@@ -37,8 +37,11 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
                 String::new()
             };
             let style = if k == 0 { Style::Line } else { Style::Dashed };
-            let line = over(&muscle.pressure_mpa, &|p| u.pressure.value(p));
-            pressures = pressures.series(line.style(style).end_label(name));
+            pressures = pressures.series(
+                over(&muscle.pressure_mpa, &|p| u.pressure.value(p))
+                    .style(style)
+                    .end_label(name),
+            );
         }
     }
     let said = said(&bands, " at the end");
@@ -64,11 +67,12 @@ fn end_band(run: &MotionRun) -> Option<Series> {
     let end = &run.end;
     let time = &motion.series.time_s;
     let last = time.last().copied()?;
-    let settled = motion
+    let from = motion
         .steps
         .last()
-        .and_then(|step| Some(step.time_s + step.settling_time_s?));
-    let from = settled.unwrap_or(last).min(LAST * last);
+        .and_then(|step| Some(step.time_s + step.settling_time_s?))
+        .unwrap_or(last)
+        .min(LAST * last);
     let in_the_end = |list: &[f64]| list.last().copied();
     let (low, high) = if let Some(half) = end.end_angle_uncertainty_deg {
         let [angle, _] = motion.series.degrees()?;

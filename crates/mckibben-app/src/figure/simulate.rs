@@ -15,8 +15,8 @@ const SHAPES: usize = 6;
 
 /// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
 pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) -> Figure {
-    let title = format!("{} test, finite elements", capital(test.name()));
-    let mut figure = Figure::new(title).sequential();
+    let mut figure =
+        Figure::new(format!("{} test, finite elements", capital(test.name()))).sequential();
     let (x, y) = axes(test, u);
     let mut curve = Panel::new(x, y);
     let mut fixed: Vec<f64> = points.iter().map(|q| key(test, q)).collect();
@@ -28,8 +28,11 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
             .filter(|q| key(test, q) == value)
             .map(|q| coordinates(test, q, u))
             .collect();
-        let known = line.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
-        longest = longest.max(known.count());
+        longest = longest.max(
+            line.iter()
+                .filter(|(x, y)| x.is_finite() && y.is_finite())
+                .count(),
+        );
         curve = curve.series(
             Series::line("", line)
                 .colour(i)

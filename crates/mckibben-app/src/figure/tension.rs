@@ -18,12 +18,11 @@ const WITHOUT_POINTS: f64 = 2.0;
 pub fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
     let some = some_of(laws.len(), fit.laws.len(), "laws");
-    let about = format!(
+    let mut figure = Figure::new("Laws fitted to tension tests")
+        .caption(caption(format!(
         "Nominal stress; points of {file}{some}. Dashed: unstable over the stretches of a muscle; \
          dotted: constrained to be stable"
-    );
-    let mut figure = Figure::new("Laws fitted to tension tests")
-        .caption(caption(about))
+    )))
         .columns(3)
         .size_mm(240.0, 110.0);
     for mode in Mode::OF_ONE_STRETCH {

@@ -67,14 +67,17 @@ fn terms(formula: &Document) -> Vec<TermRow> {
     match formula {
         Document::Section(f) => match &f.body {
             Body::Paper(c) => paper_terms(c).into_iter().map(row).collect(),
-            Body::Global(t) => {
-                let terms = t.terms.iter().map(|t| (t.name(), "MPa", t.value));
-                terms.map(row).collect()
-            }
+            Body::Global(t) => t
+                .terms
+                .iter()
+                .map(|t| (t.name(), "MPa", t.value))
+                .map(row)
+                .collect(),
         },
-        Document::Universal(f) => {
-            let terms = f.terms.iter();
-            terms.map(|t| row((f.term_name(t), "1", t.value))).collect()
-        }
+        Document::Universal(f) => f
+            .terms
+            .iter()
+            .map(|t| row((f.term_name(t), "1", t.value)))
+            .collect(),
     }
 }

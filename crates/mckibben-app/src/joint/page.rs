@@ -18,8 +18,12 @@ impl Show for JointAnswer {
     fn page(&self, u: &Units) -> Page {
         let mut page = Page::default();
         page.line(format!("model {}", self.model));
-        let muscles = self.muscles.iter().zip(1..);
-        page.lines(muscles.map(|(muscle, i)| format!("muscle {i}: {}", muscle.line(u))));
+        page.lines(
+            self.muscles
+                .iter()
+                .zip(1..)
+                .map(|(muscle, i)| format!("muscle {i}: {}", muscle.line(u))),
+        );
         page.lines(self.limits.lines(u));
         if !self.points.is_empty() {
             page.gap();

@@ -37,8 +37,9 @@ impl Moved {
         let of_runs = runs.iter().zip(drives).flat_map(of_run);
         let of_muscles = self.models.iter().flat_map(|m| m.muscle().warnings());
         let of_joint = self.joint.iter().flat_map(|joint| joint.doubts());
-        let of_parts = of_muscles.chain(of_joint).map(Warning::from);
-        let said: Vec<Warning> = of_runs.chain(of_parts).collect();
+        let said: Vec<Warning> = of_runs
+            .chain(of_muscles.chain(of_joint).map(Warning::from))
+            .collect();
         Warning::gravest(&said)
     }
 

@@ -157,8 +157,12 @@ impl Moved {
         })?;
         let error = |(what, list): (OverTime, Series)| {
             let half = |first| {
-                let of_half = list.iter().filter(|r| (r.0 <= half_s) == first);
-                Errors::new(of_half.map(|r| r.1)).rms
+                Errors::new(
+                    list.iter()
+                        .filter(|r| (r.0 <= half_s) == first)
+                        .map(|r| r.1),
+                )
+                .rms
             };
             LogErrors {
                 of: format!("{what:?}").to_lowercase(),
@@ -166,15 +170,14 @@ impl Moved {
                 held_out_rms: half(false),
             }
         };
-        let errors = fit
-            .residuals(&drive_file, end_s)?
-            .into_iter()
-            .map(error)
-            .collect();
         Ok(IdentifiedDrive {
             read,
             parameters,
-            errors,
+            errors: fit
+                .residuals(&drive_file, end_s)?
+                .into_iter()
+                .map(error)
+                .collect(),
             drive_file,
         })
     }
@@ -200,9 +203,11 @@ impl Fit<'_> {
                 .iter()
                 .find(|usual| usual.0 == name)
                 .map(|usual| usual.1);
-            let start = value.or(written).filter(|value| *value > 0.0).or(usual);
-            let start =
-                start.ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?;
+            let start = value
+                .or(written)
+                .filter(|value| *value > 0.0)
+                .or(usual)
+                .ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?;
             Ok(Free {
                 name,
                 dimension,
@@ -259,8 +264,14 @@ impl Fit<'_> {
                 OverTime::Pressure => muscle.map(|m| m.pressure_mpa.clone()),
                 _ => muscle.map(|m| m.contraction.clone()),
             };
-            let times = series.time_s.iter().copied();
-            let model = Command::Ramps(times.zip(values.unwrap_or_default()).collect());
+            let model = Command::Ramps(
+                series
+                    .time_s
+                    .iter()
+                    .copied()
+                    .zip(values.unwrap_or_default())
+                    .collect(),
+            );
             let until = points.iter().filter(|p| p.0 <= until_s);
             (
                 *what,
@@ -293,9 +304,11 @@ impl Fit<'_> {
         let larger = Vec::from_iter(starts.iter().map(|start| 1.1 * start));
         let (now, then) = (at(&starts)?.concat(), at(&larger)?.concat());
         if now.iter().zip(then).all(|(a, b)| (a - b).abs() < NOTHING) {
-            let message = format!("{}; it determines none of them", self.read(free));
-            let hint = "name others in `free`";
-            return Err(Problem::new(ProblemKind::Data, message, hint));
+            return Err(Problem::new(
+                ProblemKind::Data,
+                format!("{}; it determines none of them", self.read(free)),
+                "name others in `free`",
+            ));
         }
         let found = fit_recorded(&starts, &scatter, at);
         self.progress.check()?;

@@ -140,13 +140,19 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         moved.end_uncertainty(&mut run, drive);
         runs.push(run);
     }
-    let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m));
-    let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
+    let bursts = moved
+        .models
+        .iter()
+        .map(|m| burst_of(&moved.choice, &**m))
+        .collect::<Result<Vec<_>, _>>()?;
     let mut warnings = moved.gravest_warnings(&runs, &drives);
     let models = bursts.iter().zip(&moved.models).enumerate();
     let burst = models.flat_map(|(i, (burst, model))| {
-        let reached = runs.iter().zip(&drives);
-        let highest_mpa = peak(reached.map(|(run, (_, drive))| highest_mpa(run, drive, i)));
+        let highest_mpa = peak(
+            runs.iter()
+                .zip(&drives)
+                .map(|(run, (_, drive))| highest_mpa(run, drive, i)),
+        );
         warnings::of_muscle(burst, model.muscle(), highest_mpa)
     });
     Warning::put_first(&mut warnings, burst);
@@ -167,8 +173,10 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         figure: None,
     };
     let sweep = request.sweep.as_ref().map(|s| s.key.as_str());
-    let drawn = request.figure.as_ref();
-    answer.figure = drawn.map(|unit| figure::motion(&answer, sweep, unit));
+    answer.figure = request
+        .figure
+        .as_ref()
+        .map(|unit| figure::motion(&answer, sweep, unit));
     Ok(answer)
 }
 
@@ -196,8 +204,7 @@ fn go(
     progress: &dyn Progress,
 ) -> Result<(Motion, Option<f64>)> {
     let linear = |side: f64| {
-        let of_pressure = matches!(&drive.target, Commanded::Pressure(list) if !list.is_empty());
-        of_pressure
+        matches!(&drive.target, Commanded::Pressure(list) if !list.is_empty())
             .then(|| Linear::at_state_reached(drive, side))?
             .ok()
     };

@@ -100,8 +100,11 @@ impl MotionRun {
 
     /// The poles, of a conjugate pair one; that of the air's mass, 0, is left out.
     fn poles(&self) -> String {
-        let poles = self.motion.poles_per_s.iter();
-        let poles = poles.filter(|(re, _)| re.abs() > 1e-9);
+        let poles = self
+            .motion
+            .poles_per_s
+            .iter()
+            .filter(|(re, _)| re.abs() > 1e-9);
         let one = |(re, im): &(f64, f64)| match im.abs() {
             0.0 => format!("{re:.3}"),
             im => format!("{re:.3} ± {im:.3}i"),

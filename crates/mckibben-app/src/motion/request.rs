@@ -149,9 +149,10 @@ impl StepFields {
             self.damping_n_s_per_m.unwrap_or_default(),
         )?;
         let valve = self.valve.as_deref().ok_or_else(|| {
-            let expected =
-                "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)";
-            Problem::missing("valve", expected)
+            Problem::missing(
+                "valve",
+                "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)",
+            )
         })?;
         let load = self
             .load
@@ -185,13 +186,13 @@ impl StepFields {
             values.push(("load.damping", damping_n_s_per_m.to_string()));
             values.push(("load.stops", "0..1e6 mm".into()));
         }
-        let head = format!(
-            "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = \
+        Ok(values.into_iter().try_fold(
+            format!(
+                "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = \
              [[0, 0], [0.05, {pressure:?}]]\nuntil = {until_s:?}\n"
-        );
-        Ok(values
-            .into_iter()
-            .try_fold(head, |text, (key, value)| with_value(&text, key, &value))?)
+            ),
+            |text, (key, value)| with_value(&text, key, &value),
+        )?)
     }
 }
 
@@ -224,9 +225,10 @@ impl FromStr for MotionSweep {
 
     fn from_str(text: &str) -> Result<Self> {
         let (key, values) = text.split_once('=').ok_or_else(|| {
-            let message = format!("\"{text}\" has no = followed by values");
-            let hint = "as in 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
-            Problem::usage(message, hint)
+            Problem::usage(
+                format!("\"{text}\" has no = followed by values"),
+                "as in 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'",
+            )
         })?;
         Ok(Self {
             key: key.trim().to_owned(),

@@ -12,15 +12,19 @@ use mckibben_core::{rubber::library::Standing, warning::Warning};
 impl Show for PartsListAnswer {
     fn page(&self, u: &Units) -> Page {
         let mut page = Page::default();
-        let tubes = [
-            "name",
-            "inner_diameter_mm",
-            "outer_diameter_mm",
-            "wall_mm",
-            "rubber",
-            "is_cast",
-        ];
-        page.list("tubes", &self.tubes, u, &tubes);
+        page.list(
+            "tubes",
+            &self.tubes,
+            u,
+            &[
+                "name",
+                "inner_diameter_mm",
+                "outer_diameter_mm",
+                "wall_mm",
+                "rubber",
+                "is_cast",
+            ],
+        );
         let sleeves = [
             "name",
             "least_diameter_mm",
@@ -31,15 +35,19 @@ impl Show for PartsListAnswer {
             "title",
         ];
         page.list("sleeves", &self.sleeves, u, &sleeves);
-        let rubbers = [
-            "name",
-            "shear_modulus_mpa",
-            "law",
-            "curve",
-            "max_strain",
-            "title",
-        ];
-        page.list("rubbers", &self.rubbers, u, &rubbers);
+        page.list(
+            "rubbers",
+            &self.rubbers,
+            u,
+            &[
+                "name",
+                "shear_modulus_mpa",
+                "law",
+                "curve",
+                "max_strain",
+                "title",
+            ],
+        );
         let muscles = [
             "name",
             "outer_diameter_mm",

@@ -75,9 +75,10 @@ impl PointAnswer {
         let of = if is_pull { "" } else { "of the pull " };
         // Of a model that was named its number comes first, else that of a muscle that is built.
         let first = |quantity: PointQuantity| {
-            let built = self.sought.built_in(self, u);
-            let built = built.filter(|_| quantity == self.sought && !self.is_model_named);
-            built.or_else(|| self.of_model(quantity, u))
+            self.sought
+                .built_in(self, u)
+                .filter(|_| quantity == self.sought && !self.is_model_named)
+                .or_else(|| self.of_model(quantity, u))
         };
         Rows::default()
             .text("muscle", background.muscle.line(u))

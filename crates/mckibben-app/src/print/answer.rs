@@ -41,8 +41,11 @@ impl Page {
         only: &[&str],
     ) {
         let root = &schema::of::<T>();
-        let without = &[];
-        let walk = Walk { root, u, without };
+        let walk = Walk {
+            root,
+            u,
+            without: &[],
+        };
         let rows = list.iter().filter_map(|row| match to_value(row).ok()? {
             Value::Object(row) => Some(row),
             _ => None,
@@ -56,11 +59,11 @@ impl Page {
 
     fn columns(&mut self, heading: &str, columns: Vec<Amounts>) {
         let is_none = |amount: &Amount| matches!(amount, Amount::Words(count) if count == "0");
-        let columns = columns
+        let columns: Vec<Column> = columns
             .into_iter()
-            .filter(|c| !c.amounts.iter().all(is_none));
-        let columns = columns.filter_map(|c| Column::of(&c.label, &c.scale, &c.amounts));
-        let columns: Vec<Column> = columns.collect();
+            .filter(|c| !c.amounts.iter().all(is_none))
+            .filter_map(|c| Column::of(&c.label, &c.scale, &c.amounts))
+            .collect();
         if !columns.is_empty() {
             if heading.is_empty() {
                 self.gap();
@@ -136,8 +139,9 @@ impl Walk<'_> {
     fn node_of<'a>(&self, name: &str, value: &Value, known: &[(&String, &'a Value)]) -> &'a Value {
         let nodes = known.iter().rev().filter(|field| field.0 == name);
         let has = |field: &&(&String, &Value)| {
-            let names = properties(self.root, field.1);
-            names.filter(|(name, _)| value.get(name).is_some()).count()
+            properties(self.root, field.1)
+                .filter(|(name, _)| value.get(name).is_some())
+                .count()
         };
         nodes.max_by_key(has).map_or(&Value::Null, |field| field.1)
     }
@@ -186,8 +190,7 @@ impl Walk<'_> {
                     let key = (field.name.to_owned(), name.as_str().into());
                     Some(iter::once(key).chain(value.as_object()?.clone()).collect())
                 });
-                let nodes = variants(self.root, field.node);
-                let of = nodes
+                let of = variants(self.root, field.node)
                     .iter()
                     .find_map(|node| node.get("additionalProperties"));
                 self.table(
@@ -211,14 +214,21 @@ impl Walk<'_> {
         let mut lists = Object::new();
         for row in rows {
             let fields = self.fields(node, row);
-            let title = fields.iter().find(|field| field.value.is_string());
-            let title = title.map(|field| (field.name.to_owned(), field.value.clone()));
+            let title = fields
+                .iter()
+                .find(|field| field.value.is_string())
+                .map(|field| (field.name.to_owned(), field.value.clone()));
             for field in &fields {
-                let inner = field.value.as_array().into_iter().flatten();
-                let titled = inner.filter_map(Value::as_object).map(|object| {
-                    let titled = title.clone().into_iter().chain(object.clone());
-                    Value::from_iter(titled)
-                });
+                let titled = field
+                    .value
+                    .as_array()
+                    .into_iter()
+                    .flatten()
+                    .filter_map(Value::as_object)
+                    .map(|object| {
+                        let titled = title.clone().into_iter().chain(object.clone());
+                        Value::from_iter(titled)
+                    });
                 let list = lists.entry(field.name);
                 if let Value::Array(list) = list.or_insert_with(|| Value::Array(vec![])) {
                     list.extend(titled);

@@ -68,12 +68,16 @@ const SHARES: [&str; 6] = [
 /// The beginning of a documentation where it is short, else the name in words.
 pub fn label(about: &str, name: &str, most: usize) -> String {
     let end = about.find([',', ':', ';', '(', '\n']);
-    let first = about[..end.unwrap_or(about.len())].split(". ").next();
-    let first = first.unwrap_or_default().trim().trim_end_matches('.');
+    let first = about[..end.unwrap_or(about.len())]
+        .split(". ")
+        .next()
+        .unwrap_or_default()
+        .trim()
+        .trim_end_matches('.');
     let unit = first.rsplit_once(" in ");
-    let unit =
-        unit.filter(|(_, unit)| unit.len() <= UNIT || unit.contains('/') || *unit == "degrees");
-    let first = unit.map_or(first, |(quantity, _)| quantity);
+    let first = unit
+        .filter(|(_, unit)| unit.len() <= UNIT || unit.contains('/') || *unit == "degrees")
+        .map_or(first, |(quantity, _)| quantity);
     let first = ["The ", "Its ", "A ", "An "]
         .iter()
         .find_map(|article| first.strip_prefix(article))

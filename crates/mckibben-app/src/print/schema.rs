@@ -5,8 +5,8 @@ use serde_json::{Map, Value};
 
 /// The schema of a type as it is written.
 pub(super) fn of<T: JsonSchema>() -> Value {
-    let settings = SchemaSettings::draft2020_12().for_serialize();
-    settings
+    SchemaSettings::draft2020_12()
+        .for_serialize()
         .into_generator()
         .into_root_schema_for::<T>()
         .to_value()
@@ -50,6 +50,7 @@ pub fn properties<'a>(
 
 /// The schema of the items of a list.
 pub fn items<'a>(root: &'a Value, node: &'a Value) -> Option<&'a Value> {
-    let nodes = variants(root, node);
-    nodes.into_iter().find_map(|node| node.get("items"))
+    variants(root, node)
+        .into_iter()
+        .find_map(|node| node.get("items"))
 }

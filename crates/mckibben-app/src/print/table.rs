@@ -13,14 +13,17 @@ pub struct Column {
 impl Column {
     /// A column of cells; what there is not is a dash, and without any there is no column.
     fn new(label: &str, scale: &Scale, cells: Vec<Option<String>>) -> Option<Self> {
-        let is_there = cells.iter().flatten().any(|cell| !cell.is_empty());
-        is_there.then(|| Self {
-            heading: heading(label, scale),
-            cells: cells
-                .into_iter()
-                .map(|cell| cell.unwrap_or("–".into()))
-                .collect(),
-        })
+        cells
+            .iter()
+            .flatten()
+            .any(|cell| !cell.is_empty())
+            .then(|| Self {
+                heading: heading(label, scale),
+                cells: cells
+                    .into_iter()
+                    .map(|cell| cell.unwrap_or("–".into()))
+                    .collect(),
+            })
     }
 
     /// A column of amounts of one unit, with their points aligned unless their sizes are unlike.
@@ -87,8 +90,8 @@ impl<'a, T> Table<'a, T> {
         scale: &Scale,
         amount: impl Fn(&'a T) -> A,
     ) -> Self {
-        let amounts = self.amounts(&|of| amount(of).into());
-        let cells = amounts
+        let cells = self
+            .amounts(&|of| amount(of).into())
             .iter()
             .map(|amount| unaligned_cell(amount, scale))
             .collect();

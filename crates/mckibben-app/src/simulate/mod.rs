@@ -160,8 +160,10 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         request.forces_n.is_some(),
     )?;
     if request.test == Test::Isotonic {
-        let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
-        Problem::refuse_unused(&[("of_largest", request.of_largest)], why)?;
+        Problem::refuse_unused(
+            &[("of_largest", request.of_largest)],
+            "`test` isotonic takes pulls (`forces_n`), and no contractions",
+        )?;
     }
     let muscle = request.muscle.resolve()?;
     let model = request.model.choose()?;
@@ -170,8 +172,8 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     };
     model.admit(&muscle)?;
     let ends = muscle.ends();
-    let inner = muscle.between_ends();
-    let meshed = Meshed::new(elements, &inner).map_err(|e| ProblemKind::Mesh.problem(e))?;
+    let meshed =
+        Meshed::new(elements, &muscle.between_ends()).map_err(|e| ProblemKind::Mesh.problem(e))?;
     let simulation = meshed.simulation(&muscle);
     let workspace = &mut Workspace::new();
     let questions = request.questions(&*simulation, workspace)?;
@@ -196,8 +198,10 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         progress.check()?;
         let mut point = solved(&*simulation, workspace, requested, request.two_sided)?;
         if let Ok(Solution { response, .. }) = &point.solution {
-            let contraction = requested.contraction.unwrap_or(response.contraction);
-            let at = as_built.point(requested.pressure_mpa, contraction);
+            let at = as_built.point(
+                requested.pressure_mpa,
+                requested.contraction.unwrap_or(response.contraction),
+            );
             point.built = at.ok().and_then(|at| at.built);
         }
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
@@ -273,8 +277,8 @@ impl SimulateRequest {
         };
         let forces = forces(&self.forces_n, model.muscle(), options)?;
         if self.of_largest {
-            let highest = peak(pressures.iter().copied());
-            let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
+            let largest = free_contraction(model, workspace, peak(pressures.iter().copied()))
+                .map_err(Problem::from)?;
             contractions.iter_mut().for_each(|e| *e *= largest);
         }
         let held: Vec<(Option<f64>, Option<f64>)> = match self.test {
@@ -312,10 +316,11 @@ impl SimulateRequest {
 }
 
 fn no_elements(model: &str) -> Problem {
-    let message =
-        format!("a test needs a finite-element model, and \"{model}\" is not one; give fe or fe3d");
-    let hint = "`curve` draws the curves of every model";
-    Problem::new(ProblemKind::Model, message, hint)
+    Problem::new(
+        ProblemKind::Model,
+        format!("a test needs a finite-element model, and \"{model}\" is not one; give fe or fe3d"),
+        "`curve` draws the curves of every model",
+    )
 }
 
 /// A point with what it means: slack, collapsed, or an answer. A slack muscle is what it is at its
@@ -361,11 +366,10 @@ fn solved(
         |e| Status::from(&ModelError::from(e.clone())),
         |_| Status::Ok,
     );
-    let slack = hangs || pushes && shortened.is_some();
     Ok(Simulated {
         requested,
         solution,
-        slack,
+        slack: hangs || pushes && shortened.is_some(),
         free_contraction: past_free,
         built: None,
         status,
@@ -389,9 +393,12 @@ fn written_deck(
     questions: &[RequestedPoint],
 ) -> Result<String> {
     let wrong = |message: String| {
-        let hint = "an example: an isometric test of fe3d at one contraction, with pressures from \
-            0.01 to 0.25 MPa";
-        Problem::new(ProblemKind::Deck, message, hint)
+        Problem::new(
+            ProblemKind::Deck,
+            message,
+            "an example: an isometric test of fe3d at one contraction, with pressures from \
+            0.01 to 0.25 MPa",
+        )
     };
     let Meshed::ThreeDimensional(model) = meshed else {
         return Err(wrong("an input deck needs the model `fe3d`".into()));

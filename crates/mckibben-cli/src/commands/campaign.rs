@@ -20,8 +20,10 @@ fn no_csv(context: &Context) -> Result<(), Problem> {
     if context.format != Format::Csv {
         return Ok(());
     }
-    let message = "--format csv: the table is the Parquet file itself";
-    Err(Problem::usage(message, "take text or json"))
+    Err(Problem::usage(
+        "--format csv: the table is the Parquet file itself",
+        "take text or json",
+    ))
 }
 
 /// A campaign, or what is asked of one.

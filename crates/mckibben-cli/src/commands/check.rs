@@ -31,9 +31,8 @@ impl Check {
             return self.show_formula(formula, context);
         }
         if self.latex {
-            let message = "--latex is of a formula, not of a muscle";
             return Err(Problem::usage(
-                message,
+                "--latex is of a formula, not of a muscle",
                 "`mckibben check formula.json --latex`",
             ));
         }

@@ -57,10 +57,15 @@ impl ManPages {
         let root = built(root);
         let words = self.command;
         let Some(folder) = self.output else {
-            let command = words
-                .iter()
-                .try_fold(&root, |command, word| command.find_subcommand(word));
-            context.emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
+            context.emit(
+                page(
+                    words
+                        .iter()
+                        .try_fold(&root, |command, word| command.find_subcommand(word))
+                        .ok_or_else(|| unknown(&words))?,
+                )?,
+                None,
+            )?;
             return Ok(0);
         };
         let mut left = vec![&root];
@@ -133,6 +138,8 @@ fn page(command: &Command) -> Result<Vec<u8>, Problem> {
 }
 
 fn unknown(words: &[String]) -> Problem {
-    let message = format!("there is no command `{}`", words.join(" "));
-    Problem::usage(message, "`mckibben help` lists the commands")
+    Problem::usage(
+        format!("there is no command `{}`", words.join(" ")),
+        "`mckibben help` lists the commands",
+    )
 }

@@ -84,8 +84,10 @@ impl Identify {
         context.save(target, file.as_bytes())?;
         let written = target.map(|path| format!("The {what} is in {}.", path_on_one_line(path)));
         let add = |page: &mut Page| {
-            let texts = written.into_iter().chain(more);
-            texts.for_each(|text| page.paragraph(text));
+            written
+                .into_iter()
+                .chain(more)
+                .for_each(|text| page.paragraph(text));
         };
         context.print(answer, add, None)?;
         Ok(0)

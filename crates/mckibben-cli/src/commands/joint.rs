@@ -30,13 +30,12 @@ impl Joint {
         request.joint = JointFields::read(&self.file)?;
         request.figure = self.plot.wanted(context);
         // Text does not show them.
-        let target = self.output.output.as_deref();
-        request.without_start_pressures = form(target, context.format)? == Format::Text;
+        request.without_start_pressures =
+            form(self.output.output.as_deref(), context.format)? == Format::Text;
         let mut answer = joint(request, &Bar::new("joint"))?;
         if request.figure.is_some() && answer.figure.is_none() {
-            let message = "--plot: a figure of a joint has torques over angles, or a map";
             return Err(Problem::usage(
-                message,
+                "--plot: a figure of a joint has torques over angles, or a map",
                 "give --angle with a range, or --map",
             ));
         }

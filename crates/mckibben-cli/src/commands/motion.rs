@@ -42,8 +42,10 @@ pub struct Motion {
 impl Motion {
     pub fn run(mut self, context: &mut Context) -> Result<u8, Problem> {
         if self.size.is_none() && self.request.rise_time_s.is_some() {
-            let message = "--rise-time is that of a part to size";
-            return Err(Problem::usage(message, "add --size valve"));
+            return Err(Problem::usage(
+                "--rise-time is that of a part to size",
+                "add --size valve",
+            ));
         }
         if let Some(load) = self
             .request

@@ -46,11 +46,10 @@ impl Rubber {
             context.save(Some(path), text.as_bytes())
         })?;
         if target.is_some() && written.is_none() {
-            let message = "none of these laws is stable over the stretches of a muscle; no muscle \
-                file is written";
             return Err(Problem::new(
                 ProblemKind::NoAnswer,
-                message,
+                "none of these laws is stable over the stretches of a muscle; no muscle \
+                file is written",
                 "add `stable`, or take `laws` neo-hookean",
             ));
         }

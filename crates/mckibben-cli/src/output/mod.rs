@@ -116,9 +116,12 @@ impl Context {
             Format::Json => self.emit(plain(format!("{:#}\n", json(answer)?)), target),
             Format::Csv => {
                 let csv = answer.csv();
-                let warnings = answer.warnings();
-                let all = warnings.iter().chain(&csv.warnings);
-                all.filter(|w| w.is_of_burst()).for_each(|w| self.warn(w));
+                answer
+                    .warnings()
+                    .iter()
+                    .chain(&csv.warnings)
+                    .filter(|w| w.is_of_burst())
+                    .for_each(|w| self.warn(w));
                 self.emit(table::csv(&CsvTable::of(csv)?)?, target)
             }
         }
@@ -177,18 +180,19 @@ pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Problem> {
         "json" => Format::Json,
         "csv" => Format::Csv,
         other => {
-            let message = format!("--output: .{other} is not a supported file ending");
-            let hint = "the endings are .txt, .json and .csv";
-            return Err(Problem::new(ProblemKind::Output, message, hint));
+            return Err(Problem::new(
+                ProblemKind::Output,
+                format!("--output: .{other} is not a supported file ending"),
+                "the endings are .txt, .json and .csv",
+            ));
         }
     };
     if format == Format::Text || format == by_ending {
         return Ok(by_ending);
     }
-    let hint = "leave out --format: the file ending selects the format";
     Err(Problem::new(
         ProblemKind::Output,
         "--output and --format name two formats",
-        hint,
+        "leave out --format: the file ending selects the format",
     ))
 }

@@ -20,8 +20,12 @@ const GAP: usize = 2;
 /// than the text may be has narrower text columns, or goes on below, with its first column again.
 fn table_within(room: usize, list: &[Column]) -> String {
     let columns: Vec<Drawn<'_>> = list.iter().map(Drawn::new).collect();
-    let parts = parts(room, &columns.iter().collect::<Vec<_>>());
-    joined(parts.iter().map(|columns| table(room, columns)), "\n")
+    joined(
+        parts(room, &columns.iter().collect::<Vec<_>>())
+            .iter()
+            .map(|columns| table(room, columns)),
+        "\n",
+    )
 }
 
 /// A column of one line a cell.

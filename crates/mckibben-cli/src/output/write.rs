@@ -21,8 +21,11 @@ impl Context {
     /// it. A campaign continues its file.
     pub fn check_named(&self, continues: bool) -> Result<(), Problem> {
         let is_written = |name: &str| WRITTEN.contains(&name) && !(continues && name == "--output");
-        let written = self.flags.iter().filter(|flag| is_written(&flag.name));
-        let mut paths = written.flat_map(|flag| &flag.texts);
+        let mut paths = self
+            .flags
+            .iter()
+            .filter(|flag| is_written(&flag.name))
+            .flat_map(|flag| &flag.texts);
         paths.try_for_each(|(_, path)| self.check(Path::new(path)))
     }
 
@@ -75,8 +78,7 @@ impl Context {
     /// A line for the user beside the result, in the units that he reads; nothing better can be
     /// done if nobody can read it.
     pub fn warn(&self, message: impl Display) {
-        let message = self.in_flags(&message.to_string());
-        let text = self.units.sentence(&message);
+        let text = self.units.sentence(&self.in_flags(&message.to_string()));
         let text = format!("warning: {}", clean::line(&short_numbers(&text)));
         let text = width::broken(&text, width::aside());
         let text = text.strip_prefix("warning:").unwrap_or(&text);
@@ -114,13 +116,12 @@ pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Problem
     if endings.contains(&ending.as_str()) {
         return Ok(());
     }
-    let message = format!(
-        "{} ends in .{ending}, which is another format",
-        path.display()
-    );
     Err(Problem::new(
         ProblemKind::Output,
-        message,
+        format!(
+            "{} ends in .{ending}, which is another format",
+            path.display()
+        ),
         format!("end it in .{}", endings.join(" or .")),
     ))
 }

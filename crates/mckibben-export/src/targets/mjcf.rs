@@ -144,8 +144,11 @@ fn site_places(joint: &ExportedJoint, spring: &str) -> Vec<Place> {
             );
         }
     }
-    let places = ["fixed_sites", "moving_sites"].into_iter().zip(sites);
-    places.filter(|place| !place.1.is_empty()).collect()
+    ["fixed_sites", "moving_sites"]
+        .into_iter()
+        .zip(sites)
+        .filter(|place| !place.1.is_empty())
+        .collect()
 }
 
 /// The spring of a joint.
@@ -193,8 +196,11 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         render(text, &joint.facts(), &places),
     );
     let paths = joint.paths();
-    let muscles = joint.muscles.iter().zip(&paths);
-    let muscles = muscles.flat_map(|(muscle, path)| muscle_files(muscle, Some((path, &id))));
+    let muscles = joint
+        .muscles
+        .iter()
+        .zip(&paths)
+        .flat_map(|(muscle, path)| muscle_files(muscle, Some((path, &id))));
     Ok(Artefact {
         files: std::iter::once(scene).chain(muscles).collect(),
     })

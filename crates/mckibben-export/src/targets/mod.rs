@@ -49,8 +49,9 @@ impl ExportTarget {
     /// The target of this name.
     pub fn named(name: &str) -> Result<Self> {
         if name.trim() == "opensim" {
-            let gone = "the target opensim is gone: take fmu or python";
-            return Err(ExportError::Host(gone.into()));
+            return Err(ExportError::Host(
+                "the target opensim is gone: take fmu or python".into(),
+            ));
         }
         Self::ALL
             .into_iter()

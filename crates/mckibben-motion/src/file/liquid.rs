@@ -49,8 +49,10 @@ pub fn valve(
         "valve.exhaust_critical_ratio",
     ];
     if let Some(key) = of_air.into_iter().find(|key| source.has(key)) {
-        let said = "is of a valve of air; a liquid needs flow_coefficient alone";
-        return Err(source.error(key, said));
+        return Err(source.error(
+            key,
+            "is of a valve of air; a liquid needs flow_coefficient alone",
+        ));
     }
     let path = |key: &str, kv: Option<Positive<Flow>>| {
         kv.map(|kv| source.valid(key, Restriction::new(kv.into())))
@@ -63,11 +65,10 @@ pub fn valve(
             "the valve's Kv, such as \"0.1 m3/h\"",
         )
     })?;
-    let tank = path("valve.return_coefficient", keys.return_coefficient)?;
     Ok(LiquidValve {
         kind,
         supply,
-        tank: tank.unwrap_or(supply),
+        tank: path("valve.return_coefficient", keys.return_coefficient)?.unwrap_or(supply),
         line,
     })
 }

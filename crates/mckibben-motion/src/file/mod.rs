@@ -143,8 +143,10 @@ where
         }
     };
     if about_joint && keys.load.is_some() {
-        let said = "a joint carries its load in its own file ([link], [spring])";
-        return Err(source.error("load", said));
+        return Err(source.error(
+            "load",
+            "a joint carries its load in its own file ([link], [spring])",
+        ));
     }
     let actuator = valve::actuator(&keys, source, fluid.is_liquid())?;
     let load = keys.load.unwrap_or_default();
@@ -196,8 +198,8 @@ where
 pub fn drive_names(text: &str) -> Result<Names, FileError> {
     let source = Source::parse(text)?;
     let of_load = source.texts("load").flat_map(Load::tables);
-    let over_time = ["command", "external"].map(|table| source.texts(table));
-    let of_commands = over_time
+    let of_commands = ["command", "external"]
+        .map(|table| source.texts(table))
         .into_iter()
         .flatten()
         .filter_map(command::table_named);
@@ -311,12 +313,16 @@ fn held_contraction(
         ..OfLoad::default()
     };
     if is_started || *keys != alone {
-        let said = "conflicts with [start] and other keys of [load]";
-        return Err(source.error("load.held", said));
+        return Err(source.error(
+            "load.held",
+            "conflicts with [start] and other keys of [load]",
+        ));
     }
     if contraction.abs() >= 1.0 {
-        let said = "must be a contraction below 1, such as \"10 %\"";
-        return Err(source.error("load.held", said));
+        return Err(source.error(
+            "load.held",
+            "must be a contraction below 1, such as \"10 %\"",
+        ));
     }
     Ok(Some(contraction))
 }

@@ -63,11 +63,12 @@ pub fn actuator<P>(
             Err(source.error(second, format!("conflicts with [{first}]; keep one")))
         }
         (Some((_, actuator)), None) => actuator,
-        (None, _) => {
-            let expected = "a [valve] or a [regulator] that gives the air; of a liquid also a \
-                [pump] or a [syringe]";
-            Err(source.missing("valve", "", expected))
-        }
+        (None, _) => Err(source.missing(
+            "valve",
+            "",
+            "a [valve] or a [regulator] that gives the air; of a liquid also a \
+                [pump] or a [syringe]",
+        )),
     }
 }
 
@@ -86,8 +87,10 @@ fn read_valve(
     }
     let of_liquid = ["valve.flow_coefficient", "valve.return_coefficient"];
     if let Some(key) = of_liquid.into_iter().find(|key| source.has(key)) {
-        let said = "is of a liquid, and the file has no [liquid]; air needs sonic_conductance";
-        return Err(source.error(key, said));
+        return Err(source.error(
+            key,
+            "is of a liquid, and the file has no [liquid]; air needs sonic_conductance",
+        ));
     }
     Ok(Actuator::Valve(Valve {
         kind,
@@ -159,8 +162,9 @@ fn hose(
 ) -> Result<Option<Hose>, FileError> {
     let length = ("hose_length", length, "the hose's length");
     let diameter = ("hose_diameter", diameter, "the hose's inner diameter");
-    let both = source.both(table, length, diameter)?;
-    let hose = both.map(|(length, diameter)| Hose::new(diameter.into(), length.into()));
+    let hose = source
+        .both(table, length, diameter)?
+        .map(|(length, diameter)| Hose::new(diameter.into(), length.into()));
     hose.map(|hose| source.valid(&format!("{table}.hose_length"), hose))
         .transpose()
 }
@@ -168,19 +172,22 @@ fn hose(
 pub fn air(keys: &OfAir, source: &Source<'_>, wall_temperature_k: f64) -> Result<Air, FileError> {
     let heat = match (keys.heat.as_deref(), keys.polytropic_index) {
         (Some(_), Some(_)) => {
-            let said = "conflicts with heat; keep one";
-            return Err(source.error("air.polytropic_index", said));
+            return Err(source.error("air.polytropic_index", "conflicts with heat; keep one"));
         }
         (None, Some(n)) if (1.0..=1.4).contains(&n) => Heat::Polytropic(n),
         (None, Some(n)) => {
-            let said = format!("is {n}; it must be from 1 to 1.4");
-            return Err(source.error("air.polytropic_index", said));
+            return Err(source.error(
+                "air.polytropic_index",
+                format!("is {n}; it must be from 1 to 1.4"),
+            ));
         }
         (None, None) => Heat::Isothermal,
         (Some(text), None) => heat(text.trim()).ok_or_else(|| {
-            let said = "must be \"isothermal\", \"adiabatic\", or a coefficient such as \
-                \"25 W/(m2 K)\" or \"0.3 W/K\"";
-            source.error("air.heat", said)
+            source.error(
+                "air.heat",
+                "must be \"isothermal\", \"adiabatic\", or a coefficient such as \
+                \"25 W/(m2 K)\" or \"0.3 W/K\"",
+            )
         })?,
     };
     Ok(Air {

@@ -75,12 +75,13 @@ const MACOS: [&[u8]; 2] = [
 ];
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    let files = [
-        units(muscle, Kind::Pressure, None)?,
-        units(muscle, Kind::Valve, None)?,
-    ]
-    .concat();
-    Ok(Artefact { files })
+    Ok(Artefact {
+        files: [
+            units(muscle, Kind::Pressure, None)?,
+            units(muscle, Kind::Valve, None)?,
+        ]
+        .concat(),
+    })
 }
 
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
@@ -134,8 +135,10 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         // Without the numbers of the muscle.
         let all = [of_unit, &SOURCES[..2]].concat();
         let entry = |file: File| {
-            let name = format!("sources/{}", file.name);
-            (name, file.content.bytes().to_vec())
+            (
+                format!("sources/{}", file.name),
+                file.content.bytes().to_vec(),
+            )
         };
         Vec::from_iter(files(muscle, &all).into_iter().map(entry))
     };
@@ -143,11 +146,12 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         let (list, structure) = description(&variables, version);
         let own = [("variables", list), ("structure", structure)];
         let text = render(template, &facts, &[&values[..], &own].concat());
-        let first = [
+        zip([
             ("modelDescription.xml".to_owned(), text.into_bytes()),
             ("resources/muscle.bin".to_owned(), resource.clone()),
-        ];
-        zip(first.into_iter().chain(files))
+        ]
+        .into_iter()
+        .chain(files))
     };
     let (of_second, of_third) = libraries(&id);
     let build = include_str!("../../../templates/fmu3_build.xml");
@@ -174,14 +178,18 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
 /// The libraries of all systems in FMI 2.0 and in FMI 3.0.
 fn libraries(id: &str) -> (Vec<Entry>, Vec<Entry>) {
     let entry = |folder: &str, ending: &str, library: &[u8]| {
-        let path = format!("binaries/{folder}/{id}.{ending}");
-        (path, library.to_vec())
+        (format!("binaries/{folder}/{id}.{ending}"), library.to_vec())
     };
     let third = SYSTEMS.map(|(_, folder, ending, library)| entry(folder, ending, library));
-    let in_second = SYSTEMS.iter().filter(|system| !system.0.is_empty());
-    let second = in_second.map(|(folder, _, ending, library)| entry(folder, ending, library));
-    let macos = entry("darwin64", "dylib", &universal(&MACOS));
-    (second.chain([macos]).collect(), third.to_vec())
+    (
+        SYSTEMS
+            .iter()
+            .filter(|system| !system.0.is_empty())
+            .map(|(folder, _, ending, library)| entry(folder, ending, library))
+            .chain([entry("darwin64", "dylib", &universal(&MACOS))])
+            .collect(),
+        third.to_vec(),
+    )
 }
 
 /// `muscle.bin`, as fmu2.c reads it.

@@ -98,11 +98,10 @@ pub fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
 /// The names of fmu2.c: the place of each is its value reference, and those before `force` can be
 /// set or are states.
 pub fn references() -> Vec<String> {
-    let source = include_str!("../../../templates/fmu2.c");
-    let list = source
+    let names = include_str!("../../../templates/fmu2.c")
         .split_once("enum {\n    PRESSURE")
-        .and_then(|(_, rest)| rest.split_once("\n};"));
-    let names = list.map_or("", |(names, _)| names);
+        .and_then(|(_, rest)| rest.split_once("\n};"))
+        .map_or("", |(names, _)| names);
     format!("PRESSURE{names}")
         .split(',')
         .map(|name| name.trim().to_ascii_lowercase())
