@@ -38,7 +38,7 @@ enum Given {
 
 impl Contractions {
     /// The ratios, of a muscle of the length L0 in mm.
-    pub(crate) fn of_length(&self, length_mm: f64) -> Result<Vec<f64>> {
+    pub fn of_length(&self, length_mm: f64) -> Result<Vec<f64>> {
         let divisor = if self.in_mm { length_mm } else { 1.0 };
         self.values
             .iter()
@@ -49,7 +49,7 @@ impl Contractions {
 
 impl Contraction {
     /// The ratio, of a muscle of the length L0 in mm.
-    pub(crate) fn of_length(&self, length_mm: f64) -> Result<f64> {
+    pub fn of_length(&self, length_mm: f64) -> Result<f64> {
         Ok(self.0.of_length(length_mm)?.first().copied().unwrap_or(0.0))
     }
 }

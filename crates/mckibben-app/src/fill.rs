@@ -182,7 +182,7 @@ pub struct LiquidFields {
 
 impl LiquidFields {
     /// The liquid, water where no other one is named, with its dead volume.
-    pub(crate) fn supply(&self) -> Result<LiquidSupply> {
+    pub fn supply(&self) -> Result<LiquidSupply> {
         let name = self.liquid.as_deref().unwrap_or("water");
         let wrong = |error: Refused| {
             ProblemKind::Quantity
@@ -205,7 +205,7 @@ impl LiquidFields {
     }
 
     /// The same where a liquid is named; else the muscle is filled with air.
-    pub(crate) fn named_supply(&self) -> Result<Option<LiquidSupply>> {
+    pub fn named_supply(&self) -> Result<Option<LiquidSupply>> {
         if self.liquid.is_some() {
             return self.supply().map(Some);
         }

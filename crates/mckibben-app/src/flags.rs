@@ -1,7 +1,7 @@
 //! How the flags of a command line fill requests. Requests state their flags with the attributes of
 //! clap's derive macro.
 
-use crate::{Measures, Model, NameOrFile, Problem, ProblemKind, TextFile};
+use crate::{Measures, Model, NameOrFile, Problem, ProblemKind, Result, TextFile};
 pub use clap::Args;
 use clap::{
     Arg, ArgMatches, Command, FromArgMatches,
@@ -81,7 +81,7 @@ impl<T: DeserializeOwned + JsonSchema + Clone + Send + Sync + 'static> TypedValu
 #[derive(Clone)]
 pub struct Names<T> {
     list: fn() -> Vec<String>,
-    read: fn(&str) -> Result<T, Problem>,
+    read: fn(&str) -> Result<T>,
 }
 
 impl<T: Clone + Send + Sync + 'static> TypedValueParser for Names<T> {
@@ -96,7 +96,7 @@ impl<T: Clone + Send + Sync + 'static> TypedValueParser for Names<T> {
     }
 }
 
-fn text(text: &str) -> Result<String, Problem> {
+fn text(text: &str) -> Result<String> {
     Ok(text.to_owned())
 }
 
@@ -201,22 +201,22 @@ pub fn parts() -> Names<String> {
 }
 
 /// A file written by hand.
-pub fn file(path: &str) -> Result<TextFile, Problem> {
+pub fn file(path: &str) -> Result<TextFile> {
     TextFile::read(Path::new(path))
 }
 
 /// A muscle file, or the name of a muscle.
-pub fn muscle_file(path: &str) -> Result<TextFile, Problem> {
+pub fn muscle_file(path: &str) -> Result<TextFile> {
     TextFile::muscle(Path::new(path))
 }
 
 /// A table of measured points.
-pub fn table(path: &str) -> Result<TextFile, Problem> {
+pub fn table(path: &str) -> Result<TextFile> {
     TextFile::table(Path::new(path))
 }
 
 /// A volume. Users think of mL, and the unit inside is a thousandth of it.
-pub fn volume(text: &str) -> Result<Volume, Problem> {
+pub fn volume(text: &str) -> Result<Volume> {
     let text = text.trim();
     let volume: Volume = text.parse().map_err(|e| ProblemKind::Quantity.problem(e))?;
     if volume.0 != 0.0 && text.parse::<f64>().is_ok() {
@@ -276,7 +276,7 @@ impl FromArgMatches for Measures {
 }
 
 /// A stiffness of one strand family: a quantity or a word.
-pub fn stiffness(text: &str) -> Result<crate::Stiffness, Problem> {
+pub fn stiffness(text: &str) -> Result<crate::Stiffness> {
     if let Some(word) = mckibben_core::units::named(text.trim()) {
         return Ok(word);
     }
@@ -291,7 +291,7 @@ pub fn stiffness(text: &str) -> Result<crate::Stiffness, Problem> {
 
 /// A terminal of `fe3d`: rigid or aluminium, with the insertion and the radius of the nose
 /// behind: `aluminium:20mm:3mm`.
-pub fn terminal(text: &str) -> Result<Plug, Problem> {
+pub fn terminal(text: &str) -> Result<Plug> {
     let words: Vec<&str> = text.split(':').map(str::trim).collect();
     let material = match words[0] {
         "rigid" => PlugMaterial::Rigid,

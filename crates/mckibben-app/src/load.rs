@@ -31,7 +31,7 @@ pub struct LoadFields {
 
 impl LoadFields {
     /// The load, for a muscle of this length.
-    pub(crate) fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>> {
+    pub fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>> {
         let Some(text) = &self.load else {
             return Ok(None);
         };

@@ -33,7 +33,7 @@ pub fn model_from_formula(file: &TextFile) -> Result<Model> {
 }
 
 /// A muscle of the make that a formula is for.
-pub(crate) fn made_for(model: &Model) -> Result<Option<Muscle>> {
+pub fn made_for(model: &Model) -> Result<Option<Muscle>> {
     match model {
         Model::Formula(f) => Ok(Some(f.made_for.muscle(&f.range)?)),
         _ => Ok(None),
@@ -42,7 +42,7 @@ pub(crate) fn made_for(model: &Model) -> Result<Option<Muscle>> {
 
 impl MeshFields {
     /// The model of a name, or of a formula's file.
-    pub(crate) fn model_of(&self, name: &NameOrFile) -> Result<Model> {
+    pub fn model_of(&self, name: &NameOrFile) -> Result<Model> {
         match name {
             NameOrFile::Name(name) => self.model(name),
             NameOrFile::File(file) => self.no_terminal().and_then(|()| model_from_formula(file)),
@@ -88,7 +88,7 @@ impl MeshFields {
     }
 
     /// Refuses a mesh that none of the models has.
-    pub(crate) fn check_used(&self, models: &[&Model]) -> Result<()> {
+    pub fn check_used(&self, models: &[&Model]) -> Result<()> {
         let elements = models.iter().any(|m| matches!(m, Model::Elements(_)));
         let why = "only `model` fe and fe3d have a mesh";
         Problem::refuse_unused(&[("mesh", self.mesh.is_some() && !elements)], why)?;

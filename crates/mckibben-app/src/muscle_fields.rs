@@ -2,7 +2,7 @@
 //! [`mckibben_core::muscle::measures`].
 
 use crate::{
-    Problem, ProblemKind,
+    Problem, ProblemKind, Result,
     fields::{NameOrFile, Stiffness, TextFile, name_or_file, object_or},
     flags::{self, Args},
 };
@@ -93,7 +93,7 @@ impl MuscleFields {
     }
 
     /// Which fields exclude each other.
-    pub(crate) fn validate(&self) -> Result<(), Problem> {
+    pub fn validate(&self) -> Result<()> {
         let again = self.file.is_some() && self.also_file.is_some();
         Problem::refuse_unused(&[("also_file", again)], "a muscle file is given already")?;
         let has = |measure| self.tube.is_some() && self.measures.get(measure).is_some();
@@ -113,7 +113,7 @@ impl MuscleFields {
     }
 
     /// An object of fields, or a name alone: `lib:dmsp-20-300`.
-    pub(crate) fn or_name<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+    pub fn or_name<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         object_or(from, |name| {
             Self::from_file(TextFile {
                 name,
@@ -139,7 +139,7 @@ pub struct TubeSize {
 impl FromStr for TubeSize {
     type Err = Problem;
 
-    fn from_str(text: &str) -> Result<Self, Problem> {
+    fn from_str(text: &str) -> Result<Self> {
         let wrong = || {
             Problem::new(
                 ProblemKind::Quantity,
@@ -188,7 +188,7 @@ impl FromStr for TubeSize {
 impl TryFrom<String> for TubeSize {
     type Error = Problem;
 
-    fn try_from(text: String) -> Result<Self, Problem> {
+    fn try_from(text: String) -> Result<Self> {
         text.parse()
     }
 }

@@ -33,7 +33,7 @@ pub struct PlanAnswer {
 const MOST_POINTS: u64 = 200_000;
 
 /// The plan of a request, and its file; a problem lists all mistakes of the plan.
-pub(crate) fn plan_of<'a>(
+pub fn plan_of<'a>(
     file: &'a Option<TextFile>,
     samples: &Option<TextFile>,
 ) -> Result<(Plan, &'a TextFile)> {

@@ -328,14 +328,14 @@ impl From<MuscleFields> for QuestionFields {
 
 /// A model bound to its muscle, with the workspace of this request.
 pub struct Question {
-    pub(crate) muscle: Muscle,
+    pub muscle: Muscle,
     /// The model before it was bound.
-    pub(crate) choice: Model,
-    pub(crate) model: Box<dyn ForceModel>,
-    pub(crate) workspace: Workspace,
-    pub(crate) options: Options,
+    pub choice: Model,
+    pub model: Box<dyn ForceModel>,
+    pub workspace: Workspace,
+    pub options: Options,
     /// Whether a model was named.
-    pub(crate) is_model_named: bool,
+    pub is_model_named: bool,
 }
 
 impl Question {
@@ -355,7 +355,7 @@ impl Question {
 }
 
 impl QuestionFields {
-    pub(crate) fn ask(&self) -> Result<Question> {
+    pub fn ask(&self) -> Result<Question> {
         let choice = self.model.choose()?;
         let muscle = self.muscle.resolve_for(&choice)?;
         let BoundModel {
@@ -377,17 +377,17 @@ impl QuestionFields {
 
 impl Question {
     /// Its model with its memory and its options.
-    pub(crate) fn evaluation(&mut self) -> Evaluation<'_> {
+    pub fn evaluation(&mut self) -> Evaluation<'_> {
         Evaluation::new(&*self.model, &mut self.workspace, self.options)
     }
 
     /// The burst pressure of its muscle.
-    pub(crate) fn burst(&self) -> Result<Burst> {
+    pub fn burst(&self) -> Result<Burst> {
         burst_of(&self.choice, &*self.model)
     }
 
     /// Data behind an answer, which warns of the highest pressure first.
-    pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
+    pub fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
         Warning::put_first(&mut of.warnings, burst.warnings(highest_mpa));
         Ok(Background {
@@ -404,7 +404,7 @@ impl Question {
 
 impl AskFields {
     /// How a model of this muscle is evaluated.
-    pub(crate) fn options(self, muscle: &Muscle) -> Result<Options> {
+    pub fn options(self, muscle: &Muscle) -> Result<Options> {
         let Self {
             extrapolate,
             two_sided,

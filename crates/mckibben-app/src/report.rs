@@ -40,7 +40,7 @@ pub struct TitleBlock {
 
 impl TitleBlock {
     /// Its fields, with those that are signed by hand.
-    pub(crate) fn fields(&self) -> Vec<(String, String)> {
+    pub fn fields(&self) -> Vec<(String, String)> {
         let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
         let fields = [
             ("muscle", self.name.as_deref()),

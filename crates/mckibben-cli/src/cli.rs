@@ -1,7 +1,7 @@
 //! The command line: its commands, and what every command takes.
 
 use crate::{
-    Context, Format, Problem,
+    Context, Format, Result,
     commands::{
         build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint,
         motion, parts, point, rubber, schema, serve, simulate,
@@ -124,7 +124,7 @@ pub enum Command {
 
 impl Command {
     /// Runs it; the exit code where it ends well.
-    pub fn run(self, context: &mut Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &mut Context) -> Result<u8> {
         match self {
             Self::Design(command) => command.0.run(context),
             Self::Force(command) => command.0.run(context),

@@ -19,7 +19,7 @@ mod quotes;
 use clap::FromArgMatches;
 use context::Context;
 use format::Format;
-use mckibben_app::{Problem, guarded, panics_are_problems};
+use mckibben_app::{Problem, Result, guarded, panics_are_problems};
 use mckibben_core::threads;
 use output::{Output, check_ending, ending, text::path_on_one_line};
 use plot::Plot;

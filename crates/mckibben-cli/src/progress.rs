@@ -1,6 +1,6 @@
 //! Progress on a terminal, and the wish to stop by Ctrl-C.
 
-use crate::Problem;
+use crate::Result;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben_app::{ProblemKind, words::number};
 use mckibben_core::{cancel::Cancel, progress::Progress};
@@ -38,12 +38,12 @@ pub fn cancel() -> Cancel {
 
 /// Refuses the result of cancelled work: what came out of cancelled work is no answer, and is not
 /// written.
-pub fn ended() -> Result<(), Problem> {
+pub fn ended() -> Result<()> {
     Ok(cancel().check()?)
 }
 
 /// How a command ended: what it says that failed in cancelled work is no reason.
-pub fn last_word(done: Result<u8, Problem>) -> Result<u8, Problem> {
+pub fn last_word(done: Result<u8>) -> Result<u8> {
     match done {
         Err(problem) if problem.kind != ProblemKind::Internal => ended().and(Err(problem)),
         done => done,

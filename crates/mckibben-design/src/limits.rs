@@ -81,7 +81,7 @@ impl Limits {
     }
 
     /// The numbers that must be above zero, with their names.
-    pub(crate) fn positive(&self) -> [(&'static str, Option<f64>); 8] {
+    pub fn positive(&self) -> [(&'static str, Option<f64>); 8] {
         [
             ("the largest bulged diameter", self.bulged_diameter_mm),
             ("the largest envelope", self.envelope_mm),
@@ -121,7 +121,7 @@ pub enum Limit {
 
 impl Limit {
     /// Its entry; `None` for the pull, which is what is wanted.
-    pub(crate) fn entry(self) -> Option<&'static LimitEntry> {
+    pub fn entry(self) -> Option<&'static LimitEntry> {
         LIMITS.iter().find(|entry| entry.limit == self)
     }
 

@@ -251,13 +251,13 @@ impl Spec {
     }
 
     /// So many side by side, within those that may be.
-    pub(crate) fn count_of(&self, needed: f64) -> u32 {
+    pub fn count_of(&self, needed: f64) -> u32 {
         let most = self.most_side_by_side.max(self.count);
         needed.clamp(f64::from(self.count), f64::from(most)) as u32
     }
 
     /// z of the chance that is required.
-    pub(crate) fn deviations(&self) -> Option<f64> {
+    pub fn deviations(&self) -> Option<f64> {
         deviations(self.certainty)
     }
 

@@ -88,7 +88,7 @@ pub struct Point {
 
 impl Form {
     /// The values and slopes of c0 to c4 at each node.
-    pub(crate) fn nodes(&self) -> Vec<Node> {
+    pub fn nodes(&self) -> Vec<Node> {
         let node = |(k, &contraction)| Node {
             contraction,
             value_n: std::array::from_fn(|i| self.a[i][k]),

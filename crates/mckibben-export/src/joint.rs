@@ -37,7 +37,7 @@ pub struct ExportedJoint {
     /// its blocked force: those of pulls and slopes on their largest arms.
     pub stiffness_error_nm_per_rad: f64,
     #[serde(skip)]
-    pub(crate) joint: Joint,
+    pub joint: Joint,
 }
 
 /// Pairs of numbers with their names.
@@ -126,13 +126,13 @@ impl ExportedJoint {
         crate::muscle::identifier("joint", &self.name)
     }
 
-    pub(crate) fn range_rad(&self) -> [f64; 2] {
+    pub fn range_rad(&self) -> [f64; 2] {
         let (low, high) = self.joint.range_deg();
         [low, high].map(f64::to_radians)
     }
 
     /// The ways of two muscles and of a spring; a pulley of 1 m where there is none.
-    pub(crate) fn paths(&self) -> [Path; 3] {
+    pub fn paths(&self) -> [Path; 3] {
         let none = Path::Pulley { radius_mm: 1e3 };
         let of = |i: usize| self.joint.muscles().get(i).map_or(none, |m| m.path);
         let spring = match self.joint.spring() {
@@ -144,7 +144,7 @@ impl ExportedJoint {
 
     /// Torque and slope of a torsion spring; pull and slope of a spring on a rope, in the length of
     /// its path.
-    pub(crate) fn springs(&self) -> ([f64; 2], [f64; 2]) {
+    pub fn springs(&self) -> ([f64; 2], [f64; 2]) {
         let none = [0.0; 2];
         match self.joint.spring() {
             None => (none, none),
@@ -167,7 +167,7 @@ impl ExportedJoint {
     }
 
     /// The ways, springs, weight and range, as C has them, in SI units.
-    pub(crate) fn numbers(&self) -> ([Vec<f64>; 3], Pairs) {
+    pub fn numbers(&self) -> ([Vec<f64>; 3], Pairs) {
         let paths = self.paths().map(|path| {
             let mm = match path {
                 Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],
@@ -192,7 +192,7 @@ impl ExportedJoint {
     }
 
     /// The values for templates whose lists are between these brackets.
-    pub(crate) fn values(
+    pub fn values(
         &self,
         brackets: [&str; 2],
         one: impl Fn(f64) -> String + Copy,

@@ -43,7 +43,7 @@ pub enum Command {
 impl Command {
     /// The same in another unit.
     #[must_use]
-    pub(crate) fn scaled(mut self, factor: f64) -> Self {
+    pub fn scaled(mut self, factor: f64) -> Self {
         match &mut self {
             Self::Constant(value) => *value *= factor,
             Self::Steps(points) | Self::Ramps(points) => {

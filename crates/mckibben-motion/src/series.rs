@@ -38,7 +38,7 @@ macro_rules! muscle_series {
             }
 
             /// The same to be written.
-            pub(crate) fn lists_mut(&mut self) -> [&mut Vec<f64>; COLUMNS.len()] {
+            pub fn lists_mut(&mut self) -> [&mut Vec<f64>; COLUMNS.len()] {
                 [$(&mut self.$field),*]
             }
         }

@@ -92,9 +92,9 @@ const BLOCK: usize = 1024;
 const BLOCK_OF_ELEMENTS: usize = 32;
 /// A model bound to its muscle.
 pub struct BoundModel {
-    pub(crate) model: Box<dyn ForceModel>,
-    pub(crate) options: Options,
-    pub(crate) choice: Model,
+    pub model: Box<dyn ForceModel>,
+    pub options: Options,
+    pub choice: Model,
     quiet: OnceLock<Quiet>,
 }
 

@@ -39,7 +39,7 @@ struct Known {
 impl BoundModel {
     /// Answers a block of points, of which the first is the one at the place `from` of all; what is
     /// to be said of them.
-    pub(super) fn block(
+    pub fn block(
         &self,
         (from, [first, second]): (usize, [&[f64]; 2]),
         many: &Many,
@@ -97,7 +97,7 @@ impl BoundModel {
     }
 
     /// All that is known of a point but P′, and what is to be said of it.
-    pub(super) fn point(&self, burst: &Burst, w: &mut Workspace, p: f64, e: f64) -> Result<Answer> {
+    pub fn point(&self, burst: &Burst, w: &mut Workspace, p: f64, e: f64) -> Result<Answer> {
         let mut answer = self.evaluation(w).point(p, e)?;
         Warning::put_first(&mut answer.warnings, burst.warnings(p));
         Ok(answer)

@@ -93,7 +93,7 @@ impl Characteristics {
         }
     }
 
-    pub(crate) fn rows(&self, u: &Units) -> Rows {
+    pub fn rows(&self, u: &Units) -> Rows {
         let limits = self.limits.rows(u);
         let unknown = limits.is_empty().then_some("not stated");
         Rows::default()
@@ -114,7 +114,7 @@ impl Characteristics {
 
 impl CheckAnswer {
     /// What was understood of a muscle, what follows from it, and how to build it.
-    pub(crate) fn sheets(&self, u: &Units) -> [(&'static str, Rows); 3] {
+    pub fn sheets(&self, u: &Units) -> [(&'static str, Rows); 3] {
         [
             ("Muscle", self.understood(u)),
             ("Derived", self.derived_rows(u)),

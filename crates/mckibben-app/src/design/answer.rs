@@ -257,7 +257,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
 }
 
 impl DemandAnswer {
-    pub(super) fn new(demand: &Demand) -> Self {
+    pub fn new(demand: &Demand) -> Self {
         match demand {
             Demand::Points(points) => Self::Points {
                 points: points.clone(),
@@ -278,7 +278,7 @@ impl DemandAnswer {
 }
 
 impl SearchedAnswer {
-    pub(super) fn new(spec: &Spec) -> Self {
+    pub fn new(spec: &Spec) -> Self {
         let has_strength = |braid: &Braid| braid.strands.is_some_and(|s| s.strength_n.is_some());
         Self {
             rubber: rubber_of(spec),
@@ -336,7 +336,7 @@ fn braid_of(spec: &Spec) -> String {
 }
 
 impl CandidateAnswer {
-    pub(super) fn new(c: &Candidate, spec: &Spec) -> Self {
+    pub fn new(c: &Candidate, spec: &Spec) -> Self {
         Self {
             joint: match &spec.wanted {
                 Demand::Joint(joint) => Some(CandidateJoint {

@@ -38,7 +38,7 @@ pub struct CycleAnswer {
 
 impl DesignRequest {
     /// Of the best muscle: a mass of the required weight is lifted from its stop.
-    pub(super) fn cycle_of(
+    pub fn cycle_of(
         &self,
         winner: &Candidate,
         spec: &Spec,
@@ -97,7 +97,7 @@ impl DesignRequest {
 
 impl CycleAnswer {
     /// The line of the decision.
-    pub(super) fn line(&self) -> String {
+    pub fn line(&self) -> String {
         let air = self
             .air_normal_litres_per_min
             .map(|litres| number(litres, 3))

@@ -193,7 +193,7 @@ impl Decision<'_> {
 }
 
 impl ChoiceAnswer {
-    pub(super) fn new(Choice { kind, candidate: c }: &Choice, spec: &Spec) -> Self {
+    pub fn new(Choice { kind, candidate: c }: &Choice, spec: &Spec) -> Self {
         let is = match kind {
             ChoiceKind::Take => "take: ",
             ChoiceKind::Sold => "sold: ",

@@ -260,7 +260,7 @@ const SHORTEST_MM: f64 = 2.0;
 
 impl DesignRequest {
     /// Which fields exclude each other, and which ones need others.
-    pub(super) fn validate(&self) -> Result<()> {
+    pub fn validate(&self) -> Result<()> {
         if let Some(share) = self.guaranteed {
             // X of two sides is (1 + X)/2 of one.
             let percent = number(50.0 * (1.0 + share.0), 4);
@@ -335,7 +335,7 @@ impl DesignRequest {
     }
 
     /// The limits, as far as the strands' strength is known.
-    pub(super) fn limits(&self, braid: &BraidChoice, base: &Muscle) -> Result<Limits> {
+    pub fn limits(&self, braid: &BraidChoice, base: &Muscle) -> Result<Limits> {
         let strength = match braid {
             BraidChoice::Sleeves(list) => list.iter().find_map(|braid| braid.strands?.strength_n),
             _ => strand_strength_n(base),

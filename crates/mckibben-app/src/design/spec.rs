@@ -62,7 +62,7 @@ const EXTENSILE_DEG: (f64, f64) = (57.0, 72.0);
 const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 
 impl DesignRequest {
-    pub(super) fn search(&self) -> Result<Search> {
+    pub fn search(&self) -> Result<Search> {
         self.validate()?;
         let (base, wanted, radius_mm) = self.demand()?;
         let count = self.count.map_or(1, |count| count.0 as u32);
@@ -199,7 +199,7 @@ impl DesignRequest {
     }
 
     /// Whether a stroke sets the contraction of muscles whose length is searched.
-    pub(super) fn length_is_searched(&self) -> bool {
+    pub fn length_is_searched(&self) -> bool {
         let is_free = match &self.length_mm {
             Some(choice) => !matches!(choice, Choice::One(_)),
             None => {
@@ -212,7 +212,7 @@ impl DesignRequest {
     }
 
     /// The muscle file.
-    pub(super) fn file(&self) -> Option<&TextFile> {
+    pub fn file(&self) -> Option<&TextFile> {
         self.muscle.as_ref().or(self.also_muscle.as_ref())
     }
 

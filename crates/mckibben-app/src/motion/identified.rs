@@ -42,7 +42,7 @@ pub struct IdentifiedDrive {
 
 impl IdentifiedDrive {
     /// The constants and the errors of a model, as people read them.
-    pub(super) fn page(&self, model: &str) -> Page {
+    pub fn page(&self, model: &str) -> Page {
         let mut page = Page::default();
         page.line(&self.read);
         page.line(format!("model {model}"));

@@ -89,7 +89,7 @@ impl MotionRequest {
     }
 
     /// Which fields exclude each other, and which ones need others.
-    pub(super) fn validate(&self) -> Result<()> {
+    pub fn validate(&self) -> Result<()> {
         let free = [("free", self.log.is_none() && !self.free.is_empty())];
         Problem::refuse_unused(&free, "it belongs to `log`")?;
         let (Some(_), Some(step)) = (&self.drive, &self.step) else {
@@ -135,7 +135,7 @@ pub struct StepFields {
 
 impl StepFields {
     /// The text of the drive file that it says, of a muscle of this length.
-    pub(super) fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<String> {
+    pub fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<String> {
         let pressure = given(
             "pressure_mpa",
             self.pressure_mpa,

@@ -27,7 +27,7 @@ impl Column {
     }
 
     /// A column of amounts of one unit, with their points aligned unless their sizes are unlike.
-    pub(crate) fn of(label: &str, scale: &Scale, amounts: &[Amount]) -> Option<Self> {
+    pub fn of(label: &str, scale: &Scale, amounts: &[Amount]) -> Option<Self> {
         let sizes = || {
             amounts
                 .iter()
@@ -109,7 +109,7 @@ impl<'a, T> Table<'a, T> {
     }
 
     /// With a column, where there is one.
-    pub(crate) fn with(mut self, column: Option<Column>) -> Self {
+    pub fn with(mut self, column: Option<Column>) -> Self {
         self.columns.extend(column);
         self
     }

@@ -1,7 +1,7 @@
 //! `design`: the main job.
 
 use crate::{
-    Bar, Context, Format, NO_ANSWER, Plot, Problem, check_ending, examples::examples,
+    Bar, Context, Format, NO_ANSWER, Plot, Result, check_ending, examples::examples,
     output::ShownUnits, path_on_one_line,
 };
 use mckibben_app::DesignRequest;
@@ -35,7 +35,7 @@ pub struct Design {
 }
 
 impl Design {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         let target = self.output.as_deref();
         check_ending(target, &["toml"])?;
         self.request.load.read_tables()?;

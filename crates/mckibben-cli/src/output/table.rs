@@ -1,7 +1,7 @@
 //! The columns of a table: those of the rows' schema, so that they are the same whatever the
 //! values.
 
-use crate::Problem;
+use crate::{Problem, Result};
 use mckibben_app::{
     ProblemKind,
     print::{
@@ -81,7 +81,7 @@ pub struct CsvTable {
 
 impl CsvTable {
     /// The table of an answer.
-    pub fn of(answer: Csv) -> Result<Self, Problem> {
+    pub fn of(answer: Csv) -> Result<Self> {
         let schema = (answer.schema)();
         let rows = answer.rows.map_err(|e| broken(&e))?;
         let rows: Vec<Value> = match answer.form {
@@ -144,7 +144,7 @@ fn broken(error: &dyn std::fmt::Display) -> Problem {
     ProblemKind::Output.problem(format!("cannot make CSV: {error}"))
 }
 
-pub fn csv(table: &CsvTable) -> Result<Vec<u8>, Problem> {
+pub fn csv(table: &CsvTable) -> Result<Vec<u8>> {
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer
         .write_record(table.columns.iter().map(|c| cell(c).into_owned()))

@@ -28,7 +28,7 @@ pub struct ExportTarget {
     #[serde(skip)]
     make: fn(&ExportedMuscle) -> Result<Artefact>,
     #[serde(skip)]
-    pub(crate) joint: fn(&ExportedJoint) -> Result<Artefact>,
+    pub joint: fn(&ExportedJoint) -> Result<Artefact>,
 }
 
 impl ExportTarget {
