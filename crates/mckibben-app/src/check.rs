@@ -146,15 +146,17 @@ type AtPressure = (Option<Characteristics>, Vec<Warning>, Vec<MuscleFinding>);
 fn refuse_what_needs_a_model(request: &CheckRequest) -> Result<()> {
     let model = &request.question.model;
     let asking = request.question.asking;
-    let fields = [
-        ("pressure_mpa", request.pressure_mpa.is_some()),
-        ("model", model.name.is_some()),
-        ("mesh", model.mesh != MeshFields::default()),
-        ("extrapolate", asking.extrapolate),
-        ("two_sided", asking.two_sided),
-        ("direction", asking.direction.is_some()),
-    ];
-    Problem::refuse_unused(&fields, "`only_data` evaluates no model")
+    Problem::refuse_unused(
+        &[
+            ("pressure_mpa", request.pressure_mpa.is_some()),
+            ("model", model.name.is_some()),
+            ("mesh", model.mesh != MeshFields::default()),
+            ("extrapolate", asking.extrapolate),
+            ("two_sided", asking.two_sided),
+            ("direction", asking.direction.is_some()),
+        ],
+        "`only_data` evaluates no model",
+    )
 }
 
 /// What is known of a muscle, and what is not.

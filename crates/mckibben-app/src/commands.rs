@@ -256,7 +256,7 @@ fn blamed<'a>(fields: &'a Value, said: &str, wrong: &dyn Fn(&Value) -> String) -
 /// The command of a name.
 pub fn find(command: &str) -> Result<&'static CommandEntry> {
     COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
-        let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
+        let names = Vec::from_iter(COMMANDS.iter().map(|c| c.name));
         let meant = meant(nearest(command, names.iter().copied()));
         ProblemKind::Usage.problem(format!(
             "there is no command \"{command}\"{meant}; the commands are {}",

@@ -50,7 +50,12 @@ impl Contractions {
 impl Contraction {
     /// The ratio, of a muscle of the length L0 in mm.
     pub fn of_length(&self, length_mm: f64) -> Result<f64> {
-        Ok(self.0.of_length(length_mm)?.first().copied().unwrap_or(0.0))
+        Ok(self
+            .0
+            .of_length(length_mm)?
+            .first()
+            .copied()
+            .unwrap_or_default())
     }
 }
 
@@ -77,7 +82,7 @@ impl From<Contractions> for Vec<f64> {
 
 impl From<Contraction> for f64 {
     fn from(contraction: Contraction) -> Self {
-        contraction.0.values.first().copied().unwrap_or(0.0)
+        contraction.0.values.first().copied().unwrap_or_default()
     }
 }
 
@@ -93,14 +98,16 @@ impl FromStr for Contractions {
         } else {
             text.parse::<List<Ratio>>().map(|list| list.0)
         };
-        let values = values.map_err(|error| {
-            let kind = match error {
-                RangeError::Quantity(_) => ProblemKind::Quantity,
-                RangeError::Form(_) => ProblemKind::Range,
-            };
-            kind.problem(error)
-        })?;
-        Ok(Self { values, in_mm })
+        Ok(Self {
+            values: values.map_err(|error| {
+                let kind = match error {
+                    RangeError::Quantity(_) => ProblemKind::Quantity,
+                    RangeError::Form(_) => ProblemKind::Range,
+                };
+                kind.problem(error)
+            })?,
+            in_mm,
+        })
     }
 }
 

@@ -161,8 +161,10 @@ impl CurveRequest {
     fn grid(&self, question: &mut Question, pressures: Vec<f64>) -> Result<(Vec<f64>, Vec<f64>)> {
         let isobaric = self.test == Test::Isobaric;
         if self.test == Test::Isotonic {
-            let forces = forces(&self.forces_n, &question.muscle, question.options)?;
-            return Ok((forces, pressures));
+            return Ok((
+                forces(&self.forces_n, &question.muscle, question.options)?,
+                pressures,
+            ));
         }
         let step = if isobaric { 0.01 } else { 0.05 };
         let contractions = contractions(&self.contractions, question.muscle.length_mm(), || {
@@ -434,13 +436,12 @@ impl From<&CurvePoint> for PointRow {
                     ..
                 } = point;
                 let cause = short_numbers(&error.to_string()).into_owned();
-                let requested = RequestedPoint {
-                    pressure_mpa,
-                    contraction,
-                    force_n,
-                };
                 Self::Failed(FailedPoint {
-                    requested,
+                    requested: RequestedPoint {
+                        pressure_mpa,
+                        contraction,
+                        force_n,
+                    },
                     status: error.into(),
                     cause,
                 })
@@ -506,10 +507,11 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
         model,
         asking,
     } = &request.question;
-    let sizes: Vec<(&str, bool)> = fields()
-        .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
-        .map(|(field, measure)| (field, m.measures.get(measure).is_some()))
-        .collect();
+    let sizes = Vec::from_iter(
+        fields()
+            .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
+            .map(|(field, measure)| (field, m.measures.get(measure).is_some())),
+    );
     Problem::refuse_unused(
         &sizes,
         "the study has the diameter, walls and length of the paper",
@@ -530,12 +532,13 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
             unit,
         )
     });
-    let curves = study
-        .panels
-        .iter()
-        .flat_map(|p| &p.curves)
-        .map(|c| &c.curve);
-    let warnings = warnings::of_points(answered(curves));
+    let warnings = warnings::of_points(answered(
+        study
+            .panels
+            .iter()
+            .flat_map(|p| &p.curves)
+            .map(|c| &c.curve),
+    ));
     let Study {
         model,
         panels,

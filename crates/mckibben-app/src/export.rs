@@ -344,11 +344,17 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let target = common.target()?;
     let joint = request.joint.resolve()?;
     let choice = common.model.choose()?;
-    let muscles = Vec::from_iter(joint.muscles().iter().map(|m| &m.muscle));
-    let supplied = common.supplied(&choice, &muscles)?;
+    let supplied = common.supplied(
+        &choice,
+        &Vec::from_iter(joint.muscles().iter().map(|m| &m.muscle)),
+    )?;
     let name = common.name_or(request.joint.joint.as_ref(), "joint");
-    let models = Vec::from_iter(supplied.models.iter().map(|model| &**model));
-    let mut exported = ExportedJoint::fit(&joint, &models, &name, supplied.supply_mpa)?;
+    let mut exported = ExportedJoint::fit(
+        &joint,
+        &Vec::from_iter(supplied.models.iter().map(|model| &**model)),
+        &name,
+        supplied.supply_mpa,
+    )?;
     for (muscle, known) in exported.muscles.iter_mut().zip(&supplied.known) {
         muscle.known = *known;
     }

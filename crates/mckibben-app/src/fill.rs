@@ -209,16 +209,18 @@ impl LiquidFields {
         if self.liquid.is_some() {
             return self.supply().map(Some);
         }
-        let given = [
-            ("dead_volume_mm3", self.dead_volume_mm3.is_some()),
-            (
-                "liquid_bulk_modulus_mpa",
-                self.liquid_bulk_modulus_mpa.is_some(),
-            ),
-            ("gas_share", self.gas_share.is_some()),
-        ];
-        Problem::refuse_unused(&given, "it belongs to `liquid`, and none is given")
-            .map_err(|problem| problem.with_hint("give `liquid`: water, oil or glycol"))?;
+        Problem::refuse_unused(
+            &[
+                ("dead_volume_mm3", self.dead_volume_mm3.is_some()),
+                (
+                    "liquid_bulk_modulus_mpa",
+                    self.liquid_bulk_modulus_mpa.is_some(),
+                ),
+                ("gas_share", self.gas_share.is_some()),
+            ],
+            "it belongs to `liquid`, and none is given",
+        )
+        .map_err(|problem| problem.with_hint("give `liquid`: water, oil or glycol"))?;
         Ok(None)
     }
 }

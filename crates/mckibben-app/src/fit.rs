@@ -248,15 +248,14 @@ impl FitRequest {
 
     /// Refuses what the universal method does not know.
     fn check_foreign(&self) -> Result<()> {
-        let foreign = [
-            ("hold_out", self.hold_out_mm.is_some()),
-            ("hold_out", self.hold_out_share.is_some()),
-            ("terms", self.terms.is_some()),
-            ("figures", self.figures),
-            ("muscle", self.muscle.is_some()),
-        ];
         Problem::refuse_unused(
-            &foreign,
+            &[
+                ("hold_out", self.hold_out_mm.is_some()),
+                ("hold_out", self.hold_out_share.is_some()),
+                ("terms", self.terms.is_some()),
+                ("figures", self.figures),
+                ("muscle", self.muscle.is_some()),
+            ],
             "`method` universal takes all data of its muscles from the campaign",
         )
     }
@@ -364,14 +363,13 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
     if let (Document::Section(f), []) = (&formula, &coefficients[..]) {
         coefficients = rows_of(f);
     }
-    let latex = request.latex.then(|| match &formula {
-        Document::Section(f) => f.to_latex() + &to_latex(&coefficients),
-        Document::Universal(f) => f.to_latex(),
-    });
     Ok(CheckFormulaAnswer {
+        latex: request.latex.then(|| match &formula {
+            Document::Section(f) => f.to_latex() + &to_latex(&coefficients),
+            Document::Universal(f) => f.to_latex(),
+        }),
         formula,
         coefficients,
-        latex,
     })
 }
 
@@ -474,7 +472,10 @@ fn is_of_one_make(path: &Path) -> Result<bool> {
 fn of_campaign(path: &Path) -> Result<Points> {
     let (rows, origin) = rows(path)?;
     let mut made_for: Option<MakeOfRows> = None;
-    let (mut points, mut all) = (Vec::with_capacity(rows.size_hint().1.unwrap_or(0)), 0);
+    let (mut points, mut all) = (
+        Vec::with_capacity(rows.size_hint().1.unwrap_or_default()),
+        0,
+    );
     for row in rows {
         let row = row?;
         made_for
@@ -521,15 +522,14 @@ fn of_csv(file: &TextFile) -> Result<Points> {
         table: file_name(Path::new(&file.name)),
         ..Provenance::default()
     };
-    let origin = Origin {
-        name: file.name.clone(),
-        from,
-        muscle: String::new(),
-    };
     Ok(Points {
         points,
         failed: understood.left_out,
         made_for: None,
-        origin,
+        origin: Origin {
+            name: file.name.clone(),
+            from,
+            muscle: String::new(),
+        },
     })
 }

@@ -46,7 +46,7 @@ impl<T: DeserializeOwned + JsonSchema + Clone + Send + Sync + 'static> TypedValu
     type Value = T;
 
     fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<T, Error> {
-        let words: Vec<PossibleValue> = self.possible_values().into_iter().flatten().collect();
+        let words = Vec::from_iter(self.possible_values().into_iter().flatten());
         let word = clap::builder::PossibleValuesParser::new(words);
         // An enum may read words that it does not list.
         let text = value.to_str().unwrap_or_default();
@@ -184,11 +184,10 @@ pub fn laws() -> Names<String> {
 pub fn parts() -> Names<String> {
     let list = || {
         let tubes = mckibben_design::tubes::catalogue().ok();
-        let tubes = tubes
+        tubes
             .iter()
             .flat_map(|list| list.iter())
-            .map(|tube| tube.name.clone());
-        tubes
+            .map(|tube| tube.name.clone())
             .chain(
                 [sleeve_names(), rubber_names(), models()]
                     .into_iter()
@@ -237,12 +236,12 @@ impl Args for Measures {
         let args = FLAGS.into_iter().filter_map(|measure| {
             let dimension = measure.dimension;
             let read = move |text: &str| parse_quantity(text, dimension);
-            let arg = Arg::new(measure.field?)
-                .long(measure.flag()?)
-                .value_name(measure.value_name())
-                .help(measure.help().replacen(" at rest", "", 1));
             Some(
-                arg.hide_short_help(measure.short.is_none() && *measure != ANGLE)
+                Arg::new(measure.field?)
+                    .long(measure.flag()?)
+                    .value_name(measure.value_name())
+                    .help(measure.help().replacen(" at rest", "", 1))
+                    .hide_short_help(measure.short.is_none() && *measure != ANGLE)
                     .value_parser(read)
                     .short(measure.short),
             )
@@ -292,7 +291,7 @@ pub fn stiffness(text: &str) -> Result<crate::Stiffness> {
 /// A terminal of `fe3d`: rigid or aluminium, with the insertion and the radius of the nose
 /// behind: `aluminium:20mm:3mm`.
 pub fn terminal(text: &str) -> Result<Plug> {
-    let words: Vec<&str> = text.split(':').map(str::trim).collect();
+    let words = Vec::from_iter(text.split(':').map(str::trim));
     let material = match words[0] {
         "rigid" => PlugMaterial::Rigid,
         "aluminium" | "aluminum" => PlugMaterial::Aluminium,

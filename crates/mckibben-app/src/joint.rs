@@ -347,8 +347,8 @@ impl Solver<'_> {
                     point => rows.push(self.row(point?, None)?),
                 }
             }
-            let gap = gap.map(|error| gaps(without, angles.len(), "angles", &error.to_string()));
-            self.warnings.extend(gap);
+            self.warnings
+                .extend(gap.map(|error| gaps(without, angles.len(), "angles", &error.to_string())));
         }
         Ok(rows)
     }
@@ -363,17 +363,19 @@ impl Solver<'_> {
         for pressures in families {
             let workspaces = &mut self.workspaces;
             let (rests, gap) = self.model.rests_and_gap(workspaces, pressures, torque_nm)?;
-            let beside = gap.map(|gap| Warning::from(format!("other rests are not sought: {gap}")));
-            self.warnings.extend(beside);
+            self.warnings
+                .extend(gap.map(|gap| Warning::from(format!("other rests are not sought: {gap}"))));
             for rest in rests {
                 let workspaces = &mut self.workspaces;
                 let point =
                     self.model
                         .point_at(workspaces, pressures, rest.angle_deg(), Turning::Mean)?;
                 let balance = matches!(rest, Rest::Balance { .. });
-                let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
                 rows.push(JointRow {
-                    angle_uncertainty_deg: half,
+                    angle_uncertainty_deg: self
+                        .model
+                        .angle_uncertainty_deg(&point)
+                        .filter(|_| balance),
                     ..self.row(point, Some(word(&rest)))?
                 });
             }
@@ -409,7 +411,7 @@ impl Solver<'_> {
         let (response, arm_1_mm, slack_1) = muscle(0).unwrap_or_default();
         let second = muscle(1);
         Ok(JointRow {
-            pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
+            pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or_default(),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
             torque_turning_plus_nm: plus,
             torque_turning_minus_nm: minus,
@@ -471,15 +473,11 @@ fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
                 .map(|(kind, e)| (key(kind, e), e)),
         );
     }
-    let wanted: Vec<((usize, i64), f64)> = wanted.into_iter().collect();
+    let wanted = Vec::from_iter(wanted.into_iter());
     let pressures = threads::map(&wanted, |&((kind, _), contraction)| {
         model.start_pressure_mpa(kind, &mut Workspace::new(), contraction)
     });
-    let pressures: BTreeMap<(usize, i64), Option<f64>> = wanted
-        .into_iter()
-        .map(|(key, _)| key)
-        .zip(pressures)
-        .collect();
+    let pressures = BTreeMap::from_iter(wanted.into_iter().map(|(key, _)| key).zip(pressures));
     let start_pressure = |i: usize, e: f64| pressures.get(&key(kinds[i], e)).copied().flatten();
     for row in rows {
         row.start_pressure_1_mpa = start_pressure(0, row.contraction_1);

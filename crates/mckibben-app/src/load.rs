@@ -163,9 +163,9 @@ impl LoadAnswer {
     /// A table of the equilibria, and the stroke between the lowest and the highest pressure.
     pub fn onto(&self, page: &mut Page, u: &Units) {
         page.paragraph(format!("load {}", self.load));
-        let all: Vec<&Balance> = self.at.iter().flat_map(|at| &at.equilibria).collect();
+        let all = Vec::from_iter(self.at.iter().flat_map(|at| &at.equilibria));
         page.list("", &all, u, &SHOWN);
-        let none: Vec<&LoadedAt> = self.at.iter().filter(|at| at.error.is_some()).collect();
+        let none = Vec::from_iter(self.at.iter().filter(|at| at.error.is_some()));
         page.list("", &none, u, &SHOWN);
         if let Some(cycle) = &self.cycle {
             page.gap();

@@ -50,11 +50,12 @@ impl MuscleFields {
         let all = || [self.with.clone(), stated.collect()].concat();
         let with = with(&self.with).or_else(|_| with(&all()));
         self.over(&with.map_err(|error| {
-            let error = FileError {
-                place: None,
-                ..error
-            };
-            let in_keys = ProblemKind::File.problem(error).in_field("with");
+            let in_keys = ProblemKind::File
+                .problem(FileError {
+                    place: None,
+                    ..error
+                })
+                .in_field("with");
             base.err().unwrap_or(in_keys)
         })?)
     }
@@ -187,10 +188,12 @@ impl From<MuscleError> for Problem {
             .strip_prefix(first)
             .filter(|rest| rest.starts_with(" is missing"));
         match missing.zip(Measure::of_key(first).and_then(|measure| measure.field)) {
-            Some((rest, field)) => {
-                let message = in_fields(format!("`{field}`{rest}"));
-                Self::new(ProblemKind::Usage, message, "a muscle file can state it").in_field(field)
-            }
+            Some((rest, field)) => Self::new(
+                ProblemKind::Usage,
+                in_fields(format!("`{field}`{rest}")),
+                "a muscle file can state it",
+            )
+            .in_field(field),
             None if first == "braid.name" => ProblemKind::Braid.problem(in_fields(error.message)),
             None => ProblemKind::Muscle.problem(in_fields(error.message)),
         }

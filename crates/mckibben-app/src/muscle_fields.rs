@@ -97,11 +97,13 @@ impl MuscleFields {
         let again = self.file.is_some() && self.also_file.is_some();
         Problem::refuse_unused(&[("also_file", again)], "a muscle file is given already")?;
         let has = |measure| self.tube.is_some() && self.measures.get(measure).is_some();
-        let of_tube = [
-            ("outer_diameter_mm", has(&OUTER_DIAMETER)),
-            ("wall_mm", has(&WALL)),
-        ];
-        Problem::refuse_unused(&of_tube, "`tube` has its own")
+        Problem::refuse_unused(
+            &[
+                ("outer_diameter_mm", has(&OUTER_DIAMETER)),
+                ("wall_mm", has(&WALL)),
+            ],
+            "`tube` has its own",
+        )
     }
 
     /// A muscle file alone.

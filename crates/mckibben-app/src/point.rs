@@ -410,11 +410,12 @@ impl AskFields {
             two_sided,
             direction,
         } = self;
-        let of_job = muscle.job().and_then(|job| job.branch);
         let options = Options {
             extrapolate,
             two_sided,
-            direction: direction.or(of_job).unwrap_or_default(),
+            direction: direction
+                .or(muscle.job().and_then(|job| job.branch))
+                .unwrap_or_default(),
             friction_share: muscle.friction_share(),
         };
         check_branch(options, muscle)?;

@@ -51,10 +51,11 @@ impl TitleBlock {
             ("computed by", Some(version)),
             ("checked", None),
         ];
-        let field = |(name, value): (&str, Option<&str>)| {
-            (name.to_owned(), value.unwrap_or_default().to_owned())
-        };
-        fields.map(field).to_vec()
+        fields
+            .map(|(name, value): (&str, Option<&str>)| {
+                (name.to_owned(), value.unwrap_or_default().to_owned())
+            })
+            .to_vec()
     }
 }
 
@@ -96,13 +97,14 @@ pub fn report(
     })?;
     step(2)?;
     let units = &request.units;
-    let mut parts: Vec<Part> = shown
-        .warnings
-        .iter()
-        .filter(|w| w.is_of_burst())
-        .map(|w| Part::Text(w.to_string()))
-        .chain(state(&shown, &point, units))
-        .collect();
+    let mut parts = Vec::from_iter(
+        shown
+            .warnings
+            .iter()
+            .filter(|w| w.is_of_burst())
+            .map(|w| Part::Text(w.to_string()))
+            .chain(state(&shown, &point, units)),
+    );
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa.into()),

@@ -144,10 +144,16 @@ fn point_and_shape(
         point.response.force_n
     };
     let active_mpa = ends.active_mpa(pressure_mpa);
-    let between = ends.between(
+    Ok((
+        point,
         shape_contraction,
-        ends.end_displacement_mm(active_mpa, force_n),
-    );
-    let section = fe.section_at(workspace, active_mpa, between)?;
-    Ok((point, shape_contraction, section))
+        fe.section_at(
+            workspace,
+            active_mpa,
+            ends.between(
+                shape_contraction,
+                ends.end_displacement_mm(active_mpa, force_n),
+            ),
+        )?,
+    ))
 }

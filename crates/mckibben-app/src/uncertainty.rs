@@ -171,7 +171,7 @@ pub fn bounds([median, low, high]: [f64; 3], scale: &Scale) -> String {
 /// `± 170 N (95 %): rubber 100, friction 90, mesh 1`.
 pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
     let whole = parts.total();
-    let mut named: Vec<(&str, f64)> = parts.named().collect();
+    let mut named = Vec::from_iter(parts.named());
     named.sort_by_number(|a| -a.1);
     let each = named
         .into_iter()

@@ -168,7 +168,7 @@ impl<T: Args> Args for Flags<T> {
         // The sentence of the list of commands, not of the type.
         let about = command.get_about().cloned().unwrap_or_default();
         // What every command takes stands behind its own flags, in the help too.
-        let of_all: Vec<Arg> = command.get_arguments().cloned().collect();
+        let of_all = Vec::from_iter(command.get_arguments().cloned());
         let flags = T::augment_args(command).about(about).long_about(None);
         let mut in_order = flags
             .get_arguments()
@@ -177,8 +177,7 @@ impl<T: Args> Args for Flags<T> {
             .chain(of_all)
             .collect::<Vec<Arg>>()
             .into_iter();
-        let flags = flags.mut_args(|arg| in_order.next().unwrap_or(arg));
-        with_short_help(&path, flags)
+        with_short_help(&path, flags.mut_args(|arg| in_order.next().unwrap_or(arg)))
     }
 
     fn augment_args_for_update(command: clap::Command) -> clap::Command {
@@ -220,10 +219,14 @@ fn with_usual_name(arg: Arg) -> Arg {
     let Some(dimension) = NamedUnit::of_field(&id).and_then(|named| named.dimension) else {
         return arg;
     };
-    let end = dimension
-        .end_of_name()
-        .map_or(String::new(), |end| format!("_{end}"));
-    let name = id.strip_suffix(&end).unwrap_or(&id).replace('_', "-");
+    let name = id
+        .strip_suffix(
+            &dimension
+                .end_of_name()
+                .map_or(String::new(), |end| format!("_{end}")),
+        )
+        .unwrap_or(&id)
+        .replace('_', "-");
     let one = name.strip_suffix('s').filter(|one| !one.ends_with('s'));
     let arg = arg.allow_hyphen_values(true);
     let noun = dimension.noun().rsplit(' ').next().unwrap_or_default();
@@ -273,11 +276,14 @@ fn first_example(all: &str) -> String {
         return all.to_owned();
     }
     let mut seen = 0;
-    let lines = all.lines().take_while(|line| {
-        seen += usize::from(starts(line));
-        seen < 2
-    });
-    joined(lines, "\n").replacen("Examples:", "Example:", 1)
+    joined(
+        all.lines().take_while(|line| {
+            seen += usize::from(starts(line));
+            seen < 2
+        }),
+        "\n",
+    )
+    .replacen("Examples:", "Example:", 1)
 }
 
 #[cfg(test)]

@@ -38,15 +38,17 @@ impl Flag {
         let is_typed = |name: &&str| args.contains(&format!("--{name}"));
         let alias = arg.get_all_aliases().into_iter().flatten().find(is_typed);
         let name = format!("--{}", alias.or(arg.get_long())?);
-        let is_typed =
-            |matches: &&ArgMatches| matches.value_source(id) == Some(ValueSource::CommandLine);
-        let texts = matches.filter(is_typed).and_then(|matches| {
-            let texts = matches
-                .try_get_raw(id)
-                .ok()??
-                .map(|text| text.to_string_lossy().into_owned());
-            Some(matches.indices_of(id)?.zip(texts).collect())
-        });
+        let texts = matches
+            .filter(|matches: &&ArgMatches| {
+                matches.value_source(id) == Some(ValueSource::CommandLine)
+            })
+            .and_then(|matches| {
+                let texts = matches
+                    .try_get_raw(id)
+                    .ok()??
+                    .map(|text| text.to_string_lossy().into_owned());
+                Some(matches.indices_of(id)?.zip(texts).collect())
+            });
         Some(Self {
             field: id.to_owned(),
             name,
@@ -83,10 +85,11 @@ impl Context {
                 leaf = leaf.and_then(ArgMatches::subcommand).map(|(_, sub)| sub);
             }
         }
-        let flags: Vec<Flag> = command
-            .get_arguments()
-            .filter_map(|arg| Flag::new(arg, args, leaf))
-            .collect();
+        let flags = Vec::from_iter(
+            command
+                .get_arguments()
+                .filter_map(|arg| Flag::new(arg, args, leaf)),
+        );
         let with_units = || {
             flags
                 .iter()

@@ -29,9 +29,7 @@ use std::{borrow::Cow, env::args_os, io::Write, process::ExitCode};
 
 fn main() -> ExitCode {
     panics_are_problems();
-    let args: Vec<String> = args_os()
-        .map(|arg| arg.to_string_lossy().into_owned())
-        .collect();
+    let args = Vec::from_iter(args_os().map(|arg| arg.to_string_lossy().into_owned()));
     let refused = Context {
         format: asked_format(&args),
         ..Context::default()
@@ -65,8 +63,7 @@ fn main() -> ExitCode {
         if !matches!(cli.command, cli::Command::Serve(_)) {
             progress::watched();
         }
-        let continues = matches!(cli.command, cli::Command::Campaign(_));
-        context.check_named(continues)?;
+        context.check_named(matches!(cli.command, cli::Command::Campaign(_)))?;
         cli.command.run(&mut context)
     });
     threads::shortage()

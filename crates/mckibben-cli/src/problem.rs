@@ -133,7 +133,7 @@ pub fn of_gone_command(error: &clap::Error) -> Option<Problem> {
 
 /// `campaign status`, which is read as a plan.
 pub fn of_gone_status() -> Option<Problem> {
-    let words: Vec<_> = std::env::args_os().skip(1).take(2).collect();
+    let words = Vec::from_iter(std::env::args_os().skip(1).take(2));
     let message = "`mckibben campaign` has no status any more";
     let hint = "`mckibben campaign show DIR` has the shards, the rate and the summary";
     (words == ["campaign", "status"]).then(|| Problem::usage(message, hint))
@@ -202,7 +202,7 @@ pub fn in_words(mut problem: Problem, context: &Context) -> Problem {
 /// `error: …` once a mistake, and the hint below it, in the units that the user reads.
 pub fn as_text(problem: &Problem, units: &Units) -> String {
     let line = |start, text: &str| format!("{start}: {}", clean::line(&units.sentence(text)));
-    let mut lines: Vec<_> = problem.messages().map(|m| line("error", m)).collect();
+    let mut lines = Vec::from_iter(problem.messages().map(|m| line("error", m)));
     if !problem.hint.is_empty() {
         lines.push(line("  hint", &problem.hint));
     }

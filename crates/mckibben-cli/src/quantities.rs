@@ -16,8 +16,10 @@ pub fn unit_note(flag: &str, text: &str) -> Option<String> {
         .flat_map(|part| part.split(".."))
         .map(|part| part.trim().parse::<f64>())
         .collect();
-    let high = numbers.ok()?.into_iter().find(|p| *p >= HIGH_MPA)?;
-    Some(format!("{flag} {text}: {}", meant(high)))
+    Some(format!(
+        "{flag} {text}: {}",
+        meant(numbers.ok()?.into_iter().find(|p| *p >= HIGH_MPA)?)
+    ))
 }
 
 /// What a bare pressure as high as no muscle bears may have been meant to be.
@@ -26,10 +28,11 @@ fn meant(mpa: f64) -> String {
     const USUAL: std::ops::RangeInclusive<f64> = 0.08..=1.2;
     let units = ["bar", "psi", "kPa", "mbar", "Pa"];
     let inside = |unit: &str| Some(Dimension::Pressure.unit(unit)?.inside(mpa));
-    let likely: Vec<&str> = units
-        .into_iter()
-        .filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p)))
-        .collect();
+    let likely = Vec::from_iter(
+        units
+            .into_iter()
+            .filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p))),
+    );
     let [mpa, bar] = [mpa, 10.0 * mpa].map(|v| short_numbers(&v.to_string()).into_owned());
     let said = format!("a bare {mpa} is {mpa} MPa = {bar} bar");
     match likely[..] {

@@ -126,7 +126,7 @@ impl<'a> Assessed<'a> {
             if bears(high_mpa)? {
                 continue;
             }
-            let (mpa, _) = bisect(0.0, high_mpa, HALVINGS, |p| bears(p).unwrap_or(false));
+            let (mpa, _) = bisect(0.0, high_mpa, HALVINGS, |p| bears(p).unwrap_or_default());
             let below = Allowed {
                 mpa,
                 by: FailureMode::StrandStrain,

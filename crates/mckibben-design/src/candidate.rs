@@ -122,7 +122,7 @@ impl Candidate {
             force_n: q.force_n / f64::from(held.count),
             ..*q
         };
-        let wanted: Vec<OperatingPoint> = whole.iter().map(one).collect();
+        let wanted = Vec::from_iter(whole.iter().map(one));
         let mut points = vec![];
         for q in &wanted {
             points.push(point_of(assessed, *q)?);

@@ -90,7 +90,7 @@ pub fn design_with(
     };
     let search = Search::new(spec, models, progress)?;
     let held = search.answer(spec, None, spec.top);
-    let candidates: Vec<Candidate> = held.iter().filter_map(|h| search.candidate(h)).collect();
+    let candidates = Vec::from_iter(held.iter().filter_map(|h| search.candidate(h)));
     let choices = match candidates.first() {
         Some(first) => search.choices(first),
         None => search.best_chances(),
@@ -231,13 +231,12 @@ impl Search<'_> {
             if !held.fits() || held.chance.is_none() {
                 return None;
             }
-            let candidate = Candidate {
-                product: Some(product.name.clone()),
-                ..Candidate::new(&mut assessed, &held).ok()?
-            };
             Some(Choice {
                 kind: ChoiceKind::Product,
-                candidate,
+                candidate: Candidate {
+                    product: Some(product.name.clone()),
+                    ..Candidate::new(&mut assessed, &held).ok()?
+                },
             })
         };
         self.spec.products.iter().filter_map(one).collect()
@@ -266,9 +265,10 @@ fn cut(spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
         return Some(muscle.clone());
     }
     // The ± of its bench is that of its own length: the other one has the general ±.
-    let tube = Tube {
-        length_mm: spec.base.length_mm(),
-        ..muscle.tube().clone()
-    };
-    muscle.with_tube(tube).ok()
+    muscle
+        .with_tube(Tube {
+            length_mm: spec.base.length_mm(),
+            ..muscle.tube().clone()
+        })
+        .ok()
 }

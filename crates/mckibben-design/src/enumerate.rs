@@ -127,9 +127,7 @@ pub fn lengths(spec: &Spec) -> Vec<f64> {
     match &spec.length_mm {
         Some(Values::Interval(low, high)) if stroke && low < high => {
             let ratio = (high / low).powf(1.0 / f64::from(STROKE_STEPS));
-            let mut list: Vec<f64> = (0..=STROKE_STEPS)
-                .map(|i| tidy(low * ratio.powi(i), 2))
-                .collect();
+            let mut list = Vec::from_iter((0..=STROKE_STEPS).map(|i| tidy(low * ratio.powi(i), 2)));
             list.dedup();
             list
         }
@@ -224,12 +222,12 @@ impl Place {
             },
             ..base.tube().clone()
         };
-        let parts = Parts {
+        let muscle = Muscle::from_parts(Parts {
             tube,
             braid,
             ..base.parts().clone()
-        };
-        let muscle = Muscle::from_parts(parts)?.with_bench_of(base);
+        })?
+        .with_bench_of(base);
         if spec.wanted.extends() {
             muscle.check_extends()?;
         } else {

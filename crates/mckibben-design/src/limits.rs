@@ -49,7 +49,7 @@ pub struct Limits {
 impl Limits {
     /// The factors of the allowed pressure.
     pub fn safety(&self) -> Safety {
-        Safety::new(self.burst_margin.unwrap_or(0.0), self.tube_margin)
+        Safety::new(self.burst_margin.unwrap_or_default(), self.tube_margin)
     }
 
     /// Failures with these factors; the strain of the strands is of the validated range, or bounds
@@ -221,7 +221,7 @@ impl AtPoint<'_, '_> {
     pub fn width_mm(&self) -> f64 {
         self.response
             .bulged_diameter_mm
-            .unwrap_or(0.0)
+            .unwrap_or_default()
             .max(self.ends.width_mm)
     }
 }

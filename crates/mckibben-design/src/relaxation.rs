@@ -159,10 +159,10 @@ impl Relaxation {
             Self::MaxLiquidVolume { liquid_volume_mm3 } => {
                 format!("provide {} mL of liquid", tidy(1e-3 * liquid_volume_mm3, 3))
             }
-            Self::Together { changes } => {
-                let all = changes.iter().map(|change| change.describe(spec, show));
-                joined(all, ", and together with that ")
-            }
+            Self::Together { changes } => joined(
+                changes.iter().map(|change| change.describe(spec, show)),
+                ", and together with that ",
+            ),
         }
     }
 }
@@ -216,14 +216,12 @@ pub fn relaxations(search: &Search<'_>) -> Vec<Relaxation> {
     let limits = crate::limits::LIMITS
         .iter()
         .map(|entry| Freed::Limit(entry.limit));
-    let kinds: Vec<Freed> = [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty]
-        .into_iter()
-        .chain(limits)
-        .collect();
-    let mut changes: Vec<Change> = kinds
-        .into_iter()
-        .filter_map(|freed| least(search, freed))
-        .collect();
+    let kinds = Vec::from_iter(
+        [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty]
+            .into_iter()
+            .chain(limits),
+    );
+    let mut changes = Vec::from_iter(kinds.into_iter().filter_map(|freed| least(search, freed)));
     if changes.is_empty() {
         changes.extend(together(search));
     }
@@ -242,7 +240,7 @@ fn nearest<'a>(search: &'a Search<'_>, freed: Freed) -> Vec<&'a Held> {
         let mut missed = held.checks.iter().filter(|c| c.excess() > 0.0);
         missed.all(|c| is_freed(c.limit))
     };
-    let mut near: Vec<&Held> = search.screened.iter().filter(missed).collect();
+    let mut near = Vec::from_iter(search.screened.iter().filter(missed));
     near.sort_by_number(|held| held.miss());
     near.truncate(NEAREST);
     near
@@ -261,7 +259,7 @@ fn least(search: &Search<'_>, freed: Freed) -> Option<Change> {
 
 /// All limits that are missed, moved together, of the closest muscles.
 fn together(search: &Search<'_>) -> Option<Change> {
-    let mut near: Vec<&Held> = search.screened.iter().collect();
+    let mut near = Vec::from_iter(search.screened.iter());
     near.sort_by_number(|held| held.miss());
     near.truncate(NEAREST);
     let changes = threads::map(&near, |held| {
@@ -281,8 +279,11 @@ fn together(search: &Search<'_>) -> Option<Change> {
             .map(|freed| change(search, &exact, freed))
             .collect();
         let (asks, changes): (Vec<f64>, Vec<Relaxation>) = all?.into_iter().unzip();
-        let change = (asks.into_iter().sum(), Relaxation::Together { changes });
-        proven(search, &exact, change)
+        proven(
+            search,
+            &exact,
+            (asks.into_iter().sum(), Relaxation::Together { changes }),
+        )
     });
     changes
         .into_iter()
@@ -391,12 +392,14 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
                     assessed
                         .strand_strain(needed_mpa, contraction)
                         .ok()?
-                        .unwrap_or(0.0),
+                        .unwrap_or_default(),
                 );
             }
             let strand_strain = three_digits(strain, true);
-            let ask = (strand_strain / spec.limits.strand_strain?).ln();
-            Some((ask, Relaxation::MaxStrandStrain { strand_strain }))
+            Some((
+                (strand_strain / spec.limits.strand_strain?).ln(),
+                Relaxation::MaxStrandStrain { strand_strain },
+            ))
         }
         _ => None,
     }

@@ -205,11 +205,13 @@ impl Spec {
 
     /// A pull in N at a contraction with a supply in MPa, and the rest as of [`Spec::new`].
     pub fn pull(force_n: f64, contraction: f64, max_pressure_mpa: f64) -> Self {
-        let point = OperatingPoint {
-            force_n,
-            contraction,
-        };
-        Self::new(vec![point], max_pressure_mpa)
+        Self::new(
+            vec![OperatingPoint {
+                force_n,
+                contraction,
+            }],
+            max_pressure_mpa,
+        )
     }
 
     /// The same with one length between the terminals in mm.
@@ -435,7 +437,7 @@ impl Spec {
             }
             _ => vec![],
         };
-        angles.into_iter().reduce(f64::min).unwrap_or(0.0)
+        angles.into_iter().reduce(f64::min).unwrap_or_default()
     }
 }
 

@@ -152,10 +152,11 @@ impl Form {
         let rounding_n = 1e-7 * self.two_sided_n(self.supply_pa, 0.0).0;
         let line = |i: i32| {
             let q = (f64::from(i) / 40.0).powi(2);
-            let all = (0..=125)
+            let mut behind: Vec<_> = (0..=125)
                 .map(|k| low + width * f64::from(k) / 125.0)
-                .map(|e| (q, e, self.two_sided_n(q * self.supply_pa, e).0));
-            let mut behind: Vec<_> = all.skip_while(|p| p.2 >= -rounding_n).collect();
+                .map(|e| (q, e, self.two_sided_n(q * self.supply_pa, e).0))
+                .skip_while(|p| p.2 >= -rounding_n)
+                .collect();
             behind.truncate(
                 behind
                     .iter()

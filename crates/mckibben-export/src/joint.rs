@@ -182,13 +182,15 @@ impl ExportedJoint {
         let (torsion, rope) = self.springs();
         let weight = [-self.joint.link().weight_nm(-inclination).0, inclination];
         let range = self.range_rad();
-        let others = [
-            ("rope", rope),
-            ("torsion", torsion),
-            ("weight", weight),
-            ("range", range),
-        ];
-        (paths, others)
+        (
+            paths,
+            [
+                ("rope", rope),
+                ("torsion", torsion),
+                ("weight", weight),
+                ("range", range),
+            ],
+        )
     }
 
     /// The values for templates whose lists are between these brackets.

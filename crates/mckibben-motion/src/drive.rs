@@ -114,7 +114,7 @@ impl Actuated {
     /// that was pushed out.
     pub fn outside_mm3(&self, opening: Option<f64>) -> f64 {
         let syringe = match &self.actuator {
-            Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
+            Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or_default()) * syringe.volume_mm3,
             _ => 0.0,
         };
         let hose = self.actuator.port().and_then(|port| port.1);

@@ -224,8 +224,7 @@ impl Stepper {
     /// The state at a time within the last step.
     pub fn within(&self, t: f64) -> Option<Vec<f64>> {
         let step = self.last.as_ref()?;
-        let share = ((t - step.from) / step.h).clamp(0.0, 1.0);
-        Some(step.state(share))
+        Some(step.state(((t - step.from) / step.h).clamp(0.0, 1.0)))
     }
 
     /// Tries a step that does not go beyond `end`. False where it was rejected.
@@ -399,8 +398,8 @@ impl Stepper {
         for iterations in 1..=ITERATIONS {
             let mut change = DVector::zeros(3 * n);
             for (i, stage) in z.iter().enumerate() {
-                let rates = self.rates_at(equations, self.t + STAGES[i] * h, stage);
-                let mut defect = implicit(&rates, n);
+                let mut defect =
+                    implicit(&self.rates_at(equations, self.t + STAGES[i] * h, stage), n);
                 for (slope, z) in slopes[i].iter().zip(&z) {
                     defect.axpy(-slope, z, 1.0);
                 }
@@ -501,8 +500,10 @@ impl Stepper {
         } else {
             0.01 * of_state / of_rates
         };
-        let moved = self.rates_at(equations, self.t + euler, &(&rates * euler));
-        let moved = implicit(&moved, n);
+        let moved = implicit(
+            &self.rates_at(equations, self.t + euler, &(&rates * euler)),
+            n,
+        );
         equations.differences(None);
         let bend = size(&(moved - rates), &allowed) / euler;
         let fastest = of_rates.max(bend);

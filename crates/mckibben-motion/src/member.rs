@@ -162,12 +162,11 @@ impl Memory {
         let (&[next, slack], kept) = numbers.split_first_chunk()?;
         let mut known = Kept::default();
         for (slot, numbers) in known.iter_mut().zip(kept.chunks_exact(14)) {
-            let quantity = |i: usize| Quantity {
+            let answer = Answer::from_quantities(std::array::from_fn(|i: usize| Quantity {
                 value: numbers[3 * i + 2],
                 by_pressure: numbers[3 * i + 3],
                 by_contraction: numbers[3 * i + 4],
-            };
-            let answer = Answer::from_quantities(std::array::from_fn(quantity));
+            }));
             *slot = Some((numbers[0], numbers[1], answer));
         }
         Some(Self {
@@ -184,9 +183,11 @@ impl Member {
     pub fn limits_mpa(&self) -> [f64; 2] {
         *self.memory.limits_mpa.get_or_init(|| {
             let burst = burst(&*self.muscle.model).ok();
-            let allowed = burst.as_ref().and_then(Burst::allowed).map(|a| a.mpa);
-            let least = burst.as_ref().and_then(Burst::least).map(|least| least.1);
-            [allowed, least].map(|mpa| mpa.unwrap_or(f64::INFINITY))
+            [
+                burst.as_ref().and_then(Burst::allowed).map(|a| a.mpa),
+                burst.as_ref().and_then(Burst::least).map(|least| least.1),
+            ]
+            .map(|mpa| mpa.unwrap_or(f64::INFINITY))
         })
     }
 
@@ -231,13 +232,12 @@ impl Member {
         if slack {
             return self.slack(pressure_mpa);
         }
-        let contraction_here = Quantity {
-            value: contraction,
-            by_pressure: 0.0,
-            by_contraction: 1.0,
-        };
         Ok(Answer {
-            contraction: contraction_here,
+            contraction: Quantity {
+                value: contraction,
+                by_pressure: 0.0,
+                by_contraction: 1.0,
+            },
             ..self.answer(pressure_mpa, contraction)?
         })
     }
@@ -320,8 +320,7 @@ impl Member {
         let not_finite = || ModelError::not_finite(&model.info().name, p, e);
         let mut at = |p: f64, e: f64| {
             let r = model.response(w, p, e)?;
-            let volume = r.volume_mm3.ok_or_else(not_finite)?;
-            Ok::<_, ModelError>((r, volume))
+            Ok::<_, ModelError>((r, r.volume_mm3.ok_or_else(not_finite)?))
         };
         let (r, volume_mm3) = at(p, e)?;
         // The slopes of pull and volume: those of the model, or differences between two points.
@@ -338,13 +337,21 @@ impl Member {
             };
         // At the least pressure the difference is one-sided.
         let low = (p - STEP_MPA).max(LEAST_MPA);
-        let known = [r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa];
-        let by_pressure = slopes(known, (p + STEP_MPA, e), (low, e), p + STEP_MPA - low)?;
-        let known = [
-            r.stiffness_n_per_mm.map(|k| -k * self.length_mm),
-            r.volume_per_contraction_mm3,
-        ];
-        let by_contraction = slopes(known, (p, e + STEP), (p, e - STEP), 2.0 * STEP)?;
+        let by_pressure = slopes(
+            [r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa],
+            (p + STEP_MPA, e),
+            (low, e),
+            p + STEP_MPA - low,
+        )?;
+        let by_contraction = slopes(
+            [
+                r.stiffness_n_per_mm.map(|k| -k * self.length_mm),
+                r.volume_per_contraction_mm3,
+            ],
+            (p, e + STEP),
+            (p, e - STEP),
+            2.0 * STEP,
+        )?;
         let quantity = |value: f64, i: usize| Quantity {
             value,
             by_pressure: by_pressure[i],
@@ -440,13 +447,12 @@ impl Member {
         // Below the least pressure, and below none, where a liquid can come, it goes on linearly as
         // the taut muscle does.
         let further = by_pressure * (pressure_mpa - p);
-        let contraction = Quantity {
-            value: contraction + further,
-            by_pressure,
-            by_contraction: 0.0,
-        };
         Ok(Answer {
-            contraction,
+            contraction: Quantity {
+                value: contraction + further,
+                by_pressure,
+                by_contraction: 0.0,
+            },
             ..at.moved(pressure_mpa - p, further)
         })
     }

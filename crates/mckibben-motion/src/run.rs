@@ -139,13 +139,14 @@ impl<'s> Integration<'s> {
 
     fn integrate(&mut self) -> Result<()> {
         let drive = &self.system.drive;
-        let mut ends: Vec<f64> = drive
-            .target
-            .commands()
-            .iter()
-            .chain([&drive.external])
-            .flat_map(Command::breakpoints)
-            .collect();
+        let mut ends = Vec::from_iter(
+            drive
+                .target
+                .commands()
+                .iter()
+                .chain([&drive.external])
+                .flat_map(Command::breakpoints),
+        );
         ends.extend(self.cycle.as_ref().map(|c| c.from_s));
         let until = drive.until_s;
         ends.retain(|t| *t > 0.0 && *t < until);

@@ -273,10 +273,10 @@ impl Simulation {
     /// of the models that are still known.
     pub fn numbers(&self) -> Vec<f64> {
         let modes = self.system.modes.borrow();
-        let mut out = vec![self.done as f64, modes.stop.unwrap_or(0.0)];
+        let mut out = vec![self.done as f64, modes.stop.unwrap_or_default()];
         out.extend(self.state.to_vec());
         for (mode, member) in modes.muscles.iter().zip(&self.system.members) {
-            let turns: Vec<f64> = mode.presliding.iter().flat_map(|p| p.numbers()).collect();
+            let turns = Vec::from_iter(mode.presliding.iter().flat_map(|p| p.numbers()));
             out.extend([
                 f64::from(mode.slack),
                 mode.sign,

@@ -52,27 +52,28 @@ impl Formula {
             let range = &self.formula.range;
             let (points, _) = numbers.as_chunks::<4>();
             for (index, (&[p, e, s, d], place)) in points.iter().zip(places).enumerate() {
-                let bounds = [
+                let outside = [
                     ("pressure_mpa", p, range.pressure_mpa),
                     ("contraction", e, range.contraction),
                     ("wall_mm", s, range.wall_mm),
                     ("outer_diameter_mm", d, range.outer_diameter_mm),
-                ];
-                let outside = bounds
-                    .into_iter()
-                    .find(|(_, value, (low, high))| !(low - EDGE..=high + EDGE).contains(value));
+                ]
+                .into_iter()
+                .find(|(_, value, (low, high))| !(low - EDGE..=high + EDGE).contains(value));
                 if let Some((field, value, (low, high))) = outside.filter(|_| !extrapolate) {
                     *place = f64::NAN;
                     if nan {
                         continue;
                     }
-                    let problem = Problem::new(
-                        ProblemKind::OutOfRange,
-                        format!("{value} is outside of the formula's range, {low} to {high}"),
-                        "extrapolate=True computes it all the same",
-                    )
-                    .in_field(field);
-                    return Err(Wrong::Problem(problem, Some(index)));
+                    return Err(Wrong::Problem(
+                        Problem::new(
+                            ProblemKind::OutOfRange,
+                            format!("{value} is outside of the formula's range, {low} to {high}"),
+                            "extrapolate=True computes it all the same",
+                        )
+                        .in_field(field),
+                        Some(index),
+                    ));
                 }
                 let force = self.formula.force_n(d, s, p, e);
                 let nothing = force.abs() <= ROUNDING * p * PI * 0.25 * d * d;

@@ -52,7 +52,7 @@ impl Model {
         nan: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let points: Vec<(f64, f64)> = pressures.into_iter().zip(contractions).collect();
+        let points = Vec::from_iter(pressures.into_iter().zip(contractions));
         let work = |progress: &dyn Progress| {
             let answers = self.bound.answers(&points, progress)?.into_iter();
             let row = |(index, answer)| match answer {
@@ -102,8 +102,13 @@ impl Model {
             nan,
             warnings,
         };
-        let pairs = [first.as_slice()?, second.as_slice()?];
-        self.answer(py, pairs, &many, out.as_slice_mut()?, progress)
+        self.answer(
+            py,
+            [first.as_slice()?, second.as_slice()?],
+            &many,
+            out.as_slice_mut()?,
+            progress,
+        )
     }
 
     /// The answer to one pair of numbers, NaN where it has none and `nan` is true, and what is to

@@ -108,8 +108,10 @@ impl Muscle {
     fn stress(&self, mode: &str, stretches: Vec<f64>) -> PyResult<Vec<f64>> {
         let law = &self.held.tube().rubber.law;
         let wrong = |field: &str, message: String| {
-            let problem = Problem::new(ProblemKind::Quantity, message, "").in_field(field);
-            Err(Wrong::from(problem).into())
+            Err(
+                Wrong::from(Problem::new(ProblemKind::Quantity, message, "").in_field(field))
+                    .into(),
+            )
         };
         if let Some(none) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
             return wrong(
@@ -135,9 +137,8 @@ impl Muscle {
         let request = request::given(py, "force", request)?;
         run::quick(py, |_| {
             let question: QuestionFields = understood(&request)?;
-            let choice = question.model.choose()?;
             Ok(Model {
-                bound: BoundModel::new(&self.held, choice, question.asking)?,
+                bound: BoundModel::new(&self.held, question.model.choose()?, question.asking)?,
             })
         })
     }

@@ -133,8 +133,7 @@ impl Simulation {
     /// What happened: stops, slack, switching and reversals.
     #[pyo3(signature = () -> "list[dict[str, typing.Any]]")]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let events = py.detach(|| json!(self.drive().events()));
-        value::answer(py, &events)
+        value::answer(py, &py.detach(|| json!(self.drive().events())))
     }
 
     /// What is commanded (`pressure`, `opening` or `position`), how many commands there are, and

@@ -234,8 +234,15 @@ impl BoundModel {
             if first_failed.load(Ordering::Relaxed) < from || progress.cancelled() {
                 return;
             }
-            let pairs = pairs.map(|list| list.get(from..from + length).unwrap_or_default());
-            let block = self.block((from, pairs), many, quiet, places);
+            let block = self.block(
+                (
+                    from,
+                    pairs.map(|list| list.get(from..from + length).unwrap_or_default()),
+                ),
+                many,
+                quiet,
+                places,
+            );
             if block.is_err() {
                 first_failed.fetch_min(from, Ordering::Relaxed);
             }

@@ -69,8 +69,9 @@ impl BoundModel {
             }
         }
         if let Some((burst, _)) = quiet.filter(|_| answered) {
-            let of_muscle = warnings::of_muscle(&burst, self.muscle(), 0.0);
-            known.said.extend(of_muscle);
+            known
+                .said
+                .extend(warnings::of_muscle(&burst, self.muscle(), 0.0));
         }
         Ok(Warning::gravest(&known.said))
     }
@@ -194,8 +195,13 @@ impl BoundModel {
     ) -> Result<()> {
         // ∂F/∂θ first: finite elements then have the equilibrium of this very point.
         let (by_pair, by_parameters) = places.split_at_mut(2 * usize::from(many.slopes));
-        let of = (Some(&self.choice), &*self.model);
-        let known = gradient::by_parameters(of, self.options, workspace, (p, e), &many.parameters)?;
+        let known = gradient::by_parameters(
+            (Some(&self.choice), &*self.model),
+            self.options,
+            workspace,
+            (p, e),
+            &many.parameters,
+        )?;
         by_parameters.copy_from_slice(&known);
         let (f_p, f_e) = gradient::by_point(&mut self.evaluation(workspace), p, e)?;
         let (pair, scale) = match many.wanted {

@@ -1,6 +1,6 @@
 //! Curves as people read them.
 
-use super::{CurveAnswer, PointRow, StudyAnswer, StudyRow, study_rows};
+use super::{CurveAnswer, PointRow, StudyAnswer, study_rows};
 use crate::{
     Units, breakdown, percent,
     print::{Amount, Column, Csv, Page, Show, Table},
@@ -63,8 +63,7 @@ impl CurveAnswer {
 
     /// One row per value along the curves, one column per curve.
     fn table(&self, u: &Units) -> Table<'_, CurvePoint> {
-        let first = self.curves.first().map_or(&[][..], |c| &c.points[..]);
-        let table = Table::of(first);
+        let table = Table::of(self.curves.first().map_or(&[][..], |c| &c.points[..]));
         let mut table = match self.test {
             Test::Isobaric => table.quantity("ε", &PERCENT, |q| q.contraction),
             _ => table.quantity("P", &u.pressure, |q| q.pressure_mpa),
@@ -80,11 +79,7 @@ impl CurveAnswer {
             } else {
                 String::new()
             };
-            let amounts: Vec<Amount> = curve
-                .points
-                .iter()
-                .map(|q| computed(self.test, q))
-                .collect();
+            let amounts = Vec::from_iter(curve.points.iter().map(|q| computed(self.test, q)));
             table = table.with(Column::of(&(label + &branch), &scale.digits(4), &amounts));
         }
         table
@@ -118,10 +113,7 @@ impl Show for StudyAnswer {
         let mut page = Page::of(self, u, &["points"]);
         let curve = self.panels.first().and_then(|panel| panel.curves.first());
         let points = curve.map_or(1, |curve| curve.curve.points.len());
-        let ends: Vec<StudyRow> = study_rows(&self.panels)
-            .skip(points - 1)
-            .step_by(points)
-            .collect();
+        let ends = Vec::from_iter(study_rows(&self.panels).skip(points - 1).step_by(points));
         page.list(
             "",
             &ends,

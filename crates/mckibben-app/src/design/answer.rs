@@ -19,8 +19,8 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_design::{
-    BraidChoice, Bundle, Candidate, CandidatePoint, ChoiceKind, Demand, Lift, Limit, Outcome,
-    Rejected, Spec, tubes::rubbers,
+    BraidChoice, Bundle, Candidate, ChoiceKind, Demand, Lift, Limit, Outcome, Rejected, Spec,
+    tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -231,7 +231,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
     } else {
         format!("candidate-{}.toml", place + 1)
     };
-    let mut points: Vec<&CandidatePoint> = candidate.points.iter().collect();
+    let mut points = Vec::from_iter(candidate.points.iter());
     points.sort_by_number(|a| -a.response.pressure_mpa);
     let points = points.into_iter().map(|q| JobPoint {
         force: q.wanted.force_n.into(),
@@ -303,11 +303,11 @@ fn rubber_of(spec: &Spec) -> String {
         let of = rubbers(&spec.tubes).join(", ");
         return format!("{n} {} of {of}", if n == 1 { "tube" } else { "tubes" });
     }
-    let names: Vec<&str> = spec
-        .rubbers
-        .iter()
-        .filter_map(|rubber| rubber.name.as_deref())
-        .collect();
+    let names = Vec::from_iter(
+        spec.rubbers
+            .iter()
+            .filter_map(|rubber| rubber.name.as_deref()),
+    );
     match names[..] {
         [] => format!("rubber {}", rubber_name(&spec.base)),
         [one] => format!("rubber {one}"),

@@ -63,7 +63,7 @@ impl Decision<'_> {
             .choices
             .iter()
             .map(|Choice { candidate: c, .. }| {
-                let chance = in_words(c.chance.unwrap_or(0.0));
+                let chance = in_words(c.chance.unwrap_or_default());
                 format!("{}{}: {chance}", many(c.count), parts(c))
             });
         let best = joined(best, "; ");
@@ -274,7 +274,7 @@ fn pressures_to_set(first: &Candidate) -> String {
         });
     let allowed_mpa = PressureLimits::from(&first.burst).allowed_pressure_mpa;
     let relief = show_mpa(relief_mpa(
-        set_mpa.max(first.pressure_high_mpa.unwrap_or(0.0)),
+        set_mpa.max(first.pressure_high_mpa.unwrap_or_default()),
         allowed_mpa.unwrap_or(f64::INFINITY),
     ));
     format!(
@@ -301,7 +301,7 @@ fn never_above(first: &Candidate) -> Option<String> {
         .map(|below| format!(": {}", why_no_more(&below, &show)));
     let used_mpa = first
         .pressure_mpa
-        .max(first.pressure_high_mpa.unwrap_or(0.0));
+        .max(first.pressure_high_mpa.unwrap_or_default());
     let test = match first.burst.proof_mpa(used_mpa) {
         Some(proof_mpa) => {
             let proof = show(Dimension::Pressure, proof_mpa);

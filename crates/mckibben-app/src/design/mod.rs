@@ -55,8 +55,9 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     };
     if let Some(winner) = found.candidates.first() {
         answer.cycle = request.cycle_of(winner, spec, progress)?;
-        let line = answer.cycle.as_ref().map(|cycle| cycle.line());
-        answer.decision.extend(line);
+        answer
+            .decision
+            .extend(answer.cycle.as_ref().map(|cycle| cycle.line()));
     }
     if let (Some(unit), false) = (&request.figure, answer.candidates.is_empty()) {
         let decide = |m: &Muscle| policy.model.bound(m);
@@ -143,14 +144,17 @@ fn warnings(spec: &Spec, found: &Outcome) -> Result<Vec<Warning>> {
 /// The ± of the winner in words, at the point where it is largest.
 fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<UncertaintyWords> {
     let winner = winner?;
-    let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
+    let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or_default();
     let response = &winner.points.iter().max_by_number(|q| half(q))?.response;
     let model = build(&winner.muscle).ok()?;
     let workspace = &mut Workspace::new();
     let mut model = Evaluation::new(&*model, workspace, spec.options());
     let place = (response.pressure_mpa, response.contraction);
-    let predicted = model.predicted(place.0, place.1, response.force_n);
-    Some(UncertaintyWords::at(predicted, place, &mut model))
+    Some(UncertaintyWords::at(
+        model.predicted(place.0, place.1, response.force_n),
+        place,
+        &mut model,
+    ))
 }
 
 fn draw(

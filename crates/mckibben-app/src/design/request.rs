@@ -282,30 +282,30 @@ impl DesignRequest {
             )
             .in_field("length_mm"));
         }
-        let requirements = [
-            ("force_n", self.force_n.is_some()),
-            ("points", !self.points.is_empty()),
-            ("load", self.load.load.is_some()),
-            ("torques", is_joint),
-        ];
-        Problem::refuse_several(&requirements, "state the requirement")?;
+        Problem::refuse_several(
+            &[
+                ("force_n", self.force_n.is_some()),
+                ("points", !self.points.is_empty()),
+                ("load", self.load.load.is_some()),
+                ("torques", is_joint),
+            ],
+            "state the requirement",
+        )?;
         let contraction = [("contraction", self.contraction.is_some())];
         if !self.points.is_empty() {
             Problem::refuse_unused(&contraction, "each of `points` has its own")?;
         }
         if is_joint {
-            let stroke = [contraction[0], ("stroke_mm", self.stroke_mm.is_some())];
             Problem::refuse_unused(
-                &stroke,
+                &[contraction[0], ("stroke_mm", self.stroke_mm.is_some())],
                 "the angles and the pulley set the contraction of a joint's muscles",
             )?;
         } else {
-            let of_joint = [
-                ("radius_mm", self.radius_mm.is_some()),
-                ("largest_angle_deg", self.largest_angle_deg.is_some()),
-            ];
             Problem::refuse_unused(
-                &of_joint,
+                &[
+                    ("radius_mm", self.radius_mm.is_some()),
+                    ("largest_angle_deg", self.largest_angle_deg.is_some()),
+                ],
                 "it belongs to a joint, and no `torques` are given",
             )?;
         }
@@ -315,23 +315,27 @@ impl DesignRequest {
                 "it is the distance of neighbours in a `count` of two muscles or more",
             )?;
         }
-        let makes = [("sold", self.sold), ("cast", self.cast)];
-        Problem::refuse_several(&makes, "say which tubes are searched")?;
+        Problem::refuse_several(
+            &[("sold", self.sold), ("cast", self.cast)],
+            "say which tubes are searched",
+        )?;
         if self.muscle.is_some() {
             Problem::refuse_unused(
                 &[("also_muscle", self.also_muscle.is_some())],
                 "a muscle file is given already",
             )?;
         }
-        let angles = [
-            ("braids", !self.braids.is_empty()),
-            (
-                "strand_length_per_turn_mm",
-                self.strand_length_per_turn_mm.is_some(),
-            ),
-            ("angle_deg", self.angle_deg.is_some()),
-        ];
-        Problem::refuse_several(&angles, "set the angle")
+        Problem::refuse_several(
+            &[
+                ("braids", !self.braids.is_empty()),
+                (
+                    "strand_length_per_turn_mm",
+                    self.strand_length_per_turn_mm.is_some(),
+                ),
+                ("angle_deg", self.angle_deg.is_some()),
+            ],
+            "set the angle",
+        )
     }
 
     /// The limits, as far as the strands' strength is known.
@@ -427,11 +431,12 @@ where
         .ok_or_else(|| wrong(format!("\"{text}\" is not a valid {expected}")))?;
     // The joint is symmetric.
     let second = second.trim().trim_start_matches(['±', '+']);
-    let first = first
-        .parse()
-        .map_err(|e: QuantityError| wrong(e.to_string()))?;
-    let second = second
-        .parse()
-        .map_err(|e: QuantityError| wrong(e.to_string()))?;
-    Ok((first, second))
+    Ok((
+        first
+            .parse()
+            .map_err(|e: QuantityError| wrong(e.to_string()))?,
+        second
+            .parse()
+            .map_err(|e: QuantityError| wrong(e.to_string()))?,
+    ))
 }

@@ -144,13 +144,15 @@ impl DesignRequest {
 
     /// Of free sizes no tube is named.
     fn refuse_tubes(&self, by: impl std::fmt::Display) -> Result<()> {
-        let named = [
-            ("sold", self.sold),
-            ("cast", self.cast),
-            ("tubes", !self.tubes.is_empty()),
-            ("parts", self.parts.is_some()),
-        ];
-        Problem::refuse_unused(&named, format!("{by} asks for free sizes"))
+        Problem::refuse_unused(
+            &[
+                ("sold", self.sold),
+                ("cast", self.cast),
+                ("tubes", !self.tubes.is_empty()),
+                ("parts", self.parts.is_some()),
+            ],
+            format!("{by} asks for free sizes"),
+        )
     }
 
     /// The branch on which it must pull: a model by name answers for itself, a muscle that is built
@@ -321,11 +323,13 @@ impl DesignRequest {
             .iter()
             .map(|name| Ok(rubber(name)?.name))
             .collect::<Result<Vec<_>>>()?;
-        let mut found: Vec<TubePart> = all
-            .iter()
-            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)))
-            .cloned()
-            .collect();
+        let mut found = Vec::from_iter(
+            all.iter()
+                .filter(|t| {
+                    !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name))
+                })
+                .cloned(),
+        );
         if of_user.is_none() {
             // A stand-in for tubes as they are sold is no silicone that one casts.
             for name in &rubbers {
@@ -414,11 +418,10 @@ impl DesignRequest {
         if let (Some(stroke), Some(force_n)) = (self.stroke_mm, self.force_n)
             && self.length_is_searched()
         {
-            let load = Load::Force { force_n: force_n.0 };
             return Ok((
                 base,
                 Demand::Load {
-                    load,
+                    load: Load::Force { force_n: force_n.0 },
                     way: Lift::Stroke(stroke.0),
                 },
                 None,
@@ -432,10 +435,10 @@ impl DesignRequest {
         let torques = self.torques.clone();
         let mut numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
         numbers.try_for_each(|v| finite("torques", v).map(drop))?;
-        let largest = peak(torques.iter().map(|t| t.angle_deg.abs()));
         let largest_angle_deg = finite(
             "largest_angle_deg",
-            self.largest_angle_deg.unwrap_or(Angle(largest)),
+            self.largest_angle_deg
+                .unwrap_or(Angle(peak(torques.iter().map(|t| t.angle_deg.abs())))),
         )?;
         let (base, _) = self.with_stroke(vec![])?;
         let radius = if let Some(choice) = &self.radius_mm {
@@ -469,9 +472,10 @@ impl DesignRequest {
                 .points
                 .iter()
                 .map(|w| {
-                    let contraction =
-                        ratio(w.contraction).map_err(|problem| problem.in_field("points"))?;
-                    Ok((w.force_n, Some(contraction)))
+                    Ok((
+                        w.force_n,
+                        Some(ratio(w.contraction).map_err(|problem| problem.in_field("points"))?),
+                    ))
                 })
                 .collect();
         }
@@ -530,10 +534,10 @@ impl DesignRequest {
                 force_n: *force_n,
                 contraction: contraction
                     .or(stroke.map(|s| way * s / length))
-                    .unwrap_or(0.0),
+                    .unwrap_or_default(),
             }
         };
-        let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
+        let points = Vec::from_iter(wanted.iter().map(point));
         let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
             return Ok((base, points));
         };
@@ -552,11 +556,13 @@ impl DesignRequest {
         if largest <= 0.0 {
             return Err(wrong("a stroke needs a contraction above zero".into(), ""));
         }
-        let tube = Tube {
-            length_mm: stroke / largest,
-            ..base.tube().clone()
-        };
-        Ok((base.with_tube(tube)?, points))
+        Ok((
+            base.with_tube(Tube {
+                length_mm: stroke / largest,
+                ..base.tube().clone()
+            })?,
+            points,
+        ))
     }
 }
 

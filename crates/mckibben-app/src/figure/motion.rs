@@ -7,7 +7,7 @@ use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Position, pressures with their command, and pulls; the runs of a sweep one over the other.
 pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
-    let runs: Vec<&MotionRun> = answer.runs().collect();
+    let runs = Vec::from_iter(answer.runs());
     let joint = answer.motion.motion.series.kind == Coordinate::Angle;
     let time = || Axis::new("time t [s]").from_zero();
     let position = if joint {

@@ -203,15 +203,14 @@ impl Fit<'_> {
                 .iter()
                 .find(|usual| usual.0 == name)
                 .map(|usual| usual.1);
-            let start = value
-                .or(written)
-                .filter(|value| *value > 0.0)
-                .or(usual)
-                .ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?;
             Ok(Free {
+                start: value
+                    .or(written)
+                    .filter(|value| *value > 0.0)
+                    .or(usual)
+                    .ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?,
                 name,
                 dimension,
-                start,
             })
         };
         if !self.request.free.is_empty() {
@@ -299,8 +298,8 @@ impl Fit<'_> {
             let mean = Errors::new(first()).mean;
             Errors::new(first().map(|v| v - mean)).rms
         };
-        let scatter: Vec<f64> = self.log.iter().map(scatter).collect();
-        let starts: Vec<f64> = free.iter().map(|free| free.start).collect();
+        let scatter = Vec::from_iter(self.log.iter().map(scatter));
+        let starts = Vec::from_iter(free.iter().map(|free| free.start));
         let larger = Vec::from_iter(starts.iter().map(|start| 1.1 * start));
         let (now, then) = (at(&starts)?.concat(), at(&larger)?.concat());
         if now.iter().zip(then).all(|(a, b)| (a - b).abs() < NOTHING) {

@@ -72,15 +72,14 @@ impl MotionRequest {
     }
 
     fn parsed(&self, text: &str, rest_length_mm: f64) -> Result<DriveFile> {
-        let texts = self
-            .tables
-            .iter()
-            .map(|t| (t.name.clone(), t.text.clone()))
-            .collect();
         parse_drive(
             text,
             &Tables {
-                texts,
+                texts: self
+                    .tables
+                    .iter()
+                    .map(|t| (t.name.clone(), t.text.clone()))
+                    .collect(),
                 rest_length_mm,
             },
         )
@@ -88,8 +87,9 @@ impl MotionRequest {
     }
 
     fn in_drive(&self, error: FileError) -> Problem {
-        let name = self.drive.as_ref().map_or("the drive", |drive| &drive.name);
-        Problem::from(error.in_file(Path::new(name)))
+        Problem::from(error.in_file(Path::new(
+            self.drive.as_ref().map_or("the drive", |drive| &drive.name),
+        )))
     }
 
     /// The drive of a text, or those of the sweep with their values.
@@ -105,13 +105,15 @@ impl MotionRequest {
                 ))
                 .in_field("sweep"));
         }
-        let values = sweep.values.iter();
-        let one = |value: &String| {
-            let changed =
-                with_value(text, &sweep.key, value).map_err(|error| self.in_drive(error))?;
-            Ok((Some(value.clone()), self.parsed(&changed, rest_length_mm)?))
-        };
-        values.map(one).collect()
+        sweep
+            .values
+            .iter()
+            .map(|value: &String| {
+                let changed =
+                    with_value(text, &sweep.key, value).map_err(|error| self.in_drive(error))?;
+                Ok((Some(value.clone()), self.parsed(&changed, rest_length_mm)?))
+            })
+            .collect()
     }
 }
 
@@ -146,15 +148,18 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         .map(|m| burst_of(&moved.choice, &**m))
         .collect::<Result<Vec<_>, _>>()?;
     let mut warnings = moved.gravest_warnings(&runs, &drives);
-    let models = bursts.iter().zip(&moved.models).enumerate();
-    let burst = models.flat_map(|(i, (burst, model))| {
-        let highest_mpa = peak(
-            runs.iter()
-                .zip(&drives)
-                .map(|(run, (_, drive))| highest_mpa(run, drive, i)),
-        );
-        warnings::of_muscle(burst, model.muscle(), highest_mpa)
-    });
+    let burst = bursts
+        .iter()
+        .zip(&moved.models)
+        .enumerate()
+        .flat_map(|(i, (burst, model))| {
+            let highest_mpa = peak(
+                runs.iter()
+                    .zip(&drives)
+                    .map(|(run, (_, drive))| highest_mpa(run, drive, i)),
+            );
+            warnings::of_muscle(burst, model.muscle(), highest_mpa)
+        });
     Warning::put_first(&mut warnings, burst);
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else {

@@ -23,18 +23,17 @@ impl Moved {
         Ok(match (&self.joint, self.models.first()) {
             (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
             (None, Some(model)) => {
-                let load = file.load.clone().ok_or_else(|| {
+                Some(SingleMuscle {
+                    damping_n_s_per_m: file.damping_n_s_per_m,
+                    stops_mm: file.stops_mm,
+                    ..SingleMuscle::new(&**model, file.load.clone().ok_or_else(|| {
                     Problem::new(
                         ProblemKind::File,
                         "the drive has no [load], so that nothing moves",
                         "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with \
                          fixed ends",
                     )
-                })?;
-                Some(SingleMuscle {
-                    damping_n_s_per_m: file.damping_n_s_per_m,
-                    stops_mm: file.stops_mm,
-                    ..SingleMuscle::new(&**model, load)
+                })?)
                 })
             }
             _ => None,

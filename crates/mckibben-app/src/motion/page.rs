@@ -61,12 +61,14 @@ impl MotionRun {
         let half_deg = end.end_angle_uncertainty_deg;
         let moves = run.at_rest() != Some(true);
         let built = || {
-            let ends = [
-                end.end_contraction_predicted?,
-                end.end_contraction_predicted_low?,
-                end.end_contraction_predicted_high?,
-            ];
-            Some(bounds(ends, &PERCENT))
+            Some(bounds(
+                [
+                    end.end_contraction_predicted?,
+                    end.end_contraction_predicted_low?,
+                    end.end_contraction_predicted_high?,
+                ],
+                &PERCENT,
+            ))
         };
         let built = built();
         let of_model = if built.is_some() {
@@ -105,11 +107,10 @@ impl MotionRun {
             .poles_per_s
             .iter()
             .filter(|(re, _)| re.abs() > 1e-9);
-        let one = |(re, im): &(f64, f64)| match im.abs() {
+        let mut poles = Vec::from_iter(poles.map(|(re, im): &(f64, f64)| match im.abs() {
             0.0 => format!("{re:.3}"),
             im => format!("{re:.3} ± {im:.3}i"),
-        };
-        let mut poles = Vec::from_iter(poles.map(one));
+        }));
         poles.dedup();
         poles.join(", ")
     }

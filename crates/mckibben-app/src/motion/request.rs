@@ -90,20 +90,24 @@ impl MotionRequest {
 
     /// Which fields exclude each other, and which ones need others.
     pub fn validate(&self) -> Result<()> {
-        let free = [("free", self.log.is_none() && !self.free.is_empty())];
-        Problem::refuse_unused(&free, "it belongs to `log`")?;
+        Problem::refuse_unused(
+            &[("free", self.log.is_none() && !self.free.is_empty())],
+            "it belongs to `log`",
+        )?;
         let (Some(_), Some(step)) = (&self.drive, &self.step) else {
             return Ok(());
         };
-        let stated = [
-            ("pressure_mpa", step.pressure_mpa.is_some()),
-            ("load", step.load.is_some()),
-            ("valve", step.valve.is_some()),
-            ("supply_mpa", step.supply_mpa.is_some()),
-            ("damping_n_s_per_m", step.damping_n_s_per_m.is_some()),
-            ("until_s", step.until_s.is_some()),
-        ];
-        Problem::refuse_unused(&stated, "the drive file states it")
+        Problem::refuse_unused(
+            &[
+                ("pressure_mpa", step.pressure_mpa.is_some()),
+                ("load", step.load.is_some()),
+                ("valve", step.valve.is_some()),
+                ("supply_mpa", step.supply_mpa.is_some()),
+                ("damping_n_s_per_m", step.damping_n_s_per_m.is_some()),
+                ("until_s", step.until_s.is_some()),
+            ],
+            "the drive file states it",
+        )
     }
 }
 

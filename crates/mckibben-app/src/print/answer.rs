@@ -59,11 +59,12 @@ impl Page {
 
     fn columns(&mut self, heading: &str, columns: Vec<Amounts>) {
         let is_none = |amount: &Amount| matches!(amount, Amount::Words(count) if count == "0");
-        let columns: Vec<Column> = columns
-            .into_iter()
-            .filter(|c| !c.amounts.iter().all(is_none))
-            .filter_map(|c| Column::of(&c.label, &c.scale, &c.amounts))
-            .collect();
+        let columns = Vec::from_iter(
+            columns
+                .into_iter()
+                .filter(|c| !c.amounts.iter().all(is_none))
+                .filter_map(|c| Column::of(&c.label, &c.scale, &c.amounts)),
+        );
         if !columns.is_empty() {
             if heading.is_empty() {
                 self.gap();
@@ -108,7 +109,7 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// What an object has to show, each number with its ±, the field behind it.
     fn fields<'a>(&'a self, node: &'a Value, object: &'a Object) -> Vec<Field<'a>> {
-        let known: Vec<_> = properties(self.root, node).collect();
+        let known = Vec::from_iter(properties(self.root, node));
         let mut out: Vec<Field<'a>> = vec![];
         for (name, value) in object {
             let is_half = name.starts_with("uncertainty") || name.ends_with("standard_error");
@@ -182,13 +183,20 @@ impl Walk<'_> {
         match field.value {
             Value::Array(list) => {
                 let rows = list.iter().filter_map(Value::as_object).cloned();
-                let node = items(self.root, field.node).unwrap_or(&Value::Null);
-                self.table(page, heading, node, &rows.collect::<Vec<_>>());
+                self.table(
+                    page,
+                    heading,
+                    items(self.root, field.node).unwrap_or(&Value::Null),
+                    &rows.collect::<Vec<_>>(),
+                );
             }
             Value::Object(object) if is_map(self.root, field.node) => {
                 let rows = object.iter().filter_map(|(name, value)| {
-                    let key = (field.name.to_owned(), name.as_str().into());
-                    Some(iter::once(key).chain(value.as_object()?.clone()).collect())
+                    Some(
+                        iter::once((field.name.to_owned(), name.as_str().into()))
+                            .chain(value.as_object()?.clone())
+                            .collect(),
+                    )
                 });
                 let of = variants(self.root, field.node)
                     .iter()
@@ -226,8 +234,7 @@ impl Walk<'_> {
                     .flatten()
                     .filter_map(Value::as_object)
                     .map(|object| {
-                        let titled = title.clone().into_iter().chain(object.clone());
-                        Value::from_iter(titled)
+                        Value::from_iter(title.clone().into_iter().chain(object.clone()))
                     });
                 let list = lists.entry(field.name);
                 if let Value::Array(list) = list.or_insert_with(|| Value::Array(vec![])) {
@@ -265,16 +272,18 @@ impl Walk<'_> {
                 },
                 value => self.amount(value, field.half, &field.scale),
             };
-            let known = columns.iter().position(|c| c.name == field.name);
-            let at = known.unwrap_or_else(|| {
-                columns.push(Amounts {
-                    name: field.name.into(),
-                    label: field.label(HEADING),
-                    scale: field.scale,
-                    amounts: vec![],
+            let at = columns
+                .iter()
+                .position(|c| c.name == field.name)
+                .unwrap_or_else(|| {
+                    columns.push(Amounts {
+                        name: field.name.into(),
+                        label: field.label(HEADING),
+                        scale: field.scale,
+                        amounts: vec![],
+                    });
+                    columns.len() - 1
                 });
-                columns.len() - 1
-            });
             columns[at].amounts.resize_with(i, || Amount::Nothing);
             columns[at].amounts.push(amount);
         }

@@ -39,10 +39,9 @@ pub fn named(name: &str, about: &str, u: &Units) -> (Scale, String) {
         ("_s", Scale::fixed("s")),
         ("bytes", MEGABYTES),
     ];
-    let unit = units.into_iter().find_map(|(ending, scale)| {
-        let name = name.strip_suffix(ending)?;
-        Some((scale, name))
-    });
+    let unit = units
+        .into_iter()
+        .find_map(|(ending, scale)| Some((scale, name.strip_suffix(ending)?)));
     let is_share = || {
         let mut said = about.split(|c: char| !c.is_alphabetic());
         name.split('_').any(|word| SHARES.contains(&word))

@@ -125,10 +125,11 @@ fn heading(label: &str, scale: &Scale) -> String {
 
 /// Cells of numbers with their points aligned; what has a ± or words is as it is alone.
 fn aligned_cells(amounts: &[Amount], scale: &Scale) -> Vec<Option<String>> {
-    let numbers: Vec<Option<f64>> = amounts
-        .iter()
-        .map(|amount| amount.number().map(|v| scale.rounded(v)))
-        .collect();
+    let numbers = Vec::from_iter(
+        amounts
+            .iter()
+            .map(|amount| amount.number().map(|v| scale.rounded(v))),
+    );
     amounts
         .iter()
         .zip(aligned(&numbers, scale.digits))

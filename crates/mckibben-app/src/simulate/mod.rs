@@ -337,7 +337,7 @@ fn solved(
             pressure_mpa,
             force_n,
         },
-        (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
+        (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or_default()),
     };
     let solution = model.solve(workspace, given);
     cancel::check()?;
@@ -381,8 +381,7 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
     if points.iter().any(|q| q.status.is_ok()) {
         return None;
     }
-    let first = points.iter().find_map(|q| q.solution.as_ref().err())?;
-    Some(ProblemKind::NotConverged.problem(first))
+    Some(ProblemKind::NotConverged.problem(points.iter().find_map(|q| q.solution.as_ref().err())?))
 }
 
 /// The input deck of an isometric test with three-dimensional elements.
@@ -409,7 +408,7 @@ fn written_deck(
                 .into(),
         ));
     }
-    let contractions: Vec<f64> = questions.iter().filter_map(|q| q.contraction).collect();
+    let contractions = Vec::from_iter(questions.iter().filter_map(|q| q.contraction));
     let (Test::Isometric, Some(&contraction)) = (test, contractions.first()) else {
         return Err(wrong("an input deck needs an isometric test".into()));
     };
@@ -418,6 +417,6 @@ fn written_deck(
             "an input deck needs a test at one contraction".into(),
         ));
     }
-    let pressures: Vec<f64> = questions.iter().map(|q| q.pressure_mpa).collect();
+    let pressures = Vec::from_iter(questions.iter().map(|q| q.pressure_mpa));
     deck(model, contraction, &pressures).map_err(|e| wrong(e.to_string()))
 }

@@ -79,8 +79,10 @@ impl Fit {
                 files.push((file, bytes));
             }
             for table in std::mem::take(&mut answer.tables) {
-                let file = PathBuf::from(format!("{}.csv", table.name));
-                files.push((file, table.to_csv().into_bytes()));
+                files.push((
+                    PathBuf::from(format!("{}.csv", table.name)),
+                    table.to_csv().into_bytes(),
+                ));
             }
             context.save_inside(folder, files)?;
         }

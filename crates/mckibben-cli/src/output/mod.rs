@@ -149,8 +149,7 @@ impl Context {
         }
         let width = width::of_result(target);
         text += &self.laid_out(&page(), width.unwrap_or(width::STABLE));
-        let text = width::broken(&clean::lines(&plain(text)), width);
-        self.emit(text, target)?;
+        self.emit(width::broken(&clean::lines(&plain(text)), width), target)?;
         others.into_iter().for_each(|w| self.warn(w));
         Ok(())
     }

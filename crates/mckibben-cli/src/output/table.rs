@@ -117,11 +117,16 @@ fn flat(value: Value) -> Value {
 
 /// The rows of an object of lists.
 fn of_columns(columns: &Map<String, Value>) -> Vec<Value> {
-    let lists: Vec<(&String, &Vec<Value>)> = columns
+    let lists = Vec::from_iter(
+        columns
+            .iter()
+            .filter_map(|(name, list)| Some((name, list.as_array()?))),
+    );
+    let count = lists
         .iter()
-        .filter_map(|(name, list)| Some((name, list.as_array()?)))
-        .collect();
-    let count = lists.iter().map(|(_, list)| list.len()).max().unwrap_or(0);
+        .map(|(_, list)| list.len())
+        .max()
+        .unwrap_or_default();
     let row = |i: usize| {
         lists
             .iter()
@@ -150,12 +155,13 @@ pub fn csv(table: &CsvTable) -> Result<Vec<u8>> {
         .write_record(table.columns.iter().map(|c| cell(c).into_owned()))
         .map_err(|e| broken(&e))?;
     for object in table.rows.iter().filter_map(Value::as_object) {
-        let cells: Vec<String> = table
-            .columns
-            .iter()
-            .map(|c| text(object.get(c)).unwrap_or_default())
-            .map(|text| super::plain(cell(&text).into_owned()))
-            .collect();
+        let cells = Vec::from_iter(
+            table
+                .columns
+                .iter()
+                .map(|c| text(object.get(c)).unwrap_or_default())
+                .map(|text| super::plain(cell(&text).into_owned())),
+        );
         writer.write_record(cells).map_err(|e| broken(&e))?;
     }
     writer.into_inner().map_err(|e| broken(&e))

@@ -78,8 +78,12 @@ impl Context {
     /// A line for the user beside the result, in the units that he reads; nothing better can be
     /// done if nobody can read it.
     pub fn warn(&self, message: impl Display) {
-        let text = self.units.sentence(&self.in_flags(&message.to_string()));
-        let text = format!("warning: {}", clean::line(&short_numbers(&text)));
+        let text = format!(
+            "warning: {}",
+            clean::line(&short_numbers(
+                &self.units.sentence(&self.in_flags(&message.to_string()))
+            ))
+        );
         let text = width::broken(&text, width::aside());
         let text = text.strip_prefix("warning:").unwrap_or(&text);
         let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#}{text}");

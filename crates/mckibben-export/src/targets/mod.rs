@@ -92,7 +92,7 @@ fn values(
         ),
         (
             "burst",
-            number(1e6 * limits.burst_pressure_mpa.unwrap_or(0.0)),
+            number(1e6 * limits.burst_pressure_mpa.unwrap_or_default()),
         ),
         ("wanted", number(0.3 * muscle.blocked_force_n)),
         ("count", form.contractions.len().to_string()),

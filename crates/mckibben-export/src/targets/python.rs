@@ -40,15 +40,14 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         &joint.facts(),
         &values,
     );
-    let own = File::text(
-        joint.identifier() + ".py",
-        "torque, stiffness and pressures of the joint",
-        text,
-    );
     Ok(Artefact {
-        files: std::iter::once(own)
-            .chain(joint.muscles.iter().map(module))
-            .collect(),
+        files: std::iter::once(File::text(
+            joint.identifier() + ".py",
+            "torque, stiffness and pressures of the joint",
+            text,
+        ))
+        .chain(joint.muscles.iter().map(module))
+        .collect(),
     })
 }
 

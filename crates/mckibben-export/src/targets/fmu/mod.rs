@@ -258,10 +258,11 @@ fn of_muscle(muscle: &ExportedMuscle) -> Vec<f64> {
 fn universal(libraries: &[&[u8]]) -> Vec<u8> {
     const ALIGN: u32 = 14;
     let page = 1_usize << ALIGN;
-    let mut header: Vec<u8> = [0xcafe_babe_u32, libraries.len() as u32]
-        .into_iter()
-        .flat_map(u32::to_be_bytes)
-        .collect();
+    let mut header = Vec::from_iter(
+        [0xcafe_babe_u32, libraries.len() as u32]
+            .into_iter()
+            .flat_map(u32::to_be_bytes),
+    );
     let mut body = vec![];
     for library in libraries {
         body.resize(usize::next_multiple_of(body.len(), page), 0);
