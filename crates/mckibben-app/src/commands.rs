@@ -187,7 +187,7 @@ pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Resu
 
 /// An answer as [`ask_packed`] gives it.
 pub fn packed(mut answer: Value) -> Vec<u8> {
-    let mut numbers: Vec<u8> = vec![];
+    let mut numbers = vec![];
     for array in answer
         .get_mut("arrays")
         .and_then(Value::as_object_mut)

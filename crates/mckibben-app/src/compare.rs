@@ -304,7 +304,7 @@ impl CompareRequest {
         };
         let is_solid = |name: &NameOrFile| name.name() == "fe3d";
         let solid = names.iter().any(is_solid);
-        let mut models: Vec<Model> = vec![];
+        let mut models = vec![];
         for name in names {
             // A terminal is for fe3d alone, where that is among them.
             let mesh = MeshFields {

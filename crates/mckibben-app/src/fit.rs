@@ -274,7 +274,7 @@ impl FitRequest {
         let there = distinct(points.iter().map(|p| p.outer_diameter_mm));
         let is_there = |d: &f64| there.iter().any(|known| same(*known, *d));
         let share = self.hold_out_share.map_or(0.0, f64::from);
-        let held: Vec<f64> = match &self.hold_out_mm {
+        let held = match &self.hold_out_mm {
             None if (0.0..1.0).contains(&share) => return Ok((vec![], share)),
             None => return wrong(format!("a share of {} % leaves no muscle", 100.0 * share)),
             Some(_) if share != 0.0 => {
@@ -455,7 +455,7 @@ fn rows(_: &Path) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
 
 /// Whether all muscles of a campaign are of one make.
 fn is_of_one_make(path: &Path) -> Result<bool> {
-    let mut made: Option<MakeOfRows> = None;
+    let mut made = None;
     for row in rows(path)?.0 {
         let row = row?;
         if made
@@ -471,7 +471,7 @@ fn is_of_one_make(path: &Path) -> Result<bool> {
 
 fn of_campaign(path: &Path) -> Result<Points> {
     let (rows, origin) = rows(path)?;
-    let mut made_for: Option<MakeOfRows> = None;
+    let mut made_for = None;
     let (mut points, mut all) = (
         Vec::with_capacity(rows.size_hint().1.unwrap_or_default()),
         0,

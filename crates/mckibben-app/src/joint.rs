@@ -69,7 +69,7 @@ impl JointFields {
             )
             .resolve()
         };
-        let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
+        let muscles = file.files().map(muscle).collect::<Result<Vec<_>>>()?;
         file.with_muscles(muscles)
             .map_err(|e| ProblemKind::File.problem(format!("{}: {e}", text.name)))
     }
@@ -154,7 +154,7 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
     let bursts = models
         .iter()
         .map(|m| burst_of(&named, &**m))
-        .collect::<Result<Vec<_>, _>>()?;
+        .collect::<Result<Vec<_>>>()?;
     let supplied = if map.is_some() { supply(request)? } else { 0.0 };
     let highest = |i: usize| {
         rows.iter()
@@ -463,7 +463,7 @@ fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
     let alike = muscles.first().map(digest) == muscles.last().map(digest);
     let kinds = [0, usize::from(!alike)];
     let contractions = |row: &JointRow| [Some(row.contraction_1), row.contraction_2];
-    let mut wanted: BTreeMap<(usize, i64), f64> = BTreeMap::new();
+    let mut wanted = BTreeMap::new();
     for row in &*rows {
         wanted.extend(
             kinds

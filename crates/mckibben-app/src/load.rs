@@ -54,7 +54,7 @@ impl LoadFields {
             .load_tables
             .iter()
             .map(read)
-            .collect::<Result<BTreeMap<_, _>, _>>()?;
+            .collect::<Result<BTreeMap<_, _>>>()?;
         Load::parse(text, &|name| tables.get(name).cloned())
             .map(Some)
             .map_err(|error| ProblemKind::Quantity.problem(error).in_field("load"))
@@ -103,7 +103,7 @@ pub fn loaded(
     let Some(load) = fields.resolve(length)? else {
         return Ok(None);
     };
-    let mut stable: Vec<(f64, Option<Balance>)> = vec![];
+    let mut stable = vec![];
     let mut at = vec![];
     for &pressure_mpa in pressures_mpa {
         let balances = evaluation.balances(&load, pressure_mpa);

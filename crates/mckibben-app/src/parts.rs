@@ -170,7 +170,7 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer> {
     let wants = |kind| request.kind.is_none_or(|only| only == kind);
     // The reduced engine has neither tubes nor muscles.
     let whole = cfg!(feature = "whole");
-    let tubes: Vec<TubePart> = match &request.parts {
+    let tubes = match &request.parts {
         _ if !whole || !wants(PartKind::Tubes) => vec![],
         parts => match users_tubes(parts.as_ref())? {
             Some(tubes) => tubes,

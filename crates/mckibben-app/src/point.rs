@@ -185,7 +185,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
             "",
         ));
     }
-    let mut said: Option<LoadAnswer> = None;
+    let mut said = None;
     let mut answer = answered(question, sought, request.both, |model| {
         let answer = loaded(&request.load, model, &[pressure_mpa])?;
         if let Some(error) = answer

@@ -264,7 +264,7 @@ fn together(search: &Search<'_>) -> Option<Change> {
     near.truncate(NEAREST);
     let changes = threads::map(&near, |held| {
         let exact = search.exact(search.spec, held.job())?;
-        let mut kinds: Vec<Freed> = vec![];
+        let mut kinds = vec![];
         for check in exact.checks.iter().filter(|c| c.excess() > 0.0) {
             let freed = match check.limit {
                 Limit::Force => Freed::Pull,

@@ -185,7 +185,7 @@ impl<'a> Search<'a> {
                     .then(a.1.score[1].total_cmp(&b.1.score[1]))
             });
             // Of the radii of a joint the best one stands for its muscle.
-            let mut known: Vec<Place> = vec![];
+            let mut known = vec![];
             found.retain(|(_, held)| {
                 let is_new = !known.contains(&held.place);
                 known.push(held.place);

@@ -418,7 +418,7 @@ impl Spec {
 
     /// The smallest angle of the braids on their tubes, in degrees.
     fn least_angle_deg(&self) -> f64 {
-        let angles: Vec<f64> = match &self.braid {
+        let angles = match &self.braid {
             BraidChoice::Angle(angles) => vec![angles.bounds().0],
             BraidChoice::Sleeves(list) if !self.tubes.is_empty() => {
                 let on = |braid: &Braid, tube: &TubePart| {

@@ -326,7 +326,7 @@ fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
         high,
         inner: form.contractions[1..form.contractions.len() - 1].to_vec(),
     };
-    let mut rows: Vec<Row> = vec![];
+    let mut rows = vec![];
     for p in at {
         if let Some(pull) = p.pull.filter(|pull| *pull >= 0.0) {
             rows.push((row(&spline, p.q, p.contraction).0, pull, 1.0));

@@ -19,8 +19,9 @@ pub use request::{DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
 use crate::{Result, UncertaintyWords, Units, figure};
 use answer::{muscle_file, not_checked, touches};
 use decision::Decision;
+use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::Evaluation,
+    analysis::{Evaluation, burst::ends::clamp_load_n},
     by_number::ByNumber,
     load::Load,
     model::{ForceModel, ModelError, Workspace},
@@ -28,11 +29,12 @@ use mckibben_core::{
     progress::Progress,
     warning::Warning,
 };
-use mckibben_design::{Build, Candidate, CandidatePoint, Demand, Outcome, Spec, design_with};
+use mckibben_design::{
+    Build, Candidate, CandidatePoint, Demand, Ends, Outcome, Precision, Spec, design_with,
+};
 use mckibben_report::Figure;
 use remedies::RelaxationAnswer;
 use spec::Search;
-pub use spec::design_ends;
 
 /// Curves are drawn of so many candidates.
 const DRAWN: usize = 3;
@@ -174,4 +176,24 @@ fn draw(
         .map(|c| c.points.iter().map(|q| q.wanted).collect())
         .unwrap_or_default();
     Ok(figure::design(&drawn, &points, options, unit))
+}
+
+/// The ends of a muscle as `build` makes them.
+pub fn design_ends(
+    muscle: &Muscle,
+    blocked_n: f64,
+    pressure_mpa: f64,
+    precision: Precision,
+) -> Option<Ends> {
+    let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
+    let parts = EndParts::new(muscle, load_n, &Wishes::default()).ok()?;
+    Some(Ends {
+        made: parts.ends.made,
+        load_n,
+        width_mm: parts.widest_mm(),
+        mass_g: match precision {
+            Precision::Rough => 0.0,
+            Precision::Exact => parts.air_plug.mass_g() + parts.eye_plug.mass_g(),
+        },
+    })
 }

@@ -2,6 +2,7 @@
 
 use super::{
     assumed::{SUPPLY_MPA, Stated},
+    design_ends,
     request::DesignRequest,
 };
 use crate::{
@@ -11,9 +12,7 @@ use crate::{
     ratio, rubber, sleeve,
 };
 use mckibben::Deciding;
-use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::burst::ends::clamp_load_n,
     answer::Options,
     extremes::peak,
     load::Load,
@@ -29,8 +28,8 @@ use mckibben_core::{
     },
 };
 use mckibben_design::{
-    BraidChoice, CERTAINTY, Demand, Ends, JointDemand, LARGEST_BUNDLE, Lift, OperatingPoint,
-    Precision, Product, SUPPLY_SHARE, Spec,
+    BraidChoice, CERTAINTY, Demand, JointDemand, LARGEST_BUNDLE, Lift, OperatingPoint, Product,
+    SUPPLY_SHARE, Spec,
     tubes::{self, TubePart},
 };
 use mckibben_fit::library::{PREFIX, library};
@@ -125,7 +124,7 @@ impl DesignRequest {
             outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
             wall_mm: between("wall_mm", &self.wall_mm, walls)?,
             braid,
-            rubbers: rubbers.collect::<Result<_, _>>()?,
+            rubbers: rubbers.collect::<Result<_>>()?,
             certainty: self
                 .certainty
                 .map(f64::from)
@@ -182,22 +181,24 @@ impl DesignRequest {
     /// The lengths that are searched: those that are given, or those of which a stroke is a share
     /// that a muscle contracts by.
     fn lengths(&self, as_sold: bool) -> Result<Option<Values>> {
-        let Some(stroke) = self.stroke_mm.filter(|_| self.length_is_searched()) else {
-            return Ok(match &self.length_mm {
-                Some(Choice::One(_)) | None => None,
-                Some(choice) => Some(values(choice, "length_mm")?),
-            });
-        };
-        let length = |share: f64| tidy(stroke.0 / share, 2);
-        Ok(Some(match &self.length_mm {
-            Some(choice) => values(choice, "length_mm")?,
-            // Of free sizes no tube says which length its ends allow.
-            None if !as_sold => Values::Interval(
-                length(CONTRACTIONS.1),
-                length(CONTRACTIONS.0).max(Muscle::prototype().length_mm()),
-            ),
-            None => Values::Interval(length(CONTRACTIONS.1), length(CONTRACTIONS.0)),
-        }))
+        let stroke = self.stroke_mm.filter(|_| self.length_is_searched());
+        Ok(match (&self.length_mm, stroke) {
+            (None | Some(Choice::One(_)), None) => None,
+            (Some(choice), _) => Some(values(choice, "length_mm")?),
+            (None, Some(stroke)) => {
+                let (low, high) = CONTRACTIONS;
+                let [low, high] = [high, low].map(|share| tidy(stroke.0 / share, 2));
+                Some(Values::Interval(
+                    low,
+                    if as_sold {
+                        high
+                    } else {
+                        // Of free sizes no tube says which length its ends allow.
+                        high.max(Muscle::prototype().length_mm())
+                    },
+                ))
+            }
+        })
     }
 
     /// Whether a stroke sets the contraction of muscles whose length is searched.
@@ -315,8 +316,7 @@ impl DesignRequest {
                     .collect(),
                 None => Ok(vec![tubes::find(all, name)?]),
             };
-            let named: std::result::Result<Vec<Vec<TubePart>>, _> =
-                self.tubes.iter().map(of_name).collect();
+            let named: Result<Vec<Vec<TubePart>>, _> = self.tubes.iter().map(of_name).collect();
             return Ok(named.map_err(|e| unread(e).in_field("tubes"))?.concat());
         }
         let wanted = rubbers
@@ -409,9 +409,7 @@ impl DesignRequest {
             };
             let (base, _) = self.with_stroke(vec![(1.0, self.contraction.map(f64::from))])?;
             let load = self.load.resolve(base.length_mm())?;
-            let Some(load) = load else {
-                return Err(Problem::missing("load", "a load, such as 20 kg"));
-            };
+            let load = load.ok_or_else(|| Problem::missing("load", "a load, such as 20 kg"))?;
             return Ok((base, Demand::Load { load, way }, None));
         }
         let (base, points) = self.with_stroke(self.wanted()?)?;
@@ -564,26 +562,6 @@ impl DesignRequest {
             points,
         ))
     }
-}
-
-/// The ends of a muscle as `build` makes them.
-pub fn design_ends(
-    muscle: &Muscle,
-    blocked_n: f64,
-    pressure_mpa: f64,
-    precision: Precision,
-) -> Option<Ends> {
-    let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
-    let parts = EndParts::new(muscle, load_n, &Wishes::default()).ok()?;
-    Some(Ends {
-        made: parts.ends.made,
-        load_n,
-        width_mm: parts.widest_mm(),
-        mass_g: match precision {
-            Precision::Rough => 0.0,
-            Precision::Exact => parts.air_plug.mass_g() + parts.eye_plug.mass_g(),
-        },
-    })
 }
 
 /// The muscles of the library that have a product.

@@ -146,7 +146,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         .models
         .iter()
         .map(|m| burst_of(&moved.choice, &**m))
-        .collect::<Result<Vec<_>, _>>()?;
+        .collect::<Result<Vec<_>>>()?;
     let mut warnings = moved.gravest_warnings(&runs, &drives);
     let burst = bursts
         .iter()

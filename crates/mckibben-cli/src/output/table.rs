@@ -84,7 +84,7 @@ impl CsvTable {
     pub fn of(answer: Csv) -> Result<Self> {
         let schema = (answer.schema)();
         let rows = answer.rows.map_err(|e| broken(&e))?;
-        let rows: Vec<Value> = match answer.form {
+        let rows = match answer.form {
             CsvLayout::Rows => rows,
             CsvLayout::Flat => rows.into_iter().map(flat).collect(),
             CsvLayout::Columns => rows
