@@ -1,6 +1,6 @@
 //! Sleeves of the library, and the braid that each becomes on a tube.
 
-use crate::{Problem, TextFile, parts::sleeve_entries};
+use crate::{Result, TextFile, parts::sleeve_entries};
 use mckibben_core::{
     muscle::NEUTRAL_ANGLE_DEG,
     sleeve::{Sleeve, SleeveEntry, library},
@@ -93,7 +93,7 @@ fn unstated(sleeve: &Sleeve) -> Vec<&'static str> {
 }
 
 /// The sleeves of the library, or of a table of the user's own.
-pub fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Problem> {
+pub fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>> {
     let one = |entry: &SleeveEntry| {
         let (least_diameter_mm, largest_diameter_mm) = entry.sleeve.shape.tubes_mm();
         Ok(BraidSummary {
@@ -113,7 +113,7 @@ pub fn sleeves(parts: Option<&TextFile>) -> Result<Vec<BraidSummary>, Problem> {
 }
 
 /// A sleeve; `None` where there is none of that name.
-pub fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem> {
+pub fn sleeve_details(name: &str) -> Result<Option<BraidDetails>> {
     let Ok(entry) = library::entry(name) else {
         return Ok(None);
     };
@@ -143,11 +143,11 @@ pub fn sleeve_details(name: &str) -> Result<Option<BraidDetails>, Problem> {
         points: diameters
             .iter()
             .map(|d| point(sleeve, *d))
-            .collect::<Result<_, Problem>>()?,
+            .collect::<Result<_>>()?,
     }))
 }
 
-fn point(sleeve: &Sleeve, outer_diameter_mm: f64) -> Result<BraidPoint, Problem> {
+fn point(sleeve: &Sleeve, outer_diameter_mm: f64) -> Result<BraidPoint> {
     Ok(BraidPoint {
         outer_diameter_mm,
         angle_deg: sleeve.shape.angle_deg_on(outer_diameter_mm)?,

@@ -1,7 +1,7 @@
 //! The burst pressure in answers: one value for each muscle and model, and the sentence that comes
 //! before all others.
 
-use crate::{Model, Problem, ProblemKind, Units, number, print::Rows};
+use crate::{Model, Problem, ProblemKind, Result, Units, number, print::Rows};
 pub use mckibben_core::analysis::PressureLimits;
 use mckibben_core::{
     analysis::{AnalysisError, Burst, NoBurst, RELIEF, burst},
@@ -20,7 +20,7 @@ const KEPT: usize = 32;
 static KNOWN: Mutex<Vec<(Model, Muscle, Burst)>> = Mutex::new(vec![]);
 
 /// The burst pressure of a muscle by the model that answers.
-pub fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem> {
+pub fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst> {
     // Whoever panicked with the list left it whole.
     let list = || {
         KNOWN
@@ -46,11 +46,7 @@ pub fn burst_of(choice: &Model, model: &dyn ForceModel) -> Result<Burst, Problem
 }
 
 /// The same, whose allowed pressure is raised where that is asked.
-pub fn burst_with(
-    overpressure: bool,
-    choice: &Model,
-    model: &dyn ForceModel,
-) -> Result<Burst, Problem> {
+pub fn burst_with(overpressure: bool, choice: &Model, model: &dyn ForceModel) -> Result<Burst> {
     Ok(Burst {
         overpressure,
         ..burst_of(choice, model)?
@@ -93,7 +89,7 @@ pub fn supply_mpa(found: &Burst, muscle: &Muscle) -> f64 {
 }
 
 /// What is handed out for a pressure that is not allowed is refused.
-pub fn borne(found: &Burst, pressure_mpa: f64) -> Result<(), Problem> {
+pub fn borne(found: &Burst, pressure_mpa: f64) -> Result<()> {
     let allowed = found.allowed().map(|allowed| allowed.mpa);
     if allowed.is_none_or(|allowed_mpa| pressure_mpa <= allowed_mpa) {
         return Ok(());
@@ -120,7 +116,7 @@ pub fn borne(found: &Burst, pressure_mpa: f64) -> Result<(), Problem> {
 }
 
 /// The pressure in MPa of the proof test of a muscle that works at one in MPa.
-pub fn proof_mpa(found: &Burst, pressure_mpa: f64) -> Result<f64, Problem> {
+pub fn proof_mpa(found: &Burst, pressure_mpa: f64) -> Result<f64> {
     found.proof_mpa(pressure_mpa).ok_or_else(|| {
         let most_mpa = found.strained.mpa().unwrap_or(f64::INFINITY) / RELIEF;
         let message = format!(

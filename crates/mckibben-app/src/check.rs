@@ -146,15 +146,17 @@ type AtPressure = (Option<Characteristics>, Vec<Warning>, Vec<MuscleFinding>);
 fn refuse_what_needs_a_model(request: &CheckRequest) -> Result<()> {
     let model = &request.question.model;
     let asking = request.question.asking;
-    let fields = [
-        ("pressure_mpa", request.pressure_mpa.is_some()),
-        ("model", model.name.is_some()),
-        ("mesh", model.mesh != MeshFields::default()),
-        ("extrapolate", asking.extrapolate),
-        ("two_sided", asking.two_sided),
-        ("direction", asking.direction.is_some()),
-    ];
-    Problem::refuse_unused(&fields, "`only_data` evaluates no model")
+    Problem::refuse_unused(
+        &[
+            ("pressure_mpa", request.pressure_mpa.is_some()),
+            ("model", model.name.is_some()),
+            ("mesh", model.mesh != MeshFields::default()),
+            ("extrapolate", asking.extrapolate),
+            ("two_sided", asking.two_sided),
+            ("direction", asking.direction.is_some()),
+        ],
+        "`only_data` evaluates no model",
+    )
 }
 
 /// What is known of a muscle, and what is not.
@@ -177,8 +179,12 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
         };
         // Plugs that are wider than the bore add to it: a model knows how much.
         let rest_volume_mm3 = question.muscle.terminals().plug_diameter_mm.and_then(|_| {
-            let at_rest = question.evaluation().point(0.0, 0.0).ok()?;
-            at_rest.response.volume_mm3
+            question
+                .evaluation()
+                .point(0.0, 0.0)
+                .ok()?
+                .response
+                .volume_mm3
         });
         (question.muscle, rest_volume_mm3, at_pressure)
     };
@@ -196,12 +202,14 @@ pub fn check(request: &CheckRequest) -> Result<CheckAnswer> {
                 rubber.name.as_deref().unwrap_or("this rubber")
             )
         });
-    let pressure_mpa = characteristics
+    let outside = characteristics
         .as_ref()
-        .map(|c: &Characteristics| c.pressure_mpa);
-    let outside = pressure_mpa.and_then(|p| Warning::not_measured(&muscle, p));
-    let of_muscle = muscle.warnings().into_iter();
-    let of_muscle = of_muscle.chain(library::warnings(rubber));
+        .map(|c: &Characteristics| c.pressure_mpa)
+        .and_then(|p| Warning::not_measured(&muscle, p));
+    let of_muscle = muscle
+        .warnings()
+        .into_iter()
+        .chain(library::warnings(rubber));
     Ok(CheckAnswer {
         summary: (&muscle).into(),
         law: law.name().into(),
@@ -243,9 +251,8 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         pressure_mpa.unwrap_or_else(|| usual_mpa(&burst, &question.muscle)),
     )?;
     let is_model_named = question.is_model_named;
-    let liquid = question.muscle.job().and_then(|job| job.liquid.clone());
     let liquid = LiquidFields {
-        liquid,
+        liquid: question.muscle.job().and_then(|job| job.liquid.clone()),
         ..LiquidFields::default()
     };
     let liquid = liquid.named_supply()?;
@@ -265,10 +272,9 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         work_j: free.and_then(|e| model.work_per_stroke_j(pressure_mpa, 0.0, e).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
         air_normal_litres: air.filter(|_| liquid.is_none()).map(|a| a.normal_litres),
-        liquid_volume_mm3: free.zip(liquid).and_then(|(e, liquid)| {
-            let volume = model.liquid_per_stroke_mm3(&liquid, pressure_mpa, e);
-            volume.ok()
-        }),
+        liquid_volume_mm3: free
+            .zip(liquid)
+            .and_then(|(e, liquid)| model.liquid_per_stroke_mm3(&liquid, pressure_mpa, e).ok()),
         limits: (&burst).into(),
     };
     let findings = findings_of(&question.muscle, &burst, &values)?;
@@ -332,9 +338,8 @@ fn findings_of(
                 .map(|q| q.to_string())
                 .collect(),
         ));
-    let measurements = values.uncertainty_words.measurements.iter();
     Ok(findings
-        .chain(measurements.map(measure))
+        .chain(values.uncertainty_words.measurements.iter().map(measure))
         .chain(of(FindingKind::Measure, sleeve(burst)))
         .collect())
 }

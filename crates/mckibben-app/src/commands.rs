@@ -21,21 +21,21 @@ pub struct CommandEntry {
     pub long: bool,
     /// Its schemas.
     #[cfg(feature = "files")]
-    pub(crate) schemas: schemas::CommandSchemas,
+    pub schemas: schemas::CommandSchemas,
 }
 
 /// What makes the work of a request.
-type Read = dyn Fn(&Value) -> Result<Ready, Problem> + Send + Sync;
+type Read = dyn Fn(&Value) -> Result<Ready> + Send + Sync;
 
 /// The work that answers a request.
-type Work = dyn FnOnce(&dyn Progress) -> Result<Value, Problem> + Send;
+type Work = dyn FnOnce(&dyn Progress) -> Result<Value> + Send;
 
 /// A request that was read, and waits to be answered.
 pub struct Ready(Box<Work>);
 
 impl Ready {
     /// Answers it, until the flag of this thread ends the work.
-    pub fn answer(self, progress: &dyn Progress) -> Result<Value, Problem> {
+    pub fn answer(self, progress: &dyn Progress) -> Result<Value> {
         within(&Cancel::current(), || (self.0)(progress))
     }
 }
@@ -57,7 +57,7 @@ impl CommandEntry {
     }
 
     /// Reads a request, before any work is done for it: what is wrong with it is an error at once.
-    pub fn read(&self, request: Value) -> Result<Ready, Problem> {
+    pub fn read(&self, request: Value) -> Result<Ready> {
         #[cfg(feature = "files")]
         self.check_fields(&request)?;
         (self.read)(&request)
@@ -67,7 +67,7 @@ impl CommandEntry {
 /// A command that may take long.
 fn long<Q, A>(
     name: &'static str,
-    answer: impl Fn(&Q, &dyn Progress) -> Result<A, Problem> + Copy + Send + Sync + 'static,
+    answer: impl Fn(&Q, &dyn Progress) -> Result<A> + Copy + Send + Sync + 'static,
 ) -> CommandEntry
 where
     Q: DeserializeOwned + JsonSchema + Send + 'static,
@@ -88,7 +88,7 @@ where
 }
 
 /// A command that is done in a moment.
-fn short<Q, A>(name: &'static str, answer: fn(&Q) -> Result<A, Problem>) -> CommandEntry
+fn short<Q, A>(name: &'static str, answer: fn(&Q) -> Result<A>) -> CommandEntry
 where
     Q: DeserializeOwned + JsonSchema + Send + 'static,
     A: Serialize + JsonSchema + 'static,
@@ -165,12 +165,12 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
 /// assert_eq!(problem.hint, "did you mean `pressure_mpa`?");
 /// # Ok::<(), mckibben_app::Problem>(())
 /// ```
-pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
+pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String> {
     Ok(ask_value(command, parsed(request)?, progress)?.to_string())
 }
 
 /// The same for front ends whose language has lists and maps: no text on the way.
-pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
+pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value> {
     within(&Cancel::current(), || {
         (find(command)?.read(request)?.0)(progress)
     })
@@ -181,17 +181,13 @@ pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Resu
 /// First the length of the JSON in bytes (32 bits), then the JSON with blanks behind it up to a
 /// multiple of four bytes, in which each of `arrays` is the count of its numbers in place of the
 /// numbers, then all numbers (32 bits each), array after array. All of it little-endian.
-pub fn ask_packed(
-    command: &str,
-    request: &str,
-    progress: &dyn Progress,
-) -> Result<Vec<u8>, Problem> {
+pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>> {
     Ok(packed(ask_value(command, parsed(request)?, progress)?))
 }
 
 /// An answer as [`ask_packed`] gives it.
 pub fn packed(mut answer: Value) -> Vec<u8> {
-    let mut numbers: Vec<u8> = vec![];
+    let mut numbers = vec![];
     for array in answer
         .get_mut("arrays")
         .and_then(Value::as_object_mut)
@@ -216,13 +212,13 @@ pub fn packed(mut answer: Value) -> Vec<u8> {
     packed
 }
 
-fn parsed(request: &str) -> Result<Value, Problem> {
+fn parsed(request: &str) -> Result<Value> {
     let value = serde_json::from_str(request).map_err(|e| not_understood(&e, None));
     value.map(|UniqueKeys(value)| value)
 }
 
 /// A request by its type, or a group of fields of one.
-pub fn understood<T: DeserializeOwned>(request: &Value) -> Result<T, Problem> {
+pub fn understood<T: DeserializeOwned>(request: &Value) -> Result<T> {
     T::deserialize(request).map_err(|error| {
         let wrong = |request: &Value| {
             T::deserialize(request).map_or_else(|e| e.to_string(), |_: T| String::new())
@@ -258,9 +254,9 @@ fn blamed<'a>(fields: &'a Value, said: &str, wrong: &dyn Fn(&Value) -> String) -
 }
 
 /// The command of a name.
-pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
+pub fn find(command: &str) -> Result<&'static CommandEntry> {
     COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
-        let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
+        let names = Vec::from_iter(COMMANDS.iter().map(|c| c.name));
         let meant = meant(nearest(command, names.iter().copied()));
         ProblemKind::Usage.problem(format!(
             "there is no command \"{command}\"{meant}; the commands are {}",
@@ -332,7 +328,7 @@ fn not_understood(error: &serde_json::Error, field: Option<&str>) -> Problem {
     }
 }
 
-fn json<A: Serialize>(answer: &A) -> Result<Value, Problem> {
+fn json<A: Serialize>(answer: &A) -> Result<Value> {
     serde_json::to_value(answer)
         .map_err(|e| ProblemKind::Output.problem(format!("the answer cannot be written: {e}")))
 }

@@ -125,11 +125,13 @@ impl CompareRequest {
         if self.tables.data.is_empty() {
             return Ok(());
         }
-        let grid = [
-            ("pressures_mpa", self.pressures_mpa.is_some()),
-            ("contractions", self.contractions.is_some()),
-        ];
-        Problem::refuse_unused(&grid, "`data` have their own")
+        Problem::refuse_unused(
+            &[
+                ("pressures_mpa", self.pressures_mpa.is_some()),
+                ("contractions", self.contractions.is_some()),
+            ],
+            "`data` have their own",
+        )
     }
 }
 
@@ -176,10 +178,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         grid: (&pressures, &contractions),
     };
     let (mut compared, skipped, points) = held.against(&models, progress)?;
-    let states: Vec<(f64, f64)> = points
-        .iter()
-        .map(|p| (p.pressure_mpa, p.contraction))
-        .collect();
+    let states = Vec::from_iter(points.iter().map(|p| (p.pressure_mpa, p.contraction)));
     let beyond = compared.iter_mut().filter_map(|c| {
         let stretch = warnings::largest_stretch(&mut c.evaluation(options), &states)?;
         Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
@@ -253,12 +252,11 @@ impl Held<'_> {
                     compared.push(row);
                 }
                 Err(problem) => {
-                    let errors = Comparison {
+                    skipped.push(Comparison {
                         model: model.name().into(),
                         cause: Some(problem.message.clone()),
                         ..Comparison::default()
-                    };
-                    skipped.push(errors);
+                    });
                     first.get_or_insert(problem);
                 }
             }
@@ -286,12 +284,14 @@ impl Held<'_> {
         if points.is_empty() && errors.volume_points + errors.contraction_points == 0 {
             return Err(ModelError::NoVolume(model.info().name.to_string()).into());
         }
-        let compared = Compared {
-            row: errors,
-            model,
-            workspace,
-        };
-        Ok((compared, points))
+        Ok((
+            Compared {
+                row: errors,
+                model,
+                workspace,
+            },
+            points,
+        ))
     }
 }
 
@@ -304,7 +304,7 @@ impl CompareRequest {
         };
         let is_solid = |name: &NameOrFile| name.name() == "fe3d";
         let solid = names.iter().any(is_solid);
-        let mut models: Vec<Model> = vec![];
+        let mut models = vec![];
         for name in names {
             // A terminal is for fe3d alone, where that is among them.
             let mesh = MeshFields {
@@ -350,7 +350,7 @@ fn grid(
         return Ok((pressures, contractions));
     };
     size::points("data", points.len() as f64)?;
-    let mut pressures: Vec<f64> = points.iter().map(|m| m.pressure_mpa).collect();
+    let mut pressures = Vec::from_iter(points.iter().map(|m| m.pressure_mpa));
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();
     let (low, high) = points
@@ -366,20 +366,19 @@ fn answers(
     pressures: &[f64],
     contractions: &[f64],
 ) -> Result<Vec<MeasuredPoint>> {
-    let states = pressures
+    pressures
         .iter()
-        .flat_map(|&p| contractions.iter().map(move |&e| (p, e)));
-    let point = |(pressure_mpa, contraction)| {
-        let force_n = evaluation
-            .point(pressure_mpa, contraction)?
-            .response
-            .force_n;
-        Ok(MeasuredPoint {
-            pressure_mpa,
-            contraction,
-            force_n,
-            branch: Some(Direction::Mean),
+        .flat_map(|&p| contractions.iter().map(move |&e| (p, e)))
+        .map(|(pressure_mpa, contraction)| {
+            Ok(MeasuredPoint {
+                pressure_mpa,
+                contraction,
+                force_n: evaluation
+                    .point(pressure_mpa, contraction)?
+                    .response
+                    .force_n,
+                branch: Some(Direction::Mean),
+            })
         })
-    };
-    states.map(point).collect()
+        .collect()
 }

@@ -38,7 +38,7 @@ enum Given {
 
 impl Contractions {
     /// The ratios, of a muscle of the length L0 in mm.
-    pub(crate) fn of_length(&self, length_mm: f64) -> Result<Vec<f64>> {
+    pub fn of_length(&self, length_mm: f64) -> Result<Vec<f64>> {
         let divisor = if self.in_mm { length_mm } else { 1.0 };
         self.values
             .iter()
@@ -53,8 +53,13 @@ impl Contractions {
 
 impl Contraction {
     /// The ratio, of a muscle of the length L0 in mm.
-    pub(crate) fn of_length(&self, length_mm: f64) -> Result<f64> {
-        Ok(self.0.of_length(length_mm)?.first().copied().unwrap_or(0.0))
+    pub fn of_length(&self, length_mm: f64) -> Result<f64> {
+        Ok(self
+            .0
+            .of_length(length_mm)?
+            .first()
+            .copied()
+            .unwrap_or_default())
     }
 }
 
@@ -81,7 +86,7 @@ impl From<Contractions> for Vec<f64> {
 
 impl From<Contraction> for f64 {
     fn from(contraction: Contraction) -> Self {
-        contraction.0.values.first().copied().unwrap_or(0.0)
+        contraction.0.values.first().copied().unwrap_or_default()
     }
 }
 
@@ -97,14 +102,16 @@ impl FromStr for Contractions {
         } else {
             text.parse::<List<Ratio>>().map(|list| list.0)
         };
-        let values = values.map_err(|error| {
-            let kind = match error {
-                RangeError::Quantity(_) => ProblemKind::Quantity,
-                RangeError::Form(_) => ProblemKind::Range,
-            };
-            kind.problem(error)
-        })?;
-        Ok(Self { values, in_mm })
+        Ok(Self {
+            values: values.map_err(|error| {
+                let kind = match error {
+                    RangeError::Quantity(_) => ProblemKind::Quantity,
+                    RangeError::Form(_) => ProblemKind::Range,
+                };
+                kind.problem(error)
+            })?,
+            in_mm,
+        })
     }
 }
 

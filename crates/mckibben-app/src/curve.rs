@@ -112,9 +112,9 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         (None, _) => None,
         (Some(_), true) => loaded(&request.load, &mut question.evaluation(), &fixed)?,
         (Some(_), false) => {
-            let message =
-                "`load` is for isobaric tests only, where the pressure is constant along a curve";
-            return Err(ProblemKind::Usage.problem(message).in_field("load"));
+            return Err(ProblemKind::Usage
+                .problem("`load` is for isobaric tests, where a curve has one pressure")
+                .in_field("load"));
         }
     };
     let mut family = Family::default();
@@ -167,9 +167,9 @@ impl CurveRequest {
             ));
         }
         let step = if isobaric { 0.01 } else { 0.05 };
-        let length_mm = question.muscle.length_mm();
-        let reach = || reach(&mut question.evaluation(), &pressures, step, isobaric);
-        let contractions = contractions(&self.contractions, length_mm, reach)?;
+        let contractions = contractions(&self.contractions, question.muscle.length_mm(), || {
+            reach(&mut question.evaluation(), &pressures, step, isobaric)
+        })?;
         Ok(if isobaric {
             (pressures, contractions)
         } else {
@@ -436,13 +436,12 @@ impl From<&CurvePoint> for PointRow {
                     ..
                 } = point;
                 let cause = short_numbers(&error.to_string()).into_owned();
-                let requested = RequestedPoint {
-                    pressure_mpa,
-                    contraction,
-                    force_n,
-                };
                 Self::Failed(FailedPoint {
-                    requested,
+                    requested: RequestedPoint {
+                        pressure_mpa,
+                        contraction,
+                        force_n,
+                    },
                     status: error.into(),
                     cause,
                 })
@@ -508,10 +507,11 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
         model,
         asking,
     } = &request.question;
-    let sizes: Vec<(&str, bool)> = fields()
-        .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
-        .map(|(field, measure)| (field, m.measures.get(measure).is_some()))
-        .collect();
+    let sizes = Vec::from_iter(
+        fields()
+            .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
+            .map(|(field, measure)| (field, m.measures.get(measure).is_some())),
+    );
     Problem::refuse_unused(
         &sizes,
         "the study has the diameter, walls and length of the paper",
@@ -526,15 +526,19 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
         let MuscleSummary {
             angle_deg, rubber, ..
         } = (&base).into();
-        let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");
-        figure::study(&study, &about, unit)
+        figure::study(
+            &study,
+            &format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}"),
+            unit,
+        )
     });
-    let curves = study
-        .panels
-        .iter()
-        .flat_map(|p| &p.curves)
-        .map(|c| &c.curve);
-    let warnings = warnings::of_points(answered(curves));
+    let warnings = warnings::of_points(answered(
+        study
+            .panels
+            .iter()
+            .flat_map(|p| &p.curves)
+            .map(|c| &c.curve),
+    ));
     let Study {
         model,
         panels,

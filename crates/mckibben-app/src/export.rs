@@ -220,8 +220,15 @@ fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Kn
     let muscle = model.muscle();
     let of_job = muscle.job().and_then(|job| {
         let pressure_mpa = f64::from(job.pressure);
-        let point = job.points.first().filter(|_| pressure_mpa <= supply_mpa)?;
-        Some((pressure_mpa, f64::from(point.contraction)))
+        Some((
+            pressure_mpa,
+            f64::from(
+                job.points
+                    .first()
+                    .filter(|_| pressure_mpa <= supply_mpa)?
+                    .contraction,
+            ),
+        ))
     });
     let (pressure_mpa, contraction) = of_job.unwrap_or((supply_mpa, 0.0));
     let options = AskFields::default().options(muscle)?;
@@ -241,8 +248,12 @@ fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Kn
 
 /// Warnings of the fits and those of the muscles, each once.
 fn warnings_of(fits: &[ExportedMuscle], others: Vec<Warning>) -> Vec<Warning> {
-    let of_fits = fits.iter().flat_map(ExportedMuscle::warnings);
-    let mut warnings = Vec::from_iter(of_fits.map(Warning::from).chain(others));
+    let mut warnings = Vec::from_iter(
+        fits.iter()
+            .flat_map(ExportedMuscle::warnings)
+            .map(Warning::from)
+            .chain(others),
+    );
     let mut known = std::collections::BTreeSet::new();
     warnings.retain(|warning| known.insert(warning.to_string()));
     warnings
@@ -333,11 +344,17 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let target = common.target()?;
     let joint = request.joint.resolve()?;
     let choice = common.model.choose()?;
-    let muscles = Vec::from_iter(joint.muscles().iter().map(|m| &m.muscle));
-    let supplied = common.supplied(&choice, &muscles)?;
+    let supplied = common.supplied(
+        &choice,
+        &Vec::from_iter(joint.muscles().iter().map(|m| &m.muscle)),
+    )?;
     let name = common.name_or(request.joint.joint.as_ref(), "joint");
-    let models = Vec::from_iter(supplied.models.iter().map(|model| &**model));
-    let mut exported = ExportedJoint::fit(&joint, &models, &name, supplied.supply_mpa)?;
+    let mut exported = ExportedJoint::fit(
+        &joint,
+        &Vec::from_iter(supplied.models.iter().map(|model| &**model)),
+        &name,
+        supplied.supply_mpa,
+    )?;
     for (muscle, known) in exported.muscles.iter_mut().zip(&supplied.known) {
         muscle.known = *known;
     }

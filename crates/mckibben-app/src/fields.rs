@@ -2,7 +2,7 @@
 
 pub use crate::muscle_fields::{Measures, MuscleFields};
 use crate::{
-    Problem,
+    Problem, Result,
     flags::{self, Args},
     print::Page,
 };
@@ -29,7 +29,7 @@ pub struct TextFile {
 
 impl TextFile {
     /// What its text says; an error names the file.
-    pub(crate) fn parsed<T>(&self, parse: fn(&str) -> Result<T, FileError>) -> Result<T, Problem> {
+    pub fn parsed<T>(&self, parse: fn(&str) -> Result<T, FileError>) -> Result<T> {
         parse(&self.text).map_err(|e| e.in_file(Path::new(&self.name)).into())
     }
 }
@@ -106,10 +106,10 @@ pub struct DataFields {
 
 impl DataFields {
     /// Reads each table.
-    pub(crate) fn read<T>(
+    pub fn read<T>(
         &self,
         read: impl Fn(&str, Columns) -> Result<(T, Understood), TableError>,
-    ) -> Result<Vec<(T, UnderstoodTable)>, Problem> {
+    ) -> Result<Vec<(T, UnderstoodTable)>> {
         let used = [
             ("columns", self.columns != Columns::default()),
             ("set", !self.set.is_empty()),
@@ -160,7 +160,7 @@ impl UnderstoodTable {
     }
 
     /// The lines of several.
-    pub(crate) fn lines(tables: &[Self]) -> Page {
+    pub fn lines(tables: &[Self]) -> Page {
         let mut page = Page::default();
         page.lines(tables.iter().map(Self::line));
         page
@@ -193,7 +193,7 @@ impl ModelFields {
     }
 
     /// An object of fields, or a name alone.
-    pub(crate) fn or_name<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+    pub fn or_name<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         object_or(from, |name| ModelFields::named(&name))
     }
 }

@@ -165,14 +165,14 @@ impl MotionRequest {
 impl LoadFields {
     /// Reads the tables that the load names.
     pub fn read_tables(&mut self) -> Result<()> {
-        let names = Load::tables(self.load.as_deref().unwrap_or_default());
-        let read = |name: &str| -> Result<TextFile> {
-            Ok(TextFile {
-                name: name.into(),
-                ..TextFile::table(Path::new(name))?
+        self.load_tables = Load::tables(self.load.as_deref().unwrap_or_default())
+            .map(|name: &str| -> Result<TextFile> {
+                Ok(TextFile {
+                    name: name.into(),
+                    ..TextFile::table(Path::new(name))?
+                })
             })
-        };
-        self.load_tables = names.map(read).collect::<Result<_>>()?;
+            .collect::<Result<_>>()?;
         Ok(())
     }
 }
@@ -185,14 +185,13 @@ impl ExportRequest {
             also_file: None,
             ..self.muscle.clone()
         };
-        let used = [
-            ("muscle", muscle_alone != MuscleFields::default()),
-            ("contraction_low", self.contraction_low.is_some()),
-            ("contraction_high", self.contraction_high.is_some()),
-            ("cord_mm", self.cord_mm != Length::default()),
-        ];
         Problem::refuse_unused(
-            &used,
+            &[
+                ("muscle", muscle_alone != MuscleFields::default()),
+                ("contraction_low", self.contraction_low.is_some()),
+                ("contraction_high", self.contraction_high.is_some()),
+                ("cord_mm", self.cord_mm != Length::default()),
+            ],
             "it belongs to a muscle, and the file is that of a joint",
         )?;
         Ok(ExportJointRequest {

@@ -182,7 +182,7 @@ pub struct LiquidFields {
 
 impl LiquidFields {
     /// The liquid, water where no other one is named, with its dead volume.
-    pub(crate) fn supply(&self) -> Result<LiquidSupply> {
+    pub fn supply(&self) -> Result<LiquidSupply> {
         let name = self.liquid.as_deref().unwrap_or("water");
         let wrong = |error: Refused| {
             ProblemKind::Quantity
@@ -205,20 +205,22 @@ impl LiquidFields {
     }
 
     /// The same where a liquid is named; else the muscle is filled with air.
-    pub(crate) fn named_supply(&self) -> Result<Option<LiquidSupply>> {
+    pub fn named_supply(&self) -> Result<Option<LiquidSupply>> {
         if self.liquid.is_some() {
             return self.supply().map(Some);
         }
-        let given = [
-            ("dead_volume_mm3", self.dead_volume_mm3.is_some()),
-            (
-                "liquid_bulk_modulus_mpa",
-                self.liquid_bulk_modulus_mpa.is_some(),
-            ),
-            ("gas_share", self.gas_share.is_some()),
-        ];
-        Problem::refuse_unused(&given, "it belongs to `liquid`, and none is given")
-            .map_err(|problem| problem.with_hint("give `liquid`: water, oil or glycol"))?;
+        Problem::refuse_unused(
+            &[
+                ("dead_volume_mm3", self.dead_volume_mm3.is_some()),
+                (
+                    "liquid_bulk_modulus_mpa",
+                    self.liquid_bulk_modulus_mpa.is_some(),
+                ),
+                ("gas_share", self.gas_share.is_some()),
+            ],
+            "it belongs to `liquid`, and none is given",
+        )
+        .map_err(|problem| problem.with_hint("give `liquid`: water, oil or glycol"))?;
         Ok(None)
     }
 }

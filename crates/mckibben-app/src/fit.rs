@@ -127,8 +127,10 @@ pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer> {
         FitMethod::Global => section(request, Method::Global),
         FitMethod::Universal => universal(request, progress),
         FitMethod::Paper => {
-            let why = "`method` paper has its own 48 terms";
-            Problem::refuse_unused(&[("terms", request.terms.is_some())], why)?;
+            Problem::refuse_unused(
+                &[("terms", request.terms.is_some())],
+                "`method` paper has its own 48 terms",
+            )?;
             section(request, Method::Paper)
         }
     }
@@ -144,10 +146,9 @@ fn section(request: &FitRequest, method: Method) -> Result<FitAnswer> {
     } = request.points()?;
     let (hold_out, hold_out_share) = request.held_out(&points, &origin.name)?;
     let terms = request.powers()?;
-    let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
     let fitted = make(FormulaRequest {
         points,
-        made_for,
+        made_for: made_for.map_or_else(|| request.made_for(), Ok)?,
         method,
         terms: terms.as_deref(),
         hold_out: &hold_out,
@@ -198,9 +199,12 @@ fn universal(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer>
         name: request.name.clone().unwrap_or_else(|| "universal".into()),
         from: origin.from,
     };
-    let fitted = universal::universal(&wanted, progress).map_err(|e| no_fit(&origin.name, e))?;
     Ok(FitAnswer {
-        formula: Document::Universal(fitted.into()),
+        formula: Document::Universal(
+            universal::universal(&wanted, progress)
+                .map_err(|e| no_fit(&origin.name, e))?
+                .into(),
+        ),
         tables: vec![],
         figures: vec![],
         failed: 0,
@@ -244,15 +248,14 @@ impl FitRequest {
 
     /// Refuses what the universal method does not know.
     fn check_foreign(&self) -> Result<()> {
-        let foreign = [
-            ("hold_out", self.hold_out_mm.is_some()),
-            ("hold_out", self.hold_out_share.is_some()),
-            ("terms", self.terms.is_some()),
-            ("figures", self.figures),
-            ("muscle", self.muscle.is_some()),
-        ];
         Problem::refuse_unused(
-            &foreign,
+            &[
+                ("hold_out", self.hold_out_mm.is_some()),
+                ("hold_out", self.hold_out_share.is_some()),
+                ("terms", self.terms.is_some()),
+                ("figures", self.figures),
+                ("muscle", self.muscle.is_some()),
+            ],
             "`method` universal takes all data of its muscles from the campaign",
         )
     }
@@ -271,7 +274,7 @@ impl FitRequest {
         let there = distinct(points.iter().map(|p| p.outer_diameter_mm));
         let is_there = |d: &f64| there.iter().any(|known| same(*known, *d));
         let share = self.hold_out_share.map_or(0.0, f64::from);
-        let held: Vec<f64> = match &self.hold_out_mm {
+        let held = match &self.hold_out_mm {
             None if (0.0..1.0).contains(&share) => return Ok((vec![], share)),
             None => return wrong(format!("a share of {} % leaves no muscle", 100.0 * share)),
             Some(_) if share != 0.0 => {
@@ -360,14 +363,13 @@ pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer
     if let (Document::Section(f), []) = (&formula, &coefficients[..]) {
         coefficients = rows_of(f);
     }
-    let latex = request.latex.then(|| match &formula {
-        Document::Section(f) => f.to_latex() + &to_latex(&coefficients),
-        Document::Universal(f) => f.to_latex(),
-    });
     Ok(CheckFormulaAnswer {
+        latex: request.latex.then(|| match &formula {
+            Document::Section(f) => f.to_latex() + &to_latex(&coefficients),
+            Document::Universal(f) => f.to_latex(),
+        }),
         formula,
         coefficients,
-        latex,
     })
 }
 
@@ -376,9 +378,11 @@ fn built_in(name: &str) -> Result<Document> {
     formula
         .map(|formula| Document::Universal(Box::new((*formula).clone())))
         .ok_or_else(|| {
-            let message =
-                format!("there is no built-in formula \"{name}\"; there are paper and universal");
-            ProblemKind::Model.problem(message).in_field("name")
+            ProblemKind::Model
+                .problem(format!(
+                    "there is no built-in formula \"{name}\"; there are paper and universal"
+                ))
+                .in_field("name")
         })
 }
 
@@ -451,11 +455,14 @@ fn rows(_: &Path) -> Result<(std::iter::Empty<Result<PointRow>>, Origin)> {
 
 /// Whether all muscles of a campaign are of one make.
 fn is_of_one_make(path: &Path) -> Result<bool> {
-    let mut made: Option<MakeOfRows> = None;
+    let mut made = None;
     for row in rows(path)?.0 {
         let row = row?;
-        let made = made.get_or_insert_with(|| MakeOfRows::new(&row));
-        if made.add(&row).is_err() {
+        if made
+            .get_or_insert_with(|| MakeOfRows::new(&row))
+            .add(&row)
+            .is_err()
+        {
             return Ok(false);
         }
     }
@@ -464,8 +471,11 @@ fn is_of_one_make(path: &Path) -> Result<bool> {
 
 fn of_campaign(path: &Path) -> Result<Points> {
     let (rows, origin) = rows(path)?;
-    let mut made_for: Option<MakeOfRows> = None;
-    let (mut points, mut all) = (Vec::with_capacity(rows.size_hint().1.unwrap_or(0)), 0);
+    let mut made_for = None;
+    let (mut points, mut all) = (
+        Vec::with_capacity(rows.size_hint().1.unwrap_or_default()),
+        0,
+    );
     for row in rows {
         let row = row?;
         made_for
@@ -512,15 +522,14 @@ fn of_csv(file: &TextFile) -> Result<Points> {
         table: file_name(Path::new(&file.name)),
         ..Provenance::default()
     };
-    let origin = Origin {
-        name: file.name.clone(),
-        from,
-        muscle: String::new(),
-    };
     Ok(Points {
         points,
         failed: understood.left_out,
         made_for: None,
-        origin,
+        origin: Origin {
+            name: file.name.clone(),
+            from,
+            muscle: String::new(),
+        },
     })
 }

@@ -1,7 +1,7 @@
 //! How the flags of a command line fill requests. Requests state their flags with the attributes of
 //! clap's derive macro.
 
-use crate::{Measures, Model, NameOrFile, Problem, ProblemKind, TextFile};
+use crate::{Measures, Model, NameOrFile, Problem, ProblemKind, Result, TextFile};
 pub use clap::Args;
 use clap::{
     Arg, ArgMatches, Command, FromArgMatches,
@@ -46,7 +46,7 @@ impl<T: DeserializeOwned + JsonSchema + Clone + Send + Sync + 'static> TypedValu
     type Value = T;
 
     fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<T, Error> {
-        let words: Vec<PossibleValue> = self.possible_values().into_iter().flatten().collect();
+        let words = Vec::from_iter(self.possible_values().into_iter().flatten());
         let word = clap::builder::PossibleValuesParser::new(words);
         // An enum may read words that it does not list.
         let text = value.to_str().unwrap_or_default();
@@ -60,8 +60,10 @@ impl<T: DeserializeOwned + JsonSchema + Clone + Send + Sync + 'static> TypedValu
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        let schema = schemars::schema_for!(T).to_value();
-        let variants = schema["oneOf"].as_array().cloned().unwrap_or_default();
+        let variants = schemars::schema_for!(T).to_value()["oneOf"]
+            .as_array()
+            .cloned()
+            .unwrap_or_default();
         Some(Box::new(variants.into_iter().filter_map(|variant| {
             let help = variant["description"]
                 .as_str()
@@ -79,7 +81,7 @@ impl<T: DeserializeOwned + JsonSchema + Clone + Send + Sync + 'static> TypedValu
 #[derive(Clone)]
 pub struct Names<T> {
     list: fn() -> Vec<String>,
-    read: fn(&str) -> Result<T, Problem>,
+    read: fn(&str) -> Result<T>,
 }
 
 impl<T: Clone + Send + Sync + 'static> TypedValueParser for Names<T> {
@@ -94,7 +96,7 @@ impl<T: Clone + Send + Sync + 'static> TypedValueParser for Names<T> {
     }
 }
 
-fn text(text: &str) -> Result<String, Problem> {
+fn text(text: &str) -> Result<String> {
     Ok(text.to_owned())
 }
 
@@ -182,11 +184,15 @@ pub fn laws() -> Names<String> {
 pub fn parts() -> Names<String> {
     let list = || {
         let tubes = mckibben_design::tubes::catalogue().ok();
-        let tubes = tubes.iter().flat_map(|list| list.iter());
-        let tubes = tubes.map(|tube| tube.name.clone());
-        let others = [sleeve_names(), rubber_names(), models()];
         tubes
-            .chain(others.into_iter().flatten())
+            .iter()
+            .flat_map(|list| list.iter())
+            .map(|tube| tube.name.clone())
+            .chain(
+                [sleeve_names(), rubber_names(), models()]
+                    .into_iter()
+                    .flatten(),
+            )
             .chain(library::names())
             .collect()
     };
@@ -194,22 +200,22 @@ pub fn parts() -> Names<String> {
 }
 
 /// A file written by hand.
-pub fn file(path: &str) -> Result<TextFile, Problem> {
+pub fn file(path: &str) -> Result<TextFile> {
     TextFile::read(Path::new(path))
 }
 
 /// A muscle file, or the name of a muscle.
-pub fn muscle_file(path: &str) -> Result<TextFile, Problem> {
+pub fn muscle_file(path: &str) -> Result<TextFile> {
     TextFile::muscle(Path::new(path))
 }
 
 /// A table of measured points.
-pub fn table(path: &str) -> Result<TextFile, Problem> {
+pub fn table(path: &str) -> Result<TextFile> {
     TextFile::table(Path::new(path))
 }
 
 /// A volume. Users think of mL, and the unit inside is a thousandth of it.
-pub fn volume(text: &str) -> Result<Volume, Problem> {
+pub fn volume(text: &str) -> Result<Volume> {
     let text = text.trim();
     let volume: Volume = text.parse().map_err(|e| ProblemKind::Quantity.problem(e))?;
     if volume.0 != 0.0 && text.parse::<f64>().is_ok() {
@@ -230,12 +236,12 @@ impl Args for Measures {
         let args = FLAGS.into_iter().filter_map(|measure| {
             let dimension = measure.dimension;
             let read = move |text: &str| parse_quantity(text, dimension);
-            let arg = Arg::new(measure.field?).long(measure.flag()?);
-            let arg = arg
-                .value_name(measure.value_name())
-                .help(measure.help().replacen(" at rest", "", 1));
             Some(
-                arg.hide_short_help(measure.short.is_none() && *measure != ANGLE)
+                Arg::new(measure.field?)
+                    .long(measure.flag()?)
+                    .value_name(measure.value_name())
+                    .help(measure.help().replacen(" at rest", "", 1))
+                    .hide_short_help(measure.short.is_none() && *measure != ANGLE)
                     .value_parser(read)
                     .short(measure.short),
             )
@@ -269,19 +275,23 @@ impl FromArgMatches for Measures {
 }
 
 /// A stiffness of one strand family: a quantity or a word.
-pub fn stiffness(text: &str) -> Result<crate::Stiffness, Problem> {
+pub fn stiffness(text: &str) -> Result<crate::Stiffness> {
     if let Some(word) = mckibben_core::units::named(text.trim()) {
         return Ok(word);
     }
     let read: Result<mckibben_core::units::typed::Stiffness, _> = text.parse();
-    let wrong = |e| ProblemKind::Quantity.problem(format!("{e}, or `inextensible`, or `paper`"));
-    Ok(crate::Stiffness::NewtonPerMm(read.map_err(wrong)?.0))
+    Ok(crate::Stiffness::NewtonPerMm(
+        read.map_err(|e| {
+            ProblemKind::Quantity.problem(format!("{e}, or `inextensible`, or `paper`"))
+        })?
+        .0,
+    ))
 }
 
 /// A terminal of `fe3d`: rigid or aluminium, with the insertion and the radius of the nose
 /// behind: `aluminium:20mm:3mm`.
-pub fn terminal(text: &str) -> Result<Plug, Problem> {
-    let words: Vec<&str> = text.split(':').map(str::trim).collect();
+pub fn terminal(text: &str) -> Result<Plug> {
+    let words = Vec::from_iter(text.split(':').map(str::trim));
     let material = match words[0] {
         "rigid" => PlugMaterial::Rigid,
         "aluminium" | "aluminum" => PlugMaterial::Aluminium,

@@ -41,8 +41,11 @@ pub struct JointFields {
 impl JointFields {
     /// The names of the muscle files that a joint file names.
     pub fn files_of(joint: &TextFile) -> Result<Vec<String>> {
-        let file = joint.parsed(parse_joint)?;
-        Ok(file.files().map(str::to_owned).collect())
+        Ok(joint
+            .parsed(parse_joint)?
+            .files()
+            .map(str::to_owned)
+            .collect())
     }
 
     /// The joint of its file, with its muscles.
@@ -53,18 +56,20 @@ impl JointFields {
             .ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
         let file = text.parsed(parse_joint)?;
         let muscle = |name: &str| -> Result<Muscle> {
-            let of = self
-                .muscles
-                .iter()
-                .find(|m| m.name == name)
-                .ok_or_else(|| {
-                    ProblemKind::File
-                        .problem(format!("{}: its muscle file {name} is missing", text.name))
-                        .in_field("muscles")
-                })?;
-            MuscleFields::from_file(of.clone()).resolve()
+            MuscleFields::from_file(
+                self.muscles
+                    .iter()
+                    .find(|m| m.name == name)
+                    .ok_or_else(|| {
+                        ProblemKind::File
+                            .problem(format!("{}: its muscle file {name} is missing", text.name))
+                            .in_field("muscles")
+                    })?
+                    .clone(),
+            )
+            .resolve()
         };
-        let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
+        let muscles = file.files().map(muscle).collect::<Result<Vec<_>>>()?;
         file.with_muscles(muscles)
             .map_err(|e| ProblemKind::File.problem(format!("{}: {e}", text.name)))
     }
@@ -141,22 +146,25 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         None => None,
     };
     if rows.is_empty() && map.is_none() {
-        let message = "the request is incomplete: give `pressures_mpa`, `angles_deg` or `map`";
-        let hint = "`pressures_mpa` alone gives the rest position";
-        return Err(Problem::usage(message, hint));
+        return Err(Problem::usage(
+            "the request is incomplete: give `pressures_mpa`, `angles_deg` or `map`",
+            "`pressures_mpa` alone gives the rest position",
+        ));
     }
     let bursts = models
         .iter()
         .map(|m| burst_of(&named, &**m))
-        .collect::<Result<Vec<_>, _>>()?;
+        .collect::<Result<Vec<_>>>()?;
     let supplied = if map.is_some() { supply(request)? } else { 0.0 };
     let highest = |i: usize| {
         rows.iter()
             .filter_map(|row| [Some(row.pressure_1_mpa), row.pressure_2_mpa][i])
             .fold(supplied, f64::max)
     };
-    let said = bursts.iter().enumerate();
-    let said = said.flat_map(|(i, burst)| burst.warnings(highest(i)));
+    let said = bursts
+        .iter()
+        .enumerate()
+        .flat_map(|(i, burst)| burst.warnings(highest(i)));
     let mut warnings = Warning::gravest(&solver.warnings);
     Warning::put_first(&mut warnings, said);
     let mut answer = JointAnswer {
@@ -180,8 +188,9 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
 
 /// The models of its muscles.
 pub fn models_of(joint: &Joint, choice: &Model) -> Result<Vec<Arc<dyn ForceModel>>> {
-    let models = joint.muscles().iter();
-    models
+    joint
+        .muscles()
+        .iter()
         .map(|m| Ok(choice.bound(&m.muscle)?.into()))
         .collect()
 }
@@ -192,8 +201,11 @@ fn gaps(left_out: usize, of: usize, what: &str, reason: &str) -> Warning {
 }
 
 fn supply(request: &JointRequest) -> Result<f64> {
-    let supply = request.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from);
-    above_zero(ProblemKind::Quantity, "max_pressure_mpa", supply)
+    above_zero(
+        ProblemKind::Quantity,
+        "max_pressure_mpa",
+        request.max_pressure_mpa.map_or(SUPPLY_MPA, f64::from),
+    )
 }
 
 struct Solver<'m> {
@@ -213,19 +225,26 @@ impl JointRequest {
         let has_angles = self.angles_deg.is_some();
         if self.pressures_mpa.is_empty() {
             if self.is_wanted() && !has_angles {
-                let expected = "the angle at which the torque and the stiffness are required";
-                return Err(Problem::missing("angles_deg", expected));
+                return Err(Problem::missing(
+                    "angles_deg",
+                    "the angle at which the torque and the stiffness are required",
+                ));
             }
         } else {
-            let sought = self.stiffness_nm_per_rad.is_some();
-            let why = "it applies if the pressures are computed, and `pressures_mpa` are given";
-            Problem::refuse_unused(&[("stiffness_nm_per_rad", sought)], why)?;
+            Problem::refuse_unused(
+                &[("stiffness_nm_per_rad", self.stiffness_nm_per_rad.is_some())],
+                "it applies if the pressures are computed, and `pressures_mpa` are given",
+            )?;
             let torque = self.torque_nm.is_some() && has_angles;
-            let why = "with `pressures_mpa` and `angles_deg` the torque is the answer";
-            Problem::refuse_unused(&[("torque_nm", torque)], why)?;
+            Problem::refuse_unused(
+                &[("torque_nm", torque)],
+                "with `pressures_mpa` and `angles_deg` the torque is the answer",
+            )?;
             let supply = self.max_pressure_mpa.is_some() && self.map.is_none();
-            let why = "it limits pressures that are computed, and `pressures_mpa` are given";
-            Problem::refuse_unused(&[("max_pressure_mpa", supply)], why)?;
+            Problem::refuse_unused(
+                &[("max_pressure_mpa", supply)],
+                "it limits pressures that are computed, and `pressures_mpa` are given",
+            )?;
         }
         for &p in self.pressures_mpa.iter().flat_map(|list| list.iter()) {
             if !(p.is_finite() && p >= 0.0) {
@@ -253,8 +272,12 @@ impl Solver<'_> {
         let points = (count as f64).powi(self.workspaces.len() as i32);
         size::points("map", points)?;
         size::bytes("map", MAP_POINT_BYTES * points)?;
-        let outside = self.model.outside(supply_mpa)?;
-        self.warnings.extend(outside.into_iter().map(Warning::from));
+        self.warnings.extend(
+            self.model
+                .outside(supply_mpa)?
+                .into_iter()
+                .map(Warning::from),
+        );
         let map = self.model.map(supply_mpa, count, progress)?;
         let gap = map.gaps.first();
         let gap = gap.map(|gap| gaps(map.gaps.len(), map.points.len(), "points", &gap.reason));
@@ -324,8 +347,8 @@ impl Solver<'_> {
                     point => rows.push(self.row(point?, None)?),
                 }
             }
-            let gap = gap.map(|error| gaps(without, angles.len(), "angles", &error.to_string()));
-            self.warnings.extend(gap);
+            self.warnings
+                .extend(gap.map(|error| gaps(without, angles.len(), "angles", &error.to_string())));
         }
         Ok(rows)
     }
@@ -340,18 +363,19 @@ impl Solver<'_> {
         for pressures in families {
             let workspaces = &mut self.workspaces;
             let (rests, gap) = self.model.rests_and_gap(workspaces, pressures, torque_nm)?;
-            let beside = gap.map(|gap| Warning::from(format!("other rests are not sought: {gap}")));
-            self.warnings.extend(beside);
+            self.warnings
+                .extend(gap.map(|gap| Warning::from(format!("other rests are not sought: {gap}"))));
             for rest in rests {
                 let workspaces = &mut self.workspaces;
-                let angle_deg = rest.angle_deg();
-                let point = self
-                    .model
-                    .point_at(workspaces, pressures, angle_deg, Turning::Mean)?;
+                let point =
+                    self.model
+                        .point_at(workspaces, pressures, rest.angle_deg(), Turning::Mean)?;
                 let balance = matches!(rest, Rest::Balance { .. });
-                let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
                 rows.push(JointRow {
-                    angle_uncertainty_deg: half,
+                    angle_uncertainty_deg: self
+                        .model
+                        .angle_uncertainty_deg(&point)
+                        .filter(|_| balance),
                     ..self.row(point, Some(word(&rest)))?
                 });
             }
@@ -365,13 +389,16 @@ impl Solver<'_> {
             if !known {
                 return Ok(None);
             }
-            let there = self.model.point_at(
-                &mut self.workspaces,
-                &point.pressures_mpa,
-                point.angle_deg,
-                turning,
-            )?;
-            Ok(Some(there.torque_nm))
+            Ok(Some(
+                self.model
+                    .point_at(
+                        &mut self.workspaces,
+                        &point.pressures_mpa,
+                        point.angle_deg,
+                        turning,
+                    )?
+                    .torque_nm,
+            ))
         };
         let plus = turning(Turning::Plus)?;
         let minus = turning(Turning::Minus)?;
@@ -384,7 +411,7 @@ impl Solver<'_> {
         let (response, arm_1_mm, slack_1) = muscle(0).unwrap_or_default();
         let second = muscle(1);
         Ok(JointRow {
-            pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
+            pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or_default(),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
             torque_turning_plus_nm: plus,
             torque_turning_minus_nm: minus,
@@ -436,23 +463,21 @@ fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
     let alike = muscles.first().map(digest) == muscles.last().map(digest);
     let kinds = [0, usize::from(!alike)];
     let contractions = |row: &JointRow| [Some(row.contraction_1), row.contraction_2];
-    let mut wanted: BTreeMap<(usize, i64), f64> = BTreeMap::new();
+    let mut wanted = BTreeMap::new();
     for row in &*rows {
-        let known = kinds
-            .into_iter()
-            .zip(contractions(row))
-            .filter_map(|(kind, e)| Some((kind, e?)));
-        wanted.extend(known.map(|(kind, e)| (key(kind, e), e)));
+        wanted.extend(
+            kinds
+                .into_iter()
+                .zip(contractions(row))
+                .filter_map(|(kind, e)| Some((kind, e?)))
+                .map(|(kind, e)| (key(kind, e), e)),
+        );
     }
-    let wanted: Vec<((usize, i64), f64)> = wanted.into_iter().collect();
+    let wanted = Vec::from_iter(wanted.into_iter());
     let pressures = threads::map(&wanted, |&((kind, _), contraction)| {
         model.start_pressure_mpa(kind, &mut Workspace::new(), contraction)
     });
-    let pressures: BTreeMap<(usize, i64), Option<f64>> = wanted
-        .into_iter()
-        .map(|(key, _)| key)
-        .zip(pressures)
-        .collect();
+    let pressures = BTreeMap::from_iter(wanted.into_iter().map(|(key, _)| key).zip(pressures));
     let start_pressure = |i: usize, e: f64| pressures.get(&key(kinds[i], e)).copied().flatten();
     for row in rows {
         row.start_pressure_1_mpa = start_pressure(0, row.contraction_1);

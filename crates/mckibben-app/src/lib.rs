@@ -129,4 +129,4 @@ pub use simulate::*;
 pub use uncertainty::*;
 pub use unique_keys::UniqueKeys;
 pub use units::{Scale, Units};
-pub(crate) use words::{number, percent};
+use words::{number, percent};

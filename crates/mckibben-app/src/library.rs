@@ -1,7 +1,7 @@
 //! Muscles that were identified from measured points, each with its bench data, its ± and its
 //! terms.
 
-use crate::{Model, MuscleSummary, Problem, TextFile};
+use crate::{Model, MuscleSummary, Result, TextFile};
 use mckibben_core::{
     analysis::Evaluation,
     model::Workspace,
@@ -50,7 +50,7 @@ pub struct LibraryDetails {
 }
 
 impl LibraryMuscle {
-    fn new(facts: &Facts, muscle: &Muscle) -> Result<Self, Problem> {
+    fn new(facts: &Facts, muscle: &Muscle) -> Result<Self> {
         let model = Model::FE.build(muscle)?;
         let w = &mut Workspace::new();
         let (pressure_mpa, points) = muscle
@@ -75,7 +75,7 @@ impl LibraryMuscle {
 }
 
 /// The muscles of the library.
-pub fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
+pub fn library_muscles() -> Result<Vec<LibraryMuscle>> {
     threads::map(&library(), |(of, muscle)| {
         LibraryMuscle::new(&of.facts, muscle)
     })
@@ -85,7 +85,7 @@ pub fn library_muscles() -> Result<Vec<LibraryMuscle>, Problem> {
 
 /// A muscle of the library by its name, with or without `lib:`; `None` where there is none of that
 /// name.
-pub fn library_details(name: &str) -> Result<Option<LibraryDetails>, Problem> {
+pub fn library_details(name: &str) -> Result<Option<LibraryDetails>> {
     let plain = library::named(name)
         .unwrap_or(name)
         .trim()

@@ -31,7 +31,7 @@ pub struct LoadFields {
 
 impl LoadFields {
     /// The load, for a muscle of this length.
-    pub(crate) fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>> {
+    pub fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>> {
         let Some(text) = &self.load else {
             return Ok(None);
         };
@@ -54,7 +54,7 @@ impl LoadFields {
             .load_tables
             .iter()
             .map(read)
-            .collect::<Result<BTreeMap<_, _>, _>>()?;
+            .collect::<Result<BTreeMap<_, _>>>()?;
         Load::parse(text, &|name| tables.get(name).cloned())
             .map(Some)
             .map_err(|error| ProblemKind::Quantity.problem(error).in_field("load"))
@@ -103,7 +103,7 @@ pub fn loaded(
     let Some(load) = fields.resolve(length)? else {
         return Ok(None);
     };
-    let mut stable: Vec<(f64, Option<Balance>)> = vec![];
+    let mut stable = vec![];
     let mut at = vec![];
     for &pressure_mpa in pressures_mpa {
         let balances = evaluation.balances(&load, pressure_mpa);
@@ -138,9 +138,8 @@ pub fn loaded(
         }
         _ => None,
     };
-    let text = fields.load.clone().unwrap_or_default();
     Ok(Some(LoadAnswer {
-        load: text,
+        load: fields.load.clone().unwrap_or_default(),
         at,
         cycle,
         line: load,
@@ -164,9 +163,9 @@ impl LoadAnswer {
     /// A table of the equilibria, and the stroke between the lowest and the highest pressure.
     pub fn onto(&self, page: &mut Page, u: &Units) {
         page.paragraph(format!("load {}", self.load));
-        let all: Vec<&Balance> = self.at.iter().flat_map(|at| &at.equilibria).collect();
+        let all = Vec::from_iter(self.at.iter().flat_map(|at| &at.equilibria));
         page.list("", &all, u, &SHOWN);
-        let none: Vec<&LoadedAt> = self.at.iter().filter(|at| at.error.is_some()).collect();
+        let none = Vec::from_iter(self.at.iter().filter(|at| at.error.is_some()));
         page.list("", &none, u, &SHOWN);
         if let Some(cycle) = &self.cycle {
             page.gap();

@@ -29,12 +29,11 @@ pub fn model_from_formula(file: &TextFile) -> Result<Model> {
         return Err(ProblemKind::Formula
             .problem("formula files need the full engine; this is a reduced one"));
     }
-    let read = Model::from_formula(&file.text);
-    Ok(read.map_err(|e| e.in_file(std::path::Path::new(&file.name)))?)
+    Ok(Model::from_formula(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?)
 }
 
 /// A muscle of the make that a formula is for.
-pub(crate) fn made_for(model: &Model) -> Result<Option<Muscle>> {
+pub fn made_for(model: &Model) -> Result<Option<Muscle>> {
     match model {
         Model::Formula(f) => Ok(Some(f.made_for.muscle(&f.range)?)),
         _ => Ok(None),
@@ -43,7 +42,7 @@ pub(crate) fn made_for(model: &Model) -> Result<Option<Muscle>> {
 
 impl MeshFields {
     /// The model of a name, or of a formula's file.
-    pub(crate) fn model_of(&self, name: &NameOrFile) -> Result<Model> {
+    pub fn model_of(&self, name: &NameOrFile) -> Result<Model> {
         match name {
             NameOrFile::Name(name) => self.model(name),
             NameOrFile::File(file) => self.no_terminal().and_then(|()| model_from_formula(file)),
@@ -89,7 +88,7 @@ impl MeshFields {
     }
 
     /// Refuses a mesh that none of the models has.
-    pub(crate) fn check_used(&self, models: &[&Model]) -> Result<()> {
+    pub fn check_used(&self, models: &[&Model]) -> Result<()> {
         let elements = models.iter().any(|m| matches!(m, Model::Elements(_)));
         let why = "only `model` fe and fe3d have a mesh";
         Problem::refuse_unused(&[("mesh", self.mesh.is_some() && !elements)], why)?;

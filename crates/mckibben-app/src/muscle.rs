@@ -1,8 +1,8 @@
 //! From fields to a muscle, and a muscle in a few words.
 
 use crate::{
-    Model, MuscleFields, NameOrFile, Problem, ProblemKind, Stiffness, TextFile, Units, made_for,
-    words,
+    Model, MuscleFields, NameOrFile, Problem, ProblemKind, Result, Stiffness, TextFile, Units,
+    made_for, words,
 };
 use mckibben_core::{
     muscle::{
@@ -20,12 +20,12 @@ use std::{borrow::Cow, f64::consts::PI, path::Path};
 
 impl MuscleFields {
     /// The muscle that file and fields describe.
-    pub fn resolve(&self) -> Result<Muscle, Problem> {
+    pub fn resolve(&self) -> Result<Muscle> {
         self.resolve_for(&Model::FE)
     }
 
     /// The same; without a file a muscle of the make that a formula is for.
-    pub fn resolve_for(&self, model: &Model) -> Result<Muscle, Problem> {
+    pub fn resolve_for(&self, model: &Model) -> Result<Muscle> {
         let file = self.file();
         let made = match file {
             Some(_) => None,
@@ -50,27 +50,28 @@ impl MuscleFields {
         let all = || [self.with.clone(), stated.collect()].concat();
         let with = with(&self.with).or_else(|_| with(&all()));
         self.over(&with.map_err(|error| {
-            let error = FileError {
-                place: None,
-                ..error
-            };
-            let in_keys = ProblemKind::File.problem(error).in_field("with");
+            let in_keys = ProblemKind::File
+                .problem(FileError {
+                    place: None,
+                    ..error
+                })
+                .in_field("with");
             base.err().unwrap_or(in_keys)
         })?)
     }
 
     /// A muscle with the fields' values in place of those of the base.
-    pub fn over(&self, base: &Muscle) -> Result<Muscle, Problem> {
+    pub fn over(&self, base: &Muscle) -> Result<Muscle> {
         Ok(Muscle::from_parts(self.stated()?.over(base)?)?.with_bench_of(base))
     }
 
     /// The braid on a tube of a diameter.
-    pub(crate) fn braid_on(&self, outer_diameter_mm: f64, base: &Muscle) -> Result<Braid, Problem> {
+    pub fn braid_on(&self, outer_diameter_mm: f64, base: &Muscle) -> Result<Braid> {
         Ok(self.stated()?.braid_on(outer_diameter_mm, base)?)
     }
 
     /// What the fields state of a muscle, with the parts that they name.
-    fn stated(&self) -> Result<Stated, Problem> {
+    fn stated(&self) -> Result<Stated> {
         self.validate()?;
         let mut measures = self.measures.0.clone();
         let mut of_tube = None;
@@ -131,7 +132,7 @@ pub const PAPER: &str = "paper";
 
 /// The text of a muscle file; of a name of the library without a text (`lib:NAME`) that of its
 /// muscle.
-pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
+pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>> {
     let mut lines = file.text.lines().map(str::trim);
     if lines.any(|line| !line.is_empty() && !line.starts_with('#')) || file.name == PAPER {
         return Ok(Cow::Borrowed(&file.text));
@@ -155,17 +156,17 @@ pub fn text_of(file: &TextFile) -> Result<Cow<'_, str>, Problem> {
 }
 
 /// The muscle of a muscle file, or that of the library whose name replaces one: `lib:dmsp-20-300`.
-pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
+pub fn muscle_of(file: &TextFile) -> Result<Muscle> {
     Ok(parse_muscle(&text_of(file)?).map_err(|e| e.in_file(Path::new(&file.name)))?)
 }
 
 /// A rubber of the library.
-pub fn rubber(name: &str) -> Result<Rubber, Problem> {
+pub fn rubber(name: &str) -> Result<Rubber> {
     library::find(name.trim()).map_err(|e| ProblemKind::Rubber.problem(e))
 }
 
 /// A sleeve of the library.
-pub fn sleeve(name: &str) -> Result<Sleeve, Problem> {
+pub fn sleeve(name: &str) -> Result<Sleeve> {
     Ok(sleeve::library::find(name)?)
 }
 
@@ -187,10 +188,12 @@ impl From<MuscleError> for Problem {
             .strip_prefix(first)
             .filter(|rest| rest.starts_with(" is missing"));
         match missing.zip(Measure::of_key(first).and_then(|measure| measure.field)) {
-            Some((rest, field)) => {
-                let message = in_fields(format!("`{field}`{rest}"));
-                Self::new(ProblemKind::Usage, message, "a muscle file can state it").in_field(field)
-            }
+            Some((rest, field)) => Self::new(
+                ProblemKind::Usage,
+                in_fields(format!("`{field}`{rest}")),
+                "a muscle file can state it",
+            )
+            .in_field(field),
             None if first == "braid.name" => ProblemKind::Braid.problem(in_fields(error.message)),
             None => ProblemKind::Muscle.problem(in_fields(error.message)),
         }

@@ -2,7 +2,7 @@
 //! [`mckibben_core::muscle::measures`].
 
 use crate::{
-    Problem, ProblemKind,
+    Problem, ProblemKind, Result,
     fields::{NameOrFile, Stiffness, TextFile, name_or_file, object_or},
     flags::{self, Args},
 };
@@ -93,15 +93,17 @@ impl MuscleFields {
     }
 
     /// Which fields exclude each other.
-    pub(crate) fn validate(&self) -> Result<(), Problem> {
+    pub fn validate(&self) -> Result<()> {
         let again = self.file.is_some() && self.also_file.is_some();
         Problem::refuse_unused(&[("also_file", again)], "a muscle file is given already")?;
         let has = |measure| self.tube.is_some() && self.measures.get(measure).is_some();
-        let of_tube = [
-            ("outer_diameter_mm", has(&OUTER_DIAMETER)),
-            ("wall_mm", has(&WALL)),
-        ];
-        Problem::refuse_unused(&of_tube, "`tube` has its own")
+        Problem::refuse_unused(
+            &[
+                ("outer_diameter_mm", has(&OUTER_DIAMETER)),
+                ("wall_mm", has(&WALL)),
+            ],
+            "`tube` has its own",
+        )
     }
 
     /// A muscle file alone.
@@ -113,7 +115,7 @@ impl MuscleFields {
     }
 
     /// An object of fields, or a name alone: `lib:dmsp-20-300`.
-    pub(crate) fn or_name<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+    pub fn or_name<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         object_or(from, |name| {
             Self::from_file(TextFile {
                 name,
@@ -139,7 +141,7 @@ pub struct TubeSize {
 impl FromStr for TubeSize {
     type Err = Problem;
 
-    fn from_str(text: &str) -> Result<Self, Problem> {
+    fn from_str(text: &str) -> Result<Self> {
         let wrong = || {
             Problem::new(
                 ProblemKind::Quantity,
@@ -188,7 +190,7 @@ impl FromStr for TubeSize {
 impl TryFrom<String> for TubeSize {
     type Error = Problem;
 
-    fn try_from(text: String) -> Result<Self, Problem> {
+    fn try_from(text: String) -> Result<Self> {
         text.parse()
     }
 }

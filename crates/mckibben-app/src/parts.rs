@@ -5,7 +5,7 @@ mod page;
 
 use crate::{
     BraidDetails, BraidSummary, LibraryDetails, LibraryMuscle, MeshFields, Model, Problem,
-    ProblemKind, RubberDetails, RubberSummary, TextFile,
+    ProblemKind, Result, RubberDetails, RubberSummary, TextFile,
     flags::{self, Args},
     library_details, library_muscles, rubber_details, rubbers, sleeve_details, sleeves,
 };
@@ -110,7 +110,7 @@ pub struct ModelDetails {
 }
 
 /// A model; `None` where there is none of that name.
-pub fn model_details(name: &str) -> Result<Option<ModelDetails>, Problem> {
+pub fn model_details(name: &str) -> Result<Option<ModelDetails>> {
     let Ok(model) = MeshFields::default().model(name) else {
         return Ok(None);
     };
@@ -143,7 +143,7 @@ pub fn unread(error: tubes::TubeError) -> Problem {
 }
 
 /// The tubes of a user's table, where it has some: in place of the catalogue's.
-pub fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>, Problem> {
+pub fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>> {
     Ok(parts
         .map(|file| tubes::read(&file.text))
         .transpose()
@@ -152,7 +152,7 @@ pub fn users_tubes(parts: Option<&TextFile>) -> Result<Option<Vec<TubePart>>, Pr
 }
 
 /// The sleeves of a user's table, where it has some, else those of the library.
-pub fn sleeve_entries(parts: Option<&TextFile>) -> Result<Cow<'static, [SleeveEntry]>, Problem> {
+pub fn sleeve_entries(parts: Option<&TextFile>) -> Result<Cow<'static, [SleeveEntry]>> {
     let read = parts
         .map(|file| sleeve::library::read(&file.text))
         .transpose();
@@ -166,11 +166,11 @@ pub fn sleeve_entries(parts: Option<&TextFile>) -> Result<Cow<'static, [SleeveEn
 }
 
 /// Everything with a name, or one kind of it.
-pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem> {
+pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer> {
     let wants = |kind| request.kind.is_none_or(|only| only == kind);
     // The reduced engine has neither tubes nor muscles.
     let whole = cfg!(feature = "whole");
-    let tubes: Vec<TubePart> = match &request.parts {
+    let tubes = match &request.parts {
         _ if !whole || !wants(PartKind::Tubes) => vec![],
         parts => match users_tubes(parts.as_ref())? {
             Some(tubes) => tubes,
@@ -203,7 +203,7 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer, Problem
     })
 }
 
-pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer, Problem> {
+pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer> {
     let tubes = tubes::catalogue().map_err(unread)?;
     let name = request.name.as_str();
     let parts = PartShowAnswer {

@@ -33,21 +33,22 @@ pub struct PlanAnswer {
 const MOST_POINTS: u64 = 200_000;
 
 /// The plan of a request, and its file; a problem lists all mistakes of the plan.
-pub(crate) fn plan_of<'a>(
+pub fn plan_of<'a>(
     file: &'a Option<TextFile>,
     samples: &Option<TextFile>,
 ) -> Result<(Plan, &'a TextFile)> {
     let file = file
         .as_ref()
         .ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
-    let samples = samples.as_ref().map(|table| &*table.text);
-    let plan = Plan::check(&file.text, samples).map_err(|mistakes| {
-        let of_file = |m: FileError| m.in_file(Path::new(&file.name)).to_string();
-        let mut each = mistakes.into_iter().map(of_file);
-        let mut problem = ProblemKind::File.problem(each.next().unwrap_or_default());
-        problem.further = each.collect();
-        problem
-    })?;
+    let plan = Plan::check(&file.text, samples.as_ref().map(|table| &*table.text)).map_err(
+        |mistakes| {
+            let of_file = |m: FileError| m.in_file(Path::new(&file.name)).to_string();
+            let mut each = mistakes.into_iter().map(of_file);
+            let mut problem = ProblemKind::File.problem(each.next().unwrap_or_default());
+            problem.further = each.collect();
+            problem
+        },
+    )?;
     Ok((plan, file))
 }
 

@@ -144,8 +144,10 @@ fn job_point(question: &Question, is_stated: bool) -> Option<JobPoint> {
 /// F(P, ε).
 pub fn force(request: &ForceRequest) -> Result<PointAnswer> {
     let question = request.question.ask()?;
-    let point = job_point(&question, request.pressure_mpa.is_some());
-    let contraction = question.ratio(&request.contraction, point)?;
+    let contraction = question.ratio(
+        &request.contraction,
+        job_point(&question, request.pressure_mpa.is_some()),
+    )?;
     let pressure_mpa = question.pressure_mpa(request.pressure_mpa)?;
     answered(question, PointQuantity::Force, request.both, |model| {
         Ok(model.answer(pressure_mpa, contraction)?)
@@ -183,7 +185,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer> {
             "",
         ));
     }
-    let mut said: Option<LoadAnswer> = None;
+    let mut said = None;
     let mut answer = answered(question, sought, request.both, |model| {
         let answer = loaded(&request.load, model, &[pressure_mpa])?;
         if let Some(error) = answer
@@ -233,8 +235,11 @@ fn answered(
             })
         })
         .collect::<Result<_>>()?;
-    let all = std::iter::once(&point).chain(&branches);
-    let highest_mpa = peak(all.map(|a| a.response.pressure_mpa));
+    let highest_mpa = peak(
+        std::iter::once(&point)
+            .chain(&branches)
+            .map(|a| a.response.pressure_mpa),
+    );
     let background = question.background(&mut point, highest_mpa)?;
     Ok(PointAnswer {
         point,
@@ -323,14 +328,14 @@ impl From<MuscleFields> for QuestionFields {
 
 /// A model bound to its muscle, with the workspace of this request.
 pub struct Question {
-    pub(crate) muscle: Muscle,
+    pub muscle: Muscle,
     /// The model before it was bound.
-    pub(crate) choice: Model,
-    pub(crate) model: Box<dyn ForceModel>,
-    pub(crate) workspace: Workspace,
-    pub(crate) options: Options,
+    pub choice: Model,
+    pub model: Box<dyn ForceModel>,
+    pub workspace: Workspace,
+    pub options: Options,
     /// Whether a model was named.
-    pub(crate) is_model_named: bool,
+    pub is_model_named: bool,
 }
 
 impl Question {
@@ -350,7 +355,7 @@ impl Question {
 }
 
 impl QuestionFields {
-    pub(crate) fn ask(&self) -> Result<Question> {
+    pub fn ask(&self) -> Result<Question> {
         let choice = self.model.choose()?;
         let muscle = self.muscle.resolve_for(&choice)?;
         let BoundModel {
@@ -372,17 +377,17 @@ impl QuestionFields {
 
 impl Question {
     /// Its model with its memory and its options.
-    pub(crate) fn evaluation(&mut self) -> Evaluation<'_> {
+    pub fn evaluation(&mut self) -> Evaluation<'_> {
         Evaluation::new(&*self.model, &mut self.workspace, self.options)
     }
 
     /// The burst pressure of its muscle.
-    pub(crate) fn burst(&self) -> Result<Burst> {
+    pub fn burst(&self) -> Result<Burst> {
         burst_of(&self.choice, &*self.model)
     }
 
     /// Data behind an answer, which warns of the highest pressure first.
-    pub(crate) fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
+    pub fn background(&mut self, of: &mut Answer, highest_mpa: f64) -> Result<Background> {
         let burst = self.burst()?;
         Warning::put_first(&mut of.warnings, burst.warnings(highest_mpa));
         Ok(Background {
@@ -399,17 +404,18 @@ impl Question {
 
 impl AskFields {
     /// How a model of this muscle is evaluated.
-    pub(crate) fn options(self, muscle: &Muscle) -> Result<Options> {
+    pub fn options(self, muscle: &Muscle) -> Result<Options> {
         let Self {
             extrapolate,
             two_sided,
             direction,
         } = self;
-        let of_job = muscle.job().and_then(|job| job.branch);
         let options = Options {
             extrapolate,
             two_sided,
-            direction: direction.or(of_job).unwrap_or_default(),
+            direction: direction
+                .or(muscle.job().and_then(|job| job.branch))
+                .unwrap_or_default(),
             friction_share: muscle.friction_share(),
         };
         check_branch(options, muscle)?;

@@ -215,11 +215,12 @@ impl Problem {
 
     /// Refuses all but one of fields that say the same, in a sentence of what each of them does.
     pub fn refuse_several(fields: &[(&str, bool)], each: &str) -> Result<(), Self> {
-        let names: Vec<String> = fields
-            .iter()
-            .filter(|field| field.1)
-            .map(|field| format!("`{}`", field.0))
-            .collect();
+        let names = Vec::from_iter(
+            fields
+                .iter()
+                .filter(|field| field.1)
+                .map(|field| format!("`{}`", field.0)),
+        );
         let [first @ .., last] = &names[..] else {
             return Ok(());
         };

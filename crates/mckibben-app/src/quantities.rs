@@ -1,7 +1,7 @@
 //! `quantities`, `units` and `measures`: what a user typed, as numbers, the units there are, and
 //! every number that describes a muscle.
 
-use crate::problem::{Problem, ProblemKind};
+use crate::problem::{Problem, ProblemKind, Result};
 use mckibben_core::{
     muscle::{
         Measure,
@@ -68,7 +68,7 @@ pub enum Reading {
 const DIVISIONS: usize = 20;
 
 /// Texts of a user as numbers, of which there may be [`MAX_POINTS`](mckibben_core::units::MAX_POINTS).
-pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Problem> {
+pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer> {
     let mut points = 0.0;
     let wrong = |kind: ProblemKind, message: String| Reading::Wrong {
         problem: kind.problem(message),
@@ -102,11 +102,7 @@ pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Probl
         Ok(reading)
     };
     Ok(QuantitiesAnswer {
-        readings: request
-            .texts
-            .iter()
-            .map(&mut read)
-            .collect::<Result<_, Problem>>()?,
+        readings: request.texts.iter().map(&mut read).collect::<Result<_>>()?,
     })
 }
 
@@ -146,7 +142,7 @@ pub struct UnitOfKind {
 }
 
 /// Every kind of quantity with its units.
-pub fn units(_: &UnitsRequest) -> Result<UnitsAnswer, Problem> {
+pub fn units(_: &UnitsRequest) -> Result<UnitsAnswer> {
     let kind = |kind: Dimension| KindOfQuantity {
         kind,
         expectation: kind.expectation(),
@@ -239,7 +235,7 @@ impl From<&'static Measure> for MeasureEntry {
 }
 
 /// The measures of a muscle.
-pub fn measures(_: &MeasuresRequest) -> Result<MeasuresAnswer, Problem> {
+pub fn measures(_: &MeasuresRequest) -> Result<MeasuresAnswer> {
     Ok(MeasuresAnswer {
         measures: MEASURES.iter().map(|m| MeasureEntry::from(*m)).collect(),
     })

@@ -40,7 +40,7 @@ pub struct TitleBlock {
 
 impl TitleBlock {
     /// Its fields, with those that are signed by hand.
-    pub(crate) fn fields(&self) -> Vec<(String, String)> {
+    pub fn fields(&self) -> Vec<(String, String)> {
         let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
         let fields = [
             ("muscle", self.name.as_deref()),
@@ -51,10 +51,11 @@ impl TitleBlock {
             ("computed by", Some(version)),
             ("checked", None),
         ];
-        let field = |(name, value): (&str, Option<&str>)| {
-            (name.to_owned(), value.unwrap_or_default().to_owned())
-        };
-        fields.map(field).to_vec()
+        fields
+            .map(|(name, value): (&str, Option<&str>)| {
+                (name.to_owned(), value.unwrap_or_default().to_owned())
+            })
+            .to_vec()
     }
 }
 
@@ -123,8 +124,7 @@ pub fn report(
     }
     step(4)?;
     parts.extend(limits(&shown, &point));
-    let file = to_toml(&shown.muscle);
-    let hash = mckibben_campaign::sha256(file.as_bytes());
+    let hash = mckibben_campaign::sha256(to_toml(&shown.muscle).as_bytes());
     let version = env!("CARGO_PKG_VERSION");
     Ok(Document {
         title: format!("Report: {}", plan.title()),
@@ -233,9 +233,11 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
             "The clamped length on each plug is not stated; the cut lengths assume {cut} mm."
         ));
     }
-    let warnings = shown.warnings.iter().chain(&point.point.warnings);
     list.extend(
-        warnings
+        shown
+            .warnings
+            .iter()
+            .chain(&point.point.warnings)
             .filter(|w| !w.is_of_burst())
             .map(ToString::to_string),
     );

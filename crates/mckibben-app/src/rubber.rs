@@ -1,6 +1,6 @@
 //! Rubbers of the library.
 
-use crate::{Problem, rubber};
+use crate::{Result, rubber};
 use mckibben_core::{
     extremes::even,
     rubber::{
@@ -97,7 +97,7 @@ pub struct FittedToCurve {
     pub planar_difference: f64,
 }
 
-pub fn rubbers() -> Result<Vec<RubberSummary>, Problem> {
+pub fn rubbers() -> Result<Vec<RubberSummary>> {
     let one = |entry: &RubberEntry| {
         let law = rubber(&entry.name)?.law;
         Ok(RubberSummary {
@@ -115,7 +115,7 @@ pub fn rubbers() -> Result<Vec<RubberSummary>, Problem> {
 }
 
 /// A rubber by NAME or NAME:LAW; `None` where there is none of that name.
-pub fn rubber_details(name: &str) -> Result<Option<RubberDetails>, Problem> {
+pub fn rubber_details(name: &str) -> Result<Option<RubberDetails>> {
     let plain = name.split(':').next().unwrap_or_default();
     let Ok(entry) = library::entry(plain) else {
         return Ok(None);

@@ -1,6 +1,6 @@
 //! The schemas of requests and answers.
 
-use crate::{CommandEntry, Problem, ProblemKind};
+use crate::{CommandEntry, Problem, ProblemKind, Result};
 use mckibben_core::{nearest::nearest, units::NamedUnit};
 use schemars::{
     JsonSchema, Schema, SchemaGenerator,
@@ -29,7 +29,7 @@ impl CommandSchemas {
 impl CommandEntry {
     /// A field that no request of this kind has is an error: a mistyped one must not turn into a
     /// default.
-    pub(crate) fn check_fields(&self, request: &Value) -> Result<(), Problem> {
+    pub fn check_fields(&self, request: &Value) -> Result<()> {
         let schema = self.request_schema();
         check_fields(format_args!("a request"), request, schema, schema)
     }
@@ -46,7 +46,7 @@ fn check_fields(
     fields: &Value,
     schema: &Value,
     root: &Value,
-) -> Result<(), Problem> {
+) -> Result<()> {
     let place = schema["$ref"].as_str().and_then(|r| r.strip_prefix('#'));
     let schema = place
         .and_then(|place| root.pointer(place))

@@ -2,7 +2,7 @@
 //! front ends that draw it in space.
 
 use crate::{
-    AskFields, MeshFields, Model, MuscleFields, MuscleSummary, Problem, ProblemKind, burst_of,
+    AskFields, MeshFields, Model, MuscleFields, MuscleSummary, ProblemKind, Result, burst_of,
     finite, given_mpa, pull, ratio,
 };
 use mckibben_core::{
@@ -70,7 +70,7 @@ pub struct ShapeAnswer {
     pub arrays: BTreeMap<String, Vec<f64>>,
 }
 
-pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer, Problem> {
+pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer> {
     let muscle = request.muscle.resolve()?;
     let model = request.mesh.model("fe")?;
     model.admit(&muscle)?;
@@ -115,7 +115,7 @@ fn point_and_shape(
     workspace: &mut Workspace,
     pressure_mpa: f64,
     request: &ShapeRequest,
-) -> Result<(Answer, f64, Section), Problem> {
+) -> Result<(Answer, f64, Section)> {
     // The same equilibria, of the whole muscle, whose ends may be displaced.
     let whole = with_ends(muscle, Box::new(fe.clone()));
     let mut evaluation = Evaluation::new(&*whole, workspace, AskFields::default().options(muscle)?);

@@ -47,7 +47,7 @@ pub struct UncertaintyWords {
 
 impl UncertaintyWords {
     /// Of an answer of a model.
-    pub(crate) fn of(answer: &Answer, model: &mut Evaluation<'_>) -> Self {
+    pub fn of(answer: &Answer, model: &mut Evaluation<'_>) -> Self {
         Self::at(
             answer.built.zip(answer.uncertainty_parts_n),
             (answer.response.pressure_mpa, answer.response.contraction),
@@ -56,7 +56,7 @@ impl UncertaintyWords {
     }
 
     /// Of what a muscle that is built pulls at a pressure and a contraction.
-    pub(crate) fn at(
+    pub fn at(
         predicted: Option<(Built, UncertaintyParts)>,
         (pressure_mpa, contraction): (f64, f64),
         model: &mut Evaluation<'_>,
@@ -90,13 +90,13 @@ impl UncertaintyWords {
     }
 
     /// What a muscle that is built pulls, in units.
-    pub(crate) fn pull_in(&self, u: &Units) -> Option<String> {
+    pub fn pull_in(&self, u: &Units) -> Option<String> {
         Some(interval(&self.pull?, &u.force))
     }
 
     /// The model's pull, and the parts that lead from it to the pull of a muscle that is built, with
     /// a digit more than this has, so that they add up to it.
-    pub(crate) fn model_in(&self, u: &Units) -> Option<String> {
+    pub fn model_in(&self, u: &Units) -> Option<String> {
         let pull = self.pull?;
         let force = &u.force;
         let a_digit_more = 0.1 * force.value(pull.half_n());
@@ -150,7 +150,7 @@ impl UncertaintyWords {
     }
 
     /// Measurements that leave less than most of the ±.
-    pub(crate) fn worth(&self) -> impl Iterator<Item = &Left> {
+    pub fn worth(&self) -> impl Iterator<Item = &Left> {
         let now_n = self.parts.map_or(0.0, |parts| parts.total());
         let helps = move |left: &&Left| left.uncertainty_n < WORTH * now_n;
         self.measurements.iter().filter(helps)
@@ -159,12 +159,14 @@ impl UncertaintyWords {
 
 /// A median with its interval and branch: `520 N (170 N to 900 N, 95 %) while it shortens`.
 pub fn interval(pull: &Built, scale: &Scale) -> String {
-    let pulls = [
-        pull.predicted_n,
-        pull.predicted_low_n,
-        pull.predicted_high_n,
-    ];
-    bounds(pulls, scale) + &pull.way()
+    bounds(
+        [
+            pull.predicted_n,
+            pull.predicted_low_n,
+            pull.predicted_high_n,
+        ],
+        scale,
+    ) + &pull.way()
 }
 
 /// A median and the two ends of its interval.
@@ -179,7 +181,7 @@ pub fn bounds([median, low, high]: [f64; 3], scale: &Scale) -> String {
 /// `± 170 N (95 %): rubber 100, friction 90, mesh 1`.
 pub fn breakdown(parts: &UncertaintyParts, scale: &Scale) -> String {
     let whole = parts.total();
-    let mut named: Vec<(&str, f64)> = parts.named().collect();
+    let mut named = Vec::from_iter(parts.named());
     named.sort_by_number(|a| -a.1);
     let each = named
         .into_iter()

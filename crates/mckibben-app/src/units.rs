@@ -25,7 +25,7 @@ pub struct Scale {
     pub name: Cow<'static, str>,
     /// By what a value inside is multiplied.
     factor: (f64, f64),
-    pub(crate) digits: usize,
+    pub digits: usize,
 }
 
 /// Numbers without a unit.
@@ -72,7 +72,7 @@ impl Scale {
     }
 
     /// The unit of a kind of quantity.
-    pub(crate) fn unit(&self, kind: Dimension) -> Unit {
+    pub fn unit(&self, kind: Dimension) -> Unit {
         kind.unit(&self.name).unwrap_or(kind.unit_inside())
     }
 
@@ -96,7 +96,7 @@ impl Scale {
     }
 
     /// A text of a number with its unit.
-    pub(crate) fn with_unit(&self, number: String) -> String {
+    pub fn with_unit(&self, number: String) -> String {
         if self.name.is_empty() {
             number
         } else {
@@ -114,7 +114,7 @@ impl Scale {
     }
 
     /// A value in this unit; rounding errors about zero are zero.
-    pub(crate) fn rounded(&self, inside: f64) -> f64 {
+    pub fn rounded(&self, inside: f64) -> f64 {
         if inside.abs() < NOTHING {
             0.0
         } else {
@@ -258,8 +258,10 @@ impl Units {
                 out[from..].parse::<f64>(),
             ) {
                 (Some(scale), Ok(value)) => {
-                    let mantissa = out[from..].split('e').next().unwrap_or_default();
-                    let digits = mantissa
+                    let digits = out[from..]
+                        .split('e')
+                        .next()
+                        .unwrap_or_default()
                         .trim_start_matches(['-', '+', '0', '.'])
                         .matches(|c: char| c.is_ascii_digit());
                     let value = number(scale.value(value), digits.count().clamp(3, 6));

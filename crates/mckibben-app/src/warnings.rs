@@ -27,12 +27,13 @@ pub fn of_responses<'a>(
     muscle: &Muscle,
     responses: impl Iterator<Item = &'a Response>,
 ) -> Vec<Warning> {
-    let all: Vec<Warning> = muscle
-        .warnings()
-        .into_iter()
-        .map(Warning::from)
-        .chain(responses.flat_map(|r| of_response(muscle, r)))
-        .collect();
+    let all = Vec::from_iter(
+        muscle
+            .warnings()
+            .into_iter()
+            .map(Warning::from)
+            .chain(responses.flat_map(|r| of_response(muscle, r))),
+    );
     Warning::gravest(&all)
 }
 

@@ -99,7 +99,7 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
 }
 
 /// Texts with commas between.
-pub(crate) fn in_a_row(texts: impl IntoIterator<Item = String>) -> String {
+pub fn in_a_row(texts: impl IntoIterator<Item = String>) -> String {
     joined(texts, ", ")
 }
 

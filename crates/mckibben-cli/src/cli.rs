@@ -1,7 +1,7 @@
 //! The command line: its commands, and what every command takes.
 
 use crate::{
-    Context, Format, Problem,
+    Context, Format, Result,
     commands::{
         build, campaign, check, compare, curve, design, export, fill, fit, help, identify, joint,
         motion, parts, point, rubber, schema, serve, simulate,
@@ -124,7 +124,7 @@ pub enum Command {
 
 impl Command {
     /// Runs it; the exit code where it ends well.
-    pub fn run(self, context: &mut Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &mut Context) -> Result<u8> {
         match self {
             Self::Design(command) => command.0.run(context),
             Self::Force(command) => command.0.run(context),
@@ -168,7 +168,7 @@ impl<T: Args> Args for Flags<T> {
         // The sentence of the list of commands, not of the type.
         let about = command.get_about().cloned().unwrap_or_default();
         // What every command takes stands behind its own flags, in the help too.
-        let of_all: Vec<Arg> = command.get_arguments().cloned().collect();
+        let of_all = Vec::from_iter(command.get_arguments().cloned());
         let flags = T::augment_args(command).about(about).long_about(None);
         let mut in_order = flags
             .get_arguments()
@@ -219,10 +219,14 @@ fn with_usual_name(arg: Arg) -> Arg {
     let Some(dimension) = NamedUnit::of_field(&id).and_then(|named| named.dimension) else {
         return arg;
     };
-    let end = dimension
-        .end_of_name()
-        .map_or(String::new(), |end| format!("_{end}"));
-    let name = id.strip_suffix(&end).unwrap_or(&id).replace('_', "-");
+    let name = id
+        .strip_suffix(
+            &dimension
+                .end_of_name()
+                .map_or(String::new(), |end| format!("_{end}")),
+        )
+        .unwrap_or(&id)
+        .replace('_', "-");
     let one = name.strip_suffix('s').filter(|one| !one.ends_with('s'));
     let arg = arg.allow_hyphen_values(true);
     let noun = dimension.noun().rsplit(' ').next().unwrap_or_default();
@@ -242,8 +246,12 @@ fn with_usual_name(arg: Arg) -> Arg {
 
 /// Gives a command and those below it the names of their flags and their short help.
 fn with_short_help(path: &str, mut command: clap::Command) -> clap::Command {
-    let names = command.get_subcommands().map(clap::Command::get_name);
-    for name in names.map(str::to_owned).collect::<Vec<_>>() {
+    for name in command
+        .get_subcommands()
+        .map(clap::Command::get_name)
+        .map(str::to_owned)
+        .collect::<Vec<_>>()
+    {
         let path = format!("{path} {name}");
         command = command.mut_subcommand(name, |sub| with_short_help(&path, sub));
     }
@@ -268,11 +276,14 @@ fn first_example(all: &str) -> String {
         return all.to_owned();
     }
     let mut seen = 0;
-    let lines = all.lines().take_while(|line| {
-        seen += usize::from(starts(line));
-        seen < 2
-    });
-    joined(lines, "\n").replacen("Examples:", "Example:", 1)
+    joined(
+        all.lines().take_while(|line| {
+            seen += usize::from(starts(line));
+            seen < 2
+        }),
+        "\n",
+    )
+    .replacen("Examples:", "Example:", 1)
 }
 
 #[cfg(test)]

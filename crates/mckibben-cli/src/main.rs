@@ -19,7 +19,7 @@ mod quotes;
 use clap::FromArgMatches;
 use context::Context;
 use format::Format;
-use mckibben_app::{Problem, guarded, panics_are_problems};
+use mckibben_app::{Problem, Result, guarded, panics_are_problems};
 use mckibben_core::threads;
 use output::{Output, check_ending, ending, text::path_on_one_line};
 use plot::Plot;
@@ -29,9 +29,7 @@ use std::{borrow::Cow, env::args_os, io::Write, process::ExitCode};
 
 fn main() -> ExitCode {
     panics_are_problems();
-    let args: Vec<String> = args_os()
-        .map(|arg| arg.to_string_lossy().into_owned())
-        .collect();
+    let args = Vec::from_iter(args_os().map(|arg| arg.to_string_lossy().into_owned()));
     let refused = Context {
         format: asked_format(&args),
         ..Context::default()

@@ -1,6 +1,6 @@
 //! Figures into files.
 
-use crate::{Context, Problem, output::ending};
+use crate::{Context, Problem, Result, output::ending};
 use mckibben_app::{ProblemKind, Units};
 use mckibben_core::units::typed::Length;
 use mckibben_report::{Figure, FigureError};
@@ -25,7 +25,7 @@ pub struct Plot {
 }
 
 /// Refuses a figure that could not be written, before any work is done for it.
-fn figure_file(path: &str) -> Result<PathBuf, Problem> {
+fn figure_file(path: &str) -> Result<PathBuf> {
     let path = PathBuf::from(path);
     let known = ["svg", "png", "pdf", "html", "htm"];
     if ending(&path).is_some_and(|end| known.contains(&end.as_str())) {
@@ -35,7 +35,7 @@ fn figure_file(path: &str) -> Result<PathBuf, Problem> {
     Err(error)
 }
 
-fn width(text: &str) -> Result<Length, Problem> {
+fn width(text: &str) -> Result<Length> {
     let wrong = |message: String| ProblemKind::Quantity.problem(message);
     let width: Length = text.parse().map_err(|e| wrong(format!("{e}")))?;
     if (20.0..=2000.0).contains(&width.0) {
@@ -54,7 +54,7 @@ impl Plot {
     }
 
     /// Writes the figure of an answer, where a file is named for it.
-    pub fn save(&self, context: &Context, figure: &mut Option<Figure>) -> Result<(), Problem> {
+    pub fn save(&self, context: &Context, figure: &mut Option<Figure>) -> Result<()> {
         let (Some(mut figure), Some(path)) = (figure.take(), &self.plot) else {
             return Ok(());
         };

@@ -164,14 +164,14 @@ pub fn of_letters(error: &clap::Error) -> Option<Problem> {
 pub fn unparsed(error: &clap::Error) -> Problem {
     let text = error.render().to_string();
     // The sentence and the indented lines below it; usage follows after an empty line.
-    let message = joined(
-        text.lines()
-            .take_while(|l| !l.trim().is_empty())
-            .map(str::trim),
-        " ",
-    );
     Problem::usage(
-        message.trim_start_matches("error: "),
+        joined(
+            text.lines()
+                .take_while(|l| !l.trim().is_empty())
+                .map(str::trim),
+            " ",
+        )
+        .trim_start_matches("error: "),
         "see `mckibben --help`",
     )
 }
@@ -223,7 +223,7 @@ pub fn in_words(mut problem: Problem, context: &Context) -> Problem {
 /// `error: …` once a mistake, and the hint below it, in the units that the user reads.
 pub fn as_text(problem: &Problem, units: &Units) -> String {
     let line = |start, text: &str| format!("{start}: {}", clean::line(&units.sentence(text)));
-    let mut lines: Vec<_> = problem.messages().map(|m| line("error", m)).collect();
+    let mut lines = Vec::from_iter(problem.messages().map(|m| line("error", m)));
     if !problem.hint.is_empty() {
         lines.push(line("  hint", &problem.hint));
     }

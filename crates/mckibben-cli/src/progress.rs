@@ -1,6 +1,6 @@
 //! Progress on a terminal, and the wish to stop by Ctrl-C.
 
-use crate::Problem;
+use crate::Result;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben_app::{ProblemKind, words::number};
 use mckibben_core::{cancel::Cancel, progress::Progress};
@@ -38,12 +38,12 @@ pub fn cancel() -> Cancel {
 
 /// Refuses the result of cancelled work: what came out of cancelled work is no answer, and is not
 /// written.
-pub fn ended() -> Result<(), Problem> {
+pub fn ended() -> Result<()> {
     Ok(cancel().check()?)
 }
 
 /// How a command ended: what it says that failed in cancelled work is no reason.
-pub fn last_word(done: Result<u8, Problem>) -> Result<u8, Problem> {
+pub fn last_word(done: Result<u8>) -> Result<u8> {
     match done {
         Err(problem) if problem.kind != ProblemKind::Internal => ended().and(Err(problem)),
         done => done,
@@ -113,9 +113,9 @@ impl Bar {
     /// A bar that counts things of this name.
     pub fn new(things: &str) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        let template =
-            format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
-        if let Ok(style) = ProgressStyle::with_template(&template) {
+        if let Ok(style) = ProgressStyle::with_template(&format!(
+            "{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}"
+        )) {
             let rate = |s: &ProgressState, to: &mut dyn Write| {
                 // Nothing better can be done if the message cannot be shown.
                 let _ = write!(to, "{} a second", number(s.per_sec(), 3));

@@ -28,10 +28,11 @@ fn meant(mpa: f64) -> String {
     const USUAL: std::ops::RangeInclusive<f64> = 0.08..=1.2;
     let units = ["bar", "psi", "kPa", "mbar", "Pa"];
     let inside = |unit: &str| Some(Dimension::Pressure.unit(unit)?.inside(mpa));
-    let likely: Vec<&str> = units
-        .into_iter()
-        .filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p)))
-        .collect();
+    let likely = Vec::from_iter(
+        units
+            .into_iter()
+            .filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p))),
+    );
     let [mpa, bar] = [mpa, 10.0 * mpa].map(|v| short_numbers(&v.to_string()).into_owned());
     let said = format!("a bare {mpa} is {mpa} MPa = {bar} bar");
     match likely[..] {

@@ -126,7 +126,7 @@ impl<'a> Assessed<'a> {
             if bears(high_mpa)? {
                 continue;
             }
-            let (mpa, _) = bisect(0.0, high_mpa, HALVINGS, |p| bears(p).unwrap_or(false));
+            let (mpa, _) = bisect(0.0, high_mpa, HALVINGS, |p| bears(p).unwrap_or_default());
             let below = Allowed {
                 mpa,
                 by: FailureMode::StrandStrain,
@@ -139,9 +139,10 @@ impl<'a> Assessed<'a> {
 
     /// The strain of the strands, where it is known.
     pub fn strand_strain(&mut self, p: f64, contraction: f64) -> Result<Option<f64>> {
-        let full = self.full_response(p, contraction)?;
-        let strain = |tension_n| self.muscle.strand_strain(tension_n);
-        Ok(full.braid_tension_n.and_then(strain))
+        Ok(self
+            .full_response(p, contraction)?
+            .braid_tension_n
+            .and_then(|tension_n| self.muscle.strand_strain(tension_n)))
     }
 
     /// Its model, ready for questions.

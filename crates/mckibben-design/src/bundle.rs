@@ -98,10 +98,11 @@ pub fn hexagonal(count: u32) -> f64 {
     let centres = [(0.0, 0.0), (1.0, 0.0), (1.0, height / 3.0)];
     let around = |(x, y): (f64, f64)| {
         let lattice = (-rings..=rings).flat_map(|j| (-rings..=rings).map(move |i| (i, j)));
-        let distance = |(i, j): (i32, i32)| {
-            (2.0 * f64::from(i) + f64::from(j) - x).hypot(height * f64::from(j) - y)
-        };
-        let mut all: Vec<f64> = lattice.map(distance).collect();
+        let mut all: Vec<f64> = lattice
+            .map(|(i, j): (i32, i32)| {
+                (2.0 * f64::from(i) + f64::from(j) - x).hypot(height * f64::from(j) - y)
+            })
+            .collect();
         all.sort_by(f64::total_cmp);
         1.0 + all
             .get(count as usize - 1)

@@ -113,7 +113,7 @@ const NINE_OF_TEN: [f64; 2] = [0.05, 0.95];
 
 impl Candidate {
     /// All that is known of a muscle that was held against its specification.
-    pub(crate) fn new(assessed: &mut Assessed<'_>, held: &Held) -> Result<Self, ModelError> {
+    pub fn new(assessed: &mut Assessed<'_>, held: &Held) -> Result<Self, ModelError> {
         let (spec, muscle) = (assessed.spec, assessed.muscle);
         let wanted = spec.wanted.on_radius(held.radius_mm);
         let whole = wanted.points(muscle.length_mm());
@@ -122,7 +122,7 @@ impl Candidate {
             force_n: q.force_n / f64::from(held.count),
             ..*q
         };
-        let wanted: Vec<OperatingPoint> = whole.iter().map(one).collect();
+        let wanted = Vec::from_iter(whole.iter().map(one));
         let mut points = vec![];
         for q in &wanted {
             points.push(point_of(assessed, *q)?);

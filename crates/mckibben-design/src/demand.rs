@@ -55,7 +55,7 @@ pub enum Lift {
 
 impl Lift {
     /// Whether a load is lifted by a stroke, of which a length is a share.
-    pub(crate) fn is_stroke(demand: &Demand) -> bool {
+    pub fn is_stroke(demand: &Demand) -> bool {
         let stroke = |way: &Lift| matches!(way, Self::Stroke(_));
         matches!(demand, Demand::Load { way, .. } if stroke(way))
     }
@@ -118,7 +118,7 @@ pub fn room_on_pulley_mm(demand: &Demand, radius_mm: f64, rest_mm: f64) -> Optio
 
 impl Demand {
     /// The same on a pulley of a radius in mm.
-    pub(crate) fn on_radius(&self, radius_mm: f64) -> Cow<'_, Self> {
+    pub fn on_radius(&self, radius_mm: f64) -> Cow<'_, Self> {
         match self {
             Self::Joint(joint) => Cow::Owned(Self::Joint(JointDemand {
                 radius_mm,
@@ -166,7 +166,7 @@ impl Demand {
     }
 
     /// The same over a share of the way; the torques of a joint have theirs from its angles.
-    pub(super) fn shorter(&self, share: f64) -> Self {
+    pub fn shorter(&self, share: f64) -> Self {
         self.scaled(1.0, share)
     }
 
@@ -204,7 +204,7 @@ impl Demand {
 
     /// The number that says how far: the first contraction, or the stroke in mm; `None` of a joint,
     /// and of a muscle that does not shorten.
-    pub(super) fn way(&self) -> Option<f64> {
+    pub fn way(&self) -> Option<f64> {
         let way = match self {
             Self::Points(points) => points.first()?.contraction,
             Self::Load {
@@ -217,7 +217,7 @@ impl Demand {
     }
 
     /// The number that says how much: the first pull in N or torque in N m; of a load 1.
-    pub(super) fn size(&self) -> f64 {
+    pub fn size(&self) -> f64 {
         match self {
             Self::Points(points) => points.first().map_or(1.0, |q| q.force_n.abs()),
             Self::Load { .. } => 1.0,

@@ -90,7 +90,7 @@ pub fn design_with(
     };
     let search = Search::new(spec, models, progress)?;
     let held = search.answer(spec, None, spec.top);
-    let candidates: Vec<Candidate> = held.iter().filter_map(|h| search.candidate(h)).collect();
+    let candidates = Vec::from_iter(held.iter().filter_map(|h| search.candidate(h)));
     let choices = match candidates.first() {
         Some(first) => search.choices(first),
         None => search.best_chances(),
@@ -118,8 +118,10 @@ pub fn design_with(
 
 impl Search<'_> {
     fn best(&self, kind: ChoiceKind, spec: &Spec, cast: Option<bool>) -> Option<Choice> {
-        let candidate = self.candidate(self.answer(spec, cast, 1).first()?)?;
-        Some(Choice { kind, candidate })
+        Some(Choice {
+            kind,
+            candidate: self.candidate(self.answer(spec, cast, 1).first()?)?,
+        })
     }
 
     /// The first beside those of other chances, of the other make and number, and as sold.
@@ -162,8 +164,13 @@ impl Search<'_> {
             kind: ChoiceKind::Take,
             candidate: first.clone(),
         }];
-        let others = others.filter_map(of_chance).chain(of_make).chain(of_number);
-        choices.extend(others.filter(is_other));
+        choices.extend(
+            others
+                .filter_map(of_chance)
+                .chain(of_make)
+                .chain(of_number)
+                .filter(is_other),
+        );
         choices.extend(self.products(first.radius_mm));
         choices
     }
@@ -224,13 +231,12 @@ impl Search<'_> {
             if !held.fits() || held.chance.is_none() {
                 return None;
             }
-            let candidate = Candidate {
-                product: Some(product.name.clone()),
-                ..Candidate::new(&mut assessed, &held).ok()?
-            };
             Some(Choice {
                 kind: ChoiceKind::Product,
-                candidate,
+                candidate: Candidate {
+                    product: Some(product.name.clone()),
+                    ..Candidate::new(&mut assessed, &held).ok()?
+                },
             })
         };
         self.spec.products.iter().filter_map(one).collect()
@@ -259,9 +265,10 @@ fn cut(spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
         return Some(muscle.clone());
     }
     // The ± of its bench is that of its own length: the other one has the general ±.
-    let tube = Tube {
-        length_mm: spec.base.length_mm(),
-        ..muscle.tube().clone()
-    };
-    muscle.with_tube(tube).ok()
+    muscle
+        .with_tube(Tube {
+            length_mm: spec.base.length_mm(),
+            ..muscle.tube().clone()
+        })
+        .ok()
 }

@@ -95,13 +95,14 @@ fn sections(spec: &Spec) -> Vec<Section> {
     let mut sections = vec![];
     for rubber in 0..spec.rubbers.len().max(1) {
         for &wall_mm in &walls {
-            let fit = diameters.iter().filter(|d0| has_bore(**d0, wall_mm));
-            sections.extend(fit.map(|&outer_diameter_mm| Section {
-                tube: None,
-                rubber,
-                outer_diameter_mm,
-                wall_mm,
-            }));
+            sections.extend(diameters.iter().filter(|d0| has_bore(**d0, wall_mm)).map(
+                |&outer_diameter_mm| Section {
+                    tube: None,
+                    rubber,
+                    outer_diameter_mm,
+                    wall_mm,
+                },
+            ));
         }
     }
     sections
@@ -126,9 +127,7 @@ pub fn lengths(spec: &Spec) -> Vec<f64> {
     match &spec.length_mm {
         Some(Values::Interval(low, high)) if stroke && low < high => {
             let ratio = (high / low).powf(1.0 / f64::from(STROKE_STEPS));
-            let mut list: Vec<f64> = (0..=STROKE_STEPS)
-                .map(|i| tidy(low * ratio.powi(i), 2))
-                .collect();
+            let mut list = Vec::from_iter((0..=STROKE_STEPS).map(|i| tidy(low * ratio.powi(i), 2)));
             list.dedup();
             list
         }
@@ -193,10 +192,12 @@ impl Place {
         };
         let braid = match (self.braid, &spec.braid) {
             (BraidRule::Angle(angle_deg), _) => angled(angle_deg),
-            (BraidRule::PerTurn(length_mm), _) => {
-                let sin = (std::f64::consts::PI * d0 / length_mm).min(1.0);
-                angled(sin.asin().to_degrees())
-            }
+            (BraidRule::PerTurn(length_mm), _) => angled(
+                (std::f64::consts::PI * d0 / length_mm)
+                    .min(1.0)
+                    .asin()
+                    .to_degrees(),
+            ),
             (BraidRule::Sleeve(i), BraidChoice::Sleeves(list)) => {
                 list[i].clone().on_diameter(d0)?
             }
@@ -221,12 +222,12 @@ impl Place {
             },
             ..base.tube().clone()
         };
-        let parts = Parts {
+        let muscle = Muscle::from_parts(Parts {
             tube,
             braid,
             ..base.parts().clone()
-        };
-        let muscle = Muscle::from_parts(parts)?.with_bench_of(base);
+        })?
+        .with_bench_of(base);
         if spec.wanted.extends() {
             muscle.check_extends()?;
         } else {

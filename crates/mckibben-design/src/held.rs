@@ -134,7 +134,7 @@ impl Held {
             pressure_mpa: highest_mpa,
             by: assessed.below,
         };
-        let mut checks: Vec<Check> = whole.iter().zip(&pulls).map(check).collect();
+        let mut checks = Vec::from_iter(whole.iter().zip(&pulls).map(check));
         let points = points_of(assessed, (&whole, many), &checks, precision)?;
         let pressure_mpa = points.iter().map(|p| p.1).fold(0.0, f64::max);
         let ends = ends_at(assessed, pressure_mpa, precision);
@@ -205,7 +205,7 @@ impl Held {
                     .map_or(0.0, |c| c.bound / c.value);
                 [self.chance.map_or(missing, |chance| 1.0 - chance), size]
             }
-            Objective::BulgedDiameter => [size, mass_g.unwrap_or(0.0)],
+            Objective::BulgedDiameter => [size, mass_g.unwrap_or_default()],
             Objective::Length => [m.length_mm(), circle * m.outer_diameter_mm()],
             Objective::Mass => [mass_g.unwrap_or(f64::INFINITY), size],
         }

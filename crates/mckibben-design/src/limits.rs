@@ -49,7 +49,7 @@ pub struct Limits {
 impl Limits {
     /// The factors of the allowed pressure.
     pub fn safety(&self) -> Safety {
-        Safety::new(self.burst_margin.unwrap_or(0.0), self.tube_margin)
+        Safety::new(self.burst_margin.unwrap_or_default(), self.tube_margin)
     }
 
     /// Failures with these factors; the strain of the strands is of the validated range, or bounds
@@ -81,7 +81,7 @@ impl Limits {
     }
 
     /// The numbers that must be above zero, with their names.
-    pub(crate) fn positive(&self) -> [(&'static str, Option<f64>); 8] {
+    pub fn positive(&self) -> [(&'static str, Option<f64>); 8] {
         [
             ("the largest bulged diameter", self.bulged_diameter_mm),
             ("the largest envelope", self.envelope_mm),
@@ -121,7 +121,7 @@ pub enum Limit {
 
 impl Limit {
     /// Its entry; `None` for the pull, which is what is wanted.
-    pub(crate) fn entry(self) -> Option<&'static LimitEntry> {
+    pub fn entry(self) -> Option<&'static LimitEntry> {
         LIMITS.iter().find(|entry| entry.limit == self)
     }
 
@@ -287,8 +287,10 @@ pub static LIMITS: [LimitEntry; 8] = [
         limit: Limit::BulgedDiameter,
         name: "the largest bulged diameter",
         numbers: |at| {
-            let bulged = at.response.bulged_diameter_mm;
-            Ok(bulged.zip(at.spec().limits.bulged_diameter_mm))
+            Ok(at
+                .response
+                .bulged_diameter_mm
+                .zip(at.spec().limits.bulged_diameter_mm))
         },
         missed: |value_mm, bound_mm, show| {
             let value_mm = (10.0 * value_mm).round() / 10.0;
@@ -321,8 +323,8 @@ pub static LIMITS: [LimitEntry; 8] = [
         // One is as wide as at the point, the other one as at rest.
         numbers: |at| {
             let rest_mm = at.assessed.muscle.outer_diameter_mm().max(at.ends.width_mm);
-            let room = room_on_pulley_mm(&at.spec().wanted, at.radius_mm, rest_mm);
-            Ok(room.map(|room_mm| (at.width_mm(), room_mm)))
+            Ok(room_on_pulley_mm(&at.spec().wanted, at.radius_mm, rest_mm)
+                .map(|room_mm| (at.width_mm(), room_mm)))
         },
         missed: |value_mm, bound_mm, show| {
             let value_mm = (10.0 * value_mm).round() / 10.0;
@@ -364,10 +366,7 @@ pub static LIMITS: [LimitEntry; 8] = [
     LimitEntry {
         limit: Limit::Mass,
         name: "the largest mass",
-        numbers: |at| {
-            let mass_g = all_g(at.assessed.muscle, at.ends, at.count);
-            Ok(mass_g.zip(at.spec().limits.mass_g))
-        },
+        numbers: |at| Ok(all_g(at.assessed.muscle, at.ends, at.count).zip(at.spec().limits.mass_g)),
         missed: |value_g, bound_g, _| {
             format!(
                 "{} g with its ends, at most {bound_g} g allowed",

@@ -37,7 +37,7 @@ impl<'a> Models<'a> {
     }
 
     /// The model that screens a muscle, bound to it.
-    pub(crate) fn screens(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    pub fn screens(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         match self.settle {
             Some((_, is_good)) if !is_good(muscle) => ModelKind::ThickWall.build(muscle),
             _ => (self.screen)(muscle),

@@ -244,7 +244,7 @@ fn nearest<'a>(search: &'a Search<'_>, freed: Freed) -> Vec<&'a Held> {
             .filter(|c| c.excess() > 0.0)
             .all(|c| is_freed(c.limit))
     };
-    let mut near: Vec<&Held> = search.screened.iter().filter(missed).collect();
+    let mut near = Vec::from_iter(search.screened.iter().filter(missed));
     near.sort_by_number(|held| held.miss());
     near.truncate(NEAREST);
     near
@@ -252,25 +252,23 @@ fn nearest<'a>(search: &'a Search<'_>, freed: Freed) -> Vec<&'a Held> {
 
 /// The smallest change that frees a requirement.
 fn least(search: &Search<'_>, freed: Freed) -> Option<Change> {
-    let near = nearest(search, freed);
-    let changes = threads::map(&near, |held| {
+    threads::map(&nearest(search, freed), |held| {
         let exact = search.exact(search.spec, held.job())?;
         proven(search, &exact, change(search, &exact, freed)?)
-    });
-    changes
-        .into_iter()
-        .flatten()
-        .min_by_number(|change| change.0)
+    })
+    .into_iter()
+    .flatten()
+    .min_by_number(|change| change.0)
 }
 
 /// All limits that are missed, moved together, of the closest muscles.
 fn together(search: &Search<'_>) -> Option<Change> {
-    let mut near: Vec<&Held> = search.screened.iter().collect();
+    let mut near = Vec::from_iter(search.screened.iter());
     near.sort_by_number(|held| held.miss());
     near.truncate(NEAREST);
     let changes = threads::map(&near, |held| {
         let exact = search.exact(search.spec, held.job())?;
-        let mut kinds: Vec<Freed> = vec![];
+        let mut kinds = vec![];
         for check in exact.checks.iter().filter(|c| c.excess() > 0.0) {
             let freed = match check.limit {
                 Limit::Force => Freed::Pull,
@@ -394,8 +392,12 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
         Some(FailureMode::StrandStrain) if is_within => {
             let mut strain = 0.0_f64;
             for contraction in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
-                let at = assessed.strand_strain(needed_mpa, contraction).ok()?;
-                strain = strain.max(at.unwrap_or(0.0));
+                strain = strain.max(
+                    assessed
+                        .strand_strain(needed_mpa, contraction)
+                        .ok()?
+                        .unwrap_or_default(),
+                );
             }
             let strand_strain = three_digits(strain, true);
             Some((
@@ -411,8 +413,13 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
 fn margin_at(assessed: &Assessed<'_>, most_mpa: f64) -> Option<f64> {
     let margins = assessed.burst.modes().into_iter().filter_map(|(by, at)| {
         let least = Some(at.least_mpa()?).filter(|p| *p < PROVED * most_mpa);
-        let failure_mpa = at.mpa().unwrap_or(f64::INFINITY);
-        Some(failure_mpa.min(least.unwrap_or(f64::INFINITY)) / by.share() / most_mpa)
+        Some(
+            at.mpa()
+                .unwrap_or(f64::INFINITY)
+                .min(least.unwrap_or(f64::INFINITY))
+                / by.share()
+                / most_mpa,
+        )
     });
     margins.reduce(f64::min)
 }

@@ -114,17 +114,23 @@ impl<'a> Search<'a> {
             return Ok(vec![]);
         };
         let (highest_mpa, below) = (assessed.highest_mpa, assessed.below);
-        let radii = radii.iter().filter(|r| self.may_do(&muscle, **r, by_ideal));
-        let on = |&radius_mm: &f64| {
-            (assessed.highest_mpa, assessed.below) = (highest_mpa, below);
-            let job = Job {
-                place,
-                radius_mm,
-                count: None,
-            };
-            Held::new(&mut assessed, job, Precision::Rough).ok()
-        };
-        Ok(radii.filter_map(on).collect())
+        Ok(radii
+            .iter()
+            .filter(|r| self.may_do(&muscle, **r, by_ideal))
+            .filter_map(|&radius_mm: &f64| {
+                (assessed.highest_mpa, assessed.below) = (highest_mpa, below);
+                Held::new(
+                    &mut assessed,
+                    Job {
+                        place,
+                        radius_mm,
+                        count: None,
+                    },
+                    Precision::Rough,
+                )
+                .ok()
+            })
+            .collect())
     }
 
     /// Whether a muscle contracts far enough, has room on the pulley, and where that is asked pulls
@@ -154,12 +160,12 @@ impl<'a> Search<'a> {
             };
             Some((least_rank(spec, held)?, job))
         };
-        let mut likely: Vec<(f64, Job)> = self
-            .screened
-            .iter()
-            .filter(|held| cast.is_none_or(|cast| cast == held.is_cast))
-            .filter_map(job)
-            .collect();
+        let mut likely = Vec::from_iter(
+            self.screened
+                .iter()
+                .filter(|held| cast.is_none_or(|cast| cast == held.is_cast))
+                .filter_map(job),
+        );
         likely.sort_by_number(|one| one.0);
         let mut found: Vec<(f64, Held)> = vec![];
         for some in likely.chunks(CHUNK) {
@@ -179,7 +185,7 @@ impl<'a> Search<'a> {
                     .then(a.1.score[1].total_cmp(&b.1.score[1]))
             });
             // Of the radii of a joint the best one stands for its muscle.
-            let mut known: Vec<Place> = vec![];
+            let mut known = vec![];
             found.retain(|(_, held)| {
                 let is_new = !known.contains(&held.place);
                 known.push(held.place);
@@ -212,7 +218,7 @@ impl<'a> Search<'a> {
     /// fit by the fast one are among them.
     pub fn rejected(&self, none_fits: bool) -> Vec<Rejected> {
         let misses = |held: &&Held| none_fits || !held.fits();
-        let mut near: Vec<&Held> = self.screened.iter().filter(misses).collect();
+        let mut near = Vec::from_iter(self.screened.iter().filter(misses));
         near.sort_by_number(|held| held.miss());
         near.truncate(self.spec.top.saturating_add(SPARE));
         let reject = |held: &&Held| {
@@ -226,8 +232,7 @@ impl<'a> Search<'a> {
                 check: worst,
             })
         };
-        let mut rejected: Vec<Rejected> =
-            threads::map(&near, reject).into_iter().flatten().collect();
+        let mut rejected = Vec::from_iter(threads::map(&near, reject).into_iter().flatten());
         rejected.sort_by_number(|r| r.misses_by);
         rejected.truncate(self.spec.top);
         rejected
@@ -274,7 +279,7 @@ fn least_rank(spec: &Spec, held: &Held) -> Option<f64> {
         return None;
     }
     let score = match spec.objective {
-        Objective::Chance => 1.0 - chance(&held.pulls, count).unwrap_or(0.0),
+        Objective::Chance => 1.0 - chance(&held.pulls, count).unwrap_or_default(),
         _ => held.score[0] * envelope_ratio(count) / envelope_ratio(held.count),
     };
     Some(preferred(spec, held, count, score) * (1.0 - rank))
@@ -284,9 +289,9 @@ fn least_rank(spec: &Spec, held: &Held) -> Option<f64> {
 fn best_chance_first(found: Vec<(f64, Held)>, objective: Objective) -> Vec<Held> {
     let least = found.first().map_or(0.0, |first| first.0);
     let equal = found.partition_point(|one| one.0 <= EQUAL * least);
-    let mut found: Vec<Held> = found.into_iter().map(|one| one.1).collect();
+    let mut found = Vec::from_iter(found.into_iter().map(|one| one.1));
     if objective == Objective::BulgedDiameter {
-        found[..equal].sort_by_number(|held| -held.chance.unwrap_or(0.0));
+        found[..equal].sort_by_number(|held| -held.chance.unwrap_or_default());
     }
     found
 }

@@ -205,11 +205,13 @@ impl Spec {
 
     /// A pull in N at a contraction with a supply in MPa, and the rest as of [`Spec::new`].
     pub fn pull(force_n: f64, contraction: f64, max_pressure_mpa: f64) -> Self {
-        let point = OperatingPoint {
-            force_n,
-            contraction,
-        };
-        Self::new(vec![point], max_pressure_mpa)
+        Self::new(
+            vec![OperatingPoint {
+                force_n,
+                contraction,
+            }],
+            max_pressure_mpa,
+        )
     }
 
     /// The same with one length between the terminals in mm.
@@ -235,8 +237,12 @@ impl Spec {
     pub fn of_parts(mut self) -> Result<Self, SpecError> {
         let usual =
             |tube: &&TubePart| !tube.is_cast || tube.rubber.name.as_deref() == Some(CAST_RUBBER);
-        let tubes = tubes::catalogue().map_err(|e| SpecError::Refused(e.to_string()))?;
-        self.tubes = tubes.iter().filter(usual).cloned().collect();
+        self.tubes = tubes::catalogue()
+            .map_err(|e| SpecError::Refused(e.to_string()))?
+            .iter()
+            .filter(usual)
+            .cloned()
+            .collect();
         let sleeves = sleeve::library::entries().map_err(|e| SpecError::Refused(e.message))?;
         // Each on the least tube that it fits; the search lays it on others.
         let on_least = |entry: &SleeveEntry| entry.sleeve.on(entry.sleeve.diameters().0);
@@ -255,7 +261,7 @@ impl Spec {
     }
 
     /// z of the chance that is required.
-    pub(crate) fn deviations(&self) -> Option<f64> {
+    pub fn deviations(&self) -> Option<f64> {
         deviations(self.certainty)
     }
 
@@ -313,8 +319,10 @@ impl Spec {
             ));
         }
         let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
-        let some = self.length_mm.as_ref().map_or(1.0, count);
-        let all = sections * some * braids * self.rubbers.len().max(1) as f64;
+        let all = sections
+            * self.length_mm.as_ref().map_or(1.0, count)
+            * braids
+            * self.rubbers.len().max(1) as f64;
         if all > 1e6 {
             return Err(SpecError::Refused(format!(
                 "{all:.3e} combinations are too many; at most 1 million: take larger steps or \
@@ -412,7 +420,7 @@ impl Spec {
 
     /// The smallest angle of the braids on their tubes, in degrees.
     fn least_angle_deg(&self) -> f64 {
-        let angles: Vec<f64> = match &self.braid {
+        let angles = match &self.braid {
             BraidChoice::Angle(angles) => vec![angles.bounds().0],
             BraidChoice::Sleeves(list) if !self.tubes.is_empty() => {
                 let on = |braid: &Braid, tube: &TubePart| {
@@ -431,7 +439,7 @@ impl Spec {
             }
             _ => vec![],
         };
-        angles.into_iter().reduce(f64::min).unwrap_or(0.0)
+        angles.into_iter().reduce(f64::min).unwrap_or_default()
     }
 }
 

@@ -58,10 +58,7 @@ fn name_of<S: serde::Serializer>(rubber: &Rubber, out: S) -> Result<S::Ok, S::Er
 
 /// The names of the tubes' rubbers, in alphabetical order.
 pub fn rubbers<'a>(tubes: impl IntoIterator<Item = &'a TubePart>) -> Vec<&'a str> {
-    let names: BTreeSet<&str> = tubes
-        .into_iter()
-        .filter_map(|t| t.rubber.name.as_deref())
-        .collect();
+    let names = BTreeSet::from_iter(tubes.into_iter().filter_map(|t| t.rubber.name.as_deref()));
     names.into_iter().collect()
 }
 
@@ -161,10 +158,13 @@ fn cast(row: &CastRow, sources: &Sources, rubber: &str) -> Result<Vec<TubePart>,
     });
     let one = |(bore, wall): (f64, f64)| {
         let outer = bore + 2.0 * wall;
-        let name = format!("cast-{bore}x{outer}-{rubber}");
         Ok(TubePart {
             is_cast: true,
-            ..part((name, bore, outer), rubber, source)?
+            ..part(
+                (format!("cast-{bore}x{outer}-{rubber}"), bore, outer),
+                rubber,
+                source,
+            )?
         })
     };
     pairs
@@ -192,12 +192,11 @@ fn part(
             "the inner diameter must be above zero and below the outer one".into(),
         ));
     }
-    let law = library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?;
     Ok(TubePart {
         inner_diameter_mm,
         outer_diameter_mm,
         wall_mm,
-        rubber: law,
+        rubber: library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?,
         density_kg_per_m3: library::entry(rubber)
             .ok()
             .and_then(|e| e.density_kg_per_m3),

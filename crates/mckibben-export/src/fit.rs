@@ -141,15 +141,13 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest) -> Result<Fitted> {
         return Err(ExportError::NoPull(supply));
     }
     let stretched = |n| even((low, 0.0), n).filter(move |_| low < 0.0);
-    let contractions: Vec<f64> = stretched(10)
-        .chain(SHARES.map(|share| share * high))
-        .collect();
+    let contractions = Vec::from_iter(stretched(10).chain(SHARES.map(|share| share * high)));
     let at = sample(model, [&PRESSURES, &contractions], supply, blocked_n)?;
     // Others for the errors: between those of the fit, where strands lock and where they become
     // slack too.
-    let held: Vec<f64> = stretched(20).chain(even((0.0, high), 48)).collect();
+    let held = Vec::from_iter(stretched(20).chain(even((0.0, high), 48)));
     let middles = PRESSURES.windows(2).map(|w| 0.5 * (w[0] + w[1]));
-    let between: Vec<f64> = [0.0].into_iter().chain(middles).chain([1.0]).collect();
+    let between = Vec::from_iter([0.0].into_iter().chain(middles).chain([1.0]));
     let held_out = sample(model, [&between, &held], supply, blocked_n)?;
     let ends = edges(model, &held_out, supply, blocked_n);
     // A muscle without pressure at its length at rest pulls nothing, unless its tube is stretched:
@@ -323,13 +321,12 @@ const RIDGE: f64 = 3e-5;
 
 fn pulls(form: &mut Form, at: &[Sample], at_rest: bool) -> Result<()> {
     let high = form.contraction_high;
-    let n = form.contractions.len();
     let spline = Spline {
         low: form.contraction_low,
         high,
-        inner: form.contractions[1..n - 1].to_vec(),
+        inner: form.contractions[1..form.contractions.len() - 1].to_vec(),
     };
-    let mut rows: Vec<Row> = vec![];
+    let mut rows = vec![];
     for p in at {
         if let Some(pull) = p.pull.filter(|pull| *pull >= 0.0) {
             rows.push((row(&spline, p.q, p.contraction).0, pull, 1.0));
@@ -471,11 +468,11 @@ fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
         };
         let free = match line.last().and_then(Sample::taut) {
             Some(_) => high,
-            None => line.windows(2).rev().find_map(crossing).unwrap_or(0.0),
+            None => line.windows(2).rev().find_map(crossing).unwrap_or_default(),
         };
         (line[0].q, free.max(0.0))
     };
-    let ends: Vec<(f64, f64)> = at.chunk_by(|a, b| a.q == b.q).map(end).collect();
+    let ends = Vec::from_iter(at.chunk_by(|a, b| a.q == b.q).map(end));
     let at = |q: f64| {
         let k = ends.partition_point(|e| e.0 < q).clamp(1, ends.len() - 1);
         let ((a, x), (b, y)) = (ends[k - 1], ends[k]);
@@ -491,27 +488,27 @@ fn free_by_pressure(at: &[Sample], high: f64) -> Vec<f64> {
 
 /// v0 to v4 from the volumes less those of the potential.
 fn volumes(form: &mut Form, at: &[Sample], model: &str) -> Result<()> {
-    let known: Vec<(f64, f64)> = at
-        .iter()
-        .filter(|p| p.pull.is_some_and(|pull| pull >= 0.0))
-        .filter_map(|p| {
-            Some((
-                p.q,
-                p.volume_m3? - form.point_at(p.q * form.supply_pa, p.contraction).volume_m3,
-            ))
-        })
-        .collect();
+    let known = Vec::from_iter(
+        at.iter()
+            .filter(|p| p.pull.is_some_and(|pull| pull >= 0.0))
+            .filter_map(|p| {
+                Some((
+                    p.q,
+                    p.volume_m3? - form.point_at(p.q * form.supply_pa, p.contraction).volume_m3,
+                ))
+            }),
+    );
     if known.is_empty() {
         return Err(ExportError::NoVolume(model.to_owned()));
     }
     let scale = peak(known.iter().map(|k| k.1.abs()));
     // Of a muscle that pulls from a higher pressure on, the points do not determine all of them.
-    let of_points = known
-        .iter()
-        .map(|k| (functions(k.0).0.to_vec(), k.1 / scale, 1.0));
-    let rows: Vec<Row> = of_points
-        .chain((2..FUNCTIONS).map(|i| ridge(i, FUNCTIONS)))
-        .collect();
+    let rows = Vec::from_iter(
+        known
+            .iter()
+            .map(|k| (functions(k.0).0.to_vec(), k.1 / scale, 1.0))
+            .chain((2..FUNCTIONS).map(|i| ridge(i, FUNCTIONS))),
+    );
     let solved = least_squares(&rows, 0).ok_or(ExportError::Points(known.len()))?;
     form.v = std::array::from_fn(|i| solved[i] * scale);
     Ok(())
@@ -528,7 +525,7 @@ fn slopes_of(point: &Point) -> [f64; 2] {
 fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> FormErrors {
     let largest = peak(held_out.iter().filter_map(|p| p.volume_m3));
     let here = |p: &Sample| form.point_at(p.q * form.supply_pa, p.contraction);
-    let force = |p: &Sample| (here(p).force_n / blocked_n - p.taut().unwrap_or(0.0)).abs();
+    let force = |p: &Sample| (here(p).force_n / blocked_n - p.taut().unwrap_or_default()).abs();
     let volume = |p: &Sample| {
         p.taut()?;
         Some((here(p).volume_m3 - p.volume_m3?).abs() / largest)
@@ -550,7 +547,7 @@ fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> 
         force_95_ratio: forces
             .get((0.95 * forces.len() as f64) as usize)
             .copied()
-            .unwrap_or(0.0),
+            .unwrap_or_default(),
         force_worst_ratio: BETWEEN[0] * peak(all().map(force)) + BESIDE,
         stiffness_rms: rms(&stiffness),
         stiffness_worst_ratio: BETWEEN[0] * peak(stiffness),

@@ -88,7 +88,7 @@ pub struct Point {
 
 impl Form {
     /// The values and slopes of c0 to c4 at each node.
-    pub(crate) fn nodes(&self) -> Vec<Node> {
+    pub fn nodes(&self) -> Vec<Node> {
         let node = |(k, &contraction)| Node {
             contraction,
             value_n: std::array::from_fn(|i| self.a[i][k]),
@@ -112,8 +112,9 @@ impl Form {
     /// The pull that the form gives, negative where the muscle would have to push, and its slope in
     /// ε; pressure in Pa.
     pub fn two_sided_n(&self, pressure_pa: f64, contraction: f64) -> (f64, f64) {
-        let nodes = self.nodes();
-        let state = self.muscle(&nodes, true).state(pressure_pa, contraction);
+        let state = self
+            .muscle(&self.nodes(), true)
+            .state(pressure_pa, contraction);
         (state.pull, state.slope_in_contraction())
     }
 

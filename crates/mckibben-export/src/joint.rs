@@ -37,7 +37,7 @@ pub struct ExportedJoint {
     /// its blocked force: those of pulls and slopes on their largest arms.
     pub stiffness_error_nm_per_rad: f64,
     #[serde(skip)]
-    pub(crate) joint: Joint,
+    pub joint: Joint,
 }
 
 /// Pairs of numbers with their names.
@@ -60,8 +60,8 @@ impl ExportedJoint {
         for (i, (&model, held)) in models.iter().zip(joint.muscles()).enumerate() {
             let states = Vec::from_iter(states(joint, i));
             // Short enough that what tells the muscles apart stays in their identifiers.
-            let name = format!("{name:.36}_{}", i + 1);
-            let mut muscle = fit_muscle(model, &name, supply_mpa, &states)?;
+            let mut muscle =
+                fit_muscle(model, &format!("{name:.36}_{}", i + 1), supply_mpa, &states)?;
             let neutral_m = muscle.form.length_m * (1.0 - held.contraction_at_neutral);
             muscle.cord_m = 1e-3 * held.path.length_mm(0.0) - neutral_m;
             let arm_m = peak(states.iter().map(|s| 1e-3 * s.1.arm_mm.abs()));
@@ -113,8 +113,10 @@ impl ExportedJoint {
             ),
         ];
         facts.extend(self.muscles.iter().flat_map(|muscle| {
-            let facts = muscle.facts();
-            facts.into_iter().filter(|fact| !fact.contains("against"))
+            muscle
+                .facts()
+                .into_iter()
+                .filter(|fact| !fact.contains("against"))
         }));
         facts
     }
@@ -124,13 +126,13 @@ impl ExportedJoint {
         crate::muscle::identifier("joint", &self.name)
     }
 
-    pub(crate) fn range_rad(&self) -> [f64; 2] {
+    pub fn range_rad(&self) -> [f64; 2] {
         let (low, high) = self.joint.range_deg();
         [low, high].map(f64::to_radians)
     }
 
     /// The ways of two muscles and of a spring; a pulley of 1 m where there is none.
-    pub(crate) fn paths(&self) -> [Path; 3] {
+    pub fn paths(&self) -> [Path; 3] {
         let none = Path::Pulley { radius_mm: 1e3 };
         let of = |i: usize| self.joint.muscles().get(i).map_or(none, |m| m.path);
         let spring = match self.joint.spring() {
@@ -142,7 +144,7 @@ impl ExportedJoint {
 
     /// Torque and slope of a torsion spring; pull and slope of a spring on a rope, in the length of
     /// its path.
-    pub(crate) fn springs(&self) -> ([f64; 2], [f64; 2]) {
+    pub fn springs(&self) -> ([f64; 2], [f64; 2]) {
         let none = [0.0; 2];
         match self.joint.spring() {
             None => (none, none),
@@ -165,7 +167,7 @@ impl ExportedJoint {
     }
 
     /// The ways, springs, weight and range, as C has them, in SI units.
-    pub(crate) fn numbers(&self) -> ([Vec<f64>; 3], Pairs) {
+    pub fn numbers(&self) -> ([Vec<f64>; 3], Pairs) {
         let paths = self.paths().map(|path| {
             let mm = match path {
                 Path::Pulley { radius_mm } => [radius_mm, 0.0, 0.0, 0.0, 0.0],
@@ -180,17 +182,19 @@ impl ExportedJoint {
         let (torsion, rope) = self.springs();
         let weight = [-self.joint.link().weight_nm(-inclination).0, inclination];
         let range = self.range_rad();
-        let others = [
-            ("rope", rope),
-            ("torsion", torsion),
-            ("weight", weight),
-            ("range", range),
-        ];
-        (paths, others)
+        (
+            paths,
+            [
+                ("rope", rope),
+                ("torsion", torsion),
+                ("weight", weight),
+                ("range", range),
+            ],
+        )
     }
 
     /// The values for templates whose lists are between these brackets.
-    pub(crate) fn values(
+    pub fn values(
         &self,
         brackets: [&str; 2],
         one: impl Fn(f64) -> String + Copy,

@@ -16,7 +16,7 @@ mod targets;
 mod template;
 
 pub use error::ExportError;
-pub(crate) use error::Result;
+use error::Result;
 pub use fit::BoxRequest;
 pub use form::{CONTRACTION_OUTSIDE, OK, PRESSURE_OUTSIDE, SLACK};
 pub use joint::ExportedJoint;

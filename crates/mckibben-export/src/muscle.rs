@@ -141,7 +141,7 @@ impl ExportedMuscle {
     pub fn fit(model: &dyn ForceModel, name: &str, wanted: BoxRequest) -> Result<Self> {
         let (low, high) = (wanted.contraction_low, wanted.contraction_high);
         if !((-0.2..=0.0).contains(&low) && high.is_none_or(|high| high > 0.0 && high < 0.5)) {
-            return Err(ExportError::Box(low, high.unwrap_or(0.0)));
+            return Err(ExportError::Box(low, high.unwrap_or_default()));
         }
         let Fitted {
             form,
@@ -156,8 +156,9 @@ impl ExportedMuscle {
             )));
         }
         if !form.pulls_again().is_empty() {
-            let again = "behind its free contraction the form pulls again";
-            return Err(ExportError::Misses(again.into()));
+            return Err(ExportError::Misses(
+                "behind its free contraction the form pulls again".into(),
+            ));
         }
         let muscle_file = to_toml(model.muscle());
         let version = env!("CARGO_PKG_VERSION");

@@ -39,7 +39,7 @@ pub enum Heat {
 
 impl Heat {
     /// n of the balance of pressure.
-    pub(crate) fn index(self) -> f64 {
+    pub fn index(self) -> f64 {
         match self {
             Self::Isothermal => 1.0,
             Self::Polytropic(n) => n,

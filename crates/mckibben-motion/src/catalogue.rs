@@ -36,11 +36,12 @@ static VALVES: LazyLock<Vec<NamedValve>> =
 /// p1 ψ(6.01325/7.01325).
 pub fn conductance_of_rated_flow(litres_per_minute: f64, critical_ratio: f64) -> Result<f64> {
     MotionError::positive("the rated flow in l/min", litres_per_minute)?;
-    let one = Orifice::new(1.0, critical_ratio)?;
-    let flow = one
-        .flow((0.701_325, 293.15), (0.601_325, 293.15))
-        .mass_g_per_s;
-    Ok(litres_per_minute / 60.0 * crate::air::REFERENCE_DENSITY_G_PER_L / flow)
+    Ok(
+        litres_per_minute / 60.0 * crate::air::REFERENCE_DENSITY_G_PER_L
+            / Orifice::new(1.0, critical_ratio)?
+                .flow((0.701_325, 293.15), (0.601_325, 293.15))
+                .mass_g_per_s,
+    )
 }
 
 /// All of them (`data/valves.toml`).
@@ -55,7 +56,7 @@ pub fn valve_named(name: &str) -> Option<&'static NamedValve> {
 
 /// What valves there are, beginning with the one that a wrong name may mean.
 pub fn valves_known(name: &str) -> String {
-    let all: Vec<&str> = valves().iter().map(|v| v.name.as_str()).collect();
+    let all = Vec::from_iter(valves().iter().map(|v| v.name.as_str()));
     let near = nearest(name, all.iter().copied())
         .map_or_else(String::new, |n| format!("did you mean {n}? "));
     format!("{near}there are {}", all.join(", "))
@@ -68,9 +69,8 @@ impl std::str::FromStr for Valve {
     fn from_str(text: &str) -> Result<Self> {
         let text = text.trim();
         if text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-') {
-            let conductance = parse_quantity(text, Dimension::Conductance);
-            let conductance =
-                conductance.map_err(|error| MotionError::Refused(error.to_string()))?;
+            let conductance = parse_quantity(text, Dimension::Conductance)
+                .map_err(|error| MotionError::Refused(error.to_string()))?;
             MotionError::positive("the valve's sonic conductance in L/(s bar)", conductance)?;
             return Ok(Self::new(Orifice::new(conductance, CRITICAL_RATIO)?));
         }

@@ -43,7 +43,7 @@ pub enum Command {
 impl Command {
     /// The same in another unit.
     #[must_use]
-    pub(crate) fn scaled(mut self, factor: f64) -> Self {
+    pub fn scaled(mut self, factor: f64) -> Self {
         match &mut self {
             Self::Constant(value) => *value *= factor,
             Self::Steps(points) | Self::Ramps(points) => {
@@ -141,10 +141,9 @@ impl Command {
     pub fn value_within(&self, time_s: f64, within: f64) -> f64 {
         match self {
             Self::Constant(value) => *value,
-            Self::Steps(points) => {
-                let after = points.partition_point(|p| p.0 <= within);
-                points.get(after.saturating_sub(1)).map_or(0.0, |p| p.1)
-            }
+            Self::Steps(points) => points
+                .get(points.partition_point(|p| p.0 <= within).saturating_sub(1))
+                .map_or(0.0, |p| p.1),
             Self::Ramps(points) => {
                 let after = points.partition_point(|p| p.0 <= within);
                 let last = points.len().saturating_sub(1);

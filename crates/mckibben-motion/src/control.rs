@@ -67,7 +67,7 @@ impl Pid {
     }
 
     /// For a command, a position, the states I and y_f, and the limits of u.
-    pub(crate) fn step(
+    pub fn step(
         &self,
         command: f64,
         position: f64,

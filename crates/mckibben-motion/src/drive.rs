@@ -62,7 +62,7 @@ impl Actuator {
     }
 
     /// How it moves, of what has an opening.
-    pub(crate) fn kind(&self) -> Option<ValveKind> {
+    pub fn kind(&self) -> Option<ValveKind> {
         self.port().map(|port| port.0)
     }
 
@@ -112,9 +112,9 @@ impl Actuated {
 
     /// Dead volume, hose and the rest in a syringe in mm³; `opening` is the share of the syringe
     /// that was pushed out.
-    pub(crate) fn outside_mm3(&self, opening: Option<f64>) -> f64 {
+    pub fn outside_mm3(&self, opening: Option<f64>) -> f64 {
         let syringe = match &self.actuator {
-            Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or(0.0)) * syringe.volume_mm3,
+            Actuator::Syringe(syringe) => (1.0 - opening.unwrap_or_default()) * syringe.volume_mm3,
             _ => 0.0,
         };
         let hose = self.actuator.port().and_then(|port| port.1);
@@ -151,7 +151,7 @@ impl Commanded {
     }
 
     /// Whether pressures are commanded, by a controller or at once.
-    pub(crate) fn is_pressure(&self) -> bool {
+    pub fn is_pressure(&self) -> bool {
         match self {
             Self::Pressure(_) => true,
             Self::Opening(_) | Self::Volume(_) => false,

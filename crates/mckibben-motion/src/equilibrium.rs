@@ -238,7 +238,7 @@ impl System {
             .zip(&mut modes.muscles);
         for (i, ((member, now), mode)) in parts.enumerate() {
             let muscle = &member.muscle;
-            let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
+            let p = start.pressures_mpa.get(i).copied().unwrap_or_default();
             let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
             mode.presliding = muscle
                 .friction
@@ -282,7 +282,7 @@ impl System {
             controller.filtered = start.coordinate * drive.mechanism.position_per_coordinate();
             if let PidOutput::Pressure { bias_mpa } = pid.output {
                 controller.integral = self.turns(0)
-                    * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa);
+                    * (start.pressures_mpa.first().copied().unwrap_or_default() - bias_mpa);
             }
         }
         Ok(state)

@@ -72,7 +72,7 @@ pub struct OnStop {
 
 impl MotionError {
     /// A model's refusal at a time, of a muscle counted from 0.
-    pub(crate) fn model(
+    pub fn model(
         error: ModelError,
         time_s: f64,
         muscle: usize,
@@ -92,7 +92,7 @@ impl MotionError {
     }
 
     /// That there is no equilibrium at the start.
-    pub(crate) fn no_equilibrium(position: f64, net: f64) -> Self {
+    pub fn no_equilibrium(position: f64, net: f64) -> Self {
         Self::NoAnswer(format!(
             "no equilibrium at the start: at a position of {position} the net force is {net} (N, \
              or N mm about a joint), and it does not change its sign up to there; change the load \
@@ -105,12 +105,12 @@ impl MotionError {
     }
 
     /// That a number cannot be.
-    pub(crate) fn value(what: &str, value: f64, must: &str) -> Self {
+    pub fn value(what: &str, value: f64, must: &str) -> Self {
         Self::Refused(format!("{what} is {value}; it must be {must}"))
     }
 
     /// Refused with a sentence where something does not hold.
-    pub(crate) fn require(holds: bool, why: impl FnOnce() -> String) -> Result<(), Self> {
+    pub fn require(holds: bool, why: impl FnOnce() -> String) -> Result<(), Self> {
         if holds {
             Ok(())
         } else {
@@ -129,7 +129,7 @@ impl MotionError {
 
     /// Whether what was computed up to here is an answer: the motion ended early, and not because
     /// of the request.
-    pub(crate) fn ends_early(&self) -> bool {
+    pub fn ends_early(&self) -> bool {
         matches!(
             self,
             Self::Model { .. } | Self::Boils(_) | Self::Diverged(_)

@@ -31,10 +31,9 @@ impl System {
     pub fn command(&self, t: f64, muscle: usize, control: Option<Control>) -> f64 {
         match &self.drive.target {
             Commanded::Pressure(c) | Commanded::Opening(c) | Commanded::Volume(c) => {
-                let value = c
-                    .get(muscle)
-                    .map_or(0.0, |c| c.value_within(t, self.within.get()));
-                value + self.offset.get() * self.turns(muscle)
+                c.get(muscle)
+                    .map_or(0.0, |c| c.value_within(t, self.within.get()))
+                    + self.offset.get() * self.turns(muscle)
             }
             Commanded::Position { pid, .. } => {
                 let u = control.map_or(0.0, |c| c.output) * self.turns(muscle);
@@ -183,7 +182,7 @@ fn syringe_rates(
     medium: &dyn Medium,
     cavity: &Cavity,
 ) -> FluidRates {
-    let opening = now.opening.unwrap_or(0.0);
+    let opening = now.opening.unwrap_or_default();
     let opening_rate = (command / syringe.volume_mm3 - opening) / syringe.time_constant_s;
     let piston_mm3_per_s = opening_rate * syringe.volume_mm3;
     let pushed = Cavity {

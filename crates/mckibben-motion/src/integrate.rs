@@ -399,8 +399,8 @@ impl Stepper {
         for iterations in 1..=ITERATIONS {
             let mut change = DVector::zeros(3 * n);
             for (i, stage) in z.iter().enumerate() {
-                let rates = self.rates_at(equations, self.t + STAGES[i] * h, stage);
-                let mut defect = implicit(&rates, n);
+                let mut defect =
+                    implicit(&self.rates_at(equations, self.t + STAGES[i] * h, stage), n);
                 for (slope, z) in slopes[i].iter().zip(&z) {
                     defect.axpy(-slope, z, 1.0);
                 }
@@ -463,8 +463,11 @@ impl Stepper {
             return f64::NAN;
         };
         if size(&error, allowed) >= 1.0 && (self.last.is_none() || self.is_rejected) {
-            let rates = self.rates_at(equations, self.t, &error);
-            error = estimate(&implicit(&rates, allowed.len())).unwrap_or(error);
+            error = estimate(&implicit(
+                &self.rates_at(equations, self.t, &error),
+                allowed.len(),
+            ))
+            .unwrap_or(error);
         }
         size(&error, allowed).max(1e-10)
     }
@@ -498,8 +501,10 @@ impl Stepper {
         } else {
             0.01 * of_state / of_rates
         };
-        let moved = self.rates_at(equations, self.t + euler, &(&rates * euler));
-        let moved = implicit(&moved, n);
+        let moved = implicit(
+            &self.rates_at(equations, self.t + euler, &(&rates * euler)),
+            n,
+        );
         equations.differences(None);
         let fastest = of_rates.max(size(&(moved - rates), &allowed) / euler);
         let by_bend = if fastest <= 1e-15 {

@@ -71,8 +71,8 @@ impl LiquidFill {
 
     /// −∫ p dφ from atmospheric pressure, p absolute, in mJ for each mm³ at atmospheric pressure.
     fn stored_mpa(&self, absolute_mpa: f64) -> f64 {
-        let stored = self.liquid.energy_mpa(absolute_mpa - ATMOSPHERE_MPA);
-        stored + ATMOSPHERE_MPA * (1.0 - self.relative_volume(absolute_mpa))
+        self.liquid.energy_mpa(absolute_mpa - ATMOSPHERE_MPA)
+            + ATMOSPHERE_MPA * (1.0 - self.relative_volume(absolute_mpa))
     }
 }
 

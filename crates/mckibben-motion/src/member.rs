@@ -191,9 +191,11 @@ impl Member {
     pub fn limits_mpa(&self) -> [f64; 2] {
         *self.memory.limits_mpa.get_or_init(|| {
             let burst = burst(&*self.muscle.model).ok();
-            let allowed = burst.as_ref().and_then(Burst::allowed).map(|a| a.mpa);
-            let least = burst.as_ref().and_then(Burst::least).map(|least| least.1);
-            [allowed, least].map(|mpa| mpa.unwrap_or(f64::INFINITY))
+            [
+                burst.as_ref().and_then(Burst::allowed).map(|a| a.mpa),
+                burst.as_ref().and_then(Burst::least).map(|least| least.1),
+            ]
+            .map(|mpa| mpa.unwrap_or(f64::INFINITY))
         })
     }
 
@@ -238,13 +240,12 @@ impl Member {
         if slack {
             return self.slack(pressure_mpa, Some(contraction));
         }
-        let contraction_here = Quantity {
-            value: contraction,
-            by_pressure: 0.0,
-            by_contraction: 1.0,
-        };
         Ok(Answer {
-            contraction: contraction_here,
+            contraction: Quantity {
+                value: contraction,
+                by_pressure: 0.0,
+                by_contraction: 1.0,
+            },
             ..self.answer(pressure_mpa, contraction)?
         })
     }
@@ -338,13 +339,21 @@ impl Member {
             };
         // At the least pressure the difference is one-sided.
         let low = (p - STEP_MPA).max(LEAST_MPA);
-        let known = [r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa];
-        let by_pressure = slopes(known, (p + STEP_MPA, e), (low, e), p + STEP_MPA - low)?;
-        let known = [
-            r.stiffness_n_per_mm.map(|k| -k * self.length_mm),
-            r.volume_per_contraction_mm3,
-        ];
-        let by_contraction = slopes(known, (p, e + STEP), (p, e - STEP), 2.0 * STEP)?;
+        let by_pressure = slopes(
+            [r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa],
+            (p + STEP_MPA, e),
+            (low, e),
+            p + STEP_MPA - low,
+        )?;
+        let by_contraction = slopes(
+            [
+                r.stiffness_n_per_mm.map(|k| -k * self.length_mm),
+                r.volume_per_contraction_mm3,
+            ],
+            (p, e + STEP),
+            (p, e - STEP),
+            2.0 * STEP,
+        )?;
         let quantity = |value: f64, i: usize| Quantity {
             value,
             by_pressure: by_pressure[i],

@@ -28,11 +28,13 @@ struct Track(Vec<Spot>);
 impl Track {
     /// The last value up to a time.
     fn value_at(&self, t: f64) -> f64 {
-        let i = self
-            .0
-            .partition_point(|spot| spot.time <= t)
-            .saturating_sub(1);
-        self.0.get(i).map_or(0.0, |spot| spot.value)
+        self.0
+            .get(
+                self.0
+                    .partition_point(|spot| spot.time <= t)
+                    .saturating_sub(1),
+            )
+            .map_or(0.0, |spot| spot.value)
     }
 
     /// The spots within a piece.
@@ -74,8 +76,7 @@ impl Track {
     /// The time from 10 % to 90 % of the way between two positions within a piece.
     fn rise_time(&self, from: f64, to: f64, piece: (f64, f64)) -> Option<f64> {
         let tenth = self.reaches(from + 0.1 * (to - from), piece)?;
-        let most = self.reaches(from + 0.9 * (to - from), (tenth, piece.1))?;
-        Some(most - tenth)
+        Some(self.reaches(from + 0.9 * (to - from), (tenth, piece.1))? - tenth)
     }
 }
 
@@ -96,21 +97,23 @@ pub fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) -> Opti
 
 /// Where a command changes, with what it is before and after.
 pub fn changes(drive: &Drive) -> Vec<f64> {
-    let mut times: Vec<f64> = drive
-        .target
-        .commands()
-        .iter()
-        .filter(|c| c.period_s().is_none())
-        .flat_map(|c| {
-            let moved =
-                |t: &f64| c.value_within(*t, *t) != c.value_within(*t, t - 1e-9 * drive.until_s);
-            c.breakpoints()
-                .into_iter()
-                .filter(moved)
-                .collect::<Vec<_>>()
-        })
-        .filter(|t| *t < drive.until_s)
-        .collect();
+    let mut times = Vec::from_iter(
+        drive
+            .target
+            .commands()
+            .iter()
+            .filter(|c| c.period_s().is_none())
+            .flat_map(|c| {
+                let moved = |t: &f64| {
+                    c.value_within(*t, *t) != c.value_within(*t, t - 1e-9 * drive.until_s)
+                };
+                c.breakpoints()
+                    .into_iter()
+                    .filter(moved)
+                    .collect::<Vec<_>>()
+            })
+            .filter(|t| *t < drive.until_s),
+    );
     times.sort_by(f64::total_cmp);
     times.dedup();
     times
@@ -121,7 +124,7 @@ pub fn changes(drive: &Drive) -> Vec<f64> {
 pub fn reached(drive: &Drive) -> Drive {
     let changes = changes(drive);
     let end = changes.get(1).copied().unwrap_or(drive.until_s);
-    let at = 0.5 * (changes.first().copied().unwrap_or(0.0) + end);
+    let at = 0.5 * (changes.first().copied().unwrap_or_default() + end);
     let one = |command: &Command| {
         Command::Constant(match command {
             Command::Sine { .. } | Command::Chirp { .. } => {
@@ -247,11 +250,12 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
         .last()
         .or(passed.first())?
         .coordinate;
-    let late: Vec<f64> = passed
-        .iter()
-        .filter(|p| p.time_s >= last)
-        .map(|p| p.coordinate)
-        .collect();
+    let late = Vec::from_iter(
+        passed
+            .iter()
+            .filter(|p| p.time_s >= last)
+            .map(|p| p.coordinate),
+    );
     let first = *late.first()?;
     let end = *late.last()?;
     let (low, high) = ends(late.iter().copied());
@@ -266,7 +270,7 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
     };
     let equilibrium = match &drive.target {
         Commanded::Pressure(commands) => {
-            let pressures: Vec<f64> = commands.iter().map(|c| c.value(until)).collect();
+            let pressures = Vec::from_iter(commands.iter().map(|c| c.value(until)));
             system.at_pressures(&pressures).ok().map(|e| e.coordinate)
         }
         Commanded::Opening(_) | Commanded::Volume(_) | Commanded::Position { .. } => None,

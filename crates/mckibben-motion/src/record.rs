@@ -179,7 +179,7 @@ impl Integration<'_> {
             missing = missing.max((grown - end.supplied_g + end.exhausted_g).abs());
             flowed += end.supplied_g.abs() + end.exhausted_g.abs() + first.mass_g;
         }
-        let largest_speed = self.largest_speed.unwrap_or(0.0);
+        let largest_speed = self.largest_speed.unwrap_or_default();
         let mut motion = self.motion;
         motion.energies = energies;
         motion.mass_defect = missing / flowed.max(f64::MIN_POSITIVE);
@@ -228,7 +228,7 @@ impl Integration<'_> {
             }
         };
         let load = |state: &State| drive.mechanism.load_energy_mj(state.coordinate);
-        let external = totals.external.unwrap_or(0.0);
+        let external = totals.external.unwrap_or_default();
         Energies {
             enthalpy_in_j: 1e-3 * totals.enthalpy_in,
             enthalpy_out_j: 1e-3 * totals.enthalpy_out,
@@ -271,7 +271,7 @@ impl System {
             .iter()
             .zip(&state.muscles)
             .map(|(muscle, now)| match &muscle.actuator {
-                Actuator::Syringe(syringe) => now.opening.unwrap_or(0.0) * syringe.volume_mm3,
+                Actuator::Syringe(syringe) => now.opening.unwrap_or_default() * syringe.volume_mm3,
                 _ => 0.0,
             });
         Some(self.supplied_mm3(state)? + pistons.sum::<f64>())
@@ -288,11 +288,14 @@ impl System {
         Ok(
             muscles.fold((0.0, 0.0), |(energy, cavities), ((m, muscle), now)| {
                 let volume = m.volume_mm3 + muscle.outside_mm3(now.opening);
-                let stored = muscle
-                    .fluid
-                    .medium()
-                    .internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume);
-                (energy + stored, cavities + m.volume_mm3)
+                (
+                    energy
+                        + muscle
+                            .fluid
+                            .medium()
+                            .internal_mj(m.pressure_mpa + ATMOSPHERE_MPA, volume),
+                    cavities + m.volume_mm3,
+                )
             }),
         )
     }

@@ -38,7 +38,7 @@ macro_rules! muscle_series {
             }
 
             /// The same to be written.
-            pub(crate) fn lists_mut(&mut self) -> [&mut Vec<f64>; COLUMNS.len()] {
+            pub fn lists_mut(&mut self) -> [&mut Vec<f64>; COLUMNS.len()] {
                 [$(&mut self.$field),*]
             }
         }
@@ -58,8 +58,7 @@ muscle_series! {
 
 /// A column's key; of a joint with the number of the muscle, from 1.
 fn key(pattern: &str, muscle: Option<usize>, liquid: bool) -> String {
-    let number = muscle.map_or_else(String::new, |i| format!("_{i}"));
-    let key = pattern.replace("{}", &number);
+    let key = pattern.replace("{}", &muscle.map_or_else(String::new, |i| format!("_{i}")));
     if liquid {
         key.replace("air", "liquid")
     } else {
@@ -155,9 +154,9 @@ impl MotionSeries {
 impl Serialize for MotionSeries {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        let rows: Vec<Vec<f64>> = (0..self.points()).filter_map(|i| self.row(i)).collect();
+        let rows = Vec::from_iter((0..self.points()).filter_map(|i| self.row(i)));
         for (i, name) in self.names().iter().enumerate() {
-            let column: Vec<f64> = rows.iter().filter_map(|row| row.get(i).copied()).collect();
+            let column = Vec::from_iter(rows.iter().filter_map(|row| row.get(i).copied()));
             map.serialize_entry(name, &column)?;
         }
         map.end()

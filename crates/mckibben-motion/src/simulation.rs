@@ -221,9 +221,10 @@ impl Simulation {
         let mut drive = self.system.drive.clone();
         let step_s = drive.output_step_s;
         let steps = |k: usize| {
-            let values = given.iter().enumerate();
             Command::Steps(
-                values
+                given
+                    .iter()
+                    .enumerate()
                     .map(|(i, step)| (step_s * i as f64, step[k]))
                     .collect(),
             )
@@ -272,10 +273,10 @@ impl Simulation {
     /// of the models that are still known.
     pub fn numbers(&self) -> Vec<f64> {
         let modes = self.system.modes.borrow();
-        let mut out = vec![self.done as f64, modes.stop.unwrap_or(0.0)];
+        let mut out = vec![self.done as f64, modes.stop.unwrap_or_default()];
         out.extend(self.state.to_vec());
         for (mode, member) in modes.muscles.iter().zip(&self.system.members) {
-            let turns: Vec<f64> = mode.presliding.iter().flat_map(|p| p.numbers()).collect();
+            let turns = Vec::from_iter(mode.presliding.iter().flat_map(|p| p.numbers()));
             out.extend([
                 f64::from(mode.slack),
                 mode.sign,
@@ -343,8 +344,9 @@ impl Simulation {
             };
             (mode.slack, mode.sign) = (slack != 0.0, sign);
             mode.above = [allowed, burst].map(|is_above| is_above != 0.0);
-            let all = [Switch::Fill, Switch::Hold, Switch::Vent];
-            mode.switch = all.into_iter().find(|s| f64::from(*s as u8) == switch)?;
+            mode.switch = [Switch::Fill, Switch::Hold, Switch::Vent]
+                .into_iter()
+                .find(|s| f64::from(*s as u8) == switch)?;
             let turns = take(turns as usize)?;
             mode.presliding = mode.presliding.as_ref().map(|p| p.remembering(turns));
             let &[count] = take(1)? else { return None };

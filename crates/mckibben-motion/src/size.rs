@@ -51,7 +51,7 @@ pub fn size(drive: &Drive, rise_time_s: f64, progress: &dyn Progress) -> Result<
     let begin = changes.first().copied().ok_or_else(no_rise)?;
     let end = changes.get(1).copied().unwrap_or(drive.until_s);
     let still = |within: f64| {
-        let pressures: Vec<f64> = commands.iter().map(|c| c.value(within)).collect();
+        let pressures = Vec::from_iter(commands.iter().map(|c| c.value(within)));
         equilibrium(drive, &pressures).map(|e| e.coordinate)
     };
     let from = still(0.5 * begin)?;

@@ -117,25 +117,28 @@ impl System {
 
     pub fn new(drive: &Drive) -> Result<Self> {
         drive.check()?;
-        let members: Vec<Member> = drive
-            .muscles
-            .iter()
-            .map(|m| Member::new(m, drive.tolerance))
-            .collect();
+        let members = Vec::from_iter(
+            drive
+                .muscles
+                .iter()
+                .map(|m| Member::new(m, drive.tolerance)),
+        );
         let layout = Layout::new(drive);
         let scale = sizes(drive, &members, &layout);
         let drive = drive.clone();
         let room = (layout.filled(0.0), Point::default());
-        let mode = Mode {
-            slack: false,
-            sign: 1.0,
-            presliding: None,
-            above: [false; 2],
-            switch: Switch::Hold,
-        };
         let modes = Modes {
             stop: None,
-            muscles: vec![mode; members.len()],
+            muscles: vec![
+                Mode {
+                    slack: false,
+                    sign: 1.0,
+                    presliding: None,
+                    above: [false; 2],
+                    switch: Switch::Hold,
+                };
+                members.len()
+            ],
         };
         Ok(Self {
             drive,
@@ -325,8 +328,7 @@ fn add_flows(totals: &mut Totals, medium: &dyn Medium, fluid: &FluidRates, cavit
     totals.enthalpy_in += absolute_mpa * pushed;
     totals.enthalpy_out += absolute_mpa * (pushed - fluid.piston_mm3_per_s);
     totals.enthalpy_out -= medium.enthalpy_mw(fluid.exhaust, absolute_mpa);
-    let flows = [fluid.supply, fluid.exhaust];
-    totals.heat += medium.heat_mw(fluid.pressure_rate, cavity, &flows);
+    totals.heat += medium.heat_mw(fluid.pressure_rate, cavity, &[fluid.supply, fluid.exhaust]);
     totals.gas_work += absolute_mpa * swelling;
 }
 
@@ -372,13 +374,15 @@ fn pulls(
     // are no larger than the pull.
     let most_n = model_n.max(0.0);
     let pull_n = model_n + (excess_n - friction_n).clamp(-most_n, most_n);
-    let pulls = Pulls {
-        model_n,
-        excess_n,
-        opposing_n: model_n + excess_n - pull_n,
-        pull_n,
-    };
-    (wall_n, pulls)
+    (
+        wall_n,
+        Pulls {
+            model_n,
+            excess_n,
+            opposing_n: model_n + excess_n - pull_n,
+            pull_n,
+        },
+    )
 }
 
 /// Half the width of the hysteresis at a pressure and an answer.

@@ -30,7 +30,7 @@ impl Prony {
     }
 
     /// Σ gᵢ (F_w − aᵢ) in N.
-    pub(crate) fn excess_n(&self, wall_n: f64, states: &[f64]) -> f64 {
+    pub fn excess_n(&self, wall_n: f64, states: &[f64]) -> f64 {
         self.0
             .iter()
             .zip(states)
@@ -38,7 +38,7 @@ impl Prony {
     }
 
     /// ȧᵢ in N/s.
-    pub(crate) fn rates(&self, wall_n: f64, states: &[f64]) -> Vec<f64> {
+    pub fn rates(&self, wall_n: f64, states: &[f64]) -> Vec<f64> {
         self.0
             .iter()
             .zip(states)

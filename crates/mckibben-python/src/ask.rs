@@ -36,8 +36,7 @@ pub fn quantity(name: &str, text: &str) -> PyResult<f64> {
 /// into 20 parts.
 #[pyfunction]
 pub fn quantities(name: &str, text: &str) -> PyResult<Vec<f64>> {
-    let values = request::of_text(name, text, ProblemKind::Range, parse_values)?;
-    Ok(values.sampled(DIVISIONS))
+    Ok(request::of_text(name, text, ProblemKind::Range, parse_values)?.sampled(DIVISIONS))
 }
 
 /// The unit of a name's numbers; none of plain ones.

@@ -54,15 +54,14 @@ impl Formula {
             let range = &self.formula.range;
             let (points, _) = numbers.as_chunks::<4>();
             for (index, (&[p, e, s, d], place)) in points.iter().zip(places).enumerate() {
-                let bounds = [
+                let outside = [
                     ("pressure_mpa", p, range.pressure_mpa),
                     ("contraction", e, range.contraction),
                     ("wall_mm", s, range.wall_mm),
                     ("outer_diameter_mm", d, range.outer_diameter_mm),
-                ];
-                let outside = bounds
-                    .into_iter()
-                    .find(|(_, value, (low, high))| !(low - EDGE..=high + EDGE).contains(value));
+                ]
+                .into_iter()
+                .find(|(_, value, (low, high))| !(low - EDGE..=high + EDGE).contains(value));
                 if let Some((field, value, (low, high))) = outside.filter(|_| !extrapolate) {
                     *place = f64::NAN;
                     if nan {

@@ -52,7 +52,7 @@ impl Model {
         nan: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let points: Vec<(f64, f64)> = pressures.into_iter().zip(contractions).collect();
+        let points = Vec::from_iter(pressures.into_iter().zip(contractions));
         let work = |progress: &dyn Progress| {
             let answers = self.bound.answers(&points, progress)?.into_iter();
             let row = |(index, answer)| match answer {
@@ -62,8 +62,12 @@ impl Model {
                 }
                 Err(problem) => Err(Wrong::Problem(problem, Some(index))),
             };
-            let rows = answers.enumerate().map(row);
-            Ok(json!(rows.collect::<Result<Vec<_>, _>>()?))
+            Ok(json!(
+                answers
+                    .enumerate()
+                    .map(row)
+                    .collect::<Result<Vec<_>, _>>()?
+            ))
         };
         value::answer(py, &self.work(py, points.len(), progress, work)?)
     }
@@ -143,8 +147,8 @@ impl Model {
     ) -> PyResult<Vec<String>> {
         let numbers = places.len();
         let work = |progress: &dyn Progress| Ok(self.bound.fill(pairs, many, places, progress)?);
-        let said = self.work(py, numbers, progress, work)?;
-        Ok(said
+        Ok(self
+            .work(py, numbers, progress, work)?
             .iter()
             .map(|warning| warning.to_string().replace('\u{a0}', " "))
             .collect())

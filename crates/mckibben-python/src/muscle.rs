@@ -72,8 +72,9 @@ impl Muscle {
         let request = request::given(py, "check", request)?;
         run::quick(py, |_| {
             let question: QuestionFields = understood(&request)?;
-            let made = question.muscle.resolve();
-            Ok(made
+            Ok(question
+                .muscle
+                .resolve()
                 .map_err(|problem| blamed(problem, &request["muscle"]))?
                 .into())
         })
@@ -113,9 +114,10 @@ impl Muscle {
             )
         };
         if let Some(none) = stretches.iter().find(|s| !(**s > 0.0 && s.is_finite())) {
-            let message =
-                format!("a stretch of {none}: it is the length over that at rest, above 0");
-            return wrong("stretch", message);
+            return wrong(
+                "stretch",
+                format!("a stretch of {none}: it is the length over that at rest, above 0"),
+            );
         }
         let stress: fn(&_, f64) -> f64 = match mode {
             "uniaxial" => RubberLaw::uniaxial_stress_mpa,
@@ -135,9 +137,8 @@ impl Muscle {
         let request = request::given(py, "force", request)?;
         run::quick(py, |_| {
             let question: QuestionFields = understood(&request)?;
-            let choice = question.model.choose()?;
             Ok(Model {
-                bound: BoundModel::new(&self.held, choice, question.asking)?,
+                bound: BoundModel::new(&self.held, question.model.choose()?, question.asking)?,
             })
         })
     }

@@ -69,11 +69,10 @@ fn stated(text: &str, kind: Dimension) -> Result<(), Problem> {
     if kind == Dimension::Ratio || !bare {
         return Ok(());
     }
-    let hint = format!("expected {}", kind.expectation());
     Err(Problem::new(
         ProblemKind::Quantity,
         format!("\"{text}\" has no unit"),
-        hint,
+        format!("expected {}", kind.expectation()),
     ))
 }
 
@@ -133,8 +132,8 @@ impl<'a> Reading<'a> {
             }
             Value::Object(_) => self.fields(name, fields, value),
             Value::Number(number) => {
-                let said = number.as_f64().and_then(|number| unlikely(name, number));
-                self.said.extend(said);
+                self.said
+                    .extend(number.as_f64().and_then(|number| unlikely(name, number)));
                 Ok(())
             }
             Value::String(text) => {

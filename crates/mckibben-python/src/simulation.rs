@@ -104,13 +104,15 @@ impl Simulation {
     /// All that was recorded: a row for the start and for each step, one after the other.
     #[pyo3(signature = () -> "Array")]
     fn rows<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let rows = py.detach(|| {
+        py.detach(|| {
             let drive = self.drive();
             let series = drive.series();
-            let rows = (0..series.points()).filter_map(|i| series.row(i));
-            rows.flatten().collect::<Vec<f64>>()
-        });
-        rows.into_pyarray(py)
+            (0..series.points())
+                .filter_map(|i| series.row(i))
+                .flatten()
+                .collect::<Vec<f64>>()
+        })
+        .into_pyarray(py)
     }
 
     /// The linear system about its rest at the first commands: A by its columns, B, and position per
@@ -118,16 +120,20 @@ impl Simulation {
     fn linear(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
         run::quick(py, |_| {
             let linear = self.drive().linear()?;
-            let numbers = linear.a.iter().chain(&linear.b);
-            Ok(numbers.chain([&linear.per_coordinate]).copied().collect())
+            Ok(linear
+                .a
+                .iter()
+                .chain(&linear.b)
+                .chain([&linear.per_coordinate])
+                .copied()
+                .collect())
         })
     }
 
     /// What happened: stops, slack, switching and reversals.
     #[pyo3(signature = () -> "list[dict[str, typing.Any]]")]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let events = py.detach(|| json!(self.drive().events()));
-        value::answer(py, &events)
+        value::answer(py, &py.detach(|| json!(self.drive().events())))
     }
 
     /// What is commanded (`pressure`, `opening` or `position`), how many commands there are, and

@@ -18,10 +18,10 @@ pub fn request(object: &Bound<'_, PyAny>) -> PyResult<Value> {
         let (before, after) = text.split_at(e.column().saturating_sub(1).min(text.len()));
         // The name before it, in JSON that lets NaN and Infinity stand.
         match before.rsplit('"').nth(1) {
-            Some(field) if after.starts_with(['N', 'I']) => {
-                let problem = Problem::new(ProblemKind::Quantity, "is not a finite number", "");
-                Wrong::from(problem.in_field(field)).into()
-            }
+            Some(field) if after.starts_with(['N', 'I']) => Wrong::from(
+                Problem::new(ProblemKind::Quantity, "is not a finite number", "").in_field(field),
+            )
+            .into(),
             _ => PyValueError::new_err(format!("the request is not understood: {e}")),
         }
     })

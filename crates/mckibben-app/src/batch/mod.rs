@@ -92,9 +92,9 @@ const BLOCK: usize = 1024;
 const BLOCK_OF_ELEMENTS: usize = 32;
 /// A model bound to its muscle.
 pub struct BoundModel {
-    pub(crate) model: Box<dyn ForceModel>,
-    pub(crate) options: Options,
-    pub(crate) choice: Model,
+    pub model: Box<dyn ForceModel>,
+    pub options: Options,
+    pub choice: Model,
     quiet: OnceLock<Quiet>,
 }
 
@@ -155,8 +155,9 @@ impl BoundModel {
             return Ok(*known);
         }
         let burst = burst_of(&self.choice, &*self.model)?;
-        let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
-        let highest_mpa = allowed_mpa
+        let highest_mpa = burst
+            .allowed()
+            .map_or(f64::INFINITY, |allowed| allowed.mpa)
             .min(measured_up_to_mpa(self.muscle()))
             .min(self.info().range.pressure_mpa.1);
         let choice = if self.is_elements() {
@@ -233,8 +234,15 @@ impl BoundModel {
             if first_failed.load(Ordering::Relaxed) < from || progress.cancelled() {
                 return;
             }
-            let pairs = pairs.map(|list| list.get(from..from + length).unwrap_or_default());
-            let block = self.block((from, pairs), many, quiet, places);
+            let block = self.block(
+                (
+                    from,
+                    pairs.map(|list| list.get(from..from + length).unwrap_or_default()),
+                ),
+                many,
+                quiet,
+                places,
+            );
             if block.is_err() {
                 first_failed.fetch_min(from, Ordering::Relaxed);
             }

@@ -39,7 +39,7 @@ struct Known {
 impl BoundModel {
     /// Answers a block of points, of which the first is the one at the place `from` of all; what is
     /// to be said of them.
-    pub(super) fn block(
+    pub fn block(
         &self,
         (from, [first, second]): (usize, [&[f64]; 2]),
         many: &Many,
@@ -60,8 +60,10 @@ impl BoundModel {
                 Ok(()) => answered = true,
                 // Work that is to end says so of every point.
                 Err(problem) if !many.nan || cancel::check().is_err() => {
-                    let index = Some(from + index);
-                    return Err(ArrayError { index, problem });
+                    return Err(ArrayError {
+                        index: Some(from + index),
+                        problem,
+                    });
                 }
                 Err(_) => places.fill(f64::NAN),
             }
@@ -96,7 +98,7 @@ impl BoundModel {
     }
 
     /// All that is known of a point but P′, and what is to be said of it.
-    pub(super) fn point(&self, burst: &Burst, w: &mut Workspace, p: f64, e: f64) -> Result<Answer> {
+    pub fn point(&self, burst: &Burst, w: &mut Workspace, p: f64, e: f64) -> Result<Answer> {
         let mut answer = self.evaluation(w).point(p, e)?;
         Warning::put_first(&mut answer.warnings, burst.warnings(p));
         Ok(answer)
@@ -193,8 +195,13 @@ impl BoundModel {
     ) -> Result<()> {
         // ∂F/∂θ first: finite elements then have the equilibrium of this very point.
         let (by_pair, by_parameters) = places.split_at_mut(2 * usize::from(many.slopes));
-        let of = (Some(&self.choice), &*self.model);
-        let known = gradient::by_parameters(of, self.options, workspace, (p, e), &many.parameters)?;
+        let known = gradient::by_parameters(
+            (Some(&self.choice), &*self.model),
+            self.options,
+            workspace,
+            (p, e),
+            &many.parameters,
+        )?;
         by_parameters.copy_from_slice(&known);
         let (f_p, f_e) = gradient::by_point(&mut self.evaluation(workspace), p, e)?;
         let (pair, scale) = match many.wanted {

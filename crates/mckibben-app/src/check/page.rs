@@ -40,8 +40,11 @@ const HEADINGS: [(FindingKind, &str, &str); 4] = [
 impl Show for CheckAnswer {
     /// The others are among the findings.
     fn warnings(&self) -> Vec<Warning> {
-        let of_burst = self.warnings.iter().filter(|w| w.is_of_burst());
-        of_burst.cloned().collect()
+        self.warnings
+            .iter()
+            .filter(|w| w.is_of_burst())
+            .cloned()
+            .collect()
     }
 
     fn page(&self, u: &Units) -> Page {
@@ -90,7 +93,7 @@ impl Characteristics {
         }
     }
 
-    pub(crate) fn rows(&self, u: &Units) -> Rows {
+    pub fn rows(&self, u: &Units) -> Rows {
         let limits = self.limits.rows(u);
         let unknown = limits.is_empty().then_some("not stated");
         Rows::default()
@@ -111,7 +114,7 @@ impl Characteristics {
 
 impl CheckAnswer {
     /// What was understood of a muscle, what follows from it, and how to build it.
-    pub(crate) fn sheets(&self, u: &Units) -> [(&'static str, Rows); 3] {
+    pub fn sheets(&self, u: &Units) -> [(&'static str, Rows); 3] {
         [
             ("Muscle", self.understood(u)),
             ("Derived", self.derived_rows(u)),

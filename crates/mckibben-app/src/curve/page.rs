@@ -1,6 +1,6 @@
 //! Curves as people read them.
 
-use super::{CurveAnswer, PointRow, StudyAnswer, StudyRow, study_rows};
+use super::{CurveAnswer, PointRow, StudyAnswer, study_rows};
 use crate::{
     Units, breakdown, percent,
     print::{Amount, Column, Csv, Page, Show, Table},

@@ -19,8 +19,8 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_design::{
-    BraidChoice, Bundle, Candidate, CandidatePoint, ChoiceKind, Demand, Lift, Limit, Outcome,
-    Rejected, Spec, tubes::rubbers,
+    BraidChoice, Bundle, Candidate, ChoiceKind, Demand, Lift, Limit, Outcome, Rejected, Spec,
+    tubes::rubbers,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -231,7 +231,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
     } else {
         format!("candidate-{}.toml", place + 1)
     };
-    let mut points: Vec<&CandidatePoint> = candidate.points.iter().collect();
+    let mut points = Vec::from_iter(candidate.points.iter());
     points.sort_by_number(|a| -a.response.pressure_mpa);
     let points = points.into_iter().map(|q| JobPoint {
         force: q.wanted.force_n.into(),
@@ -257,7 +257,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
 }
 
 impl DemandAnswer {
-    pub(super) fn new(demand: &Demand) -> Self {
+    pub fn new(demand: &Demand) -> Self {
         match demand {
             Demand::Points(points) => Self::Points {
                 points: points.clone(),
@@ -278,7 +278,7 @@ impl DemandAnswer {
 }
 
 impl SearchedAnswer {
-    pub(super) fn new(spec: &Spec) -> Self {
+    pub fn new(spec: &Spec) -> Self {
         let has_strength = |braid: &Braid| braid.strands.is_some_and(|s| s.strength_n.is_some());
         Self {
             rubber: rubber_of(spec),
@@ -303,11 +303,11 @@ fn rubber_of(spec: &Spec) -> String {
         let of = rubbers(&spec.tubes).join(", ");
         return format!("{n} {} of {of}", if n == 1 { "tube" } else { "tubes" });
     }
-    let names: Vec<&str> = spec
-        .rubbers
-        .iter()
-        .filter_map(|rubber| rubber.name.as_deref())
-        .collect();
+    let names = Vec::from_iter(
+        spec.rubbers
+            .iter()
+            .filter_map(|rubber| rubber.name.as_deref()),
+    );
     match names[..] {
         [] => format!("rubber {}", rubber_name(&spec.base)),
         [one] => format!("rubber {one}"),
@@ -336,7 +336,7 @@ fn braid_of(spec: &Spec) -> String {
 }
 
 impl CandidateAnswer {
-    pub(super) fn new(c: &Candidate, spec: &Spec) -> Self {
+    pub fn new(c: &Candidate, spec: &Spec) -> Self {
         Self {
             joint: match &spec.wanted {
                 Demand::Joint(joint) => Some(CandidateJoint {
@@ -380,8 +380,8 @@ impl From<&Rejected> for RejectedAnswer {
 /// is not stated.
 pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
     let closest = outcome.rejected.first();
-    let missing = closest.and_then(|closest| Burst::missing(&closest.muscle));
-    missing
+    closest
+        .and_then(|closest| Burst::missing(&closest.muscle))
         .map(|why| Burst::unknown(why).warnings(max_pressure_mpa))
         .unwrap_or_default()
 }

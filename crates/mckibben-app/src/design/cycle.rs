@@ -38,7 +38,7 @@ pub struct CycleAnswer {
 
 impl DesignRequest {
     /// Of the best muscle: a mass of the required weight is lifted from its stop.
-    pub(super) fn cycle_of(
+    pub fn cycle_of(
         &self,
         winner: &Candidate,
         spec: &Spec,
@@ -86,7 +86,8 @@ impl DesignRequest {
         let stroke = winner.largest(|q| q.air_normal_litres);
         Ok(Some(CycleAnswer {
             frequency_hz,
-            air_normal_litres_per_min: stroke
+            air_normal_litres_per_min: winner
+                .largest(|q| q.air_normal_litres)
                 .map(|litres| 60.0 * frequency_hz * litres * f64::from(winner.count)),
             sonic_conductance_l_per_s_bar: needed,
             valve: valve.map(|v| v.name.clone()),

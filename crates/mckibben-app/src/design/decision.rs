@@ -63,7 +63,7 @@ impl Decision<'_> {
             .choices
             .iter()
             .map(|Choice { candidate: c, .. }| {
-                let chance = in_words(c.chance.unwrap_or(0.0));
+                let chance = in_words(c.chance.unwrap_or_default());
                 format!("{}{}: {chance}", many(c.count), parts(c))
             });
         let best = joined(best, "; ");
@@ -171,14 +171,19 @@ impl Decision<'_> {
     fn measure(&self, first: &Candidate) -> Option<String> {
         let words = self.words?;
         let half_n = first.largest(|q| q.uncertainty_n);
-        let best = words.worth().next().zip(half_n).zip(first.chance);
-        let then = best.map(|((left, half_n), chance)| {
-            let z = normal_deviations(chance) * half_n / left.uncertainty_n;
-            format!(
-                "; where it is as expected, {} then",
-                in_words(normal_share(z))
-            )
-        });
+        let then =
+            words
+                .worth()
+                .next()
+                .zip(half_n)
+                .zip(first.chance)
+                .map(|((left, half_n), chance)| {
+                    let z = normal_deviations(chance) * half_n / left.uncertainty_n;
+                    format!(
+                        "; where it is as expected, {} then",
+                        in_words(normal_share(z))
+                    )
+                });
         Some(format!(
             "Measure {}{}",
             words.bench.as_ref()?,
@@ -188,7 +193,7 @@ impl Decision<'_> {
 }
 
 impl ChoiceAnswer {
-    pub(super) fn new(Choice { kind, candidate: c }: &Choice, spec: &Spec) -> Self {
+    pub fn new(Choice { kind, candidate: c }: &Choice, spec: &Spec) -> Self {
         let is = match kind {
             ChoiceKind::Take => "take: ",
             ChoiceKind::Sold => "sold: ",
@@ -258,16 +263,20 @@ fn pressures_to_set(first: &Candidate) -> String {
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
     let show_mpa = |p: f64| Units::default().show(Dimension::Pressure, p);
     let set = show_mpa(tidy(set_mpa, digits).min(rounded(highest_mpa, 4, f64::floor)));
-    let ends = first.pressure_low_mpa.zip(first.pressure_high_mpa);
-    let ends = ends.map(|(low, high)| {
-        let [low, high] = [low, high].map(|p| show(Dimension::Pressure, p));
-        format!(
-            "; nine of ten end between {low} and {high}: hang the load, raise it until it lifts"
-        )
-    });
+    let ends = first
+        .pressure_low_mpa
+        .zip(first.pressure_high_mpa)
+        .map(|(low, high)| {
+            let [low, high] = [low, high].map(|p| show(Dimension::Pressure, p));
+            format!(
+                "; nine of ten end between {low} and {high}: hang the load, raise it until it lifts"
+            )
+        });
     let allowed_mpa = PressureLimits::from(&first.burst).allowed_pressure_mpa;
-    let used_mpa = set_mpa.max(first.pressure_high_mpa.unwrap_or(0.0));
-    let relief = show_mpa(relief_mpa(used_mpa, allowed_mpa.unwrap_or(f64::INFINITY)));
+    let relief = show_mpa(relief_mpa(
+        set_mpa.max(first.pressure_high_mpa.unwrap_or_default()),
+        allowed_mpa.unwrap_or(f64::INFINITY),
+    ));
     format!(
         "Set {set} to begin with{}; relief valve at {relief}",
         ends.unwrap_or_default()
@@ -278,15 +287,21 @@ fn pressures_to_set(first: &Candidate) -> String {
 fn never_above(first: &Candidate) -> Option<String> {
     let limits = PressureLimits::from(&first.burst);
     let highest_mpa = first.highest_pressure_mpa;
-    let allowed_mpa = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
-    let most_mpa = rounded(allowed_mpa.min(RELIEF * highest_mpa), 4, f64::floor);
+    let most_mpa = rounded(
+        limits
+            .allowed_pressure_mpa
+            .unwrap_or(f64::INFINITY)
+            .min(RELIEF * highest_mpa),
+        4,
+        f64::floor,
+    );
     let most = Units::default().show(Dimension::Pressure, most_mpa);
     let below = first
         .below
         .map(|below| format!(": {}", why_no_more(&below, &show)));
     let used_mpa = first
         .pressure_mpa
-        .max(first.pressure_high_mpa.unwrap_or(0.0));
+        .max(first.pressure_high_mpa.unwrap_or_default());
     let test = match first.burst.proof_mpa(used_mpa) {
         Some(proof_mpa) => {
             let proof = show(Dimension::Pressure, proof_mpa);

@@ -19,8 +19,9 @@ pub use request::{DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
 use crate::{Result, UncertaintyWords, Units, figure};
 use answer::{muscle_file, not_checked, touches};
 use decision::Decision;
+use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::Evaluation,
+    analysis::{Evaluation, burst::ends::clamp_load_n},
     by_number::ByNumber,
     load::Load,
     model::{ForceModel, ModelError, Workspace},
@@ -28,11 +29,12 @@ use mckibben_core::{
     progress::Progress,
     warning::Warning,
 };
-use mckibben_design::{Build, Candidate, CandidatePoint, Demand, Outcome, Spec, design_with};
+use mckibben_design::{
+    Build, Candidate, CandidatePoint, Demand, Ends, Outcome, Precision, Spec, design_with,
+};
 use mckibben_report::Figure;
 use remedies::RelaxationAnswer;
 use spec::Search;
-pub use spec::design_ends;
 
 /// Curves are drawn of so many candidates.
 const DRAWN: usize = 3;
@@ -61,8 +63,12 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     }
     if let (Some(unit), false) = (&request.figure, answer.candidates.is_empty()) {
         let decide = |m: &Muscle| policy.model.bound(m);
-        let is_model_named = request.model.name.is_some();
-        answer.figure = Some(draw((spec, is_model_named), &decide, &found, unit)?);
+        answer.figure = Some(draw(
+            (spec, request.model.name.is_some()),
+            &decide,
+            &found,
+            unit,
+        )?);
     }
     Ok(answer)
 }
@@ -140,7 +146,7 @@ fn warnings(spec: &Spec, found: &Outcome) -> Result<Vec<Warning>> {
 /// The ± of the winner in words, at the point where it is largest.
 fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<UncertaintyWords> {
     let winner = winner?;
-    let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or(0.0);
+    let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or_default();
     let response = &winner.points.iter().max_by_number(|q| half(q))?.response;
     let model = build(&winner.muscle).ok()?;
     let workspace = &mut Workspace::new();
@@ -170,4 +176,24 @@ fn draw(
         .map(|c| c.points.iter().map(|q| q.wanted).collect())
         .unwrap_or_default();
     Ok(figure::design(&drawn, &points, options, unit))
+}
+
+/// The ends of a muscle as `build` makes them.
+pub fn design_ends(
+    muscle: &Muscle,
+    blocked_n: f64,
+    pressure_mpa: f64,
+    precision: Precision,
+) -> Option<Ends> {
+    let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
+    let parts = EndParts::new(muscle, load_n, &Wishes::default()).ok()?;
+    Some(Ends {
+        made: parts.ends.made,
+        load_n,
+        width_mm: parts.widest_mm(),
+        mass_g: match precision {
+            Precision::Rough => 0.0,
+            Precision::Exact => parts.air_plug.mass_g() + parts.eye_plug.mass_g(),
+        },
+    })
 }

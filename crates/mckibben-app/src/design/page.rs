@@ -159,11 +159,10 @@ impl CandidateJoint {
             Some(_) => "beside the muscle file",
             None => "with the muscle in winner.toml (-o winner.toml)",
         };
-        let file = self.file(winner.unwrap_or("winner.toml"));
         format!(
             "The first muscle on a pulley of radius {radius}, both muscles contracted by {neutral} % \
              at the neutral angle. As a joint file{share}, {place}:\n\n{}",
-            file.trim_end()
+            self.file(winner.unwrap_or("winner.toml")).trim_end()
         )
     }
 }
@@ -192,7 +191,10 @@ impl ClosestAnswer {
             1 => "A muscle fits with this change:",
             _ => "A muscle fits with any of these changes, the smallest first:",
         });
-        let changes = self.relaxations.iter();
-        page.lines(changes.map(|change| format!("  - {}", u.sentence(&change.text))));
+        page.lines(
+            self.relaxations
+                .iter()
+                .map(|change| format!("  - {}", u.sentence(&change.text))),
+        );
     }
 }

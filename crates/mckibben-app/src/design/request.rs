@@ -260,7 +260,7 @@ const SHORTEST_MM: f64 = 2.0;
 
 impl DesignRequest {
     /// Which fields exclude each other, and which ones need others.
-    pub(super) fn validate(&self) -> Result<()> {
+    pub fn validate(&self) -> Result<()> {
         if let Some(share) = self.guaranteed {
             // X of two sides is (1 + X)/2 of one.
             let percent = number(50.0 * (1.0 + share.0), 4);
@@ -282,13 +282,15 @@ impl DesignRequest {
             )
             .in_field("length_mm"));
         }
-        let requirements = [
-            ("force_n", self.force_n.is_some()),
-            ("points", !self.points.is_empty()),
-            ("load", self.load.load.is_some()),
-            ("torques", is_joint),
-        ];
-        Problem::refuse_several(&requirements, "state the requirement")?;
+        Problem::refuse_several(
+            &[
+                ("force_n", self.force_n.is_some()),
+                ("points", !self.points.is_empty()),
+                ("load", self.load.load.is_some()),
+                ("torques", is_joint),
+            ],
+            "state the requirement",
+        )?;
         let contraction = [("contraction", self.contraction.is_some())];
         if !self.points.is_empty() {
             Problem::refuse_unused(&contraction, "each of `points` has its own")?;
@@ -310,28 +312,36 @@ impl DesignRequest {
             )?;
         }
         if self.count.is_none_or(|count| count.0 == 1) {
-            let why = "it is the distance of neighbours in a `count` of two muscles or more";
-            Problem::refuse_unused(&[("pitch_mm", self.pitch_mm.is_some())], why)?;
+            Problem::refuse_unused(
+                &[("pitch_mm", self.pitch_mm.is_some())],
+                "it is the distance of neighbours in a `count` of two muscles or more",
+            )?;
         }
-        let makes = [("sold", self.sold), ("cast", self.cast)];
-        Problem::refuse_several(&makes, "say which tubes are searched")?;
+        Problem::refuse_several(
+            &[("sold", self.sold), ("cast", self.cast)],
+            "say which tubes are searched",
+        )?;
         if self.muscle.is_some() {
-            let again = [("also_muscle", self.also_muscle.is_some())];
-            Problem::refuse_unused(&again, "a muscle file is given already")?;
+            Problem::refuse_unused(
+                &[("also_muscle", self.also_muscle.is_some())],
+                "a muscle file is given already",
+            )?;
         }
-        let angles = [
-            ("braids", !self.braids.is_empty()),
-            (
-                "strand_length_per_turn_mm",
-                self.strand_length_per_turn_mm.is_some(),
-            ),
-            ("angle_deg", self.angle_deg.is_some()),
-        ];
-        Problem::refuse_several(&angles, "set the angle")
+        Problem::refuse_several(
+            &[
+                ("braids", !self.braids.is_empty()),
+                (
+                    "strand_length_per_turn_mm",
+                    self.strand_length_per_turn_mm.is_some(),
+                ),
+                ("angle_deg", self.angle_deg.is_some()),
+            ],
+            "set the angle",
+        )
     }
 
     /// The limits, as far as the strands' strength is known.
-    pub(super) fn limits(&self, braid: &BraidChoice, base: &Muscle) -> Result<Limits> {
+    pub fn limits(&self, braid: &BraidChoice, base: &Muscle) -> Result<Limits> {
         let strength = match braid {
             BraidChoice::Sleeves(list) => list.iter().find_map(|braid| braid.strands?.strength_n),
             _ => strand_strength_n(base),
@@ -425,11 +435,12 @@ where
         .ok_or_else(|| wrong(format!("\"{text}\" is not a valid {expected}")))?;
     // The joint is symmetric.
     let second = second.trim().trim_start_matches(['±', '+']);
-    let first = first
-        .parse()
-        .map_err(|e: QuantityError| wrong(e.to_string()))?;
-    let second = second
-        .parse()
-        .map_err(|e: QuantityError| wrong(e.to_string()))?;
-    Ok((first, second))
+    Ok((
+        first
+            .parse()
+            .map_err(|e: QuantityError| wrong(e.to_string()))?,
+        second
+            .parse()
+            .map_err(|e: QuantityError| wrong(e.to_string()))?,
+    ))
 }

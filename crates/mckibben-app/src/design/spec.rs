@@ -2,6 +2,7 @@
 
 use super::{
     assumed::{SUPPLY_MPA, Stated},
+    design_ends,
     request::DesignRequest,
 };
 use crate::{
@@ -11,9 +12,7 @@ use crate::{
     ratio, rubber, sleeve,
 };
 use mckibben::Deciding;
-use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::burst::ends::clamp_load_n,
     answer::Options,
     extremes::peak,
     load::Load,
@@ -29,8 +28,8 @@ use mckibben_core::{
     },
 };
 use mckibben_design::{
-    BraidChoice, CERTAINTY, Demand, Ends, JointDemand, LARGEST_BUNDLE, Lift, OperatingPoint,
-    Precision, Product, SUPPLY_SHARE, Spec,
+    BraidChoice, CERTAINTY, Demand, JointDemand, LARGEST_BUNDLE, Lift, OperatingPoint, Product,
+    SUPPLY_SHARE, Spec,
     tubes::{self, TubePart},
 };
 use mckibben_fit::library::{PREFIX, library};
@@ -62,7 +61,7 @@ const EXTENSILE_DEG: (f64, f64) = (57.0, 72.0);
 const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 
 impl DesignRequest {
-    pub(super) fn search(&self) -> Result<Search> {
+    pub fn search(&self) -> Result<Search> {
         self.validate()?;
         let (base, wanted, radius_mm) = self.demand()?;
         let count = self.count.map_or(1, |count| count.0 as u32);
@@ -125,7 +124,7 @@ impl DesignRequest {
             outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
             wall_mm: between("wall_mm", &self.wall_mm, walls)?,
             braid,
-            rubbers: rubbers.collect::<Result<_, _>>()?,
+            rubbers: rubbers.collect::<Result<_>>()?,
             certainty: self
                 .certainty
                 .map(f64::from)
@@ -144,13 +143,15 @@ impl DesignRequest {
 
     /// Of free sizes no tube is named.
     fn refuse_tubes(&self, by: impl std::fmt::Display) -> Result<()> {
-        let named = [
-            ("sold", self.sold),
-            ("cast", self.cast),
-            ("tubes", !self.tubes.is_empty()),
-            ("parts", self.parts.is_some()),
-        ];
-        Problem::refuse_unused(&named, format!("{by} asks for free sizes"))
+        Problem::refuse_unused(
+            &[
+                ("sold", self.sold),
+                ("cast", self.cast),
+                ("tubes", !self.tubes.is_empty()),
+                ("parts", self.parts.is_some()),
+            ],
+            format!("{by} asks for free sizes"),
+        )
     }
 
     /// The branch on which it must pull: a model by name answers for itself, a muscle that is built
@@ -180,26 +181,28 @@ impl DesignRequest {
     /// The lengths that are searched: those that are given, or those of which a stroke is a share
     /// that a muscle contracts by.
     fn lengths(&self, as_sold: bool) -> Result<Option<Values>> {
-        let Some(stroke) = self.stroke_mm.filter(|_| self.length_is_searched()) else {
-            return Ok(match &self.length_mm {
-                Some(Choice::One(_)) | None => None,
-                Some(choice) => Some(values(choice, "length_mm")?),
-            });
-        };
-        let length = |share: f64| tidy(stroke.0 / share, 2);
-        Ok(Some(match &self.length_mm {
-            Some(choice) => values(choice, "length_mm")?,
-            // Of free sizes no tube says which length its ends allow.
-            None if !as_sold => Values::Interval(
-                length(CONTRACTIONS.1),
-                length(CONTRACTIONS.0).max(Muscle::prototype().length_mm()),
-            ),
-            None => Values::Interval(length(CONTRACTIONS.1), length(CONTRACTIONS.0)),
-        }))
+        let stroke = self.stroke_mm.filter(|_| self.length_is_searched());
+        Ok(match (&self.length_mm, stroke) {
+            (None | Some(Choice::One(_)), None) => None,
+            (Some(choice), _) => Some(values(choice, "length_mm")?),
+            (None, Some(stroke)) => {
+                let (low, high) = CONTRACTIONS;
+                let [low, high] = [high, low].map(|share| tidy(stroke.0 / share, 2));
+                Some(Values::Interval(
+                    low,
+                    if as_sold {
+                        high
+                    } else {
+                        // Of free sizes no tube says which length its ends allow.
+                        high.max(Muscle::prototype().length_mm())
+                    },
+                ))
+            }
+        })
     }
 
     /// Whether a stroke sets the contraction of muscles whose length is searched.
-    pub(super) fn length_is_searched(&self) -> bool {
+    pub fn length_is_searched(&self) -> bool {
         let is_free = match &self.length_mm {
             Some(choice) => !matches!(choice, Choice::One(_)),
             None => {
@@ -212,7 +215,7 @@ impl DesignRequest {
     }
 
     /// The muscle file.
-    pub(super) fn file(&self) -> Option<&TextFile> {
+    pub fn file(&self) -> Option<&TextFile> {
         self.muscle.as_ref().or(self.also_muscle.as_ref())
     }
 
@@ -313,8 +316,7 @@ impl DesignRequest {
                     .collect(),
                 None => Ok(vec![tubes::find(all, name)?]),
             };
-            let named: std::result::Result<Vec<Vec<TubePart>>, _> =
-                self.tubes.iter().map(of_name).collect();
+            let named: Result<Vec<Vec<TubePart>>, _> = self.tubes.iter().map(of_name).collect();
             return Ok(named.map_err(|e| unread(e).in_field("tubes"))?.concat());
         }
         let wanted = rubbers
@@ -405,18 +407,21 @@ impl DesignRequest {
             };
             let (base, _) = self.with_stroke(vec![(1.0, self.contraction.map(f64::from))])?;
             let load = self.load.resolve(base.length_mm())?;
-            let Some(load) = load else {
-                return Err(Problem::missing("load", "a load, such as 20 kg"));
-            };
+            let load = load.ok_or_else(|| Problem::missing("load", "a load, such as 20 kg"))?;
             return Ok((base, Demand::Load { load, way }, None));
         }
         let (base, points) = self.with_stroke(self.wanted()?)?;
         if let (Some(stroke), Some(force_n)) = (self.stroke_mm, self.force_n)
             && self.length_is_searched()
         {
-            let load = Load::Force { force_n: force_n.0 };
-            let way = Lift::Stroke(stroke.0);
-            return Ok((base, Demand::Load { load, way }, None));
+            return Ok((
+                base,
+                Demand::Load {
+                    load: Load::Force { force_n: force_n.0 },
+                    way: Lift::Stroke(stroke.0),
+                },
+                None,
+            ));
         }
         Ok((base, points.into(), None))
     }
@@ -431,7 +436,8 @@ impl DesignRequest {
         let largest = peak(torques.iter().map(|t| t.angle_deg.abs()));
         let largest_angle_deg = finite(
             "largest_angle_deg",
-            self.largest_angle_deg.unwrap_or(Angle(largest)),
+            self.largest_angle_deg
+                .unwrap_or(Angle(peak(torques.iter().map(|t| t.angle_deg.abs())))),
         )?;
         let (base, _) = self.with_stroke(vec![])?;
         let radius = if let Some(choice) = &self.radius_mm {
@@ -496,9 +502,12 @@ impl DesignRequest {
         let length_mm = match &self.length_mm {
             Some(Choice::One(length)) => Some(length.0),
             Some(_) if self.stroke_mm.is_some() && !self.length_is_searched() => {
-                let message =
-                    "`stroke_mm` and a contraction set the length: give one of the three less";
-                return Err(wrong(message.into(), "").in_field("length_mm"));
+                return Err(wrong(
+                    "`stroke_mm` and a contraction set the length: give one of the three less"
+                        .into(),
+                    "",
+                )
+                .in_field("length_mm"));
             }
             _ => None,
         };
@@ -519,15 +528,14 @@ impl DesignRequest {
             .transpose()?;
         let point = |(force_n, contraction): &(f64, Option<f64>)| {
             let way = force_n.signum();
-            let contraction = contraction
-                .or(stroke.map(|s| way * s / length))
-                .unwrap_or(0.0);
             OperatingPoint {
                 force_n: *force_n,
-                contraction,
+                contraction: contraction
+                    .or(stroke.map(|s| way * s / length))
+                    .unwrap_or_default(),
             }
         };
-        let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
+        let points = Vec::from_iter(wanted.iter().map(point));
         let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
             return Ok((base, points));
         };
@@ -546,44 +554,28 @@ impl DesignRequest {
         if largest <= 0.0 {
             return Err(wrong("a stroke needs a contraction above zero".into(), ""));
         }
-        let tube = Tube {
-            length_mm: stroke / largest,
-            ..base.tube().clone()
-        };
-        Ok((base.with_tube(tube)?, points))
+        Ok((
+            base.with_tube(Tube {
+                length_mm: stroke / largest,
+                ..base.tube().clone()
+            })?,
+            points,
+        ))
     }
-}
-
-/// The ends of a muscle as `build` makes them.
-pub fn design_ends(
-    muscle: &Muscle,
-    blocked_n: f64,
-    pressure_mpa: f64,
-    precision: Precision,
-) -> Option<Ends> {
-    let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
-    let parts = EndParts::new(muscle, load_n, &Wishes::default()).ok()?;
-    Some(Ends {
-        made: parts.ends.made,
-        load_n,
-        width_mm: parts.widest_mm(),
-        mass_g: match precision {
-            Precision::Rough => 0.0,
-            Precision::Exact => parts.air_plug.mass_g() + parts.eye_plug.mass_g(),
-        },
-    })
 }
 
 /// The muscles of the library that have a product.
 fn products() -> Vec<Product> {
-    let products = library().into_iter().filter_map(|(of, muscle)| {
-        let product = of.facts.product.as_deref()?;
-        Some(Product {
-            name: format!("{product} ({PREFIX}{})", of.facts.name),
-            muscle: muscle.clone(),
+    library()
+        .into_iter()
+        .filter_map(|(of, muscle)| {
+            let product = of.facts.product.as_deref()?;
+            Some(Product {
+                name: format!("{product} ({PREFIX}{})", of.facts.name),
+                muscle: muscle.clone(),
+            })
         })
-    });
-    products.collect()
+        .collect()
 }
 
 /// The values of a choice, checked.
@@ -595,10 +587,11 @@ fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
                 .problem("the list is empty")
                 .in_field(field));
         }
-        Choice::Several(list) => {
-            let list = list.iter().map(|&value| finite(field, value));
-            Values::List(list.collect::<Result<_>>()?)
-        }
+        Choice::Several(list) => Values::List(
+            list.iter()
+                .map(|&value| finite(field, value))
+                .collect::<Result<_>>()?,
+        ),
         Choice::Between { low, high } => {
             let low = finite(field, *low)?;
             let high = finite(field, *high)?;

@@ -32,11 +32,13 @@ pub fn study(study: &Study, about: &str, u: &Units) -> Figure {
                 (None, _) => Style::Dashed,
             };
             // (1) and (4) are one formula: one legend entry for both.
-            let label = curve.label.replace("(1)", "ideal").replace("(4)", "ideal");
             drawn = drawn.series(
-                Series::new(label, line(&curve.curve, panel.test, u))
-                    .colour(number)
-                    .style(style),
+                Series::new(
+                    curve.label.replace("(1)", "ideal").replace("(4)", "ideal"),
+                    line(&curve.curve, panel.test, u),
+                )
+                .colour(number)
+                .style(style),
             );
         }
         figure = figure.panel(drawn);
@@ -59,13 +61,15 @@ pub fn axes(test: Test, u: &Units) -> (Axis, Axis) {
 
 /// The points of a curve in the figure's units.
 pub fn line(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
-    let points = curve.line(test).into_iter();
-    let shown = |(x, y)| match test {
-        Test::Isobaric => (x, u.force.value(y)),
-        Test::Isometric => (u.pressure.value(x), u.force.value(y)),
-        Test::Isotonic => (u.pressure.value(x), y),
-    };
-    points.map(shown).collect()
+    curve
+        .line(test)
+        .into_iter()
+        .map(|(x, y)| match test {
+            Test::Isobaric => (x, u.force.value(y)),
+            Test::Isometric => (u.pressure.value(x), u.force.value(y)),
+            Test::Isotonic => (u.pressure.value(x), y),
+        })
+        .collect()
 }
 
 /// Where a point lies in the figure's units, and median and ends of the interval as built.
@@ -175,12 +179,12 @@ pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &
             series(&text)
         });
     }
-    let bands: Vec<Series> = list
-        .iter()
-        .enumerate()
-        .filter(|_| list.len() <= MOST_BANDS)
-        .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)))
-        .collect();
+    let bands = Vec::from_iter(
+        list.iter()
+            .enumerate()
+            .filter(|_| list.len() <= MOST_BANDS)
+            .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each))),
+    );
     let said = said(&bands, "");
     if let Some(loaded) = loaded {
         let (line, balances) = load_line(loaded, muscle.length_mm, list, u);
@@ -229,12 +233,17 @@ pub fn design(
             u.length.to(m.outer_diameter_mm(), 4),
             u.length.to(m.wall_mm(), 3)
         );
-        let end = candidate
-            .free_contraction
-            .unwrap_or(0.2)
-            .max(reach)
-            .min(model.info().range.contraction.1);
-        let along: Vec<f64> = even((0.0, end), 60).collect();
+        let along = Vec::from_iter(even(
+            (
+                0.0,
+                candidate
+                    .free_contraction
+                    .unwrap_or(0.2)
+                    .max(reach)
+                    .min(model.info().range.contraction.1),
+            ),
+            60,
+        ));
         let max_pressure_mpa = candidate.highest_pressure_mpa;
         let needed = candidate.pressure_mpa;
         let workspace = &mut Workspace::new();
@@ -263,7 +272,7 @@ pub fn design(
     }
     let said = said(&bands, " of the first");
     panel.series.extend(bands);
-    let mut names: Vec<&str> = models.iter().map(|m| &*m.1.info().name).collect();
+    let mut names = Vec::from_iter(models.iter().map(|m| &*m.1.info().name));
     names.dedup();
     let branch = match (is_model_named, options.direction) {
         (false, direction) => format!(", as built, {}", direction.motion()),
@@ -287,7 +296,7 @@ const COLOURS: usize = 6;
 /// the others in the order of the list, then formulas of files in theirs.
 pub fn model_colour(name: &str, formulas: &mut Vec<String>) -> usize {
     const FIRST: [&str; COLOURS] = ["fe", "universal", "thick-wall", "ideal", "fe3d", "paper"];
-    let listed: Vec<&str> = Model::all().into_iter().map(|entry| entry.name).collect();
+    let listed = Vec::from_iter(Model::all().into_iter().map(|entry| entry.name));
     let others = listed.iter().copied().filter(|name| !FIRST.contains(name));
     let place = FIRST
         .into_iter()
@@ -334,10 +343,15 @@ pub fn compare(
         }
     }
     if !measured.is_empty() {
-        let dots = measured
-            .iter()
-            .map(|m| (m.contraction, u.force.value(m.force_n)));
-        panel = panel.series(Series::scatter("measured", dots).colour(COLOURS));
+        panel = panel.series(
+            Series::scatter(
+                "measured",
+                measured
+                    .iter()
+                    .map(|m| (m.contraction, u.force.value(m.force_n))),
+            )
+            .colour(COLOURS),
+        );
     }
     Figure::new("Isobaric curves of models")
         .caption(caption(about))

@@ -191,8 +191,13 @@ impl Section<'_> {
                     .filter(|c| same(c.outer_diameter_mm, self.d) && same(c.wall_mm, l.wall_mm))
                     .map(|c| (c.pressure_mpa, c.abc.coefficients[k]))
                     .collect();
-                let label = format!("s {}", number(l.wall_mm, 3));
-                panel = pair(panel, &label, n, points, |p| l.lines[k].at(p));
+                panel = pair(
+                    panel,
+                    &format!("s {}", number(l.wall_mm, 3)),
+                    n,
+                    points,
+                    |p| l.lines[k].at(p),
+                );
             }
             figure = figure.panel(panel);
         }
@@ -252,11 +257,14 @@ impl Section<'_> {
         for (row, x) in rows.iter().enumerate() {
             let y = Axis::new(format!("{letter}{}", row + 1));
             let points = walls.iter().map(|w| (w.outer_diameter_mm, w.x(k)[row]));
-            let panel = Panel::new(Axis::new("outer diameter D0 [mm]"), y)
-                .title(format!("R² {:.4}", r2[k][row]));
-            figure = figure.panel(pair(panel, "", 0, points.collect(), |d| {
-                (x[0] * d + x[1]) * d + x[2]
-            }));
+            figure = figure.panel(pair(
+                Panel::new(Axis::new("outer diameter D0 [mm]"), y)
+                    .title(format!("R² {:.4}", r2[k][row])),
+                "",
+                0,
+                points.collect(),
+                |d| (x[0] * d + x[1]) * d + x[2],
+            ));
         }
         figure
     }
@@ -280,7 +288,7 @@ fn in_space(mut panel: Panel) -> Panel {
             *y += 0.1 * top * back;
         }
     }
-    let dots: Vec<Series> = panel.series.iter().step_by(2).cloned().collect();
+    let dots = Vec::from_iter(panel.series.iter().step_by(2).cloned());
     for i in 0..dots.first().map_or(0, |s| s.points.len()) {
         let line = dots.iter().filter_map(|s| s.points.get(i).copied());
         panel.series.push(Series::line("", line).colour(0));
@@ -320,7 +328,7 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
         "table"
     };
     let method = &formula.provenance.method;
-    let formulas: Vec<&Formula> = [formula].into_iter().chain(&published).collect();
+    let formulas = Vec::from_iter([formula].into_iter().chain(&published));
     let errors: String = formulas.iter().map(|f| largest(f)).collect();
     let mut figure = Figure::new(format!(
         "Formula {} and points, D0 {} mm",
@@ -333,22 +341,25 @@ fn against_points(f: &FittedFormula, d: f64) -> Figure {
     .sequential()
     .columns(2);
     let pressures = distinct(of_d().map(|p| p.pressure_mpa));
-    let shown: Vec<f64> = pressures
-        .iter()
-        .rev()
-        .step_by(pressures.len().div_ceil(5).max(1))
-        .copied()
-        .collect();
+    let shown = Vec::from_iter(
+        pressures
+            .iter()
+            .rev()
+            .step_by(pressures.len().div_ceil(5).max(1))
+            .copied(),
+    );
     for s in distinct(of_d().map(|p| p.wall_mm)).into_iter().take(6) {
         let mut panel = Panel::new(contraction(), pull()).title(format!("s {} mm", number(s, 3)));
         for (n, &p) in shown.iter().rev().enumerate() {
-            let points: Vec<(f64, f64)> = of_d()
-                .filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p))
-                .map(|q| (q.contraction, q.force_n))
-                .collect();
+            let points = Vec::from_iter(
+                of_d()
+                    .filter(|q| same(q.wall_mm, s) && same(q.pressure_mpa, p))
+                    .map(|q| (q.contraction, q.force_n)),
+            );
             if !points.is_empty() {
-                let label = format!("{} MPa", number(p, 3));
-                panel = pair(panel, &label, n, points, |e| formula.force_n(d, s, p, e));
+                panel = pair(panel, &format!("{} MPa", number(p, 3)), n, points, |e| {
+                    formula.force_n(d, s, p, e)
+                });
                 if let Some(published) = &published {
                     let series = Series::new("", line(0.0, 0.2, |e| published.force_n(d, s, p, e)))
                         .colour(n);

@@ -75,7 +75,7 @@ impl Levels {
         let off = |n: usize| (self.fixed[n] - self.key(f)).abs();
         (0..self.fixed.len())
             .min_by_number(|&a| off(a))
-            .unwrap_or(0)
+            .unwrap_or_default()
     }
 
     fn label(&self, n: usize, u: &Units) -> String {
@@ -172,11 +172,12 @@ fn fit(
     u: &Units,
     named: bool,
 ) -> Panel {
-    let mine: Vec<&PointFit> = identified
-        .points
-        .iter()
-        .filter(|f| f.point.section == *section)
-        .collect();
+    let mine = Vec::from_iter(
+        identified
+            .points
+            .iter()
+            .filter(|f| f.point.section == *section),
+    );
     let isobaric = levels.isobaric;
     let x_of = |f: &PointFit| levels.states(f)[1];
     let shown = |x: f64| if isobaric { x } else { u.pressure.value(x) };
@@ -199,14 +200,14 @@ fn fit(
     for (n, &value) in levels.fixed.iter().enumerate() {
         let key = |f: &&&PointFit| same(levels.key(f), value);
         let label = levels.label(n, u);
-        let on: Vec<&&PointFit> = mine.iter().filter(key).collect();
+        let on = Vec::from_iter(mine.iter().filter(key));
         let dots = on
             .iter()
             .map(|f| (shown(x_of(f)), u.force.value(f.point.at.force_n)));
         panel = panel.series(Series::scatter(label.clone(), dots).colour(n));
         let Some(model) = &model else { continue };
         let (low, high) = ends(on.iter().map(|f| x_of(f)));
-        let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.direction()).collect();
+        let mut branches = Vec::from_iter(on.iter().map(|f| f.point.at.direction()));
         branches.sort_by_key(|b| *b as u8);
         branches.dedup();
         for branch in branches {

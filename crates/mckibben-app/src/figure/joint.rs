@@ -57,13 +57,10 @@ fn torques(points: &[JointRow], u: &Units) -> (Panel, Vec<Series>) {
             .colour(i)
             .end_label(label),
         );
-        let edges: Vec<(f64, f64, f64)> = family
-            .iter()
-            .filter_map(|q| {
-                let ends = (q.point.predicted_low_nm?, q.point.predicted_high_nm?);
-                Some((q.point.angle_deg, ends.0, ends.1))
-            })
-            .collect();
+        let edges = Vec::from_iter(family.iter().filter_map(|q| {
+            let ends = (q.point.predicted_low_nm?, q.point.predicted_high_nm?);
+            Some((q.point.angle_deg, ends.0, ends.1))
+        }));
         bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(i)));
         for branch in [
             line(&|q| q.torque_turning_plus_nm),

@@ -7,7 +7,7 @@ use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Position, pressures with their command, and pulls; the runs of a sweep one over the other.
 pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
-    let runs: Vec<&MotionRun> = answer.runs().collect();
+    let runs = Vec::from_iter(answer.runs());
     let joint = answer.motion.motion.series.kind == Coordinate::Angle;
     let time = || Axis::new("time t [s]").from_zero();
     let position = if joint {
@@ -36,8 +36,11 @@ pub fn motion(answer: &MotionAnswer, sweep: Option<&str>, u: &Units) -> Figure {
                 String::new()
             };
             let style = if k == 0 { Style::Line } else { Style::Dashed };
-            let line = over(&muscle.pressure_mpa, &|p| u.pressure.value(p));
-            pressures = pressures.series(line.style(style).end_label(name));
+            pressures = pressures.series(
+                over(&muscle.pressure_mpa, &|p| u.pressure.value(p))
+                    .style(style)
+                    .end_label(name),
+            );
         }
     }
     let said = said(&bands, " at the end");

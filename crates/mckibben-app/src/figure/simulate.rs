@@ -15,21 +15,25 @@ const SHAPES: usize = 6;
 
 /// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
 pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) -> Figure {
-    let title = format!("{} test, finite elements", capital(test.name()));
-    let mut figure = Figure::new(title).sequential();
+    let mut figure =
+        Figure::new(format!("{} test, finite elements", capital(test.name()))).sequential();
     let (x, y) = axes(test, u);
     let mut curve = Panel::new(x, y);
-    let mut fixed: Vec<f64> = points.iter().map(|q| key(test, q)).collect();
+    let mut fixed = Vec::from_iter(points.iter().map(|q| key(test, q)));
     fixed.dedup();
     let mut longest = 0;
     for (i, &value) in fixed.iter().enumerate() {
-        let line: Vec<(f64, f64)> = points
-            .iter()
-            .filter(|q| key(test, q) == value)
-            .map(|q| coordinates(test, q, u))
-            .collect();
-        let known = line.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
-        longest = longest.max(known.count());
+        let line = Vec::from_iter(
+            points
+                .iter()
+                .filter(|q| key(test, q) == value)
+                .map(|q| coordinates(test, q, u)),
+        );
+        longest = longest.max(
+            line.iter()
+                .filter(|(x, y)| x.is_finite() && y.is_finite())
+                .count(),
+        );
         curve = curve.series(
             Series::line("", line)
                 .colour(i)
@@ -37,14 +41,14 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
                 .end_label(label(test, value, u)),
         );
     }
-    let solved: Vec<(&Simulated, &Solution)> = points
-        .iter()
-        .filter_map(|q| Some((q, q.solution.as_ref().ok()?)))
-        .collect();
+    let solved = Vec::from_iter(
+        points
+            .iter()
+            .filter_map(|q| Some((q, q.solution.as_ref().ok()?))),
+    );
     let step = solved.len().div_ceil(SHAPES).max(1);
     // The last always belongs to them.
-    let shown: Vec<(&Simulated, &Solution)> =
-        solved.iter().rev().step_by(step).rev().copied().collect();
+    let shown = Vec::from_iter(solved.iter().rev().step_by(step).rev().copied());
     for (i, (q, _)) in shown.iter().enumerate() {
         curve = curve.series(Series::scatter("", vec![coordinates(test, q, u)]).colour(i));
     }

@@ -5,7 +5,7 @@ use mckibben_core::{
     by_number::SortByNumber,
     extremes::{ends, even},
 };
-use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
+use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Most laws on one figure.
@@ -50,11 +50,7 @@ fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
 
 /// Laws against points of sheets, whose two stretches no axis holds.
 fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
-    let points: Vec<&TensionPoint> = fit
-        .points
-        .iter()
-        .filter(|p| p.mode == Mode::General)
-        .collect();
+    let points = Vec::from_iter(fit.points.iter().filter(|p| p.mode == Mode::General));
     points.first()?;
     let (low, high) = ends(points.iter().map(|p| p.nominal_stress_mpa));
     let room = 0.05 * (high - low).max(1e-9);
@@ -75,14 +71,14 @@ fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
 }
 
 fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
-    let points: Vec<&TensionPoint> = fit.points.iter().filter(|p| p.mode == mode).collect();
+    let points = Vec::from_iter(fit.points.iter().filter(|p| p.mode == mode));
     let (low, far) = ends(points.iter().map(|p| p.stretch).chain([1.0]));
     let end = if points.is_empty() {
         WITHOUT_POINTS.min(fit.fitted_to_stretch)
     } else {
         far
     };
-    let stress = |l: &FittedLaw, x: f64| mode.nominal_stress_mpa(&l.law, x).unwrap_or(0.0);
+    let stress = |l: &FittedLaw, x: f64| mode.nominal_stress_mpa(&l.law, x).unwrap_or_default();
     // The height follows from points, else from the laws that are stable: an unstable one may run
     // anywhere.
     let measured = points.iter().map(|p| p.nominal_stress_mpa);
@@ -128,8 +124,11 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
         } else {
             ""
         };
-        let label = labelled(format!("{}{held}", law.form.name()));
-        panel = panel.series(Series::new(label, line).colour(n).style(style));
+        panel = panel.series(
+            Series::new(labelled(format!("{}{held}", law.form.name())), line)
+                .colour(n)
+                .style(style),
+        );
     }
     panel
 }

@@ -18,8 +18,12 @@ impl Show for JointAnswer {
     fn page(&self, u: &Units) -> Page {
         let mut page = Page::default();
         page.line(format!("model {}", self.model));
-        let muscles = self.muscles.iter().zip(1..);
-        page.lines(muscles.map(|(muscle, i)| format!("muscle {i}: {}", muscle.line(u))));
+        page.lines(
+            self.muscles
+                .iter()
+                .zip(1..)
+                .map(|(muscle, i)| format!("muscle {i}: {}", muscle.line(u))),
+        );
         page.lines(self.limits.lines(u));
         if !self.points.is_empty() {
             page.gap();
@@ -41,12 +45,7 @@ impl Show for JointAnswer {
 
 /// What the joint reaches at all pressures.
 fn reached(map: &JointMap, page: &mut Page) {
-    let at_rest: Vec<_> = map
-        .points
-        .iter()
-        .flatten()
-        .filter(|q| !q.at_limit)
-        .collect();
+    let at_rest = Vec::from_iter(map.points.iter().flatten().filter(|q| !q.at_limit));
     let reach = |(low, high)| format!("{} to {}", number(low, 4), number(high, 4));
     let angles = reach(ends(at_rest.iter().map(|q| q.angle_deg)));
     let stiffnesses = reach(ends(at_rest.iter().map(|q| q.stiffness_nm_per_rad)));

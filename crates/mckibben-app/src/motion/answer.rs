@@ -42,7 +42,7 @@ pub struct EndUncertainty {
     pub uncertainty_text: Option<String>,
     /// These parts, in N or N m.
     #[serde(skip)]
-    pub(crate) parts: Option<UncertaintyParts>,
+    pub parts: Option<UncertaintyParts>,
 }
 
 impl MotionRun {

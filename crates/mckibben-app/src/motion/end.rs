@@ -34,11 +34,15 @@ impl Moved {
                 .into_iter()
                 .map(move |text| Warning::from(with.clone() + &text))
         };
-        let of_runs = runs.iter().zip(drives).flat_map(of_run);
-        let of_muscles = self.models.iter().flat_map(|m| m.muscle().warnings());
-        let of_joint = self.joint.iter().flat_map(|joint| joint.doubts());
-        let of_parts = of_muscles.chain(of_joint).map(Warning::from);
-        let said: Vec<Warning> = of_runs.chain(of_parts).collect();
+        let said = Vec::from_iter(
+            runs.iter().zip(drives).flat_map(of_run).chain(
+                self.models
+                    .iter()
+                    .flat_map(|m| m.muscle().warnings())
+                    .chain(self.joint.iter().flat_map(|joint| joint.doubts()))
+                    .map(Warning::from),
+            ),
+        );
         Warning::gravest(&said)
     }
 
@@ -122,12 +126,11 @@ impl Moved {
 
     fn end_of_joint(&self, run: &MotionRun, pressures_mpa: &[f64]) -> Option<EndUncertainty> {
         let joint = self.joint.as_ref()?;
-        let last = run
+        let angle_deg = run.motion.equilibrium_angle_deg.or(run
             .motion
             .series
             .degrees()
-            .and_then(|[angle, _]| angle.last().copied());
-        let angle_deg = run.motion.equilibrium_angle_deg.or(last)?;
+            .and_then(|[angle, _]| angle.last().copied()))?;
         let (low, high) = joint.range_deg();
         let model = BoundJoint::new(joint.clone(), self.models.clone(), true).ok()?;
         let workspaces = &mut model.workspaces();
@@ -141,9 +144,10 @@ impl Moved {
             )
             .ok()?;
         let inside = angle_deg > low && angle_deg < high;
-        let half = model.angle_uncertainty_deg(&point).filter(|_| inside)?;
         Some(EndUncertainty {
-            end_angle_uncertainty_deg: Some(half),
+            end_angle_uncertainty_deg: Some(
+                model.angle_uncertainty_deg(&point).filter(|_| inside)?,
+            ),
             parts: point.uncertainty_parts_nm,
             ..EndUncertainty::default()
         })

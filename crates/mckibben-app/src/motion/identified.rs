@@ -42,7 +42,7 @@ pub struct IdentifiedDrive {
 
 impl IdentifiedDrive {
     /// The constants and the errors of a model, as people read them.
-    pub(super) fn page(&self, model: &str) -> Page {
+    pub fn page(&self, model: &str) -> Page {
         let mut page = Page::default();
         page.line(&self.read);
         page.line(format!("model {model}"));
@@ -157,8 +157,12 @@ impl Moved {
         })?;
         let error = |(what, list): (OverTime, Series)| {
             let half = |first| {
-                let of_half = list.iter().filter(|r| (r.0 <= half_s) == first);
-                Errors::new(of_half.map(|r| r.1)).rms
+                Errors::new(
+                    list.iter()
+                        .filter(|r| (r.0 <= half_s) == first)
+                        .map(|r| r.1),
+                )
+                .rms
             };
             LogErrors {
                 of: format!("{what:?}").to_lowercase(),
@@ -166,15 +170,14 @@ impl Moved {
                 held_out_rms: half(false),
             }
         };
-        let errors = fit
-            .residuals(&drive_file, end_s)?
-            .into_iter()
-            .map(error)
-            .collect();
         Ok(IdentifiedDrive {
             read,
             parameters,
-            errors,
+            errors: fit
+                .residuals(&drive_file, end_s)?
+                .into_iter()
+                .map(error)
+                .collect(),
             drive_file,
         })
     }
@@ -200,13 +203,14 @@ impl Fit<'_> {
                 .iter()
                 .find(|usual| usual.0 == name)
                 .map(|usual| usual.1);
-            let start = value.or(written).filter(|value| *value > 0.0).or(usual);
-            let start =
-                start.ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?;
             Ok(Free {
+                start: value
+                    .or(written)
+                    .filter(|value| *value > 0.0)
+                    .or(usual)
+                    .ok_or_else(|| wrong(format!("{name} has no start"), "write NAME=START"))?,
                 name,
                 dimension,
-                start,
             })
         };
         if !self.request.free.is_empty() {
@@ -259,8 +263,14 @@ impl Fit<'_> {
                 OverTime::Pressure => muscle.map(|m| m.pressure_mpa.clone()),
                 _ => muscle.map(|m| m.contraction.clone()),
             };
-            let times = series.time_s.iter().copied();
-            let model = Command::Ramps(times.zip(values.unwrap_or_default()).collect());
+            let model = Command::Ramps(
+                series
+                    .time_s
+                    .iter()
+                    .copied()
+                    .zip(values.unwrap_or_default())
+                    .collect(),
+            );
             let until = points.iter().filter(|p| p.0 <= until_s);
             (
                 *what,
@@ -288,14 +298,16 @@ impl Fit<'_> {
             let mean = Errors::new(first()).mean;
             Errors::new(first().map(|v| v - mean)).rms
         };
-        let scatter: Vec<f64> = self.log.iter().map(scatter).collect();
-        let starts: Vec<f64> = free.iter().map(|free| free.start).collect();
+        let scatter = Vec::from_iter(self.log.iter().map(scatter));
+        let starts = Vec::from_iter(free.iter().map(|free| free.start));
         let larger = Vec::from_iter(starts.iter().map(|start| 1.1 * start));
         let (now, then) = (at(&starts)?.concat(), at(&larger)?.concat());
         if now.iter().zip(then).all(|(a, b)| (a - b).abs() < NOTHING) {
-            let message = format!("{}; it determines none of them", self.read(free));
-            let hint = "name others in `free`";
-            return Err(Problem::new(ProblemKind::Data, message, hint));
+            return Err(Problem::new(
+                ProblemKind::Data,
+                format!("{}; it determines none of them", self.read(free)),
+                "name others in `free`",
+            ));
         }
         let found = fit_recorded(&starts, &scatter, at);
         self.progress.check()?;

@@ -72,15 +72,14 @@ impl MotionRequest {
     }
 
     fn parsed(&self, text: &str, rest_length_mm: f64) -> Result<DriveFile> {
-        let texts = self
-            .tables
-            .iter()
-            .map(|t| (t.name.clone(), t.text.clone()))
-            .collect();
         parse_drive(
             text,
             &Tables {
-                texts,
+                texts: self
+                    .tables
+                    .iter()
+                    .map(|t| (t.name.clone(), t.text.clone()))
+                    .collect(),
                 rest_length_mm,
             },
         )
@@ -88,8 +87,9 @@ impl MotionRequest {
     }
 
     fn in_drive(&self, error: FileError) -> Problem {
-        let name = self.drive.as_ref().map_or("the drive", |drive| &drive.name);
-        Problem::from(error.in_file(Path::new(name)))
+        Problem::from(error.in_file(Path::new(
+            self.drive.as_ref().map_or("the drive", |drive| &drive.name),
+        )))
     }
 
     /// The drive of a text, or those of the sweep with their values.
@@ -105,13 +105,15 @@ impl MotionRequest {
                 ))
                 .in_field("sweep"));
         }
-        let values = sweep.values.iter();
-        let one = |value: &String| {
-            let changed =
-                with_value(text, &sweep.key, value).map_err(|error| self.in_drive(error))?;
-            Ok((Some(value.clone()), self.parsed(&changed, rest_length_mm)?))
-        };
-        values.map(one).collect()
+        sweep
+            .values
+            .iter()
+            .map(|value: &String| {
+                let changed =
+                    with_value(text, &sweep.key, value).map_err(|error| self.in_drive(error))?;
+                Ok((Some(value.clone()), self.parsed(&changed, rest_length_mm)?))
+            })
+            .collect()
     }
 }
 
@@ -140,15 +142,24 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         moved.end_uncertainty(&mut run, drive);
         runs.push(run);
     }
-    let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m));
-    let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
+    let bursts = moved
+        .models
+        .iter()
+        .map(|m| burst_of(&moved.choice, &**m))
+        .collect::<Result<Vec<_>>>()?;
     let mut warnings = moved.gravest_warnings(&runs, &drives);
-    let models = bursts.iter().zip(&moved.models).enumerate();
-    let burst = models.flat_map(|(i, (burst, model))| {
-        let reached = runs.iter().zip(&drives);
-        let highest_mpa = peak(reached.map(|(run, (_, drive))| highest_mpa(run, drive, i)));
-        warnings::of_muscle(burst, model.muscle(), highest_mpa)
-    });
+    let burst = bursts
+        .iter()
+        .zip(&moved.models)
+        .enumerate()
+        .flat_map(|(i, (burst, model))| {
+            let highest_mpa = peak(
+                runs.iter()
+                    .zip(&drives)
+                    .map(|(run, (_, drive))| highest_mpa(run, drive, i)),
+            );
+            warnings::of_muscle(burst, model.muscle(), highest_mpa)
+        });
     Warning::put_first(&mut warnings, burst);
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else {
@@ -167,8 +178,10 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         figure: None,
     };
     let sweep = request.sweep.as_ref().map(|s| s.key.as_str());
-    let drawn = request.figure.as_ref();
-    answer.figure = drawn.map(|unit| figure::motion(&answer, sweep, unit));
+    answer.figure = request
+        .figure
+        .as_ref()
+        .map(|unit| figure::motion(&answer, sweep, unit));
     Ok(answer)
 }
 
@@ -196,8 +209,7 @@ fn go(
     progress: &dyn Progress,
 ) -> Result<(Motion, Option<f64>)> {
     let linear = |side: f64| {
-        let of_pressure = matches!(&drive.target, Commanded::Pressure(list) if !list.is_empty());
-        of_pressure
+        matches!(&drive.target, Commanded::Pressure(list) if !list.is_empty())
             .then(|| Linear::at_state_reached(drive, side))?
             .ok()
     };

@@ -23,16 +23,17 @@ impl Moved {
         Ok(match (&self.joint, self.models.first()) {
             (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
             (None, Some(model)) => {
-                let load = file.load.clone().ok_or_else(|| {
-                    let hint =
-                        "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with \
-                         fixed ends";
-                    Problem::new(ProblemKind::File, "the drive has no [load], so that nothing moves", hint)
-                })?;
                 Some(SingleMuscle {
                     damping_n_s_per_m: file.damping_n_s_per_m,
                     stops_mm: file.stops_mm,
-                    ..SingleMuscle::new(&**model, load)
+                    ..SingleMuscle::new(&**model, file.load.clone().ok_or_else(|| {
+                    Problem::new(
+                        ProblemKind::File,
+                        "the drive has no [load], so that nothing moves",
+                        "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with \
+                         fixed ends",
+                    )
+                })?)
                 })
             }
             _ => None,
@@ -83,10 +84,10 @@ const EXPONENT: f64 = 0.57;
 
 /// The friction of a muscle, with what the drive states of it.
 fn friction(file: &DriveFile, own: Option<&Friction>) -> Option<Friction> {
-    let stated = file
+    let friction = *own.or(file
         .friction_coefficient
-        .map(|c| Friction::power_law(c, EXPONENT));
-    let friction = *own.or(stated.as_ref())?;
+        .map(|c| Friction::power_law(c, EXPONENT))
+        .as_ref())?;
     Some(Friction {
         coefficient: file.friction_coefficient.unwrap_or(friction.coefficient),
         presliding_mm: file.presliding_mm.or(friction.presliding_mm),

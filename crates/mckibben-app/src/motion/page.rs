@@ -61,12 +61,14 @@ impl MotionRun {
         let half_deg = end.end_angle_uncertainty_deg;
         let moves = run.at_rest() != Some(true);
         let built = || {
-            let ends = [
-                end.end_contraction_predicted?,
-                end.end_contraction_predicted_low?,
-                end.end_contraction_predicted_high?,
-            ];
-            Some(bounds(ends, &PERCENT))
+            Some(bounds(
+                [
+                    end.end_contraction_predicted?,
+                    end.end_contraction_predicted_low?,
+                    end.end_contraction_predicted_high?,
+                ],
+                &PERCENT,
+            ))
         };
         let built = built();
         let of_model = if built.is_some() {
@@ -100,13 +102,15 @@ impl MotionRun {
 
     /// The poles, of a conjugate pair one; that of the air's mass, 0, is left out.
     fn poles(&self) -> String {
-        let poles = self.motion.poles_per_s.iter();
-        let poles = poles.filter(|(re, _)| re.abs() > 1e-9);
-        let one = |(re, im): &(f64, f64)| match im.abs() {
+        let poles = self
+            .motion
+            .poles_per_s
+            .iter()
+            .filter(|(re, _)| re.abs() > 1e-9);
+        let mut poles = Vec::from_iter(poles.map(|(re, im): &(f64, f64)| match im.abs() {
             0.0 => format!("{re:.3}"),
             im => format!("{re:.3} ± {im:.3}i"),
-        };
-        let mut poles = Vec::from_iter(poles.map(one));
+        }));
         poles.dedup();
         poles.join(", ")
     }

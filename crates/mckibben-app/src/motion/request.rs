@@ -89,21 +89,25 @@ impl MotionRequest {
     }
 
     /// Which fields exclude each other, and which ones need others.
-    pub(super) fn validate(&self) -> Result<()> {
-        let free = [("free", self.log.is_none() && !self.free.is_empty())];
-        Problem::refuse_unused(&free, "it belongs to `log`")?;
+    pub fn validate(&self) -> Result<()> {
+        Problem::refuse_unused(
+            &[("free", self.log.is_none() && !self.free.is_empty())],
+            "it belongs to `log`",
+        )?;
         let (Some(_), Some(step)) = (&self.drive, &self.step) else {
             return Ok(());
         };
-        let stated = [
-            ("pressure_mpa", step.pressure_mpa.is_some()),
-            ("load", step.load.is_some()),
-            ("valve", step.valve.is_some()),
-            ("supply_mpa", step.supply_mpa.is_some()),
-            ("damping_n_s_per_m", step.damping_n_s_per_m.is_some()),
-            ("until_s", step.until_s.is_some()),
-        ];
-        Problem::refuse_unused(&stated, "the drive file states it")
+        Problem::refuse_unused(
+            &[
+                ("pressure_mpa", step.pressure_mpa.is_some()),
+                ("load", step.load.is_some()),
+                ("valve", step.valve.is_some()),
+                ("supply_mpa", step.supply_mpa.is_some()),
+                ("damping_n_s_per_m", step.damping_n_s_per_m.is_some()),
+                ("until_s", step.until_s.is_some()),
+            ],
+            "the drive file states it",
+        )
     }
 }
 
@@ -135,7 +139,7 @@ pub struct StepFields {
 
 impl StepFields {
     /// The text of the drive file that it says, of a muscle of this length.
-    pub(super) fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<String> {
+    pub fn drive(&self, tables: &[TextFile], rest_length_mm: f64) -> Result<String> {
         let pressure = given(
             "pressure_mpa",
             self.pressure_mpa,
@@ -149,9 +153,10 @@ impl StepFields {
             self.damping_n_s_per_m.unwrap_or_default(),
         )?;
         let valve = self.valve.as_deref().ok_or_else(|| {
-            let expected =
-                "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)";
-            Problem::missing("valve", expected)
+            Problem::missing(
+                "valve",
+                "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)",
+            )
         })?;
         let load = self
             .load
@@ -185,13 +190,13 @@ impl StepFields {
             values.push(("load.damping", damping_n_s_per_m.to_string()));
             values.push(("load.stops", "0..1e6 mm".into()));
         }
-        let head = format!(
-            "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = \
+        Ok(values.into_iter().try_fold(
+            format!(
+                "muscle = \"muscle\"\n[supply]\npressure = {pressure_mpa:?}\n[command]\npressure = \
              [[0, 0], [0.05, {pressure:?}]]\nuntil = {until_s:?}\n"
-        );
-        Ok(values
-            .into_iter()
-            .try_fold(head, |text, (key, value)| with_value(&text, key, &value))?)
+            ),
+            |text, (key, value)| with_value(&text, key, &value),
+        )?)
     }
 }
 
@@ -224,9 +229,10 @@ impl FromStr for MotionSweep {
 
     fn from_str(text: &str) -> Result<Self> {
         let (key, values) = text.split_once('=').ok_or_else(|| {
-            let message = format!("\"{text}\" has no = followed by values");
-            let hint = "as in 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
-            Problem::usage(message, hint)
+            Problem::usage(
+                format!("\"{text}\" has no = followed by values"),
+                "as in 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'",
+            )
         })?;
         Ok(Self {
             key: key.trim().to_owned(),

@@ -42,8 +42,9 @@ impl SimulatedDrive {
         let wanted = self.drive.target.commands().len();
         if commands.len() != wanted {
             let given = commands.len();
-            let message = format!("the drive has {wanted} commands, not {given}");
-            return Err(ProblemKind::Usage.problem(message).in_field("command"));
+            return Err(ProblemKind::Usage
+                .problem(format!("the drive has {wanted} commands, not {given}"))
+                .in_field("command"));
         }
         let is_angle = self.is_joint() && matches!(self.drive.target, Commanded::Position { .. });
         let inside = |v: &f64| if is_angle { v.to_radians() } else { *v };
@@ -94,8 +95,14 @@ impl SimulatedDrive {
             .map_or((0, numbers), |(n, rest)| (*n as usize, rest));
         let (commands, rest) = rest.split_at_checked(count).unwrap_or_default();
         let commands = Some(commands).filter(|commands| !commands.is_empty());
-        let inside = commands.map(|list| self.inside(list)).transpose()?;
-        self.simulation.restore(inside.as_deref(), rest, progress)?;
+        self.simulation.restore(
+            commands
+                .map(|list| self.inside(list))
+                .transpose()?
+                .as_deref(),
+            rest,
+            progress,
+        )?;
         self.commands = commands.map(<[f64]>::to_vec);
         Ok(())
     }

@@ -12,46 +12,62 @@ use mckibben_core::{rubber::library::Standing, warning::Warning};
 impl Show for PartsListAnswer {
     fn page(&self, u: &Units) -> Page {
         let mut page = Page::default();
-        let tubes = [
-            "name",
-            "inner_diameter_mm",
-            "outer_diameter_mm",
-            "wall_mm",
-            "rubber",
-            "is_cast",
-        ];
-        page.list("tubes", &self.tubes, u, &tubes);
-        let sleeves = [
-            "name",
-            "least_diameter_mm",
-            "largest_diameter_mm",
-            "least_angle_deg",
-            "strands",
-            "stiffness_factor",
-            "title",
-        ];
-        page.list("sleeves", &self.sleeves, u, &sleeves);
-        let rubbers = [
-            "name",
-            "shear_modulus_mpa",
-            "law",
-            "curve",
-            "max_strain",
-            "title",
-        ];
-        page.list("rubbers", &self.rubbers, u, &rubbers);
-        let muscles = [
-            "name",
-            "outer_diameter_mm",
-            "length_mm",
-            "pressure_mpa",
-            "blocked_force_n",
-            "free_contraction",
-            "points",
-            "product",
-            "source",
-        ];
-        page.list("muscles", &self.muscles, u, &muscles);
+        page.list(
+            "tubes",
+            &self.tubes,
+            u,
+            &[
+                "name",
+                "inner_diameter_mm",
+                "outer_diameter_mm",
+                "wall_mm",
+                "rubber",
+                "is_cast",
+            ],
+        );
+        page.list(
+            "sleeves",
+            &self.sleeves,
+            u,
+            &[
+                "name",
+                "least_diameter_mm",
+                "largest_diameter_mm",
+                "least_angle_deg",
+                "strands",
+                "stiffness_factor",
+                "title",
+            ],
+        );
+        page.list(
+            "rubbers",
+            &self.rubbers,
+            u,
+            &[
+                "name",
+                "shear_modulus_mpa",
+                "law",
+                "curve",
+                "max_strain",
+                "title",
+            ],
+        );
+        page.list(
+            "muscles",
+            &self.muscles,
+            u,
+            &[
+                "name",
+                "outer_diameter_mm",
+                "length_mm",
+                "pressure_mpa",
+                "blocked_force_n",
+                "free_contraction",
+                "points",
+                "product",
+                "source",
+            ],
+        );
         page.list("models", &self.models, u, &["name", "description"]);
         page.gap();
         if !self.muscles.is_empty() {
@@ -97,11 +113,11 @@ impl RubberDetails {
     /// The laws of a rubber, without those that the data refuse.
     fn fits_onto(&self, page: &mut Page) {
         let standing = |fit: &LibraryFit| fit.fitted.as_ref().map(|f| f.standing);
-        let fits: Vec<&LibraryFit> = self
-            .fits
-            .iter()
-            .filter(|fit| standing(fit) != Some(Standing::Behind))
-            .collect();
+        let fits = Vec::from_iter(
+            self.fits
+                .iter()
+                .filter(|fit| standing(fit) != Some(Standing::Behind)),
+        );
         page.table(
             Table::of(&fits)
                 .text("", |f| if f.by_reach { "→" } else { "" })

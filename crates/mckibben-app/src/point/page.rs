@@ -25,7 +25,7 @@ impl Show for PointAnswer {
 
 impl Background {
     /// What the muscle bears.
-    pub(crate) fn limit_rows(&self, u: &Units) -> Rows {
+    pub fn limit_rows(&self, u: &Units) -> Rows {
         self.limits.rows_with(self.muscle.estimate(), u)
     }
 }
@@ -65,7 +65,7 @@ impl PointQuantity {
 }
 
 impl PointAnswer {
-    pub(crate) fn rows(&self, u: &Units) -> Rows {
+    pub fn rows(&self, u: &Units) -> Rows {
         let a = &self.point;
         let background = &self.background;
         let r = &a.response;

@@ -86,7 +86,7 @@ impl From<bool> for Amount {
 
 impl Amount {
     /// With its unit; none where there is nothing to show.
-    pub(crate) fn text(self, scale: &Scale) -> Option<String> {
+    pub fn text(self, scale: &Scale) -> Option<String> {
         let is_number = !matches!(self, Self::Words(_));
         let text = self.bare(scale).filter(|text| !text.is_empty())?;
         Some(if is_number {
@@ -96,7 +96,7 @@ impl Amount {
         })
     }
 
-    pub(super) fn number(&self) -> Option<f64> {
+    pub fn number(&self) -> Option<f64> {
         match self {
             Self::Number(number) | Self::Within(number, _) => Some(*number),
             _ => None,
@@ -104,7 +104,7 @@ impl Amount {
     }
 
     /// Without its unit.
-    pub(crate) fn bare(&self, scale: &Scale) -> Option<String> {
+    pub fn bare(&self, scale: &Scale) -> Option<String> {
         Some(match self {
             Self::Nothing => return None,
             Self::Words(text) => text.clone(),

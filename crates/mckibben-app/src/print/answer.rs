@@ -41,8 +41,11 @@ impl Page {
         only: &[&str],
     ) {
         let root = &schema::of::<T>();
-        let without = &[];
-        let walk = Walk { root, u, without };
+        let walk = Walk {
+            root,
+            u,
+            without: &[],
+        };
         let rows = list.iter().filter_map(|row| match to_value(row).ok()? {
             Value::Object(row) => Some(row),
             _ => None,
@@ -105,7 +108,7 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// What an object has to show, each number with its ±, the field behind it.
     fn fields<'a>(&'a self, node: &'a Value, object: &'a Object) -> Vec<Field<'a>> {
-        let known: Vec<_> = properties(self.root, node).collect();
+        let known = Vec::from_iter(properties(self.root, node));
         let mut out: Vec<Field<'a>> = vec![];
         for (name, value) in object {
             let is_half = name.starts_with("uncertainty") || name.ends_with("standard_error");
@@ -179,16 +182,22 @@ impl Walk<'_> {
         match field.value {
             Value::Array(list) => {
                 let rows = list.iter().filter_map(Value::as_object).cloned();
-                let node = items(self.root, field.node).unwrap_or(&Value::Null);
-                self.table(page, heading, node, &rows.collect::<Vec<_>>());
+                self.table(
+                    page,
+                    heading,
+                    items(self.root, field.node).unwrap_or(&Value::Null),
+                    &rows.collect::<Vec<_>>(),
+                );
             }
             Value::Object(object) if is_map(self.root, field.node) => {
                 let rows = object.iter().filter_map(|(name, value)| {
-                    let key = (field.name.to_owned(), name.as_str().into());
-                    Some(iter::once(key).chain(value.as_object()?.clone()).collect())
+                    Some(
+                        iter::once((field.name.to_owned(), name.as_str().into()))
+                            .chain(value.as_object()?.clone())
+                            .collect(),
+                    )
                 });
-                let nodes = variants(self.root, field.node);
-                let of = nodes
+                let of = variants(self.root, field.node)
                     .iter()
                     .find_map(|node| node.get("additionalProperties"));
                 self.table(

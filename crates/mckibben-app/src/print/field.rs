@@ -74,9 +74,9 @@ pub fn label(about: &str, name: &str, most: usize) -> String {
         .trim()
         .trim_end_matches('.');
     let unit = first.rsplit_once(" in ");
-    let unit =
-        unit.filter(|(_, unit)| unit.len() <= UNIT || unit.contains('/') || *unit == "degrees");
-    let first = unit.map_or(first, |(quantity, _)| quantity);
+    let first = unit
+        .filter(|(_, unit)| unit.len() <= UNIT || unit.contains('/') || *unit == "degrees")
+        .map_or(first, |(quantity, _)| quantity);
     let first = ["The ", "Its ", "A ", "An "]
         .iter()
         .find_map(|article| first.strip_prefix(article))

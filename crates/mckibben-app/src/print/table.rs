@@ -27,7 +27,7 @@ impl Column {
     }
 
     /// A column of amounts of one unit, with their points aligned unless their sizes are unlike.
-    pub(crate) fn of(label: &str, scale: &Scale, amounts: &[Amount]) -> Option<Self> {
+    pub fn of(label: &str, scale: &Scale, amounts: &[Amount]) -> Option<Self> {
         let sizes = || {
             amounts
                 .iter()
@@ -90,8 +90,8 @@ impl<'a, T> Table<'a, T> {
         scale: &Scale,
         amount: impl Fn(&'a T) -> A,
     ) -> Self {
-        let amounts = self.amounts(&|of| amount(of).into());
-        let cells = amounts
+        let cells = self
+            .amounts(&|of| amount(of).into())
             .iter()
             .map(|amount| unaligned_cell(amount, scale))
             .collect();
@@ -109,7 +109,7 @@ impl<'a, T> Table<'a, T> {
     }
 
     /// With a column, where there is one.
-    pub(crate) fn with(mut self, column: Option<Column>) -> Self {
+    pub fn with(mut self, column: Option<Column>) -> Self {
         self.columns.extend(column);
         self
     }
@@ -125,10 +125,11 @@ fn heading(label: &str, scale: &Scale) -> String {
 
 /// Cells of numbers with their points aligned; what has a ± or words is as it is alone.
 fn aligned_cells(amounts: &[Amount], scale: &Scale) -> Vec<Option<String>> {
-    let numbers: Vec<Option<f64>> = amounts
-        .iter()
-        .map(|amount| amount.number().map(|v| scale.rounded(v)))
-        .collect();
+    let numbers = Vec::from_iter(
+        amounts
+            .iter()
+            .map(|amount| amount.number().map(|v| scale.rounded(v))),
+    );
     amounts
         .iter()
         .zip(aligned(&numbers, scale.digits))

@@ -115,14 +115,13 @@ impl From<&Simulated> for SimulatedRow {
                 });
             }
         };
-        let response = Response {
-            pressure_mpa: q.requested.pressure_mpa,
-            contraction: q.requested.contraction.unwrap_or(s.response.contraction),
-            force_n: if q.slack { 0.0 } else { s.response.force_n },
-            ..s.response
-        };
         Self::Answered(Box::new(SimulatedPoint {
-            response,
+            response: Response {
+                pressure_mpa: q.requested.pressure_mpa,
+                contraction: q.requested.contraction.unwrap_or(s.response.contraction),
+                force_n: if q.slack { 0.0 } else { s.response.force_n },
+                ..s.response
+            },
             built: q.built,
             slack: q.slack,
             free_contraction: q.free_contraction,
@@ -170,7 +169,7 @@ impl Show for SimulateAnswer {
     }
 
     fn page(&self, u: &Units) -> Page {
-        let rows: Vec<SimulatedRow> = self.simulated.iter().map(SimulatedRow::from).collect();
+        let rows = Vec::from_iter(self.simulated.iter().map(SimulatedRow::from));
         let mut page = Page::of(self, u, &["points", "deck"]);
         page.list("", &rows, u, &SHOWN);
         let answered = |row: &SimulatedRow| matches!(row, SimulatedRow::Answered(_));
@@ -182,8 +181,7 @@ impl Show for SimulateAnswer {
                 "volume_per_pressure_mm3_per_mpa",
                 "mean_n",
             ];
-            let without = [&SHOWN[2..], &more].concat();
-            page.and(Page::of(last, u, &without));
+            page.and(Page::of(last, u, &[&SHOWN[2..], &more].concat()));
         }
         page
     }

@@ -160,8 +160,10 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         request.forces_n.is_some(),
     )?;
     if request.test == Test::Isotonic {
-        let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
-        Problem::refuse_unused(&[("of_largest", request.of_largest)], why)?;
+        Problem::refuse_unused(
+            &[("of_largest", request.of_largest)],
+            "`test` isotonic takes pulls (`forces_n`), and no contractions",
+        )?;
     }
     let muscle = request.muscle.resolve()?;
     let model = request.model.choose()?;
@@ -170,8 +172,8 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     };
     model.admit(&muscle)?;
     let ends = muscle.ends();
-    let inner = muscle.between_ends();
-    let meshed = Meshed::new(elements, &inner).map_err(|e| ProblemKind::Mesh.problem(e))?;
+    let meshed =
+        Meshed::new(elements, &muscle.between_ends()).map_err(|e| ProblemKind::Mesh.problem(e))?;
     let simulation = meshed.simulation(&muscle);
     let workspace = &mut Workspace::new();
     let questions = request.questions(&*simulation, workspace)?;
@@ -196,8 +198,10 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         progress.check()?;
         let mut point = solved(&*simulation, workspace, requested, request.two_sided)?;
         if let Ok(Solution { response, .. }) = &point.solution {
-            let contraction = requested.contraction.unwrap_or(response.contraction);
-            let at = as_built.point(requested.pressure_mpa, contraction);
+            let at = as_built.point(
+                requested.pressure_mpa,
+                requested.contraction.unwrap_or(response.contraction),
+            );
             point.built = at.ok().and_then(|at| at.built);
         }
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
@@ -275,8 +279,8 @@ impl SimulateRequest {
         };
         let forces = forces(&self.forces_n, model.muscle(), options)?;
         if self.of_largest {
-            let highest = peak(pressures.iter().copied());
-            let largest = free_contraction(model, workspace, highest).map_err(Problem::from)?;
+            let largest = free_contraction(model, workspace, peak(pressures.iter().copied()))
+                .map_err(Problem::from)?;
             contractions.iter_mut().for_each(|e| *e *= largest);
         }
         let held: Vec<(Option<f64>, Option<f64>)> = match self.test {
@@ -337,7 +341,7 @@ fn solved(
             pressure_mpa,
             force_n,
         },
-        (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or(0.0)),
+        (contraction, _) => Given::at(pressure_mpa, contraction.unwrap_or_default()),
     };
     let solution = model.solve(workspace, given);
     cancel::check()?;
@@ -366,11 +370,10 @@ fn solved(
         |e| Status::from(&ModelError::from(e.clone())),
         |_| Status::Ok,
     );
-    let slack = hangs || pushes && shortened.is_some();
     Ok(Simulated {
         requested,
         solution,
-        slack,
+        slack: hangs || pushes && shortened.is_some(),
         free_contraction: past_free,
         built: None,
         status,
@@ -409,7 +412,7 @@ fn written_deck(
                 .into(),
         ));
     }
-    let contractions: Vec<f64> = questions.iter().filter_map(|q| q.contraction).collect();
+    let contractions = Vec::from_iter(questions.iter().filter_map(|q| q.contraction));
     let (Test::Isometric, Some(&contraction)) = (test, contractions.first()) else {
         return Err(wrong("an input deck needs an isometric test".into()));
     };
@@ -418,6 +421,6 @@ fn written_deck(
             "an input deck needs a test at one contraction".into(),
         ));
     }
-    let pressures: Vec<f64> = questions.iter().map(|q| q.pressure_mpa).collect();
+    let pressures = Vec::from_iter(questions.iter().map(|q| q.pressure_mpa));
     deck(model, contraction, &pressures).map_err(|e| wrong(e.to_string()))
 }

@@ -1,7 +1,7 @@
 //! `build`: a folder with all that a workshop needs, or its report alone.
 
 use crate::{
-    Bar, Context, Problem, check_ending, ending, examples::examples, output::ShownUnits,
+    Bar, Context, Result, check_ending, ending, examples::examples, output::ShownUnits,
     path_on_one_line,
 };
 use mckibben_app::{BuildRequest, REPORT, build, print::Page};
@@ -31,7 +31,7 @@ pub struct Build {
 }
 
 impl Build {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         let folder = self.output.as_deref();
         let target = self.report.as_deref();
         check_ending(target, &["html", "htm", "pdf"])?;

@@ -1,7 +1,7 @@
 //! `campaign`, `campaign show|merge`.
 
 use crate::{
-    Bar, Context, Format, NO_ANSWER, NOT_CONVERGED, Problem, clean,
+    Bar, Context, Format, NO_ANSWER, NOT_CONVERGED, Problem, Result, clean,
     examples::examples,
     output::{Output, json},
     path_on_one_line,
@@ -16,7 +16,7 @@ use mckibben_campaign::campaign::CampaignOutcome;
 use mckibben_core::progress::{Progress, Silent};
 use std::time::{Duration, Instant};
 
-fn no_csv(context: &Context) -> Result<(), Problem> {
+fn no_csv(context: &Context) -> Result<()> {
     if context.format != Format::Csv {
         return Ok(());
     }
@@ -82,7 +82,7 @@ enum About {
 }
 
 impl Campaign {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         match self.about {
             Some(About::Show { request, output }) => {
                 let summary = campaign_show(&request)?;
@@ -105,11 +105,7 @@ impl Campaign {
     }
 }
 
-fn run_campaign(
-    mut request: CampaignRequest,
-    quiet: bool,
-    context: &Context,
-) -> Result<u8, Problem> {
+fn run_campaign(mut request: CampaignRequest, quiet: bool, context: &Context) -> Result<u8> {
     no_csv(context)?;
     let bar = Bar::new("muscles");
     let progress: &dyn Progress = if quiet { &Silent } else { &bar };
@@ -179,7 +175,7 @@ fn as_text(outcome: &CampaignOutcome, time: Duration) -> String {
     out
 }
 
-fn merge(mut request: CampaignMergeRequest, context: &Context) -> Result<u8, Problem> {
+fn merge(mut request: CampaignMergeRequest, context: &Context) -> Result<u8> {
     no_csv(context)?;
     request.overwrite = context.overwrite;
     context.print(&campaign_merge(&request)?, |_| (), None)?;

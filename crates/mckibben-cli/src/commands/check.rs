@@ -1,7 +1,7 @@
 //! `check`: what is known of a muscle, whether it is plausible, what is not known, and what to
 //! measure first; or a formula's file.
 
-use crate::{Context, Format, Output, Problem, examples::examples};
+use crate::{Context, Format, Output, Problem, Result, examples::examples};
 use mckibben_app::{CheckFormulaRequest, CheckRequest, TextFile, check, check_formula};
 use std::path::Path;
 
@@ -25,7 +25,7 @@ pub struct Check {
 }
 
 impl Check {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         let file = self.request.question.muscle.file();
         if let Some(formula) = file.and_then(formula) {
             return self.show_formula(formula, context);
@@ -40,7 +40,7 @@ impl Check {
         self.output.print(context, &answer)
     }
 
-    fn show_formula(self, formula: CheckFormulaRequest, context: &Context) -> Result<u8, Problem> {
+    fn show_formula(self, formula: CheckFormulaRequest, context: &Context) -> Result<u8> {
         if self.request.pressure_mpa.is_some() {
             return Err(Problem::usage(
                 "--pressure is of a muscle, not of a formula",

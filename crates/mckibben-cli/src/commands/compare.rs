@@ -1,6 +1,6 @@
 //! `compare`: models, and measured points.
 
-use crate::{Bar, Context, Output, Plot, Problem, examples::examples};
+use crate::{Bar, Context, Output, Plot, Result, examples::examples};
 use mckibben_app::CompareRequest;
 
 /// Models, and measured points.
@@ -19,7 +19,7 @@ pub struct Compare {
 }
 
 impl Compare {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         self.request.figure = self.plot.wanted(context);
         let mut answer = mckibben_app::compare(&self.request, &Bar::new("models"))?;
         self.plot.save(context, &mut answer.figure)?;

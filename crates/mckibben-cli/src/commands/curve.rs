@@ -1,7 +1,7 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
 use crate::{
-    Bar, Context, Format, Output, Plot, Problem, examples::examples, exit_code, output::form,
+    Bar, Context, Format, Output, Plot, Result, examples::examples, exit_code, output::form,
 };
 use mckibben_app::{CurveRequest, StudyRequest, study};
 
@@ -34,7 +34,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         let mut request = self.request;
         request.figure = self.plot.wanted(context);
         if self.study.is_some() {

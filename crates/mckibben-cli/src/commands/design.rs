@@ -1,7 +1,7 @@
 //! `design`: the main job.
 
 use crate::{
-    Bar, Context, Format, NO_ANSWER, Plot, Problem, check_ending, examples::examples,
+    Bar, Context, Format, NO_ANSWER, Plot, Result, check_ending, examples::examples,
     output::ShownUnits, path_on_one_line,
 };
 use mckibben_app::DesignRequest;
@@ -35,7 +35,7 @@ pub struct Design {
 }
 
 impl Design {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         let target = self.output.as_deref();
         check_ending(target, &["toml"])?;
         self.request.load.read_tables()?;
@@ -55,8 +55,11 @@ impl Design {
             context.save(Some(&beside), joint.file(name).as_bytes())?;
             written = Some(format!(", its joint in {}", path_on_one_line(&beside)));
         }
-        let page = |u: &_| answer.page_with(u, self.all, name.as_deref());
-        context.print_page(&answer, page, None)?;
+        context.print_page(
+            &answer,
+            |u: &_| answer.page_with(u, self.all, name.as_deref()),
+            None,
+        )?;
         if let (Some(path), Some(_), Format::Text) = (target, winner, context.format) {
             context.emit(
                 format!(

@@ -1,6 +1,6 @@
 //! `export`: a folder with a muscle for a controller or a simulator.
 
-use crate::{Context, Problem, examples::examples, output::ShownUnits, path_on_one_line};
+use crate::{Context, Result, examples::examples, output::ShownUnits, path_on_one_line};
 use mckibben_app::{
     BuiltFile, ExportListRequest, ExportRequest, export, export_joint, export_list, print::Page,
 };
@@ -28,7 +28,7 @@ pub struct Export {
 }
 
 impl Export {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         if self.list {
             context.print(&export_list(&ExportListRequest {})?, |_| (), None)?;
             return Ok(0);

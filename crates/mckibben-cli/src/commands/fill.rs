@@ -1,6 +1,6 @@
 //! `fill`: a volume of liquid pushed into a muscle.
 
-use crate::{Context, Output, Problem, examples::examples};
+use crate::{Context, Output, Result, examples::examples};
 use mckibben_app::FillRequest;
 
 /// A volume of liquid pushed into a muscle.
@@ -17,7 +17,7 @@ pub struct Fill {
 }
 
 impl Fill {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         self.request.load.read_tables()?;
         let answer = mckibben_app::fill(&self.request)?;
         self.output.print(context, &answer)

@@ -1,6 +1,6 @@
 //! `fit`: from a table of points to a formula.
 
-use crate::{Bar, Context, Problem, check_ending, examples::examples, path_on_one_line};
+use crate::{Bar, Context, Result, check_ending, examples::examples, path_on_one_line};
 use mckibben_app::{FitRequest, TextFile, print::Page};
 use mckibben_core::units::{
     RangeError,
@@ -54,7 +54,7 @@ impl FromStr for HoldOut {
 }
 
 impl Fit {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         let target = self.output.as_deref();
         check_ending(target, &["json"])?;
         let mut request = self.request;

@@ -1,6 +1,6 @@
 //! `help COMMAND` and `man`: the flags of the commands as text and as manual pages.
 
-use crate::{Context, Problem, examples::examples, unprinted};
+use crate::{Context, Problem, Result, examples::examples, unprinted};
 use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -18,7 +18,7 @@ pub struct Help {
 }
 
 impl Help {
-    pub fn run(self, root: Command) -> Result<u8, Problem> {
+    pub fn run(self, root: Command) -> Result<u8> {
         let mut root = built(root);
         let words = self.command;
         let mut command = &mut root;
@@ -53,14 +53,19 @@ pub struct ManPages {
 }
 
 impl ManPages {
-    pub fn run(self, root: Command, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, root: Command, context: &Context) -> Result<u8> {
         let root = built(root);
         let words = self.command;
         let Some(folder) = self.output else {
-            let command = words
-                .iter()
-                .try_fold(&root, |command, word| command.find_subcommand(word));
-            context.emit(page(command.ok_or_else(|| unknown(&words))?)?, None)?;
+            context.emit(
+                page(
+                    words
+                        .iter()
+                        .try_fold(&root, |command, word| command.find_subcommand(word))
+                        .ok_or_else(|| unknown(&words))?,
+                )?,
+                None,
+            )?;
             return Ok(0);
         };
         let mut left = vec![&root];
@@ -85,7 +90,7 @@ pub struct Completions {
 }
 
 impl Completions {
-    pub fn run(self, mut root: Command, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, mut root: Command, context: &Context) -> Result<u8> {
         // Into memory first: clap_complete panics where it cannot write.
         let mut script = vec![];
         clap_complete::generate(self.shell, &mut root, "mckibben", &mut script);
@@ -101,7 +106,7 @@ fn built(mut root: Command) -> Command {
 }
 
 /// The manual page of a command.
-fn page(command: &Command) -> Result<Vec<u8>, Problem> {
+fn page(command: &Command) -> Result<Vec<u8>> {
     let mut out = vec![];
     // A page has what the short help has not.
     let whole = command

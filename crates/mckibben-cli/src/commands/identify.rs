@@ -1,7 +1,7 @@
 //! `identify`: constants of a muscle from points.
 
 use crate::{
-    Bar, Context, Plot, Problem, check_ending, examples::examples, output::ShownUnits,
+    Bar, Context, Plot, Result, check_ending, examples::examples, output::ShownUnits,
     path_on_one_line,
 };
 use mckibben_app::{
@@ -52,7 +52,7 @@ pub struct Identify {
 }
 
 impl Identify {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         check_ending(self.output.as_deref(), &["toml"])?;
         self.request.figure = self.plot.wanted(context);
         if let Some(log) = &self.motion {
@@ -78,7 +78,7 @@ impl Identify {
         (what, file): (&str, &str),
         more: Option<String>,
         context: &Context,
-    ) -> Result<u8, Problem> {
+    ) -> Result<u8> {
         let target = self.output.as_deref();
         context.save(target, file.as_bytes())?;
         let written = target.map(|path| format!("The {what} is in {}.", path_on_one_line(path)));
@@ -93,7 +93,7 @@ impl Identify {
     }
 
     /// Constants of a drive from a log of its motion.
-    fn of_motion(&self, log: &Path, context: &Context) -> Result<u8, Problem> {
+    fn of_motion(&self, log: &Path, context: &Context) -> Result<u8> {
         let drive = self.request.muscle.file().map(|file| &*file.name);
         let request = MotionRequest {
             model: self.request.model.clone(),

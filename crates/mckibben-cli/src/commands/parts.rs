@@ -1,6 +1,6 @@
 //! `parts list|show`.
 
-use crate::{Context, Output, Problem, examples::examples};
+use crate::{Context, Output, Result, examples::examples};
 use clap::Subcommand;
 use mckibben_app::{PartShowRequest, PartsListRequest, part_show, parts_list};
 
@@ -32,7 +32,7 @@ pub enum Parts {
 }
 
 impl Parts {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         match self {
             Self::List { request, output } => output.print(context, &parts_list(&request)?),
             Self::Show { request, output } => output.print(context, &part_show(&request)?),

@@ -1,6 +1,6 @@
 //! `force`, `pressure`, `contraction`: one point.
 
-use crate::{Context, Output, Problem, examples::examples};
+use crate::{Context, Output, Result, examples::examples};
 use clap::Args;
 use mckibben_app::{ContractionRequest, ForceRequest, PressureRequest};
 
@@ -41,21 +41,21 @@ pub struct Contraction {
 }
 
 impl Force {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         self.output
             .print(context, &mckibben_app::force(&self.request)?)
     }
 }
 
 impl Pressure {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         self.output
             .print(context, &mckibben_app::pressure(&self.request)?)
     }
 }
 
 impl Contraction {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         self.request.load.read_tables()?;
         self.output
             .print(context, &mckibben_app::contraction(&self.request)?)

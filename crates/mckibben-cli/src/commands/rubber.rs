@@ -1,6 +1,6 @@
 //! `rubber`: laws from tension tests.
 
-use crate::{Context, Plot, Problem, check_ending, examples::examples, path_on_one_line};
+use crate::{Context, Plot, Problem, Result, check_ending, examples::examples, path_on_one_line};
 use mckibben_app::{ProblemKind, RubberFitRequest, TextFile, print::Page, rubber_fit};
 use mckibben_core::progress::Silent;
 use std::path::{Path, PathBuf};
@@ -30,12 +30,12 @@ pub struct Rubber {
     output: Option<PathBuf>,
 }
 
-fn table(path: &str) -> Result<TextFile, Problem> {
+fn table(path: &str) -> Result<TextFile> {
     TextFile::table(Path::new(path))
 }
 
 impl Rubber {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         let target = self.output.as_deref();
         check_ending(target, &["toml"])?;
         self.request.tables.data.splice(0..0, self.tests);

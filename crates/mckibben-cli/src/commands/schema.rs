@@ -1,6 +1,6 @@
 //! `schema`: the JSON Schema of requests, answers and files.
 
-use crate::{Context, Problem, check_ending, examples::examples};
+use crate::{Context, Result, check_ending, examples::examples};
 use mckibben_app::{COMMANDS, bundle, file_schema, schema};
 use std::path::PathBuf;
 
@@ -27,7 +27,7 @@ pub struct Schema {
 }
 
 impl Schema {
-    pub fn run(self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(self, context: &Context) -> Result<u8> {
         let target = self.output;
         let one = match (self.file, self.command) {
             (Some(kind), _) => file_schema(&kind)?,

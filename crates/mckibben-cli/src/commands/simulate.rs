@@ -1,7 +1,7 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 use crate::{
-    Bar, Context, Format, Output, Plot, Problem, check_ending, examples::examples, exit_code,
+    Bar, Context, Format, Output, Plot, Result, check_ending, examples::examples, exit_code,
     path_on_one_line,
 };
 use mckibben_app::{SimulateRequest, print::Page};
@@ -42,7 +42,7 @@ pub struct Simulate {
 }
 
 impl Simulate {
-    pub fn run(mut self, context: &Context) -> Result<u8, Problem> {
+    pub fn run(mut self, context: &Context) -> Result<u8> {
         let deck = self.export_inp.as_deref();
         check_ending(deck, &["inp"])?;
         let opened = self.vtu.as_ref().map(|folder| folder.join("muscle.pvd"));

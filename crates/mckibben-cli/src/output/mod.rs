@@ -5,7 +5,7 @@ pub mod text;
 mod width;
 mod write;
 
-use crate::{Context, Format, Problem, clean, unprinted};
+use crate::{Context, Format, Problem, Result, clean, unprinted};
 use mckibben_app::{
     ProblemKind, Units,
     print::{Page, Show},
@@ -20,7 +20,7 @@ use std::{
 use table::CsvTable;
 pub use write::{check_ending, complain, ending};
 
-pub fn json<T: Serialize>(answer: &T) -> Result<Value, Problem> {
+pub fn json<T: Serialize>(answer: &T) -> Result<Value> {
     serde_json::to_value(answer)
         .map_err(|e| ProblemKind::Output.problem(format!("cannot make JSON: {e}")))
 }
@@ -78,7 +78,7 @@ pub struct Output {
 
 impl Output {
     /// Prints an answer where `--output` says.
-    pub fn print<T: Show>(&self, context: &Context, answer: &T) -> Result<u8, Problem> {
+    pub fn print<T: Show>(&self, context: &Context, answer: &T) -> Result<u8> {
         context.print(answer, |_| (), self.output.as_deref())?;
         Ok(0)
     }
@@ -95,7 +95,7 @@ impl Context {
         answer: &T,
         add: impl FnOnce(&mut Page),
         target: Target<'_>,
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         let page = |u: &Units| {
             let mut page = answer.page(u);
             add(&mut page);
@@ -110,7 +110,7 @@ impl Context {
         answer: &T,
         page: impl FnOnce(&Units) -> Page,
         target: Target<'_>,
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         match form(target, self.format)? {
             Format::Text => self.print_text(answer.warnings(), || page(&self.units), target),
             Format::Json => self.emit(plain(format!("{:#}\n", json(answer)?)), target),
@@ -134,7 +134,7 @@ impl Context {
         warnings: Vec<Warning>,
         page: impl FnOnce() -> Page,
         target: Target<'_>,
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         self.unit_note.iter().for_each(|note| self.warn(note));
         let (first, mut others): (Vec<_>, Vec<_>) =
             warnings.into_iter().partition(Warning::is_of_burst);
@@ -156,7 +156,7 @@ impl Context {
 
     /// Prints an answer of many points as JSON: straight to standard output, or into a file, which
     /// appears whole.
-    pub fn emit_json<T: Serialize>(&self, answer: &T, target: Target<'_>) -> Result<(), Problem> {
+    pub fn emit_json<T: Serialize>(&self, answer: &T, target: Target<'_>) -> Result<()> {
         if target.is_some() {
             return self.emit(plain(format!("{:#}\n", json(answer)?)), target);
         }
@@ -170,7 +170,7 @@ impl Context {
 }
 
 /// The format of a file by its ending; without one, or for standard output, that of `--format`.
-pub fn form(path: Option<&Path>, format: Format) -> Result<Format, Problem> {
+pub fn form(path: Option<&Path>, format: Format) -> Result<Format> {
     let Some(ending) = path.and_then(ending) else {
         return Ok(format);
     };

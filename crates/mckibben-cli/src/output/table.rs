@@ -1,7 +1,7 @@
 //! The columns of a table: those of the rows' schema, so that they are the same whatever the
 //! values.
 
-use crate::Problem;
+use crate::{Problem, Result};
 use mckibben_app::{
     ProblemKind,
     print::{
@@ -81,10 +81,10 @@ pub struct CsvTable {
 
 impl CsvTable {
     /// The table of an answer.
-    pub fn of(answer: Csv) -> Result<Self, Problem> {
+    pub fn of(answer: Csv) -> Result<Self> {
         let schema = (answer.schema)();
         let rows = answer.rows.map_err(|e| broken(&e))?;
-        let rows: Vec<Value> = match answer.form {
+        let rows = match answer.form {
             CsvLayout::Rows => rows,
             CsvLayout::Flat => rows.into_iter().map(flat).collect(),
             CsvLayout::Columns => rows
@@ -117,11 +117,16 @@ fn flat(value: Value) -> Value {
 
 /// The rows of an object of lists.
 fn of_columns(columns: &Map<String, Value>) -> Vec<Value> {
-    let lists: Vec<(&String, &Vec<Value>)> = columns
+    let lists = Vec::from_iter(
+        columns
+            .iter()
+            .filter_map(|(name, list)| Some((name, list.as_array()?))),
+    );
+    let count = lists
         .iter()
-        .filter_map(|(name, list)| Some((name, list.as_array()?)))
-        .collect();
-    let count = lists.iter().map(|(_, list)| list.len()).max().unwrap_or(0);
+        .map(|(_, list)| list.len())
+        .max()
+        .unwrap_or_default();
     let row = |i: usize| {
         lists
             .iter()
@@ -144,18 +149,19 @@ fn broken(error: &dyn std::fmt::Display) -> Problem {
     ProblemKind::Output.problem(format!("cannot make CSV: {error}"))
 }
 
-pub fn csv(table: &CsvTable) -> Result<Vec<u8>, Problem> {
+pub fn csv(table: &CsvTable) -> Result<Vec<u8>> {
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer
         .write_record(table.columns.iter().map(|c| cell(c).into_owned()))
         .map_err(|e| broken(&e))?;
     for object in table.rows.iter().filter_map(Value::as_object) {
-        let cells: Vec<String> = table
-            .columns
-            .iter()
-            .map(|c| text(object.get(c)).unwrap_or_default())
-            .map(|text| super::plain(cell(&text).into_owned()))
-            .collect();
+        let cells = Vec::from_iter(
+            table
+                .columns
+                .iter()
+                .map(|c| text(object.get(c)).unwrap_or_default())
+                .map(|text| super::plain(cell(&text).into_owned())),
+        );
         writer.write_record(cells).map_err(|e| broken(&e))?;
     }
     writer.into_inner().map_err(|e| broken(&e))

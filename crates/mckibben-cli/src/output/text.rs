@@ -19,9 +19,13 @@ const GAP: usize = 2;
 /// A table without borders: a header, aligned columns (numbers to the right). One that is wider
 /// than the text may be has narrower text columns, or goes on below, with its first column again.
 fn table_within(room: usize, list: &[Column]) -> String {
-    let columns: Vec<Drawn<'_>> = list.iter().map(Drawn::new).collect();
-    let parts = parts(room, &columns.iter().collect::<Vec<_>>());
-    joined(parts.iter().map(|columns| table(room, columns)), "\n")
+    let columns = Vec::from_iter(list.iter().map(Drawn::new));
+    joined(
+        parts(room, &columns.iter().collect::<Vec<_>>())
+            .iter()
+            .map(|columns| table(room, columns)),
+        "\n",
+    )
 }
 
 /// A column of one line a cell.
@@ -37,11 +41,7 @@ struct Drawn<'a> {
 impl<'a> Drawn<'a> {
     fn new(column: &'a Column) -> Self {
         let heading = &*column.heading;
-        let cells: Vec<String> = column
-            .cells
-            .iter()
-            .map(|cell| line(cell).into_owned())
-            .collect();
+        let cells = Vec::from_iter(column.cells.iter().map(|cell| line(cell).into_owned()));
         let number = |c: &str| {
             c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch))
                 && !c.starts_with("--")
@@ -50,7 +50,10 @@ impl<'a> Drawn<'a> {
         let is_numeric = texts.all(|c| number(c) || matches!(&**c, "" | "slack" | "unknown" | "→"));
         let texts = || cells.iter().map(String::as_str).chain([heading]);
         let longest = |words: &mut dyn Iterator<Item = &str>| {
-            words.map(|text| text.chars().count()).max().unwrap_or(0)
+            words
+                .map(|text| text.chars().count())
+                .max()
+                .unwrap_or_default()
         };
         let width = longest(&mut texts());
         let word = longest(&mut texts().flat_map(|text| text.split(' ')));
@@ -146,7 +149,7 @@ impl Context {
             .iter()
             .map(|(name, _)| name.chars().count())
             .max()
-            .unwrap_or(0);
+            .unwrap_or_default();
         let room = room.saturating_sub(width + 5).max(NARROW);
         let one = |(name, value): &(String, String)| {
             let value =

@@ -16,11 +16,12 @@ pub fn of_result(target: Option<&Path>) -> Option<usize> {
         return None;
     }
     let said = || std::env::var("COLUMNS").ok()?.parse::<usize>().ok();
-    let terminal = terminal_size_of(std::io::stdout());
-    let width = terminal
-        .map(|(Width(width), _)| usize::from(width))
-        .or_else(said)?;
-    Some(width.max(LEAST))
+    Some(
+        terminal_size_of(std::io::stdout())
+            .map(|(Width(width), _)| usize::from(width))
+            .or_else(said)?
+            .max(LEAST),
+    )
 }
 
 /// Of standard error, where it has a width.

@@ -2,7 +2,7 @@
 //! is overwritten only with `--overwrite`.
 
 use super::width;
-use crate::{Context, Problem, clean, progress};
+use crate::{Context, Problem, Result, clean, progress};
 use anstyle::{AnsiColor, Style};
 use mckibben_app::{BuiltFile, ProblemKind};
 use mckibben_core::units::short_numbers;
@@ -19,7 +19,7 @@ const WRITTEN: [&str; 4] = ["--output", "--plot", "--report", "--export-inp"];
 impl Context {
     /// Refuses a command line that names an existing file for a result, before any work is done for
     /// it. A campaign continues its file.
-    pub fn check_named(&self, continues: bool) -> Result<(), Problem> {
+    pub fn check_named(&self, continues: bool) -> Result<()> {
         let is_written = |name: &str| WRITTEN.contains(&name) && !(continues && name == "--output");
         self.flags
             .iter()
@@ -29,13 +29,13 @@ impl Context {
     }
 
     /// Refuses to write what is no answer, and to overwrite a file.
-    pub fn check(&self, path: &Path) -> Result<(), Problem> {
+    pub fn check(&self, path: &Path) -> Result<()> {
         progress::ended()?;
         check_free(path, self.overwrite).map_err(|e| unwritten(path, &e))
     }
 
     /// Writes all files of an answer into a folder, or none if one of them exists.
-    pub fn save_all(&self, files: &[BuiltFile], folder: &Path) -> Result<(), Problem> {
+    pub fn save_all(&self, files: &[BuiltFile], folder: &Path) -> Result<()> {
         // A file with the same content is not written again.
         let is_there = |file: &&BuiltFile| {
             let limit = file.content.len() as u64;
@@ -51,20 +51,20 @@ impl Context {
         &self,
         folder: &Path,
         files: impl IntoIterator<Item = (N, B)>,
-    ) -> Result<(), Problem> {
+    ) -> Result<()> {
         progress::ended()?;
         put_all(folder, files, self.overwrite).map_err(|(path, e)| unwritten(&path, &e))
     }
 
     /// Writes a file, where one is named.
-    pub fn save(&self, target: Option<&Path>, bytes: impl AsRef<[u8]>) -> Result<(), Problem> {
+    pub fn save(&self, target: Option<&Path>, bytes: impl AsRef<[u8]>) -> Result<()> {
         let Some(path) = target else { return Ok(()) };
         progress::ended()?;
         put(path, bytes.as_ref(), self.overwrite).map_err(|e| unwritten(path, &e))
     }
 
     /// Writes to a file, or to standard output.
-    pub fn emit(&self, bytes: impl AsRef<[u8]>, target: Option<&Path>) -> Result<(), Problem> {
+    pub fn emit(&self, bytes: impl AsRef<[u8]>, target: Option<&Path>) -> Result<()> {
         if target.is_some() {
             return self.save(target, bytes);
         }
@@ -77,9 +77,12 @@ impl Context {
     /// A line for the user beside the result, in the units that he reads; nothing better can be
     /// done if nobody can read it.
     pub fn warn(&self, message: impl Display) {
-        let message = self.in_flags(&message.to_string());
-        let text = self.units.sentence(&message);
-        let text = format!("warning: {}", clean::line(&short_numbers(&text)));
+        let text = format!(
+            "warning: {}",
+            clean::line(&short_numbers(
+                &self.units.sentence(&self.in_flags(&message.to_string()))
+            ))
+        );
         let text = width::broken(&text, width::aside());
         let text = text.strip_prefix("warning:").unwrap_or(&text);
         let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#}{text}");
@@ -109,7 +112,7 @@ pub fn ending(path: &Path) -> Option<String> {
 }
 
 /// Refuses a name whose ending promises another format than the one that is written.
-pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<(), Problem> {
+pub fn check_ending(path: Option<&Path>, endings: &[&str]) -> Result<()> {
     let Some((path, ending)) = path.and_then(|path| Some((path, ending(path)?))) else {
         return Ok(());
     };

@@ -104,8 +104,11 @@ pub fn files(muscle: &ExportedMuscle, sources: &[Source]) -> Vec<File> {
 
 fn rendered(sources: &[Source], facts: &[String], values: &[(&str, String)]) -> Vec<File> {
     let one = |(name, about, template): &Source| {
-        let name = render(name, &[], values);
-        File::text(name.trim_end(), about, render(template, facts, values))
+        File::text(
+            render(name, &[], values).trim_end(),
+            about,
+            render(template, facts, values),
+        )
     };
     sources.iter().map(one).collect()
 }

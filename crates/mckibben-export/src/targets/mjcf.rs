@@ -68,12 +68,16 @@ fn muscle_files(muscle: &ExportedMuscle, way: Way<'_>) -> Vec<File> {
         ("id", id.clone()),
     ];
     let text = include_str!("../../templates/muscle_part.xml");
-    let part = File::text(
-        format!("{id}_part.xml"),
-        "the muscle as a part of any model",
-        render(text, &muscle.facts(), &places),
-    );
-    [vec![part], files(muscle, &PLUGIN), files(muscle, &SOURCES)].concat()
+    [
+        vec![File::text(
+            format!("{id}_part.xml"),
+            "the muscle as a part of any model",
+            render(text, &muscle.facts(), &places),
+        )],
+        files(muscle, &PLUGIN),
+        files(muscle, &SOURCES),
+    ]
+    .concat()
 }
 
 /// A scene in which a mass hangs from the muscle, and the muscle.
@@ -92,13 +96,16 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
         ("id", id.clone()),
     ];
     let text = include_str!("../../templates/muscle.xml");
-    let scene = File::text(
-        id + ".xml",
-        "a mass that hangs from the muscle",
-        render(text, &muscle.facts(), &places),
-    );
     Ok(Artefact {
-        files: [vec![scene], muscle_files(muscle, None)].concat(),
+        files: [
+            vec![File::text(
+                id + ".xml",
+                "a mass that hangs from the muscle",
+                render(text, &muscle.facts(), &places),
+            )],
+            muscle_files(muscle, None),
+        ]
+        .concat(),
     })
 }
 

@@ -28,7 +28,7 @@ pub struct ExportTarget {
     #[serde(skip)]
     make: fn(&ExportedMuscle) -> Result<Artefact>,
     #[serde(skip)]
-    pub(crate) joint: fn(&ExportedJoint) -> Result<Artefact>,
+    pub joint: fn(&ExportedJoint) -> Result<Artefact>,
 }
 
 impl ExportTarget {
@@ -49,8 +49,9 @@ impl ExportTarget {
     /// The target of this name.
     pub fn named(name: &str) -> Result<Self> {
         if name.trim() == "opensim" {
-            let gone = "the target opensim is gone: take fmu or python";
-            return Err(ExportError::Host(gone.into()));
+            return Err(ExportError::Host(
+                "the target opensim is gone: take fmu or python".into(),
+            ));
         }
         Self::ALL
             .into_iter()
@@ -91,7 +92,7 @@ fn values(
         ),
         (
             "burst",
-            number(1e6 * limits.burst_pressure_mpa.unwrap_or(0.0)),
+            number(1e6 * limits.burst_pressure_mpa.unwrap_or_default()),
         ),
         ("wanted", number(0.3 * muscle.blocked_force_n)),
         ("count", form.contractions.len().to_string()),

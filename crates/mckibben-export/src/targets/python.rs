@@ -40,12 +40,14 @@ fn joint(joint: &ExportedJoint) -> Result<Artefact> {
         &joint.facts(),
         &values,
     );
-    let about = "torque, stiffness and pressures of the joint";
-    let own = File::text(joint.identifier() + ".py", about, text);
     Ok(Artefact {
-        files: std::iter::once(own)
-            .chain(joint.muscles.iter().map(module))
-            .collect(),
+        files: std::iter::once(File::text(
+            joint.identifier() + ".py",
+            "torque, stiffness and pressures of the joint",
+            text,
+        ))
+        .chain(joint.muscles.iter().map(module))
+        .collect(),
     })
 }
 
@@ -55,6 +57,9 @@ fn module(muscle: &ExportedMuscle) -> File {
         &muscle.facts(),
         &values(muscle, ROUND, number),
     );
-    let about = "the functions of a muscle";
-    File::text(muscle.identifier() + ".py", about, text)
+    File::text(
+        muscle.identifier() + ".py",
+        "the functions of a muscle",
+        text,
+    )
 }

@@ -37,9 +37,8 @@ fn artefact(
     values: &[(&'static str, String)],
 ) -> Result<Artefact> {
     let text = render(&templates.concat(), facts, values);
-    let about = "functions and numbers";
     Ok(Artefact {
-        files: vec![File::text(id + ".rs", about, text)],
+        files: vec![File::text(id + ".rs", "functions and numbers", text)],
     })
 }
 

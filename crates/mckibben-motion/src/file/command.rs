@@ -104,9 +104,10 @@ impl Commands<'_> {
             OverTime::Contraction
         };
         let position = keys.position.map(|position| {
-            let position = self.read(position, "command.position", what)?;
             Ok(Commanded::Position {
-                command: position.scaled(self.unit),
+                command: self
+                    .read(position, "command.position", what)?
+                    .scaled(self.unit),
                 pid: self.pid(controller)?,
             })
         });
@@ -170,10 +171,9 @@ impl Commands<'_> {
         match (keys.force, keys.torque, self.about_joint) {
             (None, None, _) => Ok(Command::Constant(0.0)),
             (Some(force), None, false) => self.read(force, "external.force", OverTime::Force),
-            (None, Some(torque), true) => {
-                let torque = self.read(torque, "external.torque", OverTime::Torque)?;
-                Ok(torque.scaled(-1e3))
-            }
+            (None, Some(torque), true) => Ok(self
+                .read(torque, "external.torque", OverTime::Torque)?
+                .scaled(-1e3)),
             _ => Err(self.source.error(
                 "external",
                 "is a `force` on a muscle, or a `torque` on a joint",
@@ -217,9 +217,11 @@ impl Commands<'_> {
             && let Some(name) = table_named(text)
         {
             let invalid = |e: String| wrong(format!("names {name}, which is not valid: {e}"));
-            let table = self.tables.texts.get(name);
-            let table =
-                table.ok_or_else(|| wrong(format!("names {name}, which was not supplied")))?;
+            let table = self
+                .tables
+                .texts
+                .get(name)
+                .ok_or_else(|| wrong(format!("names {name}, which was not supplied")))?;
             let points = read_over_time(table, what, self.tables.rest_length_mm)
                 .map_err(|e| invalid(e.to_string()))?;
             return Command::table(points).map_err(|e| invalid(e.to_string()));

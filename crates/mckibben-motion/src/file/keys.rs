@@ -30,36 +30,36 @@ pub struct DriveKeys<Position = Ratio> {
     _joint: Option<String>,
     /// The air supply
     #[serde(default)]
-    pub(super) supply: OfSupply,
+    pub supply: OfSupply,
     /// A valve for each muscle
-    pub(super) valve: Option<OfValve>,
+    pub valve: Option<OfValve>,
     /// An ideal regulator, in place of a valve
-    pub(super) regulator: Option<OfRegulator>,
+    pub regulator: Option<OfRegulator>,
     /// A pump of a liquid for each muscle, which runs both ways
-    pub(super) pump: Option<OfPump>,
+    pub pump: Option<OfPump>,
     /// A syringe of a liquid for each muscle
-    pub(super) syringe: Option<OfSyringe>,
+    pub syringe: Option<OfSyringe>,
     /// The air in the muscle
-    pub(super) air: Option<OfAir>,
+    pub air: Option<OfAir>,
     /// A liquid in the muscle, in place of air
-    pub(super) liquid: Option<OfLiquid>,
+    pub liquid: Option<OfLiquid>,
     /// The load of a muscle
-    pub(super) load: Option<OfLoad>,
+    pub load: Option<OfLoad>,
     /// Motion with the friction of the muscle
     #[serde(default)]
-    pub(super) friction: OfFriction,
+    pub friction: OfFriction,
     /// Viscoelasticity of the rubber
     #[serde(default)]
-    pub(super) rubber: OfRubber,
+    pub rubber: OfRubber,
     /// The controller of a position
-    pub(super) controller: Option<OfController>,
+    pub controller: Option<OfController>,
     /// What is commanded: pressure, valve, volume or position
-    pub(super) command: OfCommand<Position>,
+    pub command: OfCommand<Position>,
     /// Where it starts, at rest; else where its first commands hold it
-    pub(super) start: Option<OfStart<Position>>,
+    pub start: Option<OfStart<Position>>,
     /// A force or torque from outside
     #[serde(default)]
-    pub(super) external: OfExternal,
+    pub external: OfExternal,
     /// Name, for people
     #[serde(rename = "name")]
     _name: Option<String>,
@@ -96,7 +96,7 @@ macro_rules! with_opening {
         $(#[$about])*
         #[derive(Deserialize, JsonSchema)]
         #[serde(deny_unknown_fields)]
-        pub(super) struct $name {
+        pub struct $name {
             $($own)*
             /// How it opens
             pub kind: Option<Opens>,

@@ -65,11 +65,10 @@ pub fn valve(
             "the valve's Kv, such as \"0.1 m3/h\"",
         )
     })?;
-    let tank = path("valve.return_coefficient", keys.return_coefficient)?;
     Ok(LiquidValve {
         kind,
         supply,
-        tank: tank.unwrap_or(supply),
+        tank: path("valve.return_coefficient", keys.return_coefficient)?.unwrap_or(supply),
         line,
     })
 }

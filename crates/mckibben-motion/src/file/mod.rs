@@ -152,9 +152,8 @@ where
     let load = keys.load.unwrap_or_default();
     let held = held_contraction(&load, keys.start.is_some(), source)?;
     let (start, start_mpa) = keys.start.map_or_else(Default::default, |start| {
-        let position = start.position.map(|position| unit * position.into());
         (
-            position,
+            start.position.map(|position| unit * position.into()),
             start.pressures.into_iter().map(f64::from).collect(),
         )
     });
@@ -198,8 +197,8 @@ where
 pub fn drive_names(text: &str) -> Result<Names, FileError> {
     let source = Source::parse(text)?;
     let of_load = source.texts("load").flat_map(Load::tables);
-    let over_time = ["command", "external"].map(|table| source.texts(table));
-    let of_commands = over_time
+    let of_commands = ["command", "external"]
+        .map(|table| source.texts(table))
         .into_iter()
         .flatten()
         .filter_map(command::table_named);
@@ -275,7 +274,7 @@ fn supply(keys: &OfSupply, source: &Source<'_>) -> Result<Supply, FileError> {
 fn line(keys: &OfLoad, source: &Source<'_>, tables: &Tables) -> Result<Option<Load>, FileError> {
     let mass = keys.mass.map(|mass| Load::Mass {
         mass_kg: mass.into(),
-        level: keys.level.unwrap_or(false),
+        level: keys.level.unwrap_or_default(),
     });
     let Some(text) = &keys.line else {
         return Ok(mass);

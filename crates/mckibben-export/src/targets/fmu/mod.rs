@@ -75,12 +75,13 @@ const MACOS: [&[u8]; 2] = [
 ];
 
 fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
-    let files = [
-        units(muscle, Kind::Pressure, None)?,
-        units(muscle, Kind::Valve, None)?,
-    ]
-    .concat();
-    Ok(Artefact { files })
+    Ok(Artefact {
+        files: [
+            units(muscle, Kind::Pressure, None)?,
+            units(muscle, Kind::Valve, None)?,
+        ]
+        .concat(),
+    })
 }
 
 fn joint(joint: &ExportedJoint) -> Result<Artefact> {
@@ -145,11 +146,12 @@ fn units(muscle: &ExportedMuscle, kind: Kind, joint: Option<&ExportedJoint>) -> 
         let (list, structure) = description(&variables, version);
         let own = [("variables", list), ("structure", structure)];
         let text = render(template, &facts, &[&values[..], &own].concat());
-        let first = [
+        zip([
             ("modelDescription.xml".to_owned(), text.into_bytes()),
             ("resources/muscle.bin".to_owned(), resource.clone()),
-        ];
-        zip(first.into_iter().chain(files))
+        ]
+        .into_iter()
+        .chain(files))
     };
     let (of_second, of_third) = libraries(&id);
     let build = include_str!("../../../templates/fmu3_build.xml");
@@ -253,10 +255,11 @@ fn of_muscle(muscle: &ExportedMuscle) -> Vec<f64> {
 fn universal(libraries: &[&[u8]]) -> Vec<u8> {
     const ALIGN: u32 = 14;
     let page = 1_usize << ALIGN;
-    let mut header: Vec<u8> = [0xcafe_babe_u32, libraries.len() as u32]
-        .into_iter()
-        .flat_map(u32::to_be_bytes)
-        .collect();
+    let mut header = Vec::from_iter(
+        [0xcafe_babe_u32, libraries.len() as u32]
+            .into_iter()
+            .flat_map(u32::to_be_bytes),
+    );
     let mut body = vec![];
     for library in libraries {
         body.resize(usize::next_multiple_of(body.len(), page), 0);

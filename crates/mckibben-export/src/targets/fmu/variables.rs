@@ -61,7 +61,7 @@ pub fn variables(muscle: &ExportedMuscle, kind: Kind) -> Vec<Variable> {
         .lines()
         .skip(1);
     let one = |line: &'static str| {
-        let cells: Vec<&str> = line.split('\t').collect();
+        let cells = Vec::from_iter(line.split('\t'));
         let &[
             kind,
             name,
