@@ -117,7 +117,7 @@ impl Show for StudyAnswer {
         let mut page = Page::of(self, u, &["points"]);
         let curve = self.panels.first().and_then(|panel| panel.curves.first());
         let points = curve.map_or(1, |curve| curve.curve.points.len());
-        let ends: Vec<StudyRow> = study_rows(&self.panels)
+        let ends: Vec<_> = study_rows(&self.panels)
             .skip(points - 1)
             .step_by(points)
             .collect();

@@ -83,7 +83,6 @@ impl DesignRequest {
             .iter()
             .filter(|v| needed.is_some_and(|c| size(v) >= c))
             .min_by_number(size);
-        let stroke = winner.largest(|q| q.air_normal_litres);
         Ok(Some(CycleAnswer {
             frequency_hz,
             air_normal_litres_per_min: winner

@@ -433,7 +433,6 @@ impl DesignRequest {
             .iter()
             .flat_map(|t| [t.torque_nm, t.angle_deg])
             .try_for_each(|v| finite("torques", v).map(drop))?;
-        let largest = peak(torques.iter().map(|t| t.angle_deg.abs()));
         let largest_angle_deg = finite(
             "largest_angle_deg",
             self.largest_angle_deg
