@@ -42,8 +42,8 @@ pub struct BuildRequest {
     /// Working pressure [2.5bar, or the allowed pressure where that is lower]
     #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
-    /// Allow a working pressure above the allowed pressure, up to three quarters of the burst
-    /// pressure
+    /// Allow a working pressure above the allowed pressure, up to a proof test at three quarters of
+    /// the burst pressure
     #[arg(long)]
     pub overpressure: bool,
     /// Fitting of the air: m3, m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m3; m5

@@ -5,8 +5,8 @@
 mod page;
 
 use crate::{
-    MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind, Question,
-    QuestionFields, Result, UncertaintyWords, Units, finite,
+    LiquidFields, MeasureValues, MeshFields, MuscleSummary, PressureLimits, Problem, ProblemKind,
+    Question, QuestionFields, Result, UncertaintyWords, Units, finite,
     flags::Args,
     muscle_fields::{stated, stated_schema},
     number, percent, usual_mpa,
@@ -130,8 +130,10 @@ pub struct Characteristics {
     pub work_j: Option<f64>,
     /// Cavity there, mm³.
     pub volume_mm3: Option<f64>,
-    /// Air from rest to there, normal litres.
+    /// Air from rest to there, normal litres; none of a muscle whose job names a liquid.
     pub air_normal_litres: Option<f64>,
+    /// Liquid that its job names from rest to there, mm³.
+    pub liquid_volume_mm3: Option<f64>,
     /// The pressures that the muscle bears.
     #[serde(flatten)]
     pub limits: PressureLimits,
@@ -241,6 +243,12 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         pressure_mpa.unwrap_or_else(|| usual_mpa(&burst, &question.muscle)),
     )?;
     let is_model_named = question.is_model_named;
+    let liquid = question.muscle.job().and_then(|job| job.liquid.clone());
+    let liquid = LiquidFields {
+        liquid,
+        ..LiquidFields::default()
+    };
+    let liquid = liquid.named_supply()?;
     let mut model = question.evaluation();
     let point = model.point(pressure_mpa, 0.0)?;
     let free = model.free_contraction(pressure_mpa).ok();
@@ -256,7 +264,11 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
         free_contraction: free,
         work_j: free.and_then(|e| model.work_per_stroke_j(pressure_mpa, 0.0, e).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
-        air_normal_litres: air.map(|a| a.normal_litres),
+        air_normal_litres: air.filter(|_| liquid.is_none()).map(|a| a.normal_litres),
+        liquid_volume_mm3: free.zip(liquid).and_then(|(e, liquid)| {
+            let volume = model.liquid_per_stroke_mm3(&liquid, pressure_mpa, e);
+            volume.ok()
+        }),
         limits: (&burst).into(),
     };
     let findings = findings_of(&question.muscle, &burst, &values)?;

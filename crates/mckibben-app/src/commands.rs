@@ -217,7 +217,8 @@ pub fn packed(mut answer: Value) -> Vec<u8> {
 }
 
 fn parsed(request: &str) -> Result<Value, Problem> {
-    serde_json::from_str(request).map_err(|e| not_understood(&e, None))
+    let value = serde_json::from_str(request).map_err(|e| not_understood(&e, None));
+    value.map(|UniqueKeys(value)| value)
 }
 
 /// A request by its type, or a group of fields of one.

@@ -32,8 +32,8 @@ pub struct ExportFields {
     /// 2.5bar; the allowed pressure where that is lower]
     #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
-    /// Allow a supply pressure above the allowed pressure, up to three quarters of the burst
-    /// pressure
+    /// Allow a supply pressure above the allowed pressure, up to a proof test at three quarters of
+    /// the burst pressure
     #[arg(long)]
     pub overpressure: bool,
     /// Name in the files [that of the muscle or joint file]

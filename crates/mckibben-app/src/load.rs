@@ -128,7 +128,13 @@ pub fn loaded(
                 // The load rests on its stop.
                 None => (0.0, evaluation.cavity_mm3(*low, 0.0).ok()),
             };
-            Some(cycle(&load, length, (*low, contraction, volume), to))
+            let mut cycle = cycle(&load, length, (*low, contraction, volume), to);
+            let job = evaluation.model.muscle().job();
+            // What it costs of a liquid, `fill` says.
+            cycle.air_normal_litres = cycle
+                .air_normal_litres
+                .filter(|_| job.is_none_or(|job| job.liquid.is_none()));
+            Some(cycle)
         }
         _ => None,
     };

@@ -32,24 +32,30 @@ impl MuscleFields {
             None => made_for(model)?,
         };
         let base = match (file, &made) {
-            (Some(file), _) => muscle_of(file)?,
-            (None, Some(made)) => made.clone(),
-            (None, None) => Muscle::prototype(),
+            (Some(file), _) => muscle_of(file),
+            (None, Some(made)) => Ok(made.clone()),
+            (None, None) => Ok(Muscle::prototype()),
         };
-        if self.with.is_empty() {
-            return self.over(&base);
+        if self.with.is_empty() && base.is_ok() {
+            return self.over(&base?);
         }
         let text = match (file, &made) {
             (Some(file), _) => text_of(file)?,
             (None, made) => made.as_ref().map(to_toml).unwrap_or_default().into(),
         };
-        let base = with_keys(&text, &self.with).and_then(|text| parse_muscle(&text));
-        self.over(&base.map_err(|error| {
+        let with = |keys: &[String]| with_keys(&text, keys).and_then(|text| parse_muscle(&text));
+        // What a file or a key says may need the values of fields beside it.
+        let stated = self.stated()?.measures;
+        let stated = stated.iter().map(|(m, value)| format!("{}={value}", m.key));
+        let all = || [self.with.clone(), stated.collect()].concat();
+        let with = with(&self.with).or_else(|_| with(&all()));
+        self.over(&with.map_err(|error| {
             let error = FileError {
                 place: None,
                 ..error
             };
-            ProblemKind::File.problem(error).in_field("with")
+            let in_keys = ProblemKind::File.problem(error).in_field("with");
+            base.err().unwrap_or(in_keys)
         })?)
     }
 

@@ -281,13 +281,12 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
     }
     let [working, proof] =
         [working_mpa, plan.safety.proof_pressure_mpa].map(|p| units.pressure.show(p));
-    let energy = number(plan.safety.air_energy_j, 2);
     vec![
         Part::Heading("Margins of safety".into()),
         Part::Text(format!(
             "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly \
-             rising pressure; proof test with water at {proof}, with the length held. The air holds \
-             {energy} J."
+             rising pressure; proof test with water at {proof}, with the length held. {}",
+            plan.energy()
         )),
         grid(&["failure", "factor", "required", "pressure"], rows),
     ]

@@ -113,7 +113,7 @@ impl Plan {
             ends,
             eye_plug,
             air_plug,
-            safety: Safety::new(&operating, muscle.rest_volume_mm3()),
+            safety: Safety::new(&operating, muscle.rest_volume_mm3(), wishes.liquid),
             parts: vec![],
             test: test_points::points(&operating),
             expected: vec![],

@@ -5,7 +5,7 @@ use crate::{
     safety::PullAt,
     text::{percent, significant},
 };
-use mckibben_core::{clean, joined};
+use mckibben_core::{clean, joined, units::rounded};
 use mckibben_io::files::File;
 
 impl Plan {
@@ -49,25 +49,28 @@ impl Plan {
         operating.pulls.iter().map(pull).chain([at_rest]).collect()
     }
 
-    /// What people must heed.
-    pub(crate) fn stops(&self) -> Vec<String> {
-        let (safety, shown) = (&self.safety, &self.shown);
+    /// The energy that it stores, in sentences.
+    pub fn energy(&self) -> String {
         let joules = |j: f64| format!("{} J", significant(j, 2));
-        let energy = if self.liquid {
+        let air = joules(self.operating.air_energy_j());
+        let wall = joules(self.safety.wall_energy_j);
+        let stored = if self.liquid {
             format!(
-                "Rubber and strands store up to {} at the working pressure, and the liquid hardly \
-                 any. With air in it, it would store {} more: bleed it.",
-                joules(safety.wall_energy_j),
-                joules(safety.air_energy_j)
+                "Rubber and strands store up to {wall} at the working pressure, and the liquid hardly \
+                 any. With air in it, it would store {air} more: bleed it."
             )
         } else {
             format!(
-                "At the working pressure the air stores up to {}, rubber and strands up to {}. An \
-                 end that slips flies off with it: keep everyone out of the line of the muscle.",
-                joules(safety.air_energy_j),
-                joules(safety.wall_energy_j)
+                "At the working pressure the air stores up to {air}, rubber and strands up to {wall}."
             )
         };
+        stored
+            + " An end that slips flies off with it: keep everyone out of the line of the muscle."
+    }
+
+    /// What people must heed.
+    pub(crate) fn stops(&self) -> Vec<String> {
+        let (safety, shown) = (&self.safety, &self.shown);
         let order = format!(
             "First the proof test with water, {}, with the length held; never with air. In use \
              never above {}.",
@@ -80,7 +83,7 @@ impl Plan {
             format!(
                 "Overpressure: the allowed pressure was raised to {}. The muscle keeps no usual \
                  distance from its burst.",
-                shown.pressure(mpa)
+                shown.pressure(rounded(mpa, 3, f64::floor))
             )
         });
         let unknown = limits.burst_pressure_mpa.is_none().then(|| {
@@ -99,7 +102,7 @@ impl Plan {
             .into_iter()
             .chain(raised)
             .chain(warnings)
-            .chain([energy, order])
+            .chain([self.energy(), order])
             .collect()
     }
 }

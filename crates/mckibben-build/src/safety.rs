@@ -83,31 +83,31 @@ pub struct Safety {
     pub proof_pressure_mpa: f64,
     /// Pressure of the leak test, MPa.
     pub leak_pressure_mpa: f64,
-    /// Energy of the air at the working pressure, J, at most: p V ln(p/p₀).
-    pub air_energy_j: f64,
+    /// Energy of the air at the working pressure, J, at most: p V ln(p/p₀); none of a liquid.
+    pub air_energy_j: Option<f64>,
     /// Energy that rubber and strands store at most at the working pressure, J: P times what the
     /// cavity grows.
     pub wall_energy_j: f64,
-    /// Energy that air would have at the proof pressure, J.
-    #[serde(skip)]
-    pub air_energy_at_proof_j: f64,
+}
+
+impl Operating {
+    /// Energy in J of air that fills it at the working pressure.
+    pub(crate) fn air_energy_j(&self) -> f64 {
+        energy_j(self.pressure_mpa, self.volume_mm3)
+    }
 }
 
 impl Safety {
     /// The tests of a muscle.
-    pub(crate) fn new(operating: &Operating, rest_mm3: f64) -> Self {
+    pub(crate) fn new(operating: &Operating, rest_mm3: f64, liquid: bool) -> Self {
         Self {
             pressure_mpa: operating.pressure_mpa,
             proof_pressure_mpa: operating.proof.pressure_mpa,
             leak_pressure_mpa: operating.pressure_mpa,
-            air_energy_j: energy_j(operating.pressure_mpa, operating.volume_mm3),
+            air_energy_j: (!liquid).then(|| operating.air_energy_j()),
             wall_energy_j: 1e-3
                 * operating.pressure_mpa
                 * (operating.volume_mm3 - rest_mm3).max(0.0),
-            air_energy_at_proof_j: energy_j(
-                operating.proof.pressure_mpa,
-                operating.proof.volume_mm3,
-            ),
         }
     }
 }

@@ -10,9 +10,8 @@ use axum::{
     },
     response::{IntoResponse, Response},
 };
-use mckibben_app::Problem;
+use mckibben_app::{Problem, UniqueKeys};
 use mckibben_core::{cancel::Cancel, progress::Silent, threads::Threads};
-use serde_json::Value;
 use std::{
     sync::{Arc, LazyLock},
     time::Duration,
@@ -53,7 +52,7 @@ pub async fn ask(
         let message = format!("the body did not come within {} seconds", BODY.as_secs());
         Refusal::new(StatusCode::REQUEST_TIMEOUT, message, "send it in one piece")
     })?;
-    let Json(request): Json<Value> = body.map_err(|e| {
+    let Json(UniqueKeys(request)) = body.map_err(|e| {
         let hint = match e.status() {
             StatusCode::PAYLOAD_TOO_LARGE => "send fewer points, or ask the command line",
             StatusCode::UNSUPPORTED_MEDIA_TYPE => "send it as `application/json`",

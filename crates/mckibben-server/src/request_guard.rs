@@ -10,6 +10,7 @@ use axum::{
     middleware::Next,
     response::{IntoResponse, Response},
 };
+use mckibben_core::joined;
 use std::time::Duration;
 use tokio::time::timeout;
 
@@ -54,13 +55,13 @@ pub async fn guarded(State(time): State<Duration>, request: Request, next: Next)
 }
 
 fn admitted(request: &Request) -> Result<(), Refusal> {
+    let headers = request.headers();
+    // One that is there twice is neither of both.
     let header = |name| {
-        request
-            .headers()
-            .get(name)
-            .map(|v| v.to_str().unwrap_or_default())
+        let all = headers.get_all(name).iter();
+        joined(all.map(|v| v.to_str().unwrap_or_default()), ", ")
     };
-    let host = header(HOST).unwrap_or_default();
+    let host = &*header(HOST);
     let name = host
         .rsplit_once(':')
         .filter(|(_, port)| port.parse::<u16>().is_ok())
@@ -73,8 +74,8 @@ fn admitted(request: &Request) -> Result<(), Refusal> {
             "open it at `localhost` or `127.0.0.1`",
         ));
     }
-    if header(ORIGIN).is_some_and(|origin| !origin.eq_ignore_ascii_case(&format!("http://{host}")))
-    {
+    let own = format!("http://{host}");
+    if headers.contains_key(ORIGIN) && !header(ORIGIN).eq_ignore_ascii_case(&own) {
         let hint = "send the request from the page of this server";
         return Err(Refusal::new(
             StatusCode::FORBIDDEN,

@@ -103,6 +103,7 @@ impl Characteristics {
                 &NORMAL_LITRES,
                 self.air_normal_litres,
             )
+            .quantity("liquid of a free stroke", &u.volume, self.liquid_volume_mm3)
             .and(limits)
             .text("burst pressure", unknown)
     }

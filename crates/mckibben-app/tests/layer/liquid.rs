@@ -106,3 +106,40 @@ fn what_belongs_to_a_liquid_is_refused_without_one() {
     let problem = refusal("design", request);
     assert_eq!(problem.field.as_deref(), Some("liquid"));
 }
+
+/// The liquid of a free stroke, pushed into the muscle that is held there, has the pressure of
+/// `check`; of the air that is not in it nothing is said, on no page.
+#[test]
+fn a_muscle_whose_job_names_a_liquid_has_no_air() {
+    let text = |job: &str| {
+        let tube = "[tube]\nouter_diameter = 32\nwall_thickness = 1.5\nlength = 200\n";
+        json!({ "file": { "name": "m.toml", "text": format!("{tube}[job]\npressure = \"2 bar\"\n{job}") } })
+    };
+    let [wet, dry] = ["liquid = \"water\"", ""].map(text);
+    let of = |muscle: &Value| reply("check", json!({ "muscle": muscle, "model": "thick-wall" }));
+    let values = &of(&wet)["characteristics"];
+    assert_eq!(values["air_normal_litres"], Value::Null);
+    let filled = reply(
+        "fill",
+        json!({ "muscle": wet, "model": "thick-wall", "volume_mm3": values["liquid_volume_mm3"],
+            "contraction": values["free_contraction"] }),
+    );
+    assert!(
+        (number(&filled, "pressure_mpa") / 0.2 - 1.0).abs() < 1e-6,
+        "{filled}"
+    );
+    let values = &of(&dry)["characteristics"];
+    assert!(number(values, "air_normal_litres") > 0.0 && values["liquid_volume_mm3"].is_null());
+    for (muscle, is_dry) in [(&wet, false), (&dry, true)] {
+        let build = reply("build", json!({ "muscle": muscle }));
+        assert_eq!(build["air_energy_j"].is_number(), is_dry);
+        let hung = json!({ "muscle": muscle, "model": "thick-wall", "load": "100 N",
+            "pressure_mpa": [0.1, 0.2] });
+        let hung = reply("contraction", hung);
+        assert_eq!(
+            hung["cycle"]["air_normal_litres"].is_number(),
+            is_dry,
+            "{hung}"
+        );
+    }
+}

@@ -285,6 +285,53 @@ fn what_is_handed_out_stays_below_the_allowed_pressure() {
     );
 }
 
+/// Bounds: whatever a pressure that `overpressure` allows, it is below the one that is never
+/// exceeded, that below the proof test by the factor of a relief valve, and that at most three
+/// quarters of the burst pressure. Above, it is refused.
+#[test]
+fn overpressure_leaves_a_proof_test_below_the_burst_pressure() {
+    let muscle = crate::given::muscle("examples/shop.toml");
+    let of = |pressure_mpa: f64| {
+        let request =
+            json!({ "muscle": muscle, "pressure_mpa": pressure_mpa, "overpressure": true });
+        ask_value("build", request, &Silent)
+    };
+    let built = of(0.2).unwrap();
+    let [allowed_mpa, burst_mpa] =
+        ["allowed_pressure_mpa", "burst_pressure_mpa"].map(|key| number(&built, key));
+    assert!((allowed_mpa * 1.1 - 0.75 * burst_mpa).abs() < 1e-9 * burst_mpa);
+    for share in [0.9, 0.9999] {
+        let built = of(share * allowed_mpa).unwrap();
+        let proof_mpa = number(&built, "proof_pressure_mpa");
+        assert!(
+            proof_mpa >= 1.1 * share * allowed_mpa && proof_mpa <= 0.75 * burst_mpa * (1.0 + 1e-12)
+        );
+        let files = built["files"].as_array().unwrap().iter();
+        let readme = files.clone().find(|f| f["name"] == "README.md").unwrap();
+        let text = readme["text"].as_str().unwrap();
+        let after = |words: &str| {
+            let rest = text
+                .split_once(words)
+                .unwrap_or_else(|| panic!("{words}: {text}"))
+                .1;
+            rest.split_whitespace()
+                .next()
+                .unwrap()
+                .parse::<f64>()
+                .unwrap()
+        };
+        let (raised, never) = (after("was raised to "), after("In use never above "));
+        assert!(
+            never <= raised && raised <= allowed_mpa,
+            "{never} {raised}: {text}"
+        );
+    }
+    assert_eq!(
+        of(1.001 * allowed_mpa).unwrap_err().field.as_deref(),
+        Some("pressure_mpa")
+    );
+}
+
 /// Commands of which the table above says nothing, and why.
 const OTHERS: [&str; 23] = [
     // The expected fact itself, its inverses and what follows from them at other points.

@@ -6,6 +6,7 @@ use mckibben_build::{
 use mckibben_core::{
     analysis::{FailureMode, PressureLimits},
     built::{Left, Measurement},
+    clean,
     muscle::{Direction, EndsMade, Muscle, file::parse_muscle},
     units::Dimension,
 };
@@ -619,6 +620,32 @@ fn a_muscle_whose_job_names_a_liquid_is_built_for_it() {
     assert_eq!(job.liquid.as_deref(), Some("water"));
     let dry = plan("pressure = \"2.5 bar\"\n");
     assert!(!dry.liquid && dry.eye_plug.port.is_none());
+}
+
+/// An end that slips flies off whatever fills the muscle: rubber and strands store energy too. Only
+/// what is in it is spoken of.
+#[test]
+fn the_first_page_speaks_of_what_fills_the_muscle_and_of_the_line_of_fire() {
+    for liquid in [false, true] {
+        let wishes = Wishes {
+            liquid,
+            ..Wishes::default()
+        };
+        let plan = plan_of(10.0, 1.5, &wishes);
+        assert_eq!(plan.safety.air_energy_j.is_none(), liquid);
+        let (_, readme) = texts(&plan)
+            .into_iter()
+            .find(|(name, _)| name == "README.md")
+            .unwrap();
+        for said in [
+            "keep everyone out of the line of the muscle",
+            &clean::markdown(&plan.energy()),
+        ] {
+            assert!(readme.contains(said), "{liquid}: {readme}");
+        }
+        assert_eq!(readme.contains("the air stores"), !liquid, "{readme}");
+        assert_eq!(readme.contains("bleed it"), liquid, "{readme}");
+    }
 }
 
 /// To three digits.

@@ -1,6 +1,6 @@
 //! Every command that is shown to users works as shown.
 
-use crate::common::{command, copy, ran, root, words};
+use crate::common::{command, copy, names, ran, root, words};
 use std::path::Path;
 
 /// Runs a command as shown, `mckibben` and what follows.
@@ -73,4 +73,23 @@ fn the_commands_in_help_texts_run() {
     for written in ["f.svg", "muscle.svg", "winner.toml"] {
         assert!(dir.path().join(written).is_file(), "{written} is written");
     }
+}
+
+/// The folder of every muscle among the examples.
+#[test]
+fn every_muscle_of_the_examples_can_be_built() {
+    let dir = copy();
+    let mut built = 0;
+    for name in names(&dir.path().join("examples")) {
+        let path = dir.path().join("examples").join(&name);
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        if name.ends_with(".toml") && text.contains("[tube]") {
+            works(
+                dir.path(),
+                &format!("mckibben build examples/{name} -o folder-{built}"),
+            );
+            built += 1;
+        }
+    }
+    assert!(built >= 10, "{built}");
 }

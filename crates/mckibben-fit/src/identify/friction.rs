@@ -1,16 +1,20 @@
 //! The law of the friction, by least squares beside the constants that were found.
 
 use super::{
-    IdentificationRequest, Target,
+    IdentificationRequest, Identified, Target,
     pulls::{self, Found, Pulls},
 };
 use crate::{
     least_squares::Unknown,
-    measured::{DataPoint, distinct},
+    measured::{DataPoint, Quantity, distinct},
 };
-use mckibben_core::muscle::{
-    Direction, Muscle,
-    measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING},
+use mckibben_core::{
+    built::learnt::NOISE,
+    extremes::peak,
+    muscle::{
+        Direction, Muscle,
+        measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER, FRICTION_PRESLIDING},
+    },
 };
 
 /// What is sought: what is named as free, else C and β where both branches were measured, and the
@@ -60,14 +64,37 @@ fn unknowns(problem: &Pulls<'_>) -> Option<Vec<Unknown>> {
     problem.targets.iter().map(one).collect()
 }
 
-/// The law that comes closest to points that pull; `None` where they tell none: a muscle whose loop
-/// is no law keeps the share.
+/// The mean of both branches in N where a row of the other one has its state, to 1 % of the pressure
+/// and 0.1 % of the length. Half of their difference is the friction, whatever a model says of the mean.
+fn pair_mean_n(a: &DataPoint, points: &[DataPoint]) -> Option<f64> {
+    let is_pair = |b: &&DataPoint| {
+        [a.measured, b.measured] == [Quantity::Force; 2]
+            && (a.section, a.set) == (b.section, b.set)
+            && a.at.direction().sign() * b.at.direction().sign() < 0.0
+            && (a.at.pressure_mpa - b.at.pressure_mpa).abs() <= 0.01 * a.at.pressure_mpa
+            && (a.at.contraction - b.at.contraction).abs() <= 1e-3
+    };
+    let other = points.iter().find(is_pair)?;
+    Some(0.5 * (a.at.force_n + other.at.force_n))
+}
+
+/// The law that comes closest to points that pull, to pairs of branches at one state where these are
+/// enough; `None` where they tell none: a muscle whose loop is no law keeps the share.
 pub fn friction_law(
     request: &IdentificationRequest<'_>,
     muscle: &Muscle,
     points: &[DataPoint],
 ) -> Option<Found> {
-    let targets = targets(request, muscle, points);
+    let is_paired = |p: &&DataPoint| !request.history && pair_mean_n(p, points).is_some();
+    let paired: Vec<DataPoint> = points.iter().filter(is_paired).copied().collect();
+    let of_pairs = targets(request, muscle, &paired);
+    let pressures = distinct(paired.iter().map(|p| p.at.pressure_mpa)).len();
+    let by_pairs = (1..=pressures).contains(&of_pairs.len());
+    let (targets, points) = if by_pairs {
+        (of_pairs, &*paired)
+    } else {
+        (targets(request, muscle, points), points)
+    };
     if targets.is_empty() || points.len() <= targets.len() {
         return None;
     }
@@ -79,8 +106,24 @@ pub fn friction_law(
     }
     problem.points = &kept;
     problem.means = means;
+    if by_pairs {
+        for (point, mean) in kept.iter().zip(&mut problem.means) {
+            mean.0 = pair_mean_n(point, points).unwrap_or(mean.0);
+        }
+    }
     let unknowns = unknowns(&problem)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
     problem.scales = problem.mean_slopes(&start).unwrap_or(problem.scales);
-    problem.found(&unknowns)
+    let mut found = problem.found(&unknowns)?;
+    let is_level = |p: &&mut Identified| p.target == Some(Target::Measure(&FRICTION_COEFFICIENT));
+    if let (true, Some(level)) = (by_pairs, found.parameters.iter_mut().find(is_level)) {
+        // At least that of the noise of a point, which few points do not show.
+        let exponent = 2.0 * found.muscle.friction()?.exponent;
+        let slopes = kept.iter().map(|p| p.at.pressure_mpa.powf(exponent));
+        let noise_n = NOISE * peak(kept.iter().map(|p| p.at.force_n));
+        let least = noise_n / slopes.sum::<f64>().sqrt();
+        level.standard_error = level.standard_error.max(least);
+        level.half_width = level.half_width.max(1.96 * least);
+    }
+    Some(found)
 }

@@ -21,7 +21,7 @@ use mckibben_core::{
     extremes::peak,
     model::{ModelError, Workspace, pivoting_n_per_mm},
     muscle::{
-        Direction, Friction, Muscle,
+        Friction, Muscle,
         measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER},
     },
 };
@@ -29,17 +29,10 @@ use mckibben_core::{
 /// A pull without friction in N, and how it changes with the lever of the ends in N/mm.
 pub type WithoutFriction = (f64, f64);
 
-/// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
+/// Half the width of a hysteresis loop at 1 MPa, roughly: a start for C.
 fn start_of_coefficient(points: &[DataPoint], exponent: f64) -> f64 {
-    let sum = |branch| {
-        let list = points.iter().filter(|p| p.at.branch == Some(branch));
-        let (f, n) = list.fold((0.0, 0.0), |(f, n), p| (f + p.at.force_n, n + 1.0));
-        if n > 0.0 { f / n } else { 0.0 }
-    };
-    let p = points.iter().map(|p| p.at.pressure_mpa).sum::<f64>() / points.len().max(1) as f64;
-    let forces = peak(points.iter().map(|p| p.at.force_n));
-    let half = 0.5 * (sum(Direction::Elongation) - sum(Direction::Contraction));
-    half.max(0.005 * forces).max(1e-3) / p.max(1e-3).powf(exponent)
+    let p_mpa = peak(points.iter().map(|p| p.at.pressure_mpa)).max(1e-3);
+    0.05 * peak(points.iter().map(|p| p.at.force_n)).max(1.0) / p_mpa.powf(exponent)
 }
 
 /// Where a search begins.

@@ -140,12 +140,7 @@ async fn problems_have_their_status_and_their_words() {
             403,
             "usage",
         ),
-        (
-            "fit",
-            r#"{"campaign": null, "campaign": "/etc/passwd"}"#,
-            403,
-            "usage",
-        ),
+        ("fit", r#"{"campaign": "/etc/passwd"}"#, 403, "usage"),
     ] {
         let problem = client.post(name, request.to_owned()).await.problem(status);
         assert_eq!(problem["kind"], kind, "{problem}");
@@ -159,6 +154,29 @@ async fn problems_have_their_status_and_their_words() {
         .await
         .problem(422);
     assert_eq!(unknown["hint"], "did you mean `pressure_mpa`?");
+}
+
+/// Which of two values counts nobody can know: of no command, at no depth.
+#[tokio::test]
+async fn a_key_that_an_object_has_twice_is_refused() {
+    let client = Client::usual();
+    for command in mckibben_app::COMMANDS.iter() {
+        for request in [
+            r#"{"k": 1, "k": 1}"#,
+            r#"{"muscle": {"k": 1, "l": [], "k": 2}}"#,
+            r#"{"l": [0, {"m": {"k": null, "\u006b": "a"}}]}"#,
+        ] {
+            let problem = client.post(command.name, request).await.problem(422);
+            let said = problem["message"].as_str().unwrap();
+            assert!(
+                said.contains("`k` is given twice"),
+                "{}: {said}",
+                command.name
+            );
+            let error = ask(command.name, request, &Silent).unwrap_err();
+            assert!(error.message.contains("`k` is given twice"), "{error:?}");
+        }
+    }
 }
 
 async fn status(headers: &[(&str, &str)]) -> u16 {
@@ -200,6 +218,11 @@ async fn only_names_of_this_computer_its_page_and_json_are_answered() {
         assert_eq!(status(&[("host", host), json]).await, 403, "{host}");
     }
     assert_eq!(status(&[json]).await, 403);
+    let local = ("host", "localhost");
+    for second in ["localhost", "evil.example"] {
+        assert_eq!(status(&[local, ("host", second), json]).await, 403);
+        assert_eq!(status(&[("host", second), local, json]).await, 403);
+    }
     let host = ("host", "localhost:8080");
     assert_eq!(
         status(&[host, json, ("origin", "http://localhost:8080")]).await,
@@ -212,6 +235,8 @@ async fn only_names_of_this_computer_its_page_and_json_are_answered() {
         "null",
         "",
     ] {
+        let own = ("origin", "http://localhost:8080");
+        assert_eq!(status(&[host, json, own, ("origin", origin)]).await, 403);
         assert_eq!(
             status(&[host, json, ("origin", origin)]).await,
             403,

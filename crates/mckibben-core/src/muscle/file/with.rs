@@ -1,19 +1,21 @@
 //! Single keys of a file, in place of what the file says.
 
 use super::{FileError, Source};
+use std::collections::BTreeSet;
 use toml_edit::{DocumentMut, Item, Table, Value};
 
 /// The text of a file with keys set, each as `KEY=VALUE` with a dotted key:
 /// `terminals.seating=1.6mm`.
 ///
 /// # Errors
-/// [`FileError`] where the text is no TOML, or a key has no value.
+/// [`FileError`] where the text is no TOML, or a key has no value or two.
 pub fn with_keys(text: &str, keys: &[String]) -> Result<String, FileError> {
     // Errors of syntax with their places.
     Source::parse(text)?;
     let mut document: DocumentMut = text
         .parse()
         .map_err(|error: toml_edit::TomlError| FileError::new(error.message()))?;
+    let mut given = BTreeSet::new();
     for entry in keys {
         let Some((key, value)) = entry.split_once('=') else {
             let problem = format!("\"{entry}\" is not KEY=VALUE, such as terminals.seating=1.6mm");
@@ -22,6 +24,9 @@ pub fn with_keys(text: &str, keys: &[String]) -> Result<String, FileError> {
         let value = value.trim();
         let read: Value = value.parse().unwrap_or_else(|_| value.into());
         let mut path: Vec<&str> = key.split('.').map(str::trim).collect();
+        if !given.insert(path.clone()) {
+            return Err(FileError::new(format!("{key} is given twice")));
+        }
         let last = path.pop().unwrap_or_default();
         let mut table = document.as_table_mut() as &mut dyn toml_edit::TableLike;
         for name in path {
@@ -50,5 +55,9 @@ mod tests {
         assert_eq!(muscle.length_mm(), 200.0);
         let wrong = with_keys("", &["tube.prestretch".to_owned()]).unwrap_err();
         assert!(wrong.to_string().contains("tube.prestretch"), "{wrong}");
+        // Which of two counts would follow from their order.
+        let keys = ["tube.length=1mm", "tube . length = 2mm"].map(str::to_owned);
+        let twice = with_keys("", &keys).unwrap_err();
+        assert!(twice.to_string().contains("given twice"), "{twice}");
     }
 }

@@ -398,6 +398,51 @@ fn the_law_of_the_friction_comes_back_from_exact_points() {
     assert!(fit.parameter(fixed[0].0).is_none());
 }
 
+/// By hand: half the difference of both branches at one state is C P^β, whatever else was measured.
+/// The means are off here by up to 20 %, and so are pulls of one branch alone. Of one pair C is known
+/// as half the difference of two readings of 2 %.
+#[test]
+fn pairs_of_branches_at_one_state_tell_the_friction() {
+    let rubbing = soft()
+        .with_friction(Some(Friction::power_law(25.0, 0.7)))
+        .unwrap();
+    let mut points = bench(&rubbing, 0.0);
+    for (i, pair) in points.chunks_mut(2).enumerate() {
+        let off = 0.2 * (i as f64).sin() * pair[0].at.force_n;
+        pair.iter_mut().for_each(|p| p.at.force_n += off);
+    }
+    let alone = points.clone().into_iter().step_by(2).map(|mut p| {
+        p.at.contraction += 0.02;
+        p.at.force_n *= 0.8;
+        p
+    });
+    points.extend(alone);
+    let names = ["friction.c", "friction.beta"];
+    let fit = identified(&soft(), &names, &points).unwrap();
+    for (p, truth) in fit.parameters.iter().zip([25.0, 0.7]) {
+        assert!(
+            p.identifiable && (p.value / truth - 1.0).abs() < 1e-6,
+            "{p:#?}"
+        );
+    }
+    let one: Vec<DataPoint> = [&points[4..6], &points[30..]].concat();
+    let fit = identified(&soft(), &["friction.c"], &one).unwrap();
+    let p = fit
+        .parameter(Target::Measure(&FRICTION_COEFFICIENT))
+        .unwrap();
+    let at = |i: usize| one[i].at;
+    let law = at(0)
+        .pressure_mpa
+        .powf(fit.muscle.friction().unwrap().exponent);
+    let half_n = 0.5 * (at(1).force_n - at(0).force_n);
+    assert!((p.value * law / half_n - 1.0).abs() < 1e-9, "{p:#?}");
+    let noise_n = 0.02 * at(1).force_n / 2.0_f64.sqrt();
+    assert!(
+        p.identifiable && (p.half_width * law / (1.96 * noise_n) - 1.0).abs() < 1e-9,
+        "{p:#?}"
+    );
+}
+
 /// The same muscle read three ways gives the same constants: what was read counts as the pull there.
 #[test]
 fn isotonic_and_pressure_readings_tell_the_same() {
