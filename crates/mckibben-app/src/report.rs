@@ -120,7 +120,7 @@ pub fn report(
     }
     step(4)?;
     parts.extend(limits(&shown, &point));
-    let file = to_toml(&shown.muscle);
+    let file = to_toml(&plan.muscle);
     let hash = mckibben_campaign::sha256(file.as_bytes());
     let version = env!("CARGO_PKG_VERSION");
     Ok(Document {
@@ -224,12 +224,6 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
          relaxation and no softening.".to_owned(),
         format!("The ±: {}", point.background.about.uncertainty_basis),
     ];
-    if shown.muscle.terminals().insertion_mm.is_none() {
-        let cut = number(shown.muscle.insertion_mm(), 4);
-        list.push(format!(
-            "The clamped length on each plug is not stated; the cut lengths assume {cut} mm."
-        ));
-    }
     let warnings = shown.warnings.iter().chain(&point.point.warnings);
     list.extend(
         warnings
@@ -285,7 +279,8 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
         Part::Heading("Margins of safety".into()),
         Part::Text(format!(
             "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly \
-             rising pressure; proof test with water at {proof}, with the length held. {}",
+             rising pressure; proof test with water at {proof}. Of the ends, {}. {}",
+            plan.ends_carry(),
             plan.energy()
         )),
         grid(&["failure", "factor", "required", "pressure"], rows),

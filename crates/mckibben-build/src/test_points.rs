@@ -2,7 +2,7 @@
 
 use crate::{
     Operating, Plan,
-    text::{mm, percent, significant_n, trimmed},
+    text::{mm, percent, significant, significant_n, trimmed},
 };
 use mckibben_core::{built::Measurement, muscle::Direction};
 
@@ -62,6 +62,17 @@ pub fn points(operating: &Operating) -> Vec<TestPoint> {
     out
 }
 
+/// Whether a sheet has no readings: each of its rows blank where it names what was read.
+pub fn is_blank_sheet(sheet: &str) -> bool {
+    let rows = sheet.lines().filter(|line| !line.starts_with('#')).skip(1);
+    rows.into_iter().all(|row| {
+        let cells: Vec<&str> = row.split(',').map(str::trim).collect();
+        let mut read = ["pressure", "contraction", "force"].iter().zip(&cells);
+        let read = read.find(|(name, _)| cells.get(4) == Some(name));
+        read.is_some_and(|(_, cell)| cell.is_empty())
+    })
+}
+
 /// Rows for readings of the builder's own choice.
 const BLANK_ROWS: usize = 4;
 
@@ -119,13 +130,17 @@ pub fn csv(plan: &Plan) -> String {
         plan.shown.pressure(plan.operating.pressure_mpa)
     );
     out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
-        pressure_mpa,contraction,force_n,branch,measured,distance between the heads (mm)\n";
+        pressure_mpa,contraction,force_n,branch,measured,distance between the heads (mm),expected (N), from, to\n";
     out += &rows;
-    for point in &plan.test {
+    for (i, point) in plan.test.iter().enumerate() {
         let p = trimmed(point.pressure_mpa, 5);
         let e = trimmed(point.contraction, 4);
         let distance = trimmed(plan.faces_mm(point.contraction), 1);
-        out += &format!("{p},{e},,{},force,{distance}\n", point.branch);
+        let expected = plan.expected.get(i).map_or_else(String::new, |at| {
+            let [low, median, high] = at.range_n().map(|n| significant(n, 3));
+            format!(",{median},{low},{high}")
+        });
+        out += &format!("{p},{e},,{},force,{distance}{expected}\n", point.branch);
     }
     out + &",,,,force,\n".repeat(BLANK_ROWS)
 }

@@ -13,7 +13,7 @@ use crate::{
 use mckibben::Deciding;
 use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::burst::ends::clamp_load_n,
+    analysis::{PROOF_TO_WORKING, burst::ends::clamp_load_n},
     answer::Options,
     extremes::peak,
     load::Load,
@@ -550,7 +550,8 @@ pub fn design_ends(
     precision: Precision,
 ) -> Option<Ends> {
     let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
-    let parts = EndParts::new(muscle, load_n, &Wishes::default()).ok()?;
+    let proof_n = PROOF_TO_WORKING * load_n;
+    let parts = EndParts::new(muscle, [proof_n; 2], &Wishes::default()).ok()?;
     Some(Ends {
         made: parts.ends.made,
         load_n,
