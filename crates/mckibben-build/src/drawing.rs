@@ -399,7 +399,7 @@ fn data(plan: &Plan, sheet: &mut DrawingSheet) {
         Some(Press::Ferrule(f)) => {
             let [outer, wall, long, pressed] =
                 [f.outer_mm, f.wall_mm, f.length_mm, f.pressed_mm].map(|mm| plan.shown.bare(mm));
-            format!("Ferrule E235+N {outer} × {wall} × {long}, pressed to ⌀{pressed}")
+            format!("Ferrule {outer} × {wall} × {long}, then ⌀{pressed}")
         }
         _ => format!("Ends {}", plan.ends.made.name()),
     };

@@ -245,8 +245,7 @@ impl Ends {
     /// What presses the sleeve on a shoulder.
     pub fn pressed_by(&self) -> &'static str {
         match self.press {
-            Some(Press::BoltClamps(2..)) => "two clamps with a bolt",
-            Some(Press::BoltClamps(_)) => "clamp with a bolt",
+            Some(Press::BoltClamps(_)) => "clamps with a bolt",
             _ => "ferrule",
         }
     }

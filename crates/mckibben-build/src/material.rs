@@ -159,8 +159,9 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     let size = if ends.has_ties {
         format!("{band} mm wide, PA 66")
     } else {
-        let around = significant(plan.clamped_diameter_mm, 3);
-        format!("DIN 3017-1, ⌀{around} mm, band {band} mm")
+        let [from, to] =
+            [plan.squeezed_mm(), plan.clamped_diameter_mm].map(|mm| significant(mm, 3));
+        format!("DIN 3017-1, for ⌀{from} to {to} mm, band {band} mm")
     };
     let clamp = BuildPart {
         spare: if ends.has_ties { clamps } else { 1 }.to_string(),

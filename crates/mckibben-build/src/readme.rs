@@ -46,7 +46,14 @@ impl Plan {
                 required.unwrap_or_default()
             )
         };
-        operating.pulls.iter().map(pull).chain([at_rest]).collect()
+        let count = self.muscle.job().and_then(|job| job.count);
+        let count = count.map(|n| {
+            format!(
+                "It is one of {n} equal muscles side by side: build {n}; all numbers are those of one."
+            )
+        });
+        let pulls = operating.pulls.iter().map(pull);
+        pulls.chain([at_rest]).chain(count).collect()
     }
 
     /// The energy that it stores, in sentences.

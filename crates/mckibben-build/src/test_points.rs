@@ -62,14 +62,17 @@ pub fn points(operating: &Operating) -> Vec<TestPoint> {
     out
 }
 
+/// The first columns of the sheet.
+const COLUMNS: &str = "pressure_mpa,contraction,force_n,branch,measured,";
+
 /// Whether a sheet has no readings: each of its rows blank where it names what was read.
 pub fn is_blank_sheet(sheet: &str) -> bool {
-    let rows = sheet.lines().filter(|line| !line.starts_with('#')).skip(1);
-    rows.into_iter().all(|row| {
+    let mut rows = sheet.lines().filter(|line| !line.starts_with('#'));
+    rows.all(|row| {
         let cells: Vec<&str> = row.split(',').map(str::trim).collect();
         let mut read = ["pressure", "contraction", "force"].iter().zip(&cells);
         let read = read.find(|(name, _)| cells.get(4) == Some(name));
-        read.is_some_and(|(_, cell)| cell.is_empty())
+        row.starts_with(COLUMNS) || read.is_some_and(|(_, cell)| cell.is_empty())
     })
 }
 
@@ -129,8 +132,9 @@ pub fn csv(plan: &Plan) -> String {
         mm(plan.faces_mm(0.0)),
         plan.shown.pressure(plan.operating.pressure_mpa)
     );
-    out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
-        pressure_mpa,contraction,force_n,branch,measured,distance between the heads (mm),expected (N), from, to\n";
+    out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n";
+    out += COLUMNS;
+    out += "distance between the heads (mm),expected (N), from, to\n";
     out += &rows;
     for (i, point) in plan.test.iter().enumerate() {
         let p = trimmed(point.pressure_mpa, 5);
