@@ -23,7 +23,7 @@ use mckibben_core::{
         Positive,
         typed::{List, Ratio, Time},
     },
-    warning::Warning,
+    warning::{Warning, WarningKind},
 };
 use mckibben_fit::{
     identify::{
@@ -571,7 +571,9 @@ fn warnings(
         let measures = MuscleSummary::from(&Muscle::prototype()).line(&Units::default());
         format!("these are the constants of a muscle with {measures}: give the measures of yours")
     });
+    let mismatch = identified.mismatch.iter();
+    let mismatch = mismatch.map(|said| Warning::of(WarningKind::BenchMismatch, said.as_str()));
     let notes = identified.notes.iter().cloned();
     let said = prototype.into_iter().chain(notes).map(Warning::from);
-    said.chain(beyond).collect()
+    mismatch.chain(said).chain(beyond).collect()
 }

@@ -320,8 +320,8 @@ problems! {
     TensionFitError: Fit of Cancelled {
         TensionFitError::NotConverged { .. } => NotConverged;
         TensionFitError::NoBetter { .. } => NoAnswer "take `terms` with a smaller number";
-        TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or leave \
-            `up_to_stretch` out";
+        TensionFitError::TooFew { .. } => Fit "take a law with fewer constants, or a \
+            larger `up_to_stretch`";
     };
     JointError: File of Cancelled, around error in (JointError::Muscle { error, .. } | JointError::At { error, .. }) {
         JointError::OutOfReach { .. } => NoAnswer "a value that it reaches, a higher \

@@ -17,8 +17,8 @@ use mckibben_core::{
 };
 use mckibben_fit::{
     rubber::{
-        FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, fit_tension_with,
-        read_tests,
+        FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, TensionFit,
+        TensionPoint, fit_tension_with, read_tests,
     },
     rubber_over_time::{PronyFit, SofteningFit, fit_prony, fit_softening, read_history},
 };
@@ -39,7 +39,7 @@ pub struct RubberFitRequest {
     /// Laws by name, or `all` [all that the points determine]
     #[arg(long = "law", value_name = "LIST", value_delimiter = ',', value_parser = flags::laws())]
     pub laws: Vec<String>,
-    /// Leave out points beyond this stretch (3) or strain (200%)
+    /// Leave out points beyond this stretch (3) or strain (200%) [that of a muscle]
     #[arg(long = "up-to", value_name = "STRETCH", value_parser = flags::stretch)]
     pub up_to_stretch: Option<f64>,
     /// Branches of a Prony series that is fitted as well, from a column of times
@@ -254,6 +254,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let warnings = fit.warnings.iter().cloned();
     let warnings = warnings
         .chain(both.map(|_| APART.into()))
+        .chain(beyond(&fit).filter(|_| request.up_to_stretch.is_none()))
         .map(Warning::from);
     let mut answer = RubberFitAnswer {
         understood,
@@ -282,9 +283,21 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     Ok(answer)
 }
 
+/// What lies beyond the stretches of a muscle.
+fn beyond(fit: &TensionFit) -> Option<String> {
+    let points = fit.beyond.len();
+    let last = fit.beyond.iter().map(TensionPoint::plane_stretch);
+    let last = last.reduce(f64::max)?;
+    Some(format!(
+        "{points} points beyond the stretches of a muscle, up to {last:.4}, are left out; \
+         `up_to_stretch` takes them"
+    ))
+}
+
 impl RubberFitRequest {
     fn settings(&self) -> Result<FitSettings> {
-        let usual = FitSettings::default();
+        let usual = FitSettings::default().hoop_stretch;
+        let hoop_stretch = self.hoop_stretch.unwrap_or(usual);
         Ok(FitSettings {
             forms: self.forms()?,
             measure: if self.relative {
@@ -299,10 +312,10 @@ impl RubberFitRequest {
                 .map(|(&mode, &weight)| (mode, weight))
                 .collect(),
             fit_modes: self.fit_modes.clone(),
-            up_to_stretch: self.up_to_stretch,
+            up_to_stretch: self.up_to_stretch.or(Some(hoop_stretch)),
             history: self.relaxation.is_some() || self.softening,
             stable: self.stable,
-            hoop_stretch: self.hoop_stretch.unwrap_or(usual.hoop_stretch),
+            hoop_stretch,
         })
     }
 

@@ -1,6 +1,6 @@
 //! Units in which people are shown what is in mm, MPa and N inside.
 
-use crate::words::{aligned, half_width, number};
+use crate::words::{half_width, number};
 use mckibben_core::{
     joined,
     units::{Dimension, Unit},
@@ -130,21 +130,6 @@ impl Scale {
     /// The ± of such a value.
     pub fn half_width(&self, inside: f64) -> String {
         half_width(self.value(inside))
-    }
-
-    /// A column of values with their points aligned.
-    pub fn column(
-        &self,
-        inside: impl IntoIterator<Item = Option<f64>>,
-        digits: usize,
-    ) -> Vec<String> {
-        aligned(
-            &inside
-                .into_iter()
-                .map(|v| v.map(|v| self.value(v)))
-                .collect::<Vec<_>>(),
-            digits,
-        )
     }
 
     pub fn heading(&self, symbol: &str) -> String {

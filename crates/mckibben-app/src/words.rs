@@ -6,7 +6,6 @@ use mckibben_core::{
     rubber::Law,
     units::trimmed,
 };
-use std::path::Path;
 
 /// A number with so many significant digits, without an exponent where it is short without.
 pub fn number(v: f64, digits: usize) -> String {
@@ -103,11 +102,6 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
 /// Texts with commas between.
 pub(crate) fn in_a_row(texts: impl IntoIterator<Item = String>) -> String {
     joined(texts, ", ")
-}
-
-/// The name of a file, on one line.
-pub fn path_on_one_line(path: &Path) -> String {
-    path.display().to_string().replace('\n', "\\n")
 }
 
 /// A ratio as a percentage; rounding errors about zero are zero.

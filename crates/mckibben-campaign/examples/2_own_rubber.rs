@@ -16,13 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Returns the shear modulus of the neo-Hookean law that fits up to 200 % strain, in MPa.
 fn shear_modulus() -> Result<f64, Box<dyn Error>> {
     let points = read_tension(TEST)?;
-    let fit = fit_tension(
-        &points,
-        &FitSettings {
-            up_to_stretch: Some(3.0),
-            ..FitSettings::default()
-        },
-    )?;
+    let fit = fit_tension(&points, &FitSettings::default())?;
     for fitted in &fit.laws {
         let constants: Vec<String> = fitted
             .parameters

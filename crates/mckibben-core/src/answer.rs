@@ -4,7 +4,7 @@
 pub use crate::analysis::Options;
 
 use crate::{
-    analysis::{AnalysisError, Evaluation},
+    analysis::{AnalysisError, Evaluation, find_root},
     built::{Built, UncertaintyParts},
     model::{ModelError, Response, Result},
     muscle::Direction,
@@ -228,14 +228,13 @@ impl Evaluation<'_> {
         let response = if broken { response.hanging() } else { response };
         // Where strands stretch further than in any muscle that was measured, no ± is known.
         let valid = !broken && !warnings.iter().any(|w| w.kind == WarningKind::StrandStrain);
-        // Where the muscle is slack, what it would push tells how near it is to a pull.
+        // How far a slack muscle is from a pull does not depend on whether the model was used.
         let predicted = valid
             .then(|| {
-                let force_n = if two_sided_force_n.is_finite() {
-                    two_sided_force_n
-                } else {
-                    0.0
-                };
+                let beyond = hanging.filter(|_| slack).and_then(|known| {
+                    self.beyond_free_n(pressure_mpa, contraction, known.free_contraction)
+                });
+                let force_n = beyond.unwrap_or(two_sided_force_n);
                 self.predicted(pressure_mpa, contraction, force_n)
             })
             .flatten();
@@ -300,7 +299,7 @@ impl Evaluation<'_> {
         });
         let mut built = |place: f64| -> Option<Built> {
             let (p, e) = at(place);
-            let force_n = off_n + model.force_n(p, e).ok()?;
+            let force_n = off_n + model.force_n(p, e).unwrap_or(f64::NAN);
             Some(model.predicted(p, e, force_n)?.0)
         };
         let force_n = answer.response.force_n;
@@ -311,7 +310,7 @@ impl Evaluation<'_> {
         ];
         let [low, median, high] = ends.map(|end| {
             let missed = |x: f64| Some(end(&built(x)?) - force_n - more_n(x));
-            secant(missed, (place, slope, reach), force_n)
+            root_near(missed, (place, slope, reach))
         });
         Sought {
             median,
@@ -473,34 +472,26 @@ impl Sought {
     }
 }
 
-/// The root of a falling or rising function of a place, from a place near it and its slope there, by
-/// secants; `None` where it is not found within `reach`.
-fn secant(
+/// The root of a falling or rising function of a place, from a place near it and its slope there;
+/// `None` where it is not found within `reach`.
+fn root_near(
     mut missed: impl FnMut(f64) -> Option<f64>,
-    (place, mut slope, reach): (f64, f64, f64),
-    scale: f64,
+    (place, slope, reach): (f64, f64, f64),
 ) -> Option<f64> {
-    const STEPS: usize = 30;
-    const KNOWN: f64 = 1e-7;
-    let (mut x, mut miss) = (place, missed(place)?);
-    for _ in 0..STEPS {
-        if miss.abs() <= KNOWN * (1.0 + scale.abs()) {
-            return Some(x);
-        }
-        let step = (-miss / slope).clamp(-0.5 * reach, 0.5 * reach);
-        let next = x + step;
-        if !step.is_finite() || (next - place).abs() > reach {
+    let miss = missed(place)?;
+    let newton = (-miss / slope).clamp(-0.2 * reach, 0.2 * reach);
+    let (mut near, mut step) = (place, newton + (1e-5 * reach).copysign(newton));
+    loop {
+        let far = near + step;
+        if (far - place).abs() > reach || !far.is_finite() {
             return None;
         }
-        let there = missed(next)?;
-        let secant = (there - miss) / step;
-        // A slope of the other sign leads away.
-        if secant * slope > 0.0 {
-            slope = secant;
+        if missed(far)? * miss <= 0.0 {
+            let missed = |x: f64| missed(x).ok_or(());
+            return find_root(missed, near, far, 1e-10 * reach).ok()?;
         }
-        (x, miss) = (next, there);
+        (near, step) = (far, 1.5 * step);
     }
-    None
 }
 
 /// Said of a contraction below zero that a pull made.

@@ -44,6 +44,8 @@ pub enum WarningKind {
     Flat,
     /// The muscle or its pressure lies outside of the measured ones, on which the ± is founded.
     NotMeasured,
+    /// The points of a bench hardly belong to its muscle.
+    BenchMismatch,
     /// The answer lies outside of the range of its model.
     Extrapolated,
 }

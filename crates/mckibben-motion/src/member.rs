@@ -117,6 +117,9 @@ const SLACK: f64 = 1e-3;
 /// of them again.
 type Kept = [Option<(f64, f64, Answer)>; 8];
 
+/// In place of the contraction of a muscle that was never slack.
+const NO_SLACK: f64 = f64::MAX;
+
 pub struct Member {
     pub muscle: Actuated,
     pub length_mm: f64,
@@ -142,22 +145,37 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// The same for another simulation; the workspace of its model begins anew.
-    pub fn duplicate(&self) -> Self {
-        let Self {
-            kept,
-            next,
-            clamp_slack,
-            limits_mpa,
-            ..
-        } = self;
-        Self {
-            kept: kept.clone(),
-            next: next.clone(),
-            clamp_slack: clamp_slack.clone(),
-            limits_mpa: limits_mpa.clone(),
-            ..Self::default()
+    /// It as numbers; workspaces begin anew.
+    pub fn numbers(&self) -> Vec<f64> {
+        let slack = self.clamp_slack.get();
+        let mut out = vec![self.next.get() as f64, slack.unwrap_or(NO_SLACK)];
+        for (p, e, answer) in self.kept.borrow().iter().flatten() {
+            out.extend([*p, *e]);
+            let three = |q: Quantity| [q.value, q.by_pressure, q.by_contraction];
+            out.extend(answer.quantities().map(three).concat());
         }
+        out
+    }
+
+    /// That of numbers.
+    pub fn of(numbers: &[f64]) -> Option<Self> {
+        let (&[next, slack], kept) = numbers.split_first_chunk()?;
+        let mut known = Kept::default();
+        for (slot, numbers) in known.iter_mut().zip(kept.chunks_exact(14)) {
+            let quantity = |i: usize| Quantity {
+                value: numbers[3 * i + 2],
+                by_pressure: numbers[3 * i + 3],
+                by_contraction: numbers[3 * i + 4],
+            };
+            let answer = Answer::from_quantities(std::array::from_fn(quantity));
+            *slot = Some((numbers[0], numbers[1], answer));
+        }
+        Some(Self {
+            next: (next as usize % known.len()).into(),
+            clamp_slack: Some(slack).filter(|e| *e != NO_SLACK).into(),
+            kept: known.into(),
+            ..Self::default()
+        })
     }
 }
 
@@ -175,7 +193,7 @@ impl Member {
     /// The same for another simulation.
     pub fn duplicate(&self) -> Self {
         Self {
-            memory: self.memory.duplicate(),
+            memory: Memory::of(&self.memory.numbers()).unwrap_or_default(),
             ..Self::new(&self.muscle, self.near)
         }
     }

@@ -1,14 +1,14 @@
 //! A drive in a control loop: one step of constant commands after the other.
 
 use crate::{
-    Command, Commanded, Drive, Motion, MotionError, Result,
+    Command, Commanded, Drive, Event, Motion, MotionError, MotionSeries, Result,
     member::Memory,
-    run::Integration,
+    run::{Integration, run},
     state::State,
     system::{Modes, Switch, System},
 };
 use mckibben_core::progress::{Progress, Silent};
-use std::mem::{replace, take};
+use std::mem::{replace, swap, take};
 
 /// A drive that is stepped: it owns the drive, its state and what was recorded at the end of each
 /// step.
@@ -51,6 +51,8 @@ pub struct Simulation {
     done: usize,
     state: State,
     motion: Motion,
+    /// The commands of each step and the force from outside, until something is forgotten.
+    given: Option<Vec<Vec<f64>>>,
 }
 
 /// Where a simulation is, a value for each muscle.
@@ -96,6 +98,7 @@ impl Simulation {
             done: 0,
             state,
             motion,
+            given: Some(vec![]),
         })
     }
 
@@ -141,6 +144,9 @@ impl Simulation {
         if stepped.is_ok() {
             self.state = state;
             self.done += 1;
+            if let Some(given) = &mut self.given {
+                given.push([commands, &[outside_force]].concat());
+            }
         } else {
             system.modes.replace(modes);
             self.motion.series.truncate(points);
@@ -195,14 +201,50 @@ impl Simulation {
         }
     }
 
-    /// What was recorded: its series and events.
-    pub fn motion(&self) -> &Motion {
-        &self.motion
+    /// What was recorded at the start and the end of each step.
+    pub fn series(&self) -> &MotionSeries {
+        &self.motion.series
+    }
+
+    /// What happened.
+    pub fn events(&self) -> &[Event] {
+        &self.motion.events
+    }
+
+    /// The whole motion: that of [`run`](crate::run) with the commands of the steps.
+    ///
+    /// # Errors
+    /// As those of `run`; [`MotionError::Refused`] where a part of it was forgotten.
+    pub fn motion(&self) -> Result<Motion> {
+        let forgotten = || MotionError::Refused("a part of the motion was forgotten".to_owned());
+        let given = self.given.as_ref().ok_or_else(forgotten)?;
+        let mut drive = self.system.drive.clone();
+        let step_s = drive.output_step_s;
+        let steps = |k: usize| {
+            let values = given.iter().enumerate();
+            Command::Steps(
+                values
+                    .map(|(i, step)| (step_s * i as f64, step[k]))
+                    .collect(),
+            )
+        };
+        let count = self.target.commands().len();
+        drive.until_s = self.time_s();
+        // No force at all is a constant one.
+        let is_pushed = given.iter().any(|step| step[count] != 0.0);
+        drive.external = if is_pushed {
+            steps(count)
+        } else {
+            Command::Constant(0.0)
+        };
+        drive.target = self.target.with((0..count).map(steps).collect());
+        run(&drive, &Silent)
     }
 
     /// Forgets what was recorded, but for its last point.
     pub fn forget(&mut self) {
         self.motion = self.last();
+        self.given = None;
     }
 
     /// Another one in the same state; what was recorded stays behind, so that it costs the same after
@@ -215,6 +257,7 @@ impl Simulation {
             done: self.done,
             state: self.state.clone(),
             motion: self.last(),
+            given: None,
         }
     }
 
@@ -225,20 +268,26 @@ impl Simulation {
         }
     }
 
-    /// Where it is, as numbers: its steps, its state, and on which side of each kink it is.
+    /// Where it is, as numbers: its steps, its state, on which side of each kink it is, and the answers
+    /// of the models that are still known.
     pub fn numbers(&self) -> Vec<f64> {
         let modes = self.system.modes.borrow();
         let mut out = vec![self.done as f64, modes.stop.unwrap_or(0.0)];
         out.extend(self.state.to_vec());
-        for mode in &modes.muscles {
+        for (mode, member) in modes.muscles.iter().zip(&self.system.members) {
             let turns: Vec<f64> = mode.presliding.iter().flat_map(|p| p.numbers()).collect();
             out.extend([
                 f64::from(mode.slack),
                 mode.sign,
                 f64::from(mode.switch as u8),
+                f64::from(mode.above[0]),
+                f64::from(mode.above[1]),
                 turns.len() as f64,
             ]);
             out.extend(turns);
+            let memory = member.memory.numbers();
+            out.push(memory.len() as f64);
+            out.extend(memory);
         }
         out
     }
@@ -258,10 +307,10 @@ impl Simulation {
             || MotionError::Refused("the numbers are not a state of this drive".to_owned());
         let mut next = self.fork();
         next.command(commands, 0.0)?;
-        let (done, state, modes) = next.state_of(numbers).ok_or_else(refused)?;
+        let (done, state, modes, memories) = next.state_of(numbers).ok_or_else(refused)?;
         let Self { system, .. } = &mut next;
-        for member in &mut system.members {
-            member.memory = Memory::default();
+        for (member, memory) in system.members.iter_mut().zip(memories) {
+            member.memory = memory;
         }
         system.modes.replace(modes);
         let t = system.drive.output_step_s * done as f64;
@@ -274,8 +323,8 @@ impl Simulation {
         Ok(())
     }
 
-    /// The steps, the state and the sides of the kinks that numbers say.
-    fn state_of(&self, numbers: &[f64]) -> Option<(usize, State, Modes)> {
+    /// The steps, the state, the sides of the kinks and the known answers that numbers say.
+    fn state_of(&self, numbers: &[f64]) -> Option<(usize, State, Modes, Vec<Memory>)> {
         let mut rest = numbers;
         let mut take = |count: usize| {
             let (taken, others) = rest.split_at_checked(count)?;
@@ -286,34 +335,40 @@ impl Simulation {
         let mut modes = self.system.modes.borrow().clone();
         let &[done, stop] = take(2)? else { return None };
         let state = layout.state(take(layout.len)?);
+        let mut memories = vec![];
         modes.stop = Some(stop).filter(|side| *side != 0.0);
         for mode in &mut modes.muscles {
-            let &[slack, sign, switch, turns] = take(4)? else {
+            let &[slack, sign, switch, allowed, burst, turns] = take(6)? else {
                 return None;
             };
             (mode.slack, mode.sign) = (slack != 0.0, sign);
+            mode.above = [allowed, burst].map(|is_above| is_above != 0.0);
             let all = [Switch::Fill, Switch::Hold, Switch::Vent];
             mode.switch = all.into_iter().find(|s| f64::from(*s as u8) == switch)?;
             let turns = take(turns as usize)?;
             mode.presliding = mode.presliding.as_ref().map(|p| p.remembering(turns));
+            let &[count] = take(1)? else { return None };
+            memories.push(Memory::of(take(count as usize)?)?);
         }
-        rest.is_empty().then_some((done as usize, state, modes))
+        rest.is_empty()
+            .then_some((done as usize, state, modes, memories))
     }
 }
 
 impl Commanded {
     /// The same with constant commands; `None` where they are not as many as it has.
     pub fn constant(&self, values: &[f64]) -> Option<Self> {
-        if values.len() != self.commands().len() {
-            return None;
-        }
+        let constant = || values.iter().map(|v| Command::Constant(*v)).collect();
+        (values.len() == self.commands().len()).then(|| self.with(constant()))
+    }
+
+    /// The same with other commands.
+    fn with(&self, mut commands: Vec<Command>) -> Self {
         let mut target = self.clone();
         match &mut target {
-            Self::Pressure(list) | Self::Opening(list) | Self::Volume(list) => {
-                *list = values.iter().map(|v| Command::Constant(*v)).collect();
-            }
-            Self::Position { command, .. } => *command = Command::Constant(*values.first()?),
+            Self::Pressure(list) | Self::Opening(list) | Self::Volume(list) => *list = commands,
+            Self::Position { command, .. } => swap(command, &mut commands[0]),
         }
-        Some(target)
+        target
     }
 }

@@ -98,7 +98,7 @@ impl Simulation {
     /// The names of the numbers that are recorded.
     #[getter]
     fn names(&self, py: Python<'_>) -> Vec<String> {
-        py.detach(|| self.drive().motion().series.names())
+        py.detach(|| self.drive().series().names())
     }
 
     /// All that was recorded: a row for the start and for each step, one after the other.
@@ -106,7 +106,7 @@ impl Simulation {
     fn rows<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let rows = py.detach(|| {
             let drive = self.drive();
-            let series = &drive.motion().series;
+            let series = drive.series();
             let rows = (0..series.points()).filter_map(|i| series.row(i));
             rows.flatten().collect::<Vec<f64>>()
         });
@@ -126,7 +126,7 @@ impl Simulation {
     /// What happened: stops, slack, switching and reversals.
     #[pyo3(signature = () -> "list[dict[str, typing.Any]]")]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let events = py.detach(|| json!(self.drive().motion().events));
+        let events = py.detach(|| json!(self.drive().events()));
         value::answer(py, &events)
     }
 
@@ -205,7 +205,7 @@ pub fn rollout(
 }
 
 fn last(drive: &SimulatedDrive) -> Vec<f64> {
-    let series = &drive.motion().series;
+    let series = drive.series();
     series
         .points()
         .checked_sub(1)

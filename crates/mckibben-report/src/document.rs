@@ -4,10 +4,7 @@ use crate::{
     figure::{Figure, Result},
     sheet::DrawingSheet,
 };
-use mckibben_units::{
-    clean::{self, markup},
-    joined,
-};
+use mckibben_units::clean::{self, markup};
 use std::fmt::Write as _;
 
 /// A report.
@@ -43,8 +40,6 @@ pub enum Part {
     },
     Figure(Box<Figure>),
     Drawing(DrawingSheet),
-    /// A text whose lines and blanks matter, such as a file.
-    Code(String),
     /// A body in space: the data of the script that shows it, as JSON.
     Body(String),
 }
@@ -111,9 +106,6 @@ impl Part {
                     "<figure class=\"drawing\">{}</figure>",
                     sheet.to_svg()?
                 )
-            }
-            Self::Code(text) => {
-                writeln!(out, "<pre>{}</pre>", joined(text.lines().map(markup), "\n"))
             }
             Self::Body(data) => {
                 let data = clean::json(data);

@@ -141,7 +141,7 @@ impl Pages<'_> {
             Part::Figure(figure) => self.picture(&figure.drawing()?),
             Part::Drawing(sheet) => self.picture(sheet.drawing()?),
             // What is read on a screen.
-            Part::Code(_) | Part::Body(_) => {}
+            Part::Body(_) => {}
         }
         Ok(())
     }

@@ -84,24 +84,28 @@ fn built(q: &CurvePoint, test: Test, u: &Units) -> Option<(f64, [f64; 3])> {
     })
 }
 
-/// The medians along a curve as far as the muscle pulls, where they are known; else the model.
-fn median(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
+/// Those of a curve up to where no built muscle pulls any more.
+fn as_built(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, [f64; 3])> {
     let points = curve.points.iter().filter_map(|q| built(q, test, u));
-    let points: Vec<(f64, f64)> = points.map(|(x, [median, ..])| (x, median)).collect();
+    let points: Vec<(f64, [f64; 3])> = points.collect();
+    let may_pull = |i: usize| points.get(i).is_some_and(|(_, ends)| ends[2] > 0.0);
+    let is_drawn = |i: &usize| may_pull(*i) || may_pull(i + 1) || *i > 0 && may_pull(i - 1);
+    let drawn = (0..points.len()).filter(is_drawn);
+    drawn.map(|i| points[i]).collect()
+}
+
+/// The medians along a curve, where they are known; else the model.
+fn median(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
+    let points = as_built(curve, test, u);
     if points.len() < 2 {
         return line(curve, test, u);
     }
-    let pulls = |i: usize| points.get(i).is_some_and(|p| p.1 > 0.0);
-    let is_drawn = |i: &usize| pulls(*i) || pulls(i + 1) || *i > 0 && pulls(i - 1);
-    (0..points.len())
-        .filter(is_drawn)
-        .map(|i| points[i])
-        .collect()
+    points.into_iter().map(|(x, ends)| (x, ends[0])).collect()
 }
 
 /// The 95 % interval along a curve, where it has one.
 pub fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
-    let points = curve.points.iter().filter_map(|q| built(q, test, u));
+    let points = as_built(curve, test, u).into_iter();
     let edges: Vec<(f64, f64, f64)> = points.map(|(x, [_, low, high])| (x, low, high)).collect();
     (edges.len() > 1).then(|| Series::band(&edges))
 }

@@ -187,11 +187,13 @@ fn fit(
         let [diameter, wall] = [m.outer_diameter_mm(), m.wall_mm()].map(|mm| u.length.show(mm));
         panel = panel.title(format!("D0 {diameter}, s {wall}"));
     }
-    // The ± of the fit belongs to the muscle of the file.
-    let bench = identified
-        .bench
-        .as_ref()
-        .filter(|_| muscle.as_ref().is_ok_and(|m| *m == identified.muscle));
+    // What the points tell of a built muscle belongs to the muscle of the file.
+    let is_own = muscle.as_ref().is_ok_and(|m| *m == identified.muscle);
+    let muscle = if is_own {
+        Ok(identified.with_bench())
+    } else {
+        muscle
+    };
     let mut bands = vec![];
     let model = muscle.ok().and_then(|m| build(&m).ok());
     for (n, &value) in levels.fixed.iter().enumerate() {
@@ -220,15 +222,14 @@ fn fit(
                     .ok()
                     .filter(|f| *f >= 0.0)?;
                 let x = shown(x);
-                let built = bench.and_then(|_| evaluation.predicted(pressure, contraction, force));
-                edges.extend(built.map(|(built, _)| {
-                    (
-                        x,
-                        u.force.value(built.predicted_low_n),
-                        u.force.value(built.predicted_high_n),
-                    )
-                }));
-                Some((x, u.force.value(force)))
+                let built = evaluation.predicted(pressure, contraction, force);
+                let Some((built, _)) = built.filter(|_| is_own) else {
+                    return Some((x, u.force.value(force)));
+                };
+                let ends = [built.predicted_low_n, built.predicted_high_n];
+                let [low, high] = ends.map(|n| u.force.value(n));
+                edges.push((x, low, high));
+                Some((x, u.force.value(built.predicted_n)))
             });
             let style = if branch == Direction::Elongation {
                 Style::Dashed

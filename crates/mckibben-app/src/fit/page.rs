@@ -21,8 +21,8 @@ impl Show for FitAnswer {
             page.paragraph(format!(
                 "{unused} points were not used, {failed} had no answer"
             ));
-            if let Some(g) = &fitted.global {
-                let (chosen, candidates) = (g.terms.terms.len(), g.candidates);
+            if let (Body::Global(g), Some(candidates)) = (&fitted.formula.body, fitted.candidates) {
+                let chosen = g.terms.len();
                 page.line(format!("{chosen} of {candidates} candidate terms"));
             }
         }

@@ -3,7 +3,7 @@
 use super::MotionRequest;
 use crate::{Problem, ProblemKind, Result, finite};
 use mckibben_core::progress::Progress;
-use mckibben_motion::{Commanded, Coordinate, Drive, Linear, Motion, Simulation};
+use mckibben_motion::{Commanded, Coordinate, Drive, Event, Linear, MotionSeries, Simulation};
 
 /// A drive that is stepped: each step holds its commands constant.
 pub struct SimulatedDrive {
@@ -87,8 +87,7 @@ impl SimulatedDrive {
         numbers
     }
 
-    /// Goes to where a simulation of the same drive was, by its numbers: to the tolerance of the
-    /// integration, a copy is there to the last bit.
+    /// Goes to where a simulation of the same drive was, by its numbers, to the last bit.
     pub fn restore(&mut self, numbers: &[f64], progress: &dyn Progress) -> Result<()> {
         let (count, rest) = numbers
             .split_first()
@@ -102,8 +101,13 @@ impl SimulatedDrive {
     }
 
     /// What was recorded at the start and the end of each step.
-    pub fn motion(&self) -> &Motion {
-        self.simulation.motion()
+    pub fn series(&self) -> &MotionSeries {
+        self.simulation.series()
+    }
+
+    /// What happened.
+    pub fn events(&self) -> &[Event] {
+        self.simulation.events()
     }
 
     /// What is commanded: `pressure`, `opening`, `volume` or `position`, and how many commands

@@ -105,11 +105,6 @@ impl<'a, T> Table<'a, T> {
         self.quantity(heading, &NUMBER, text)
     }
 
-    /// A column of cells as they are.
-    pub fn column(self, heading: String, cells: Vec<String>) -> Self {
-        self.with(Some(Column { heading, cells }))
-    }
-
     /// With a column, where there is one.
     pub(crate) fn with(mut self, column: Option<Column>) -> Self {
         self.columns.extend(column);

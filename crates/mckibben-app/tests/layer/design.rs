@@ -72,17 +72,18 @@ fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
 }
 
 /// The table of an issue: what nine in ten costs, by the lower nine tenths of the built pull of
-/// `force` at the highest pressure.
+/// `force` at the highest pressure. Of the first two the walls are thicker than those of measured
+/// muscles: without the ± of that distance they take 36.0 and 19.7 mm.
 #[test]
 fn what_is_taken_reaches_nine_in_ten_by_what_force_says_of_it() {
     for (job, largest_mm) in [
         (
             json!({"force_n": 300, "contraction": 0.12, "max_pressure_mpa": 0.5}),
-            36.1,
+            45.7,
         ),
         (
             json!({"force_n": 98, "contraction": 0.1, "max_pressure_mpa": 0.4, "length_mm": 200}),
-            19.8,
+            30.1,
         ),
         (
             json!({"load": "20kg", "stroke_mm": 40, "max_pressure_mpa": 0.6}),

@@ -155,25 +155,25 @@ fn the_test_sheet_is_read_back_by_identify() {
 }
 
 /// The readings of `examples/hour.csv` were computed of the muscle below: the interval after them
-/// holds its pull while it shortens, and is a fifth of that before.
+/// holds its pull while it shortens, and is less than a quarter of that before.
 #[test]
 fn ten_readings_give_the_muscle_of_which_they_were_computed() {
-    let given = text_of("examples/shop.toml");
+    let given = text_of("examples/first.toml");
     let truth = given
         .replace(
-            "rubber = \"latex\"",
-            "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.33",
+            "rubber = \"dragon-skin-30\"",
+            "[tube.material]\nlaw = \"yeoh\"\nc10 = 0.080712\nc20 = 0.009441\nc30 = -0.00050931",
         )
         .replace(
-            "[terminals]",
-            "take_up = 0.015\n[friction]\nlever = 2\n[terminals]\nseating = 0.5",
+            "[job]",
+            "take_up = 0.015\n[friction]\nlever = 2\n[terminals]\nseating = 0.5\n[job]",
         );
     let muscle = |text: &str| json!({ "file": file("muscle.toml", text) });
     let request = json!({ "muscle": muscle(&given), "data": [table("examples/hour.csv")], "set": ["measured=contraction"] });
     let found = reply("identify", request);
     let found = found["muscle_file"].as_str().unwrap();
     let pull = |text: &str, more: Value| {
-        let at = json!({ "muscle": muscle(text), "pressure_mpa": 0.3, "contraction": 0.1 });
+        let at = json!({ "muscle": muscle(text), "pressure_mpa": 0.11, "contraction": 0.075 });
         reply("force", with(at, more))
     };
     let truth = pull(&truth, json!({ "direction": "contraction" }));
@@ -182,7 +182,7 @@ fn ten_readings_give_the_muscle_of_which_they_were_computed() {
     let ends = ["predicted_low_n", "predicted_high_n"].map(|key| number(&after, key));
     assert!(ends[0] < truth_n && truth_n < ends[1], "{truth_n} {ends:?}");
     let [before, after] = [&before, &after].map(|answer| number(answer, "uncertainty_n"));
-    assert!(after < 0.2 * before, "{before} {after}");
+    assert!(after < 0.25 * before, "{before} {after}");
 }
 
 /// The files of a measured muscle, with their blanks. (Tests of the study `validation` read such

@@ -1,22 +1,11 @@
-//! Errors of forces against reference forces, and where they are.
+//! Errors of forces against reference forces.
 
 use super::{
     data::{FitPoint, same},
     error::{FitError, Result},
 };
 use mckibben_core::formula::{ErrorSummary, RegionErrors};
-use serde::Serialize;
 use std::collections::BTreeMap;
-
-/// Errors over a set of points where the muscle pulls (reference force above zero).
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct Errors {
-    #[serde(flatten)]
-    pub summary: ErrorSummary,
-    /// Where the largest share is.
-    #[serde(flatten)]
-    pub worst: FitPoint,
-}
 
 /// A point with its error, and the forces whose share that is.
 #[derive(Debug, Clone, Copy)]
@@ -111,9 +100,7 @@ fn bits(v: f64) -> i64 {
 #[derive(Default)]
 struct Sum {
     shares: Vec<f64>,
-    worst: Option<(f64, FitPoint)>,
-    max_n: f64,
-    max_12: f64,
+    errors: ErrorSummary,
 }
 
 impl Sum {
@@ -124,35 +111,30 @@ impl Sum {
         let difference_n = c.difference_n.abs();
         let share = difference_n / c.blocked_n;
         self.shares.push(share);
-        if self.worst.is_none_or(|(worst, _)| share >= worst) {
-            self.worst = Some((share, c.point));
-        }
-        self.max_n = self.max_n.max(difference_n);
-        self.max_12 = self.max_12.max(difference_n / c.isobar_n);
+        let most = &mut self.errors;
+        most.max = most.max.max(share);
+        most.max_n = most.max_n.max(difference_n);
+        most.max_12 = most.max_12.max(difference_n / c.isobar_n);
     }
 
     /// `None` without points.
-    fn errors(mut self) -> Option<Errors> {
-        let (max, worst) = self.worst?;
+    fn errors(mut self) -> Option<ErrorSummary> {
         let points = self.shares.len();
-        let place = (points * 95).div_ceil(100).saturating_sub(1);
+        let place = (points * 95).div_ceil(100).checked_sub(1)?;
         let (_, p95, _) = self.shares.select_nth_unstable_by(place, f64::total_cmp);
         let p95 = *p95;
         let squares: f64 = self.shares.iter().map(|e| e * e).sum();
-        let summary = ErrorSummary {
+        Some(ErrorSummary {
             points,
             rms: (squares / points as f64).sqrt(),
             p95,
-            max,
-            max_n: self.max_n,
-            max_12: self.max_12,
-        };
-        Some(Errors { summary, worst })
+            ..self.errors
+        })
     }
 }
 
 /// The errors of points where the muscle pulls; `None` without such points.
-pub fn errors(list: impl Iterator<Item = Compared>) -> Option<Errors> {
+pub fn errors(list: impl Iterator<Item = Compared>) -> Option<ErrorSummary> {
     let mut sum = Sum::default();
     list.for_each(|c| sum.add(&c));
     sum.errors()
@@ -187,7 +169,7 @@ pub fn regions(list: impl Iterator<Item = Compared> + Clone) -> Vec<RegionErrors
                 Some(RegionErrors {
                     quantity: name.into(),
                     value,
-                    errors: sum.errors()?.summary,
+                    errors: sum.errors()?,
                 })
             }));
         }

@@ -39,30 +39,8 @@ const MET: f64 = 1e-26;
 /// A number of terms is as good as the best within this factor.
 const AS_GOOD: f64 = 1.05;
 
-/// Errors with so many terms.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    pub terms: usize,
-    /// rms over the points fitted, as a share of the blocked force.
-    pub rms: f64,
-    /// rms over the diameters left out one at a time; `None` where there are too few diameters.
-    pub left_out: Option<f64>,
-}
-
-/// A formula and how its terms were chosen.
-#[derive(Debug, Clone, PartialEq)]
-pub struct GlobalFit {
-    pub terms: GlobalTerms,
-    /// Errors by number of terms.
-    pub steps: Vec<Step>,
-    /// How many candidates there were.
-    pub candidates: usize,
-    /// How many points were fitted.
-    pub points: usize,
-}
-
-/// Fits given terms, or at most [`MOST_TERMS`] chosen ones.
-pub fn global(points: &[FitPoint], own: Option<&[[u8; 4]]>) -> Result<GlobalFit> {
+/// Fits given terms, or at most [`MOST_TERMS`] chosen ones; how many candidates there were.
+pub fn global(points: &[FitPoint], own: Option<&[[u8; 4]]>) -> Result<(GlobalTerms, usize)> {
     let forces = ForceScales::new(points)?;
     let used = || points.iter().filter(|p| p.force_n > 0.0);
     if used().next().is_none() {
@@ -107,17 +85,11 @@ pub fn global(points: &[FitPoint], own: Option<&[[u8; 4]]>) -> Result<GlobalFit>
     let chosen = select(&full);
     // The choice of work that was ended is not complete.
     cancel::check()?;
-    let (coefficients, rms) = nested(&full, &chosen);
-    let left_out = leave_out(&groups).unwrap_or_default();
+    let coefficients = nested(&full, &chosen);
+    let left_out = own.map_or_else(|| leave_out(&groups), |_| None);
     cancel::check()?;
-    let steps: Vec<Step> = (1..=chosen.len())
-        .map(|terms| Step {
-            terms,
-            rms: rms[terms - 1],
-            left_out: left_out.get(terms - 1).copied(),
-        })
-        .collect();
-    let count = own.map_or_else(|| enough(&steps), |_| steps.len());
+    let count = left_out.and_then(|errors| enough(&errors, chosen.len()));
+    let count = count.unwrap_or(chosen.len());
     let values = coefficients(count).ok_or_else(|| FitError::singular("the global formula"))?;
     let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term {
         powers: candidates[j],
@@ -127,12 +99,7 @@ pub fn global(points: &[FitPoint], own: Option<&[[u8; 4]]>) -> Result<GlobalFit>
         scales,
         terms: terms.collect(),
     };
-    Ok(GlobalFit {
-        terms,
-        steps,
-        candidates: candidates.len(),
-        points: full.rows,
-    })
+    Ok((terms, candidates.len()))
 }
 
 /// The problems of groups of diameters, of which one can be left out: of each diameter, or of
@@ -210,30 +177,17 @@ fn select(problem: &Triangle) -> Vec<usize> {
     chosen
 }
 
-/// Coefficients of the first n chosen terms, for any n, from one QR (Householder); and the rms left
-/// with each n.
-fn nested(
-    problem: &Triangle,
-    chosen: &[usize],
-) -> (impl Fn(usize) -> Option<DVector<f64>> + use<>, Vec<f64>) {
-    let values = problem.values();
+/// Coefficients of the first n chosen terms, for any n, from one QR (Householder).
+fn nested(problem: &Triangle, chosen: &[usize]) -> impl Fn(usize) -> Option<DVector<f64>> + use<> {
     let qr = problem.matrix.select_columns(chosen).qr();
     let r = qr.r();
-    let turned = qr.q().transpose() * &values;
-    let mut left = values.norm_squared();
-    let rows = problem.rows as f64;
-    let rms_of = |v: &f64| {
-        left -= v * v;
-        (left.max(0.0) / rows).sqrt()
-    };
-    let rms = turned.iter().map(rms_of).collect();
-    let solve = move |n: usize| {
+    let turned = qr.q().transpose() * problem.values();
+    move |n: usize| {
         let square = r.view((0, 0), (n, n)).into_owned();
         square
             .solve_upper_triangular(&turned.rows(0, n).into_owned())
             .filter(|x| x.iter().all(|v| v.is_finite()))
-    };
-    (solve, rms)
+    }
 }
 
 /// rms over inner groups of diameters left out one at a time, by number of terms; the terms are
@@ -251,7 +205,7 @@ fn leave_out(groups: &[Triangle]) -> Option<Vec<f64>> {
         let kept = Triangle::without(groups, Some(group));
         let chosen = select(&kept);
         cancel::check().ok()?;
-        let (coefficients, _) = nested(&kept, &chosen);
+        let coefficients = nested(&kept, &chosen);
         let columns = out.matrix.select_columns(&chosen);
         length = length.min(chosen.len());
         for n in 1..=length {
@@ -264,15 +218,12 @@ fn leave_out(groups: &[Triangle]) -> Option<Vec<f64>> {
     Some(sums.into_iter().map(|s| (s / rows as f64).sqrt()).collect())
 }
 
-/// The smallest number of terms that is as good as the best on the diameters left out.
-fn enough(steps: &[Step]) -> usize {
-    let known = || {
-        steps
-            .iter()
-            .filter_map(|s| s.left_out.map(|e| (s.terms, e)))
-    };
-    let best = known().map(|s| s.1).fold(f64::INFINITY, f64::min);
+/// The smallest number of terms, of at most so many, that is as good as the best on the diameters left
+/// out, by their rms with one term, two terms, …
+fn enough(errors: &[f64], most: usize) -> Option<usize> {
+    let errors = &errors[..most.min(errors.len())];
+    let best = errors.iter().copied().fold(f64::INFINITY, f64::min);
     // Errors of rounding are all alike.
     let good = (AS_GOOD * best).max(1e-10);
-    known().find(|s| s.1 <= good).map_or(steps.len(), |s| s.0)
+    Some(1 + errors.iter().position(|e| *e <= good)?)
 }

@@ -4,15 +4,15 @@ use super::{
     data::{FitPoint, Grid, HELD_OUT, PRESSURES, distinct, same},
     error::{FitError, Result},
     errors::{Compared, ForceScales, Section, errors, regions, section},
-    global::{GlobalFit, MOST_TERMS, global},
+    global::{MOST_TERMS, global},
     paper_method::{PaperMethod, is_left_out, paper_method},
 };
 use crate::{columns::PointRow, hash};
 use mckibben_core::{
     extremes::ends,
     formula::{
-        Body, Coefficients, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made,
-        MadeBraid, MadeRubber, NamedBraid, Provenance,
+        Body, Coefficients, Formula, FormulaErrors, FormulaRange, HeldOut, Made, MadeBraid,
+        MadeRubber, NamedBraid, Provenance,
     },
     muscle::{Muscle, NEUTRAL_ANGLE_DEG},
 };
@@ -80,8 +80,8 @@ pub struct FittedFormula {
     pub formula: Formula,
     /// The tables of the paper's method.
     pub paper: Option<PaperMethod>,
-    /// The steps of the global method.
-    pub global: Option<GlobalFit>,
+    /// How many terms the global method had to choose from.
+    pub candidates: Option<usize>,
     /// The points, those that were fitted before those that are held out.
     pub points: Vec<FitPoint>,
     forces: ForceScales,
@@ -124,11 +124,11 @@ fn formula_errors(
         against: "the forces of its table, where they pull, as shares of the muscle's blocked \
             force at the table's highest pressure"
             .into(),
-        fit: errors(fitted.clone()).map_or_else(ErrorSummary::default, |e| e.summary),
+        fit: errors(fitted.clone()).unwrap_or_default(),
         regions: regions(fitted),
-        held_out: errors(held_out.iter().map(&compared)).map(|e| HeldOut {
+        held_out: errors(held_out.iter().map(&compared)).map(|errors| HeldOut {
             outer_diameters_mm,
-            errors: e.summary,
+            errors,
         }),
     }
 }
@@ -168,14 +168,14 @@ pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
     let fitted = parts.0;
     let kept = fitted.iter().filter(|p| !is_left_out(p));
     let leaves_out = kept.clone().count() < fitted.len();
-    let (body, paper, global) = match request.method {
+    let (body, paper, candidates) = match request.method {
         Method::Paper => {
             let steps = paper_method(&Vec::from_iter(kept.copied()))?;
             (Body::Paper(Box::new(steps.coefficients)), Some(steps), None)
         }
         Method::Global => {
-            let fit = global(fitted, request.terms)?;
-            (Body::Global(fit.terms.clone()), None, Some(fit))
+            let (terms, candidates) = global(fitted, request.terms)?;
+            (Body::Global(terms), None, Some(candidates))
         }
     };
     let mut formula = Formula {
@@ -202,7 +202,7 @@ pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
     Ok(FittedFormula {
         formula,
         paper,
-        global,
+        candidates,
         points,
         forces,
         unused,

@@ -20,7 +20,7 @@ pub use error::FitError;
 pub use make::{Fits, FittedFormula, FormulaRequest, MakeOfRows, Method, make};
 #[doc(hidden)]
 pub use {
-    global::{GlobalFit, global},
+    global::global,
     make::{Fittable, fitted, refitted},
     paper_method::{PaperMethod, paper_method},
 };

@@ -90,13 +90,18 @@ pub struct Learnt {
 }
 
 impl Learnt {
-    /// Of places with the residual in N and the slopes there; `None` without any.
-    pub fn new(rows: &[(Place, f64, Constants)], highest_mpa: f64) -> Option<Self> {
+    /// Of places with the residual in N and the slopes there; `None` without any. `noise_n` is that
+    /// of each, where it is stated.
+    pub fn new(
+        rows: &[(Place, f64, Constants)],
+        noise_n: &[Option<f64>],
+        highest_mpa: f64,
+    ) -> Option<Self> {
         let places: Vec<Place> = rows.iter().map(|row| row.0).collect();
         let largest = places.iter().map(|p| p.blocked_n).reduce(f64::max)?;
-        let noise = (NOISE * largest).powi(2);
         let row = |i: usize| -> Vec<f64> {
-            let beside = |j| if i == j { noise } else { 0.0 };
+            let noise_n = noise_n[i].unwrap_or(NOISE * largest);
+            let beside = |j| if i == j { noise_n * noise_n } else { 0.0 };
             (0..places.len())
                 .map(|j| kernel(&places[i], &places[j], highest_mpa) + beside(j))
                 .collect()

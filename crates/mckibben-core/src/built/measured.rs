@@ -32,6 +32,9 @@ pub const MEASURED: [(&str, &str, (f64, f64)); 5] = [
     ("the pressure", "\u{a0}MPa", (0.0, 0.675)),
 ];
 
+/// A last digit is no difference.
+const DIGIT: f64 = 1e-6;
+
 /// D0 in mm, s/D0, L0/D0, θ0 in degrees and P in MPa, in the order of [`MEASURED`].
 pub fn measured_values(muscle: &Muscle, pressure_mpa: f64) -> [f64; 5] {
     let outer_mm = muscle.tube().outer_diameter_mm;
@@ -49,6 +52,25 @@ pub fn measured_up_to_mpa(muscle: &Muscle) -> f64 {
     let [.., (_, _, (_, measured_mpa))] = MEASURED;
     let own_mpa = muscle.bench().map(|bench| bench.pressure_mpa.1);
     own_mpa.map_or(measured_mpa, |own_mpa| own_mpa.max(measured_mpa))
+}
+
+/// What the distance of a muscle from the measured ones adds to the standard deviation of ln a:
+/// 0.15 √(log2²(D0) + log2²(s/D0) + (Δθ/10°)²), counted from their ends, a judgement. The angle counts
+/// of muscles that contract.
+pub fn beyond_measured(muscle: &Muscle) -> f64 {
+    const OF_DISTANCE: f64 = 0.15;
+    let values = measured_values(muscle, 0.0);
+    let away = |i: usize, of: fn(f64) -> f64| {
+        let (low, high) = MEASURED[i].2;
+        let inside = values[i].max(low * (1.0 - DIGIT)).min(high * (1.0 + DIGIT));
+        of(values[i]) - of(inside)
+    };
+    let by_angle = if muscle.is_extensile() {
+        0.0
+    } else {
+        away(3, |deg| deg / 10.0)
+    };
+    OF_DISTANCE * away(0, f64::log2).hypot(away(1, f64::log2)).hypot(by_angle)
 }
 
 /// What of a muscle at a pressure lies outside of the measured muscles; of one that was identified
@@ -69,9 +91,8 @@ pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> impl Iterator<Item = 
             },
         }
     };
-    // A last digit is no difference.
     let beyond = |q: &NotMeasured| {
-        q.value < q.measured.0 * (1.0 - 1e-6) || q.value > q.measured.1 * (1.0 + 1e-6)
+        q.value < q.measured.0 * (1.0 - DIGIT) || q.value > q.measured.1 * (1.0 + DIGIT)
     };
     (0..MEASURED.len()).map(of).filter(beyond)
 }

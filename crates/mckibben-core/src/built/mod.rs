@@ -161,9 +161,13 @@ impl Evaluation<'_> {
         let predicted_direction = working_direction(&muscle, self.options.direction);
         let sign = predicted_direction.sign();
         let mut at = predictor.at(pressure_mpa, contraction, sign)?;
-        let mean_n = force_n - self.friction_n(pressure_mpa, contraction).ok()?;
+        // Without an equilibrium its strands are slack.
+        let model_n = force_n - self.friction_n(pressure_mpa, contraction).unwrap_or(0.0);
+        let mean_n = predictor.taut_n(model_n, at.stated_n, at.place.blocked_n);
         let mut covariance = predictor.covariance.clone();
-        let friction = Constant::Friction as usize;
+        let [factor, friction] = [Constant::PullFactor, Constant::Friction].map(|c| c as usize);
+        let beyond_measured = predictor.beyond_measured;
+        covariance[factor][factor] -= beyond_measured * beyond_measured;
         let friction_n = if muscle.friction().is_some() {
             let options = Options::from(predicted_direction);
             let n = self
@@ -189,7 +193,8 @@ impl Evaluation<'_> {
             Some(learnt) => learnt.at(&at.place, at.slopes),
             None => (0.0, at.slopes, whole * whole),
         };
-        let factor = predictor.centre[Constant::PullFactor as usize].exp();
+        let beyond_n = HALF_95 * beyond_measured * slopes[factor].abs();
+        let factor = predictor.centre[factor].exp();
         let unscaled_n = mean_n + at.ends_n + at.take_up_n;
         let shift = BuiltShift {
             friction: friction_n,
@@ -214,7 +219,10 @@ impl Evaluation<'_> {
                     scale_n.abs(),
                 )
             }),
-            measured: Some(HALF_95 * variance.sqrt().hypot(single)),
+            measured: Some(
+                HALF_95 * predictor.variance_factor.sqrt() * variance.sqrt().hypot(single),
+            ),
+            beyond_measured: Some(beyond_n).filter(|n| *n > 0.0),
             ..UncertaintyParts::of_constants(&slopes, &covariance, predictor.is_identified)
                 .with_rubber(predictor.limit_n(pressure_mpa, contraction))
         };
@@ -262,8 +270,8 @@ impl Evaluation<'_> {
             let sign = built.predicted_direction.sign();
             return Ok([built.predicted_n - friction_n, sign * friction_n]);
         }
-        let (weaker_n, strands_n) = predictor
-            .weaker_n(pressure_mpa, contraction)
+        let (unscaled_n, strands_n) = predictor
+            .weaker_n(pressure_mpa, contraction, mean_n)
             .ok_or_else(none)?;
         let half_n = if muscle.friction().is_some() {
             self.half_width_n(pressure_mpa, contraction)?
@@ -271,7 +279,7 @@ impl Evaluation<'_> {
             predictor.centre[Constant::Friction as usize] * strands_n
         };
         let factor = predictor.centre[Constant::PullFactor as usize].exp();
-        Ok([factor * (mean_n + weaker_n), half_n])
+        Ok([factor * unscaled_n, half_n])
     }
 
     /// What each measurement leaves of the ± of the pull of a muscle that is built, at a pressure in
@@ -287,6 +295,13 @@ impl Evaluation<'_> {
         Option::as_ref(&predictor).map_or_else(Vec::new, |predictor| {
             predictor.measurements(pressure_mpa, contraction, sign)
         })
+    }
+
+    /// How the pull of a model goes on beyond its free contraction, in N.
+    pub(crate) fn beyond_free_n(&mut self, p: f64, contraction: f64, free: f64) -> Option<f64> {
+        let muscle = Arc::clone(&self.model.info().muscle);
+        let predictor = self.predictor(&muscle);
+        Option::as_ref(&predictor)?.beyond_n(p, contraction, free)
     }
 
     /// What is known of the constants of the model's muscle.

@@ -33,6 +33,8 @@ pub struct UncertaintyParts {
     pub mesh: Option<f64>,
     /// The factor on the pull that differs from muscle to muscle.
     pub pull_factor: Option<f64>,
+    /// The same of a size, wall or angle beyond those of measured muscles: a judgement.
+    pub beyond_measured: Option<f64>,
     /// Ends that give way.
     pub ends: Option<f64>,
     /// The pressure that takes up the slack of the braid.
@@ -96,11 +98,15 @@ impl UncertaintyParts {
     }
 
     /// The parts with their names, in the order of their fields.
-    fn slots(&mut self) -> [(&'static str, &mut Option<f64>); 11] {
+    fn slots(&mut self) -> [(&'static str, &mut Option<f64>); 12] {
         [
             ("formula", &mut self.formula),
             ("mesh", &mut self.mesh),
             ("muscle to muscle", &mut self.pull_factor),
+            (
+                "beyond measured muscles (judgement)",
+                &mut self.beyond_measured,
+            ),
             ("ends", &mut self.ends),
             ("take-up", &mut self.take_up),
             ("rubber", &mut self.rubber),

@@ -1,8 +1,9 @@
 //! How a built muscle differs from the one that is described, at any pressure and contraction.
 
 use super::{
-    Experience, Prior,
-    learnt::{Learnt, Place},
+    Experience, HALF_95, Prior,
+    learnt::{DISCREPANCY, Learnt, Place},
+    measured::beyond_measured,
     twin::Twin,
 };
 use crate::{
@@ -24,6 +25,10 @@ pub struct Predictor {
     pub is_identified: bool,
     /// What the points of its own bench tell near them.
     pub learnt: Option<Learnt>,
+    /// Factor on the variances of differences between model and muscle.
+    pub variance_factor: f64,
+    /// What the size adds to the deviation of ln a.
+    pub beyond_measured: f64,
     stated: Twin,
     built: Twin,
     /// The muscle itself, and it with a constant below and above its centre and half of what lies
@@ -36,6 +41,8 @@ pub struct Predictor {
 
 /// A built muscle at a pressure and a contraction.
 pub struct At {
+    /// Pull of the infinitely long muscle as it is described, in N.
+    pub stated_n: f64,
     /// What ends that give way add to the pull in N.
     pub ends_n: f64,
     /// What the take-up pressure adds to it.
@@ -56,7 +63,10 @@ impl Predictor {
         let prior = Prior::of(muscle, experience);
         match muscle.any_bench() {
             Some(bench) => Self::identified(muscle, bench, &prior, experience),
-            None => Self::about(muscle, prior.centre, prior.covariance()),
+            None => Some(Self {
+                beyond_measured: beyond_measured(muscle),
+                ..Self::about(muscle, prior.centre, prior.covariance())?
+            }),
         }
     }
 
@@ -84,20 +94,31 @@ impl Predictor {
         for (i, deviation) in scatter.into_iter().flatten().enumerate() {
             covariance[i][i] += deviation * deviation;
         }
+        let beyond_measured = if muscle.differs_from_identified() {
+            beyond_measured(muscle)
+        } else {
+            0.0
+        };
+        let factor = Constant::PullFactor as usize;
+        covariance[factor][factor] += beyond_measured * beyond_measured;
         let mut out = Self::about(muscle, centre, covariance)?;
         out.is_identified = true;
+        out.beyond_measured = beyond_measured;
+        out.variance_factor = bench.variance_factor.unwrap_or(1.0);
         out.unlocked = unlocked(muscle);
         if scatter.is_none() {
-            let row = |&(p, e, sign, off_n): &OwnPoint| {
+            let row = |(i, &(p, e, sign, off_n)): (usize, &OwnPoint)| {
                 let mut at = out.at(p, e, sign)?;
                 // A stated law errs by a share of itself.
                 if let Some(law) = muscle.friction() {
                     at.slopes[Constant::Friction as usize] = sign * law.half_width_n(p, 0.0);
                 }
-                Some((at.place, off_n, at.slopes))
+                let noise_n = bench.own_noise.get(i).copied();
+                Some(((at.place, off_n, at.slopes), noise_n))
             };
-            let rows: Vec<_> = bench.own_points.iter().filter_map(row).collect();
-            out.learnt = Learnt::new(&rows, bench.pressure_mpa.1);
+            let rows = bench.own_points.iter().enumerate().filter_map(row);
+            let (rows, noise_n): (Vec<_>, Vec<_>) = rows.unzip();
+            out.learnt = Learnt::new(&rows, &noise_n, bench.pressure_mpa.1);
         }
         Some(out)
     }
@@ -114,6 +135,8 @@ impl Predictor {
             covariance,
             is_identified: false,
             learnt: None,
+            variance_factor: 1.0,
+            beyond_measured: 0.0,
         })
     }
 
@@ -136,12 +159,60 @@ impl Predictor {
         Some(sides)
     }
 
-    /// What lies between the pull of the muscle as it is described and as it is built, in N, of the
-    /// mean of both branches, and T cosθ of its strands.
-    pub fn weaker_n(&self, pressure_mpa: f64, contraction: f64) -> Option<(f64, f64)> {
-        let built = self.built.state(pressure_mpa, contraction)?;
-        let stated_n = self.stated.force_n(pressure_mpa, contraction)?;
-        Some((built.force_n - stated_n, built.strands_n))
+    /// The pull of the muscle as it is built in N, of the mean of both branches and without the factor
+    /// on it, where a model's pull of the muscle as it is described is `model_n`; and T cosθ of its
+    /// strands.
+    pub fn weaker_n(&self, p: f64, contraction: f64, model_n: f64) -> Option<(f64, f64)> {
+        let built = self.built.state(p, contraction)?;
+        let stated_n = self.stated.force_n(p, contraction)?;
+        let mean_n = self.taut_n(model_n, stated_n, self.blocked_n(p)?);
+        Some((mean_n + built.force_n - stated_n, built.strands_n))
+    }
+
+    /// The pull of a model in N; below zero, where its muscle bends or folds rather than pushes, at
+    /// most that of the infinitely long muscle and the smooth difference between both.
+    pub fn taut_n(&self, model_n: f64, stated_n: f64, blocked_n: f64) -> f64 {
+        if model_n >= 0.0 || self.muscle.is_extensile() {
+            model_n
+        } else {
+            model_n.min(stated_n + HALF_95 * DISCREPANCY * blocked_n)
+        }
+    }
+
+    /// How much less the infinitely long muscle as it is described pulls at a contraction than at
+    /// its free one, in N.
+    pub fn beyond_n(&self, pressure_mpa: f64, contraction: f64, free: f64) -> Option<f64> {
+        let pull = |e: f64| self.stated.force_n(pressure_mpa, e);
+        Some(pull(contraction)? - pull(free)?)
+    }
+
+    /// The blocked force of the muscle as it is built, in N without its sign.
+    fn blocked_n(&self, pressure_mpa: f64) -> Option<f64> {
+        let blocked_n = self.built.force_n(pressure_mpa, 0.0)?;
+        let sign = if self.muscle.is_extensile() {
+            -1.0
+        } else {
+            1.0
+        };
+        Some((sign * blocked_n).max(0.0))
+    }
+
+    /// How much of the slopes by the seating, the compliance and the take-up pressure counts: none of
+    /// them is below zero, so that a pressure which the take-up may need as a whole does not gain more
+    /// than their centre.
+    fn shares(&self, pressure_mpa: f64) -> [f64; 3] {
+        let d0_mm = self.muscle.outer_diameter_mm();
+        let ends = &self.built.ends;
+        let half = |constant: Constant| {
+            HALF_95 * self.covariance[constant as usize][constant as usize].sqrt()
+        };
+        let share = pressure_mpa / half(Constant::TakeUp);
+        [
+            (Constant::Seating, ends.seating_mm / d0_mm),
+            (Constant::Compliance, ends.slip_mm_per_n * d0_mm),
+            (Constant::TakeUp, ends.take_up_mpa),
+        ]
+        .map(|(constant, centre)| (centre / half(constant)).max(share).min(1.0))
     }
 
     /// What the limit of a law that the pull of another muscle gave makes of the pull, in N: it is not
@@ -171,9 +242,10 @@ impl Predictor {
         let mut slopes: Constants = [0.0; Constant::ALL.len()];
         let mut set = |constant: Constant, slope: f64| slopes[constant as usize] = slope;
         set(Constant::PullFactor, state.force_n);
-        set(Constant::Seating, -k * d0_mm);
-        set(Constant::Compliance, -k * state.load_n / d0_mm);
-        set(Constant::TakeUp, -state.per_pressure_mm2);
+        let [seating, compliance, take_up] = self.shares(pressure_mpa);
+        set(Constant::Seating, -k * d0_mm * seating);
+        set(Constant::Compliance, -k * state.load_n / d0_mm * compliance);
+        set(Constant::TakeUp, -state.per_pressure_mm2 * take_up);
         set(Constant::Friction, sign * state.strands_n);
         for (constant, [below, above], half) in sides {
             let at = |twin: &Twin| twin.force_n(pressure_mpa, contraction);
@@ -186,16 +258,20 @@ impl Predictor {
             };
             set(*constant, slope);
         }
+        let stated_n = self.stated.force_n(pressure_mpa, contraction)?;
+        // Shortened beyond what its strands allow a muscle pushes more with more pressure.
+        let take_up_n = (state.force_n - taken_up_n).min(0.0);
         Some(At {
-            ends_n: taken_up_n - self.stated.force_n(pressure_mpa, contraction)?,
-            take_up_n: state.force_n - taken_up_n,
+            stated_n,
+            ends_n: state.force_n - stated_n - take_up_n,
+            take_up_n,
             strands_n: state.strands_n,
             slopes,
             force_n: state.force_n,
             place: Place {
                 pressure_mpa,
                 contraction,
-                blocked_n: self.built.force_n(pressure_mpa, 0.0)?.abs(),
+                blocked_n: self.blocked_n(pressure_mpa)?,
             },
         })
     }

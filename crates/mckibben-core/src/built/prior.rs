@@ -1,6 +1,7 @@
 //! What is known of the constants of a muscle before it is measured: from the measured muscles, by
 //! how this one is made.
 
+use super::measured::beyond_measured;
 use crate::{
     muscle::{Constant, Constants, EndsMade, Muscle},
     rubber::library::stiffness_factor,
@@ -149,7 +150,13 @@ impl Prior {
             deviation,
         };
         let beliefs = [
-            experience.pull_factor,
+            Belief {
+                deviation: experience
+                    .pull_factor
+                    .deviation
+                    .hypot(beyond_measured(muscle)),
+                ..experience.pull_factor
+            },
             beside(experience.seating, terminals.seating_mm),
             beside(compliance, terminals.slip_mm_per_n),
             beside(experience.take_up, braid.take_up_mpa),

@@ -1,5 +1,10 @@
 //! The infinitely long muscle between the ends of one that is built: what a change of its constants
 //! makes of the pull.
+//!
+//! Strands of a muscle that contracts stay taut here: they carry compression where a real braid is
+//! slack, and below the take-up pressure P0 the active pressure P − P0 is below zero. A real muscle
+//! without tension in its strands does not pull, so that neither changes a pull; below zero the pull
+//! goes on smoothly, which tells how far a slack muscle is from one.
 
 use crate::{
     model::{ForceModel, ThickWall, Workspace},
@@ -9,7 +14,7 @@ use crate::{
 /// The infinitely long muscle between the ends of another.
 pub struct Twin {
     model: ThickWall,
-    ends: Ends,
+    pub ends: Ends,
 }
 
 /// Its state at a pressure and a contraction of the whole muscle.
@@ -30,7 +35,7 @@ impl Twin {
     /// Of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
         Self {
-            model: ThickWall::between_ends(&muscle.between_ends()),
+            model: ThickWall::between_ends(&muscle.between_ends()).with_taut_strands(),
             ends: muscle.ends(),
         }
     }
@@ -38,7 +43,7 @@ impl Twin {
     /// Its state; `None` where there is no equilibrium.
     pub fn state(&self, pressure_mpa: f64, contraction: f64) -> Option<TwinState> {
         let ends = &self.ends;
-        let active_mpa = ends.active_mpa(pressure_mpa);
+        let active_mpa = pressure_mpa - ends.take_up_mpa;
         let workspace = &mut Workspace::new();
         let mut last = None;
         let state = ends
@@ -55,18 +60,13 @@ impl Twin {
         Some(TwinState {
             force_n: inner.force_n,
             stiffness_n_per_mm: k / series,
-            // Below the take-up pressure nothing changes with it.
-            per_pressure_mm2: if active_mpa == 0.0 && pressure_mpa > 0.0 {
-                0.0
-            } else {
-                per_pressure / series
-            },
+            per_pressure_mm2: per_pressure / series,
             load_n: state.load_n,
             strands_n: self
                 .model
                 .strand_pull_n(active_mpa, state.between)
                 .ok()
-                .filter(|_| active_mpa > 0.0)
+                .filter(|n| active_mpa > 0.0 && *n > 0.0)
                 .unwrap_or(0.0),
         })
     }

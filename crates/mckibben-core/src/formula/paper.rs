@@ -100,26 +100,4 @@ impl Section {
     pub fn by_pressure(&self, contraction: f64) -> f64 {
         (self.a.0 * contraction + self.b.0) * contraction + self.c.0
     }
-
-    /// Pressure in MPa at which F has a value; `None` where F does not rise with P.
-    pub fn pressure_mpa(&self, force_n: f64, contraction: f64) -> Option<f64> {
-        let slope = self.by_pressure(contraction);
-        (slope > 0.0).then(|| (force_n - self.force_n(0.0, contraction)) / slope)
-    }
-
-    /// Contraction at which F has a value, on the branch where F falls with ε; `None` where there
-    /// is none.
-    pub fn contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        let (a, b, c) = self.quadratic_at(pressure_mpa);
-        let c = c - force_n;
-        let root = (b * b - 4.0 * a * c).sqrt();
-        // ε = (−b − √(b² − 4ac))/(2a), where 2aε + b = −√… < 0. For b < 0 this form allows a = 0
-        // and does not cancel.
-        let e = if b < 0.0 {
-            2.0 * c / (root - b)
-        } else {
-            (-b - root) / (2.0 * a)
-        };
-        e.is_finite().then_some(e)
-    }
 }

@@ -60,10 +60,15 @@ pub struct Bench {
     /// By how much each of them is larger than what was stated, in its unit.
     #[serde(default)]
     pub shift: Vec<f64>,
+    /// Factor on all variances that the residuals tell; it is in `covariance`.
+    pub variance_factor: Option<f64>,
     /// Covariance of the constants, in their units.
     pub covariance: Vec<Vec<f64>>,
     /// Up to 20 of its points.
     pub own_points: Vec<OwnPoint>,
+    /// Standard deviation of the noise of each of them in N; empty where none is stated.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub own_noise: Vec<f64>,
     /// Checksum of the muscle with the constants that were found, and of all of the above but for
     /// the laboratory, which its reader adds.
     pub of: String,
@@ -101,8 +106,14 @@ impl Bench {
         text.add("range", &[self.points as f64, p, q, low, high]);
         text.add("constants", &[self.pull_factor, self.friction_share]);
         // Files of before do not state it.
-        if !self.shift.is_empty() {
-            text.add("shift", &self.shift);
+        for (name, values) in [
+            ("shift", &self.shift[..]),
+            ("own noise", &self.own_noise),
+            ("variance factor", self.variance_factor.as_slice()),
+        ] {
+            if !values.is_empty() {
+                text.add(name, values);
+            }
         }
         for &(p, e, sign, off_n) in &self.own_points {
             text.add("point", &[p, e, sign, off_n]);

@@ -28,8 +28,6 @@ pub struct CurvePoint {
     pub volume_mm3: f64,
     /// Newton iterations it took.
     pub iterations: usize,
-    /// Factorisations it took.
-    pub factorisations: usize,
     /// What every model answers, stiffness and ∂F/∂P among it, where the detail includes it.
     pub response: Option<Response>,
     /// ∂F/∂(constants and measures), where the detail includes them.
@@ -47,7 +45,6 @@ impl CurvePoint {
             force_n: totals.pull,
             volume_mm3: B::COPIES * totals.volume,
             iterations: c.effort.iterations - before.iterations,
-            factorisations: c.effort.factorisations - before.factorisations,
             response: None,
             sensitivities: vec![],
         }

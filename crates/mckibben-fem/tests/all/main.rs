@@ -5,6 +5,7 @@
 mod answers;
 mod axisymmetric;
 mod branches;
+mod built;
 mod conditioned;
 mod contact;
 mod eighth;

@@ -2,8 +2,8 @@
 //! model does not follow.
 
 use super::{
-    Identification, IdentificationRequest, IdentifyError, PointFit, PosteriorRequest, Result,
-    Target,
+    Identification, IdentificationRequest, IdentifyError, PointFit, Posterior, PosteriorRequest,
+    Result, Target, shown::Shown,
 };
 use crate::{
     least_squares::robust_deviation,
@@ -11,6 +11,7 @@ use crate::{
     rubber::MODULI,
 };
 use mckibben_core::{
+    by_number::SortByNumber,
     cancel,
     extremes::peak,
     joined,
@@ -315,6 +316,42 @@ pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
             show(zero.value_n)
         )
     })
+}
+
+/// That points as these come from such a muscle less than once in a thousand benches: by χ² of all
+/// of them, or by a constant that they moved too far.
+pub fn mismatch(found: &Posterior, base: &Muscle) -> Option<String> {
+    /// Normal deviates that are exceeded once in a thousand times, on one side; on both by any of eight.
+    const RARE: f64 = 3.09;
+    const RARE_OF_EIGHT: f64 = 3.84;
+    /// Deviations before that are worth a word.
+    const MOVED: f64 = 1.5;
+    let n = found.points.len() as f64;
+    // Of n degrees of freedom, by Wilson & Hilferty 1931 [wilson1931].
+    let spread = 2.0 / (9.0 * n);
+    let most = n * (1.0 - spread + RARE * spread.sqrt()).powi(3);
+    let moved = Shown::all(base).map(|shown| (shown.moved(found), shown.name(base)));
+    let mut moved: Vec<([f64; 2], String)> = moved.collect();
+    if found.chi_squared < most && moved.iter().all(|([_, z], _)| z.abs() < RARE_OF_EIGHT) {
+        return None;
+    }
+    moved.retain(|([by, _], _)| by.abs() > MOVED);
+    moved.sort_by_number(|([by, _], _)| -by.abs());
+    let moved = moved
+        .iter()
+        .map(|([by, _], name)| format!("{name} by {by:+.1}"));
+    let moved = joined(moved, ", ");
+    let moved = if moved.is_empty() {
+        moved
+    } else {
+        format!("; they move {moved} standard deviations from what is known of such muscles")
+    };
+    let chi_squared = show(found.chi_squared);
+    Some(format!(
+        "these points hardly belong to this muscle: χ² is {chi_squared} for {n} of them{moved}. Look at \
+         the unit of the pull, at gauge or absolute pressure, for a leak, another sleeve, a radius \
+         in place of a diameter"
+    ))
 }
 
 /// An identified modulus that no rubber has.

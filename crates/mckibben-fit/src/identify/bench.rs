@@ -63,22 +63,19 @@ pub fn written(
 ) -> Option<Bench> {
     let is_own = |p: &DataPoint| p.section.apply(muscle).is_ok_and(|m| m == *muscle);
     let all: Vec<DataPoint> = posterior.points.iter().map(|p| p.0).collect();
-    let own: Vec<OwnPoint> = posterior
-        .points
-        .iter()
-        .filter(|(point, _)| is_own(point))
-        .map(|(point, predicted_n)| {
-            let at = point.at;
-            let off_n = at.force_n - predicted_n;
-            (
-                at.pressure_mpa,
-                at.contraction,
-                at.direction().sign(),
-                digits(off_n),
-            )
+    let own = posterior.points.iter().filter(|(point, ..)| is_own(point));
+    let (own_points, own_noise): (Vec<OwnPoint>, Vec<f64>) = own
+        .map(|&(DataPoint { at, .. }, predicted_n, noise_n)| {
+            let off_n = digits(at.force_n - predicted_n);
+            let sign = at.direction().sign();
+            let own = (at.pressure_mpa, at.contraction, sign, off_n);
+            (own, digits(noise_n))
         })
-        .collect();
-    if own.is_empty() {
+        .unzip();
+    let order = spread(&own_points);
+    let is_stated = |p: &DataPoint| p.error.is_some() || p.weight != 1.0;
+    let factor = posterior.variance_factor;
+    if order.is_empty() {
         return None;
     }
     // The first row in time order may state none: the way of the others is known.
@@ -111,27 +108,33 @@ pub fn written(
         covariance: posterior
             .covariance
             .iter()
-            .map(|row| row.iter().map(|v| digits(*v)).collect())
+            .map(|row| row.iter().map(|v| digits(factor * v)).collect())
             .collect(),
-        own_points: spread(own),
+        variance_factor: Some(digits(factor)).filter(|factor| *factor > 1.0),
+        own_points: order.iter().map(|&i| own_points[i]).collect(),
+        own_noise: match all.iter().any(is_stated) {
+            true => order.iter().map(|&i| own_noise[i]).collect(),
+            false => vec![],
+        },
         of: String::new(),
     };
     Some(bench.sealed(muscle))
 }
 
-/// The points that tell most: each farthest from those before it, the first with the largest
-/// pressure.
-fn spread(mut points: Vec<OwnPoint>) -> Vec<OwnPoint> {
+/// The points that tell most, by their places: each farthest from those before it, the first with the
+/// largest pressure.
+fn spread(points: &[OwnPoint]) -> Vec<usize> {
     let highest_mpa = ends(points.iter().map(|p| p.0)).1.max(1e-3);
     let apart = |a: &OwnPoint, b: &OwnPoint| {
         let by_pressure = (a.0 - b.0) / (APART.1 * highest_mpa);
         by_pressure.hypot((a.1 - b.1) / APART.0).hypot(a.2 - b.2)
     };
-    points.sort_by_number(|a| -a.0);
+    let mut by_pressure: Vec<usize> = (0..points.len()).collect();
+    by_pressure.sort_by_number(|&i| -points[i].0);
     let order = farthest_first(points.len(), Bench::OWN_POINTS, |i, k| {
-        apart(&points[i], &points[k])
+        apart(&points[by_pressure[i]], &points[by_pressure[k]])
     });
-    order.into_iter().map(|i| points[i]).collect()
+    order.into_iter().map(|i| by_pressure[i]).collect()
 }
 
 /// Some of `count` things, by their places: the first one, then each farthest from those before it; of

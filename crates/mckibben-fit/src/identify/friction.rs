@@ -1,11 +1,11 @@
 //! The law of the friction, by least squares beside the constants that were found.
 
 use super::{
-    IdentificationRequest, Identified, Target,
+    IdentificationRequest, Identified, Posterior, Target,
     pulls::{self, Found, Pulls},
 };
 use crate::{
-    least_squares::Unknown,
+    least_squares::{Errors, Unknown, aicc},
     measured::{DataPoint, Quantity, distinct},
 };
 use mckibben_core::{
@@ -79,11 +79,13 @@ fn pair_mean_n(a: &DataPoint, points: &[DataPoint]) -> Option<f64> {
 }
 
 /// The law that comes closest to points that pull, to pairs of branches at one state where these are
-/// enough; `None` where they tell none: a muscle whose loop is no law keeps the share.
+/// enough; `None` where they tell none, and where nobody asks for one and Akaike's criterion prefers
+/// the share of `found`.
 pub fn friction_law(
     request: &IdentificationRequest<'_>,
     muscle: &Muscle,
     points: &[DataPoint],
+    found: &Posterior,
 ) -> Option<Found> {
     let is_paired = |p: &&DataPoint| !request.history && pair_mean_n(p, points).is_some();
     let paired: Vec<DataPoint> = points.iter().filter(is_paired).copied().collect();
@@ -114,16 +116,21 @@ pub fn friction_law(
     let unknowns = unknowns(&problem)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
     problem.scales = problem.mean_slopes(&start).unwrap_or(problem.scales);
-    let mut found = problem.found(&unknowns)?;
+    let mut law = problem.found(&unknowns)?;
     let is_level = |p: &&mut Identified| p.target == Some(Target::Measure(&FRICTION_COEFFICIENT));
-    if let (true, Some(level)) = (by_pairs, found.parameters.iter_mut().find(is_level)) {
+    if let (true, Some(level)) = (by_pairs, law.parameters.iter_mut().find(is_level)) {
         // At least that of the noise of a point, which few points do not show.
-        let exponent = 2.0 * found.muscle.friction()?.exponent;
+        let exponent = 2.0 * law.muscle.friction()?.exponent;
         let slopes = kept.iter().map(|p| p.at.pressure_mpa.powf(exponent));
         let noise_n = NOISE * peak(kept.iter().map(|p| p.at.force_n));
         let least = noise_n / slopes.sum::<f64>().sqrt();
         level.standard_error = level.standard_error.max(least);
         level.half_width = level.half_width.max(1.96 * least);
     }
-    Some(found)
+    let is_asked = by_pairs || request.history || !request.free.is_empty();
+    let by_law = Errors::new(law.left.iter().map(|p| p.1));
+    let by_share = Errors::new(found.points.iter().map(|(p, n, _)| n - p.at.force_n));
+    let criterion = |k: usize, e: &Errors| aicc(e.points, k, e.rms * e.rms);
+    let is_better = criterion(targets.len(), &by_law) < criterion(1, &by_share);
+    (is_asked || is_better).then_some(law)
 }

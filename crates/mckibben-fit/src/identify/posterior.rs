@@ -14,7 +14,14 @@
 //! another length shares the constants up to what differs between lengths: R has J S Jᵀ more there,
 //! S the scatter between lengths. A point whose branch is not stated lies anywhere in the loop: its
 //! variance has h² more. A contraction or a pressure that was measured counts as the pull there.
-//! What ends below 0.7 of its deviation before was learnt from the points.
+//! What ends below 0.7 of its deviation before was learnt from the points. A point that states its
+//! error has that in place of the usual noise; its weight divides the variance.
+//!
+//! The residuals tell a factor s² on all variances, with n points and ν0 = 8,
+//!
+//! ```text
+//! χ² = (y − f)ᵀR⁻¹(y − f) + (x − x0)ᵀΣ0⁻¹(x − x0),   s² = max(1, (ν0 + χ²)/(ν0 + n))
+//! ```
 //!
 //! A zero z of the load cell adds to the measured pulls (1 where a pull was measured, 0 elsewhere:
 //! the column e). With its prior N(0, s²), s the largest pull, q = eᵀR⁻¹e + 1/s² and b = JᵀR⁻¹e, it is
@@ -32,7 +39,7 @@ use crate::{
 use mckibben_core::{
     built::{
         Experience, Predictor, Prior,
-        learnt::{NOISE, Place, kernel},
+        learnt::{NOISE, Place, SINGLE, kernel},
     },
     extremes::peak,
     model::Workspace,
@@ -55,16 +62,20 @@ const SMALL: f64 = 1e-6;
 pub struct Posterior {
     /// x.
     pub constants: Constants,
-    /// C.
+    /// C, without the factor.
     pub covariance: Vec<Constants>,
+    /// χ² at the constants.
+    pub chi_squared: f64,
+    /// s².
+    pub variance_factor: f64,
     /// Which constants lie on a bound.
     pub at_bound: [bool; CONSTANTS],
     /// What was known before.
     pub prior: Prior,
     /// rms of the points about the centre of the prior, in N.
     pub rms_before_n: f64,
-    /// Each point, without the zero, with the pull of the constants there, in N.
-    pub points: Vec<(DataPoint, f64)>,
+    /// Each point, without the zero, with the pull of the constants and the noise there, in N.
+    pub points: Vec<(DataPoint, f64, f64)>,
     /// What the load cell shows without a pull, in N, where it is sought.
     pub zero: Option<Zero>,
 }
@@ -105,6 +116,18 @@ pub struct Row {
     pub(super) slopes: Constants,
     /// T cosθ η: h in N.
     half_loop_n: f64,
+    /// N per unit of what was measured.
+    scale: f64,
+}
+
+impl Row {
+    /// Standard deviation of the noise of its point in N: that which is stated, else a share of the
+    /// largest blocked force.
+    fn noise_n(&self, point: &DataPoint, blocked_n: f64) -> f64 {
+        let usual_n = NOISE * blocked_n;
+        let stated_n = point.error.map(|error| (error * self.scale).abs());
+        stated_n.map_or(usual_n, |n| n.hypot(SINGLE * blocked_n)) / point.weight.sqrt()
+    }
 }
 
 /// A point without what the load cell shows of nothing.
@@ -156,7 +179,16 @@ impl PosteriorRequest<'_> {
                 }
                 None => x[Constant::Friction as usize] * at.strands_n,
             };
+            let scale = match point.measured {
+                Quantity::Contraction => {
+                    slopes[Constant::Seating as usize] * muscle.length_mm()
+                        / muscle.outer_diameter_mm()
+                }
+                Quantity::Pressure => slopes[Constant::TakeUp as usize],
+                _ => 1.0,
+            };
             Some(Row {
+                scale,
                 section,
                 place: at.place,
                 predicted_n: mean_n + sign * half_loop_n,
@@ -198,7 +230,7 @@ impl PosteriorRequest<'_> {
                 out += each.map(|((s, x), y)| s * s * x * y).sum::<f64>();
             }
             if i == j {
-                out += (NOISE * blocked_n).powi(2) / point.weight;
+                out += a.noise_n(point, blocked_n).powi(2);
                 if point.at.branch.is_none() {
                     out += a.half_loop_n * a.half_loop_n;
                 }
@@ -261,13 +293,13 @@ impl PosteriorRequest<'_> {
         )
     }
 
-    /// A step towards the largest posterior within bounds, A, and what eliminates the zero.
+    /// A step towards the largest posterior within bounds, A with χ², and what eliminates the zero.
     fn step(
         &self,
         x: &Constants,
         known: &[(&DataPoint, &Row)],
         (bounds, in_model): (&[(f64, f64); CONSTANTS], &[bool; CONSTANTS]),
-    ) -> Option<(Constants, DMatrix<f64>, Option<Eliminated>)> {
+    ) -> Option<(Constants, (DMatrix<f64>, f64), Option<Eliminated>)> {
         let n = known.len();
         let root = self.covariance(known).cholesky()?;
         let slope = |i: usize, c: usize| f64::from(in_model[c]) * known[i].1.slopes[c];
@@ -279,6 +311,7 @@ impl PosteriorRequest<'_> {
         let weighted = root.solve(&j);
         let mut a = j.transpose() * &weighted;
         let mut right = weighted.transpose() * &off;
+        let mut chi_squared = off.dot(&root.solve(&off));
         let zero = self.zero.then(|| {
             let is_force = known
                 .iter()
@@ -290,6 +323,7 @@ impl PosteriorRequest<'_> {
             let value_n = e.dot(&off) / q;
             a -= &b * b.transpose() / q;
             right -= &b * value_n;
+            chi_squared -= q * value_n * value_n;
             Eliminated { value_n, q, b }
         });
         let Prior { centre, deviation } = self.prior;
@@ -298,6 +332,7 @@ impl PosteriorRequest<'_> {
             let variance = (deviation[c] * deviation[c]).max(1e-12);
             a[(c, c)] += 1.0 / variance;
             right[c] -= (x[c] - centre[c]) / variance;
+            chi_squared += (x[c] - centre[c]).powi(2) / variance;
         }
         // A constant that would leave its bounds is held on one, and the others are sought again.
         const HELD: f64 = 1e9;
@@ -308,7 +343,7 @@ impl PosteriorRequest<'_> {
             let next: Constants = from_fn(|c| x[c] + step[c]);
             let within = |c: usize| clamp(next[c], bounds[c]);
             let Some(c) = (0..CONSTANTS).find(|&c| !is_held[c] && within(c) != next[c]) else {
-                return Some((next, a, zero));
+                return Some((next, (a, chi_squared), zero));
             };
             is_held[c] = true;
             let stiff = HELD * a[(c, c)];
@@ -386,14 +421,18 @@ impl PosteriorRequest<'_> {
         &self,
         constants: Constants,
         bounds: &[(f64, f64); CONSTANTS],
-        (a, zero): (&DMatrix<f64>, Option<Eliminated>),
+        ((a, chi_squared), zero): (&(DMatrix<f64>, f64), Option<Eliminated>),
         known: &[(&DataPoint, &Row)],
         rms_before_n: f64,
     ) -> Option<Posterior> {
         let inverse = a.clone().cholesky()?.inverse();
+        /// ν0.
+        const BEFORE: f64 = 8.0;
+        let variance_factor = ((BEFORE + chi_squared) / (BEFORE + known.len() as f64)).max(1.0);
+        let blocked_n = peak(known.iter().map(|k| k.1.place.blocked_n));
         let zero = zero.map(|Eliminated { value_n, q, b }| Zero {
             value_n,
-            deviation_n: (1.0 / q + b.dot(&(&inverse * &b)) / (q * q)).sqrt(),
+            deviation_n: (variance_factor * (1.0 / q + b.dot(&(&inverse * &b)) / (q * q))).sqrt(),
             before_n: self.zero_before_n(),
         });
         let zero_n = zero.as_ref().map_or(0.0, |zero| zero.value_n);
@@ -405,10 +444,15 @@ impl PosteriorRequest<'_> {
                 .map(|i| from_fn(|k| inverse[(i, k)]))
                 .collect(),
             prior: self.prior.clone(),
+            chi_squared: *chi_squared,
+            variance_factor,
             rms_before_n,
             points: known
                 .iter()
-                .map(|(point, row)| (without_zero(**point, zero_n), row.predicted_n))
+                .map(|(point, row)| {
+                    let noise_n = row.noise_n(point, blocked_n);
+                    (without_zero(**point, zero_n), row.predicted_n, noise_n)
+                })
                 .collect(),
         })
     }

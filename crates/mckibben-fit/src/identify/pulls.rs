@@ -13,7 +13,7 @@ use super::{
     IdentificationRequest, Identified, Target, by_section::by_section, history, with_values,
 };
 use crate::{
-    least_squares::{Estimate, Loss, Residuals, Unknown, estimate},
+    least_squares::{Estimate, Residuals, Unknown, estimate},
     measured::{DataPoint, Quantity},
 };
 use mckibben_core::{
@@ -259,7 +259,7 @@ impl<'a> Pulls<'a> {
 
     /// The parameters that come closest to the points.
     pub fn found(&self, unknowns: &[Unknown]) -> Option<Found> {
-        let found = estimate(self, unknowns, &self.weights()?, Loss::Squares).ok()?;
+        let found = estimate(self, unknowns, &self.weights()?).ok()?;
         let parameters = parameters(self, unknowns, &found);
         let values: Vec<f64> = parameters.iter().map(|p| p.value).collect();
         Some(Found {

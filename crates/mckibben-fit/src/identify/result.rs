@@ -100,6 +100,9 @@ pub struct Identification {
     /// The muscle with the identified values.
     #[serde(skip)]
     pub muscle: Muscle,
+    /// That the points are hardly of this muscle.
+    #[serde(skip)]
+    pub mismatch: Option<String>,
     /// Sentences a user should read.
     #[serde(skip)]
     pub notes: Vec<String>,

@@ -148,7 +148,7 @@ fn identified(
     found: &Posterior,
 ) -> Result<Identification> {
     let muscle = base.with_constants(&found.constants)?;
-    let law = friction_law(request, &muscle, counted).unwrap_or_else(|| Found {
+    let law = friction_law(request, &muscle, counted, found).unwrap_or_else(|| Found {
         muscle,
         parameters: vec![],
         left: vec![],
@@ -160,13 +160,16 @@ fn identified(
     let points = if request.history && !law.left.is_empty() {
         fits(law.left)
     } else {
-        let off =
-            |(point, predicted_n): &(DataPoint, f64)| (*point, predicted_n - point.at.force_n);
-        fits(left.points.iter().map(off).collect())
+        let off = left
+            .points
+            .iter()
+            .map(|(point, predicted_n, _)| (*point, predicted_n - point.at.force_n));
+        fits(off.collect())
     };
     // Constants that are held are not known better for it.
     if request.free.is_empty() {
         left.covariance.clone_from(&found.covariance);
+        left.variance_factor = found.variance_factor;
     }
     let model = (request.build)(&muscle)
         .map_err(IdentifyError::Model)?
@@ -189,6 +192,7 @@ fn identified(
         rms_n: all.rms_n,
         max_n: all.max_n,
         deviation: all.rms_n,
+        mismatch: advice::mismatch(found, base),
         notes: vec![],
         slack: vec![],
         muscle,

@@ -2,7 +2,7 @@
 
 use super::{Identified, Posterior, Target, posterior::Zero};
 use mckibben_core::{
-    built::HALF_95,
+    built::{HALF_95, Prior},
     muscle::{
         Constant, Muscle,
         measures::{ANGLE, SEATING, SLIP, TAKE_UP},
@@ -79,7 +79,21 @@ impl Shown {
         self.target == Some(target) || is_modulus && self.constant == Constant::Modulus
     }
 
-    fn name(&self, base: &Muscle) -> String {
+    /// By how many of its deviations before the points moved it, and by how many of those by which
+    /// such points move it; 0 of one that they do not tell.
+    pub fn moved(&self, found: &Posterior) -> [f64; 2] {
+        const TOLD: f64 = 0.02;
+        let i = self.constant as usize;
+        let Prior { centre, deviation } = &found.prior;
+        let before = deviation[i] * deviation[i];
+        let told = before - found.covariance[i][i];
+        if found.at_bound[i] || told <= TOLD * before {
+            return [0.0; 2];
+        }
+        [before, told].map(|variance| (found.constants[i] - centre[i]) / variance.sqrt())
+    }
+
+    pub fn name(&self, base: &Muscle) -> String {
         match self.target {
             Some(target) => target.name(base),
             None if self.constant == Constant::Friction => "friction_share".to_owned(),
@@ -119,7 +133,7 @@ impl Shown {
         if before == 0.0 || is_law {
             return None;
         }
-        let deviation = found.covariance[i][i].sqrt();
+        let deviation = (found.variance_factor * found.covariance[i][i]).sqrt();
         let value = self.value_of(found.constants[i]);
         let slope = self.factor.unwrap_or(value).abs();
         Some(Identified {

@@ -61,13 +61,6 @@ impl Section {
         ]
     }
 
-    /// Whether it states this measure of the muscle.
-    pub fn states(&self, measure: &Measure) -> bool {
-        self.values()
-            .iter()
-            .any(|(m, value)| *m == measure && value.is_some())
-    }
-
     /// The muscle with these measures.
     pub fn apply(&self, muscle: &Muscle) -> Result<Muscle, MuscleError> {
         let mut tube = muscle.tube().clone();

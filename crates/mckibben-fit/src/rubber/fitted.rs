@@ -133,6 +133,8 @@ pub struct LawQuality {
     // neo-Hookean law which follows all points best has in that state.
     /// Root mean square of the differences, as a share of the measured stress.
     pub relative_rms: f64,
+    /// The largest of them, as such a share.
+    pub largest_relative: f64,
     /// AICc: Akaike's criterion for small samples.
     pub aicc: f64,
     /// Largest principal stretch of the points.
@@ -228,11 +230,9 @@ fn judged(
     let from_average = |p: &TensionPoint| (p.nominal_stress_mpa - average).powi(2);
     let spread: f64 = points.iter().map(from_average).sum();
     let left = Errors::new(points.iter().map(off));
-    let relative = |p: &TensionPoint| {
-        let reference = p.reference_mpa(problem.reference_modulus_mpa)?;
-        Some((off(p) / reference).powi(2))
-    };
-    let pulls: Vec<f64> = points.iter().filter_map(relative).collect();
+    let relative =
+        |p: &TensionPoint| Some(off(p) / p.reference_mpa(problem.reference_modulus_mpa)?);
+    let relative = Errors::new(points.iter().filter_map(relative));
     let modes = Mode::ALL.into_iter();
     let unstable_from_hoop_stretch = muscle_unstable_from(&law, hoop);
     let counting = problem.counting();
@@ -245,7 +245,8 @@ fn judged(
         },
         free_r_squared: None,
         rms_mpa: left.rms,
-        relative_rms: (pulls.iter().sum::<f64>() / pulls.len().max(1) as f64).sqrt(),
+        relative_rms: relative.rms,
+        largest_relative: relative.largest,
         aicc: aicc(counting, form.constants(), squares / counting as f64),
         fitted_to_stretch: problem.fitted_to_stretch(),
         stable: unstable_from_hoop_stretch.is_none() && law.clone().validated().is_ok(),

@@ -76,13 +76,13 @@ pub fn fit_tension_with(
     };
     let mut warnings = warning::for_runs(&sorted);
     let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
-    let within = sorted
+    let (within, beyond): (Vec<_>, Vec<_>) = sorted
         .kept
         .into_iter()
-        .filter(|p| p.plane_stretch() <= limit);
+        .partition(|p| p.plane_stretch() <= limit);
     let is_fitted =
         |p: &TensionPoint| settings.fit_modes.is_empty() || settings.fit_modes.contains(&p.mode);
-    let (used, held_out): (Vec<TensionPoint>, Vec<TensionPoint>) = within.partition(is_fitted);
+    let (used, held_out): (Vec<_>, Vec<_>) = within.into_iter().partition(is_fitted);
     let problem = Problem::new(
         used,
         settings.measure,
@@ -132,6 +132,7 @@ pub fn fit_tension_with(
     Ok(TensionFit {
         points: problem.points,
         left_out: points.len() - count - held_out.len(),
+        beyond,
         held_out,
         fitted_to_stretch,
         laws,
@@ -147,6 +148,13 @@ fn check(settings: &FitSettings) -> Result<()> {
             "{what} is {value}; it must be {expected}"
         )))
     };
+    if !(settings.hoop_stretch > 1.0 && settings.hoop_stretch <= 10.0) {
+        return bad(
+            "the hoop stretch",
+            settings.hoop_stretch,
+            "above 1 and at most 10",
+        );
+    }
     if let Some(limit) = settings
         .up_to_stretch
         .filter(|l| !(*l > 1.0 && l.is_finite()))
@@ -155,13 +163,6 @@ fn check(settings: &FitSettings) -> Result<()> {
             "the largest stretch",
             limit,
             "above 1 (a stretch, or a strain such as 200%)",
-        );
-    }
-    if !(settings.hoop_stretch > 1.0 && settings.hoop_stretch <= 10.0) {
-        return bad(
-            "the hoop stretch",
-            settings.hoop_stretch,
-            "above 1 and at most 10",
         );
     }
     match settings
@@ -243,7 +244,7 @@ pub struct FitSettings {
     pub mode_weights: Vec<(Mode, f64)>,
     /// Modes that are fitted; none means all. The others are held out, and their errors are given.
     pub fit_modes: Vec<Mode>,
-    /// Points up to this stretch only.
+    /// Points up to this stretch only; none means all.
     pub up_to_stretch: Option<f64>,
     /// The points are a history: a stress that falls is no rupture, and all points are fitted.
     pub history: bool,
@@ -261,7 +262,7 @@ impl Default for FitSettings {
             balance: false,
             mode_weights: vec![],
             fit_modes: vec![],
-            up_to_stretch: None,
+            up_to_stretch: Some(MUSCLE_HOOP_STRETCH),
             history: false,
             stable: false,
             hoop_stretch: MUSCLE_HOOP_STRETCH,

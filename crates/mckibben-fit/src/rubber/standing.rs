@@ -13,6 +13,8 @@ pub struct TensionFit {
     /// Points left out because they lie behind a rupture or beyond `up_to_stretch`, or cannot
     /// count.
     pub left_out: usize,
+    /// Those beyond `up_to_stretch`.
+    pub beyond: Vec<TensionPoint>,
     /// Largest principal stretch of the points.
     pub fitted_to_stretch: f64,
     /// The laws, lowest AICc first. A law that is unstable in a muscle is followed by its stable

@@ -46,6 +46,7 @@ fn elastic(points: &[TensionPoint], form: Form, stable: bool) -> Result<FittedLa
         forms: vec![form],
         stable,
         history: true,
+        up_to_stretch: None,
         ..FitSettings::default()
     };
     Ok(fit_tension(points, &settings)?.laws.swap_remove(0))

@@ -28,7 +28,6 @@ fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() 
         let law = |fit_modes: Vec<Mode>| -> Law {
             let settings = FitSettings {
                 fit_modes,
-                up_to_stretch: Some(3.0),
                 ..FitSettings::default()
             };
             let fit = fit_tension(&points, &settings).unwrap();

@@ -49,16 +49,15 @@ fn identity_steps_are_the_run_to_the_last_bit_and_so_are_those_of_a_copy() {
         let mut copy = simulation.clone();
         copy.forget();
         stepped(&mut simulation, &COMMANDS[4..]);
-        assert_eq!(simulation.motion().series, motion.series);
-        let events = |m: &Motion| {
-            m.events
-                .iter()
-                .map(|e| (e.time_s, e.kind))
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(events(simulation.motion()), events(&motion));
+        assert_eq!(simulation.series(), &motion.series);
+        let events = |list: &[Event]| list.iter().map(|e| (e.time_s, e.kind)).collect::<Vec<_>>();
+        assert_eq!(events(simulation.events()), events(&motion.events));
+        // Work, air, energies, times of the steps: all of it.
+        assert_eq!(simulation.motion().unwrap(), motion);
+        assert!(motion.energies.work_j > 0.0 && motion.rise_time_s.is_some());
+        assert!(matches!(copy.motion(), Err(MotionError::Refused(_))));
         stepped(&mut copy, &COMMANDS[4..]);
-        let rows = (0..).map_while(|i| copy.motion().series.row(i));
+        let rows = (0..).map_while(|i| copy.series().row(i));
         assert!(rows.eq((4..).map_while(|i| motion.series.row(i))));
         assert!(
             motion.events.iter().any(|e| e.kind == EventKind::Lifted),
@@ -78,14 +77,41 @@ fn a_step_that_fails_leaves_all_as_it_was() {
     let drive = drive(&load, &model, regulator(0.01));
     let mut simulation = Simulation::new(&drive).unwrap();
     stepped(&mut simulation, &COMMANDS[..3]);
-    let before = (simulation.motion().series.clone(), simulation.time_s());
+    let before = (simulation.series().clone(), simulation.time_s());
     assert!(simulation.step_against(&[0.1], f64::NAN, &Silent).is_err());
-    assert_eq!(
-        (simulation.motion().series.clone(), simulation.time_s()),
-        before
-    );
+    assert_eq!((simulation.series().clone(), simulation.time_s()), before);
     stepped(&mut simulation, &COMMANDS[3..]);
-    assert_eq!(simulation.motion().series, ran(&drive).series);
+    assert_eq!(simulation.series(), &ran(&drive).series);
+}
+
+/// An identity: what goes on from numbers is what goes on without them, to the last bit, whatever the
+/// model, the actuator and the place: on the stop, lifted, slack.
+#[test]
+fn identity_steps_from_numbers_are_those_of_the_simulation_to_the_last_bit() {
+    for kind in [ModelKind::ThickWall, ModelKind::Universal] {
+        let model: Arc<dyn ForceModel> = kind.build(&note_muscle()).unwrap().into();
+        let load = damped(&*model, 5.0, 100.0, (0.0, 90.0));
+        for actuator in [regulator(0.01), valve()] {
+            let drive = drive(&load, &model, actuator);
+            let mut simulation = Simulation::new(&drive).unwrap();
+            for done in 0..COMMANDS.len() - 3 {
+                simulation.step(&[COMMANDS[done]]).unwrap();
+                let numbers = simulation.numbers();
+                let mut other = Simulation::new(&drive).unwrap();
+                other
+                    .restore(Some(&COMMANDS[done..=done]), &numbers, &Silent)
+                    .unwrap();
+                assert_eq!(other.numbers(), numbers, "{kind:?} {done}");
+                let mut same = simulation.clone();
+                for command in &COMMANDS[done + 1..done + 4] {
+                    other.step(&[*command]).unwrap();
+                    same.step(&[*command]).unwrap();
+                    assert_eq!(other.state(), same.state(), "{kind:?} {done}");
+                }
+                assert_eq!(other.numbers(), same.numbers(), "{kind:?} {done}");
+            }
+        }
+    }
 }
 
 /// The limits are those of `burst`: each time the pressure rises above one it is noted once, though
@@ -102,7 +128,7 @@ fn identity_events_say_that_the_pressure_passed_the_limits_of_burst() {
     for share in [0.95, 1.1, 1.1, 0.9, 1.1] {
         simulation.forget();
         simulation.step(&[share * allowed_mpa]).unwrap();
-        let events = &simulation.motion().events;
+        let events = &simulation.motion().unwrap().events;
         let above = events.iter().filter(|e| e.kind == EventKind::AboveAllowed);
         noted.push(above.map(|e| e.muscle).collect::<Vec<_>>());
         let is_above = simulation.state().pressure_mpa[0] > allowed_mpa;

@@ -30,11 +30,6 @@ impl Shard {
     pub fn size(self, all: u64) -> u64 {
         all.saturating_sub(self.index - 1).div_ceil(self.count)
     }
-
-    /// Its blocks of so many.
-    pub fn blocks(self, all: u64) -> impl Iterator<Item = u64> {
-        (self.index - 1..all).step_by(usize::try_from(self.count).unwrap_or(usize::MAX))
-    }
 }
 
 impl fmt::Display for Shard {

@@ -111,6 +111,12 @@ impl ThickWall {
         }
     }
 
+    /// With strands that carry compression, of a muscle that contracts.
+    pub(crate) fn with_taut_strands(mut self) -> Self {
+        self.compression |= !self.info.muscle.is_extensile();
+        self
+    }
+
     /// Outer radius at which the strands have their length at rest.
     pub(super) fn pantograph(&self, l: f64) -> f64 {
         self.rs * ((1.0 - l * l * self.cos2) / self.sin2).max(0.0).sqrt() - self.offset

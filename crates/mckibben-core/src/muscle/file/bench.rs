@@ -56,6 +56,17 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
         ),
         ("pull_factor", bench.pull_factor > 0.0, "must be above zero"),
         (
+            "variance_factor",
+            bench.variance_factor.is_none_or(|factor| factor >= 1.0),
+            "must be at least 1",
+        ),
+        (
+            "own_noise",
+            [0, own_points.len()].contains(&bench.own_noise.len())
+                && bench.own_noise.iter().all(|n| *n > 0.0),
+            "must hold a pull above zero for each of `own_points`",
+        ),
+        (
             "friction_share",
             bench.friction_share >= 0.0,
             "must not be below zero",

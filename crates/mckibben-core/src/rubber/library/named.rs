@@ -75,15 +75,22 @@ pub fn follows(rubber: &Rubber) -> bool {
 }
 
 /// Factor within which the stiffness of a rubber is known: of one that represents others, or
-/// follows from one number of a data sheet; 1 of any other.
+/// follows from one number of a data sheet, or has constants of which nobody says from which data
+/// they are; 1 of any other.
 pub fn stiffness_factor(rubber: &Rubber) -> f64 {
-    let Some(name) = rubber.name.as_deref() else {
-        return 1.0;
-    };
-    if let Some(Ok((named, factor))) = hardness::find(name) {
-        return if named.law == rubber.law { factor } else { 1.0 };
+    /// The logarithm of the modulus then has a standard deviation of 0.35.
+    const GUESSED: f64 = 1.776;
+    let by_hardness = rubber.name.as_deref().and_then(hardness::find);
+    if let Some(Ok((named, factor))) = by_hardness
+        && named.law == rubber.law
+    {
+        return factor;
     }
-    library_entry(rubber).map_or(1.0, |(entry, _)| entry.factor)
+    match library_entry(rubber) {
+        Some((entry, _)) => entry.factor,
+        None if rubber.fitted_to_stretch.is_some() => 1.0,
+        None => GUESSED,
+    }
 }
 
 /// Strain at which a strip of a rubber breaks: as stated, or by its name.

@@ -36,6 +36,7 @@ fn named(name: &str) -> Form {
 fn only(form: Form) -> FitSettings {
     FitSettings {
         forms: vec![form],
+        up_to_stretch: None,
         ..FitSettings::default()
     }
 }
