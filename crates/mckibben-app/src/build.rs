@@ -12,9 +12,10 @@ use crate::{
     usual_mpa,
 };
 use base64::{Engine as _, engine::general_purpose::STANDARD};
+pub use mckibben_build::is_blank_sheet;
 use mckibben_build::{
-    BuildPart, Content, Cut, File, Operating, Plan, Proof, PullAt, Safety, Shown, TestPoint,
-    ToMeasure, Wishes,
+    BuildPart, Content, Cut, EndLoads, File, Operating, Plan, PullAt, STRETCH, Safety, Shown,
+    TestPoint, ToMeasure, Wishes, relief_mpa,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation},
@@ -23,7 +24,7 @@ use mckibben_core::{
     cancel,
     extremes::peak,
     model::Workspace,
-    muscle::{EndsMade, JobPoint},
+    muscle::{Direction, EndsMade, JobPoint},
     progress::Progress,
     units::{
         Dimension,
@@ -100,14 +101,13 @@ pub struct BuildAnswer {
     pub free_contraction: f64,
     /// Largest outer diameter at the working pressure without load, mm.
     pub bulged_diameter_mm: f64,
-    /// Load of an end, N: the blocked force, and the pressure on the bore.
-    pub end_load_n: f64,
-    /// The same at the pressure of the proof test, with the length held, N.
-    pub proof_end_load_n: f64,
+    /// What each end carries.
+    #[serde(flatten)]
+    pub loads: EndLoads,
     /// How the ends hold tube and sleeve.
     pub ends: EndsMade,
-    /// What they hold at least by estimate, N; none where no estimate is known.
-    pub ends_hold_n: Option<f64>,
+    /// What they hold at least by estimate, N.
+    pub ends_hold_n: f64,
     /// Distance between the inner faces of both heads at rest, mm: what a ruler reaches.
     pub heads_distance_mm: f64,
     /// Diameter over tube and sleeve on a plug, mm: what a clamp closes on.
@@ -241,10 +241,9 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         blocked_force_n: plan.operating.blocked_force_n,
         free_contraction: plan.operating.free_contraction,
         bulged_diameter_mm: plan.operating.bulged_diameter_mm,
-        end_load_n: plan.end_load_n,
-        proof_end_load_n: plan.proof_load_n,
+        loads: plan.loads,
         ends: plan.ends.made,
-        ends_hold_n: plan.ends.holds_n.map(|holds| holds[0]),
+        ends_hold_n: plan.ends.holds_n[0],
         heads_distance_mm: plan.faces_mm(0.0),
         clamped_diameter_mm: plan.clamped_diameter_mm,
         plug_diameter_mm: plan.air_plug.stem.diameter_mm,
@@ -318,10 +317,9 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
     Ok((plan, burst))
 }
 
-/// What the muscle was designed for at the pressure of its job, or half of its free contraction.
+/// What the muscle was designed for, or half of its free contraction.
 fn pulls(evaluation: &mut Evaluation<'_>, pressure_mpa: f64, half: f64) -> Result<Vec<PullAt>> {
     let job = evaluation.model.muscle().job();
-    let job = job.filter(|job| f64::from(job.pressure) == pressure_mpa);
     let points = job.map_or(&[][..], |job| &job.points);
     let pull = |point: &JobPoint| {
         Ok(PullAt {
@@ -379,7 +377,6 @@ fn operating(
     let burst = burst_with(request.overpressure, &choice, model)?;
     let pressure_mpa = given_mpa.unwrap_or(usual_mpa(&burst, muscle));
     borne(&burst, pressure_mpa)?;
-    let proof_mpa = proof_mpa(&burst, pressure_mpa)?;
     evaluation.check_range(pressure_mpa, 0.0)?;
     let free = evaluation.free_contraction(pressure_mpa)?;
     let mut free_contractions = vec![];
@@ -417,29 +414,33 @@ fn operating(
     let volume_mm3 = response
         .volume_mm3
         .unwrap_or_else(|| muscle.rest_volume_mm3());
-    // A muscle whose free state at the proof pressure is not found stores at least what its cavity
-    // at the working pressure does; one that has no blocked state there pulls in proportion.
-    let at_proof = evaluation
-        .free_contraction(proof_mpa)
-        .and_then(|free| evaluation.cavity_mm3(proof_mpa, free))
-        .ok();
-    let mut of_mean = evaluation.with(Options::default());
-    let mean_n = of_mean.force_n(pressure_mpa, 0.0)?;
-    let held_n = of_mean.force_n(proof_mpa, 0.0).ok();
-    let proof = Proof {
-        pressure_mpa: proof_mpa,
-        blocked_force_n: held_n.unwrap_or(mean_n * proof_mpa / pressure_mpa),
-        volume_mm3: at_proof.unwrap_or(volume_mm3),
-    };
+    let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
+    let relief_mpa = relief_mpa(pressure_mpa, allowed_mpa);
+    let job = muscle.job().into_iter().flat_map(|job| &job.points);
+    let longest = job
+        .map(|point| f64::from(point.contraction))
+        .reduce(f64::min);
+    let mut lengthening = evaluation.with(Options {
+        direction: Direction::Elongation,
+        ..in_use
+    });
+    let proof_mpa = proof_mpa(&burst, &mut lengthening, pressure_mpa)?;
+    let mut pull = |mpa, contraction| pull_at(&mut lengthening, mpa, contraction);
+    let [used, stretched, proof] = [
+        pull(relief_mpa, longest.unwrap_or_default())?,
+        pull(relief_mpa, -STRETCH)?,
+        pull(proof_mpa, -STRETCH)?,
+    ];
     let operating = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
         blocked_force_n,
-        held_n: mean_n,
         branch: in_use.direction,
         free_contraction: free,
         bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),
         volume_mm3,
+        in_use: used,
+        stretched,
         proof,
         contour_mm,
         limits: (&burst).into(),

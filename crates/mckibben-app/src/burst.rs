@@ -4,9 +4,12 @@
 use crate::{Model, Problem, ProblemKind, Result, Units, number, print::Rows};
 pub use mckibben_core::analysis::PressureLimits;
 use mckibben_core::{
-    analysis::{AnalysisError, Burst, NoBurst, RELIEF, burst},
+    analysis::{
+        AnalysisError, Burst, Evaluation, NoBurst, PROOF_TO_BURST, RELIEF, burst,
+        burst::ends::clamp_load_n,
+    },
     cancel,
-    model::{ForceModel, ModelError},
+    model::{ForceModel, ModelError, Response},
     muscle::Muscle,
     units::rounded,
 };
@@ -120,8 +123,8 @@ pub fn proof_mpa(found: &Burst, pressure_mpa: f64) -> Result<f64> {
     found.proof_mpa(pressure_mpa).ok_or_else(|| {
         let most_mpa = found.strained.mpa().unwrap_or(f64::INFINITY) / RELIEF;
         let message = format!(
-            "no proof test fits above {pressure_mpa}\u{a0}MPa: a tenth more stretches the strands \
-             beyond their limit"
+            "no proof test fits above {pressure_mpa}\u{a0}MPa: a tenth more loads strands or ends beyond \
+             their limit"
         );
         let most = rounded(most_mpa, 3, f64::floor);
         ProblemKind::OutOfRange

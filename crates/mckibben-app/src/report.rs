@@ -292,7 +292,8 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
         Part::Heading("Margins of safety".into()),
         Part::Text(format!(
             "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly \
-             rising pressure; proof test with water at {proof}, with the length held. {}",
+             rising pressure; proof test with water at {proof}. Of the ends, {}. {}",
+            plan.ends_carry(),
             plan.energy()
         )),
         grid(&["failure", "factor", "required", "pressure"], rows),

@@ -1,11 +1,12 @@
 //! The build sheet: tools, cut list, steps to tick, as-built values.
 
 use crate::{
-    Plan, SleeveLength,
+    Plan, STRETCH, SleeveLength,
     cut::TRIM_MM,
-    ends::{BOLT_MM, BOLT_NM, Press},
+    ends::{BOLT_MM, BOLT_NM, FERRULE_ROOM_MM, Press},
     material::{consumables, density_kg_per_m3},
     mould::{self, Mould},
+    plug::{Stress, rod_mm},
     sketch,
     text::{mm, percent, significant},
 };
@@ -47,21 +48,15 @@ pub fn document(plan: &Plan) -> Document {
     parts.push(List(tools(plan)));
     parts.push(heading("Cut list"));
     parts.extend(cut_list(plan));
-    parts.extend([heading("Plugs"), Steps(plugs(plan))]);
+    parts.extend([heading("Plugs"), Steps(plugs(plan)), strength(plan)]);
     if plan.is_cast() {
-        parts.extend([
-            heading("Casting the tube"),
-            Drawing(sketch::casting(plan)),
-            Steps(casting(plan)),
-        ]);
+        parts.extend([heading("Casting the tube"), Steps(casting(plan))]);
     }
     parts.extend([
         heading("Assembly"),
-        Drawing(sketch::assembly(plan)),
         Drawing(sketch::end(plan)),
         Steps(assembly(plan)),
         heading("Proof and leak test"),
-        Drawing(sketch::tests(plan)),
         Drawing(sketch::frame(plan)),
         Steps(tests(plan)),
         heading("As built"),
@@ -136,7 +131,7 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
         vec![
             "sleeve".into(),
             of,
-            format!("{at}; {trim} an end are trimmed later"),
+            format!("{at}; {trim} are trimmed before the second end is closed"),
             String::new(),
         ],
     ];
@@ -164,8 +159,7 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
 
 fn plugs(plan: &Plan) -> Vec<String> {
     let (plug, shown) = (&plan.air_plug, &plan.shown);
-    let tolerance = shown.tolerance(plug.tolerance_mm());
-    let stem = shown.length(plug.stem.diameter_mm);
+    let stem = shown.toleranced(plug.stem.diameter_mm, plug.tolerance_mm());
     let mut steps = if plug.is_printed() {
         vec![
             "Print air-plug.stl and eye-plug.stl as they lie in the file, on the end of their heads: \
@@ -173,19 +167,18 @@ fn plugs(plan: &Plan) -> Vec<String> {
              support."
                 .to_owned(),
             format!(
-                "Measure both stems: {stem} ± {tolerance}. Smooth the stem, and coat it with \
+                "Measure both stems: {stem}. Smooth the stem, and coat it with \
                  epoxy resin or thin cyanoacrylate: printed layers leak."
             ),
             format!("Drill the holes for the bolts to {} mm.", mm(plug.hole_mm)),
         ]
     } else {
         vec![format!(
-            "Have both plugs turned and drilled by their sheets and STEP files, from {}: the air \
-             plug from {}, the eye plug from {}, or the next larger ones; printed ones would break. \
-             Check the stems: {stem} ± {tolerance}, no burr.",
-            plug.material.name,
-            plug.bar(),
-            plan.eye_plug.bar()
+            "Have both plugs turned and drilled by their sheets and STEP files: the air plug from {}, \
+             the eye plug from {}, or the next larger ones; printed ones would break. Check the \
+             stems: {stem}, no burr.",
+            plug.stock(),
+            plan.eye_plug.stock()
         )]
     };
     steps.extend(plug.port.map(|port| {
@@ -200,6 +193,17 @@ fn plugs(plan: &Plan) -> Vec<String> {
         )
     }));
     steps
+}
+
+/// How far the loaded parts of the air plug stay below their yield in the proof test.
+fn strength(plan: &Plan) -> Part {
+    let stresses = plan.air_plug.stresses(plan.loads.proof_end_load_high_n);
+    let row = |s: &Stress| {
+        let factor = significant(s.yields_mpa / s.mpa, 2);
+        vec![s.what.into(), factor, mm(s.factor)]
+    };
+    let head = ["in the proof test", "yield over stress", "at least"];
+    grid(&head, stresses.iter().map(row).collect())
 }
 
 fn casting(plan: &Plan) -> Vec<String> {
@@ -311,22 +315,29 @@ fn closing(plan: &Plan) -> String {
              {holds}."
         ),
         Crimped => {
-            let press = match ends.press {
-                Some(Press::BoltClamps(_)) => format!(
-                    "Tighten the clamps with a bolt (M{}) to {} N·m, twice, an hour apart: they carry",
+            let seal = format!(
+                "the {} over sleeve and tube behind the barb, to about {squeezed}: it seals. Each end: \
+                 {holds}.",
+                ends.band()
+            );
+            match ends.press {
+                Some(Press::Ferrule(ferrule)) => format!(
+                    "Pull the ferrule over the sleeve on the ribbed shoulder beyond the tube ({around} \
+                     wide), {} from the head. Press it to a diameter of {}: it carries the load. The dies \
+                     may stand out over the tube, with the {} pushed back. Tighten {seal}",
+                    shown.length(FERRULE_ROOM_MM[1]),
+                    shown.length(ferrule.pressed_mm),
+                    ends.band()
+                ),
+                _ => format!(
+                    "Pull the {} over the sleeve on the ribbed shoulder beyond the tube ({around} wide). \
+                     Tighten the bolts (M{}) to {} N·m, twice, an hour apart: they carry the load. \
+                     Tighten {seal}",
+                    ends.pressed_by(),
                     mm(BOLT_MM),
                     mm(BOLT_NM)
                 ),
-                _ => "Press the ferrule until the sleeve does not move: the ferrule carries".into(),
-            };
-            format!(
-                "Pull the {} over the sleeve on the ribbed shoulder beyond the tube ({} wide). \
-                 Tighten the {} over sleeve and tube behind the barb, to about {squeezed}: it seals. \
-                 {press} the load. Each end: {holds}.",
-                ends.pressed_by(),
-                shown.length(plan.pressed_diameter_mm.unwrap_or_default()),
-                ends.band()
-            )
+            }
         }
     }
 }
@@ -356,18 +367,17 @@ fn assembly(plan: &Plan) -> Vec<String> {
         ),
         format!(
             "Put the {} of both ends over the sleeve now. Push the sleeve together, so that it is \
-             wide; work it along the tube like an inchworm, until {} of it lie beyond the inner face \
-             of the head.",
+             wide; work it along the tube like an inchworm, until its end meets the head.",
             match ends.made {
                 Tied => "ties",
                 Clamped => "clamps",
                 Crimped => pressed,
-            },
-            shown.length(TRIM_MM)
+            }
         ),
         closing(plan),
-        "Straighten the sleeve along the tube until it lies on it everywhere, without folds or twist. \
-         Push in the eye plug, with its bolt hole parallel to the other one."
+        "Push in the eye plug, with its bolt hole parallel to the other one. Straighten the sleeve along \
+         the tube until it lies on it everywhere, without folds or twist. Mark it where it meets the \
+         head; push it back, and cut it there like the other end."
             .into(),
         format!(
             "Before the second end is closed: {} ± {} between the inner faces of both heads; \
@@ -379,9 +389,7 @@ fn assembly(plan: &Plan) -> Vec<String> {
             turn.0,
             shown.length(turn.1.round())
         ),
-        "Close the second end likewise. Mark the sleeve at the inner edge of both clamps. Trim what \
-         stands out."
-            .into(),
+        "Close the second end likewise. Mark the sleeve at the inner edge of both clamps.".into(),
     ]
 }
 
@@ -399,19 +407,23 @@ fn tests(plan: &Plan) -> Vec<String> {
     let mut steps = vec![
         fill.to_owned(),
         format!(
-            "Bolt it into a frame that holds its length ({} between the heads) and bears {}. Each \
-             end then carries {}; with a free length it would carry the pressure on its bore only. \
-             Safety glasses, a screen, nobody in line with the muscle.",
+            "Bolt it into a frame that holds its length ({} between the heads), with nuts on two rods \
+             M{} of class 8.8 and cheeks as thick as the bolts, M{}. With a free length an end would \
+             carry the pressure on its bore only. Safety glasses, a screen, nobody in line with the \
+             muscle.",
             shown.length(plan.faces_mm(0.0)),
-            shown.force(2.0 * plan.proof_load_n),
-            shown.force(plan.proof_load_n)
+            mm(rod_mm(2.0 * plan.loads.proof_end_load_high_n)),
+            mm(plan.air_plug.bolt_mm)
         ),
         format!(
-            "Raise the pressure with a hand pump in four steps to {proof}, and hold it for one \
-             minute. It passes if the pressure stays, no mark on the sleeve moves, and the tube does \
-             not bulge through the mesh. If a mark moves, let the pressure off: the end does not \
-             hold."
+            "Raise the pressure with a hand pump in four steps to {proof}. Then stretch the muscle by the \
+             nuts to {} between the heads, and hold both for one minute: {}.",
+            shown.length(plan.faces_mm(-STRETCH)),
+            plan.ends_carry()
         ),
+        "It passes if the pressure stays, no mark on the sleeve moves, and the tube does not bulge \
+         through the mesh. If a mark moves, let the pressure off: the end does not hold."
+            .into(),
     ];
     if plan.liquid {
         steps.extend([
@@ -448,13 +460,13 @@ fn tests(plan: &Plan) -> Vec<String> {
 fn as_built(plan: &Plan) -> Part {
     let shown = &plan.shown;
     let row = |name: &str, should: String| vec![name.to_owned(), should, String::new()];
-    let tolerance = shown.tolerance(plan.air_plug.tolerance_mm());
-    let stem = shown.length(plan.air_plug.stem.diameter_mm);
+    let plug = &plan.air_plug;
+    let stem = shown.toleranced(plug.stem.diameter_mm, plug.tolerance_mm());
     let angle = mm((10.0 * plan.muscle.braid().angle_deg).round() / 10.0);
     let faces = shown.length(plan.faces_mm(0.0));
     let (turn, turn_mm) = turn(plan);
     let rows = vec![
-        row("stems", format!("{stem} ± {tolerance}")),
+        row("stems", stem),
         row(
             "between the heads, at rest",
             format!("{faces} ± {}", shown.tolerance(FACES_MM)),

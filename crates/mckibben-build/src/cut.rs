@@ -55,8 +55,8 @@ pub struct SleeveLength {
 
 /// Diameters in the table of the sleeve.
 const ROWS: usize = 5;
-/// What is cut off each end of the sleeve once it is clamped, in mm: cut ends fray (a choice).
-pub const TRIM_MM: f64 = 10.0;
+/// What the sleeve is cut longer in mm, and trimmed before its second end is closed (a choice).
+pub const TRIM_MM: f64 = 20.0;
 
 impl Cut {
     /// Bore in mm of the tube as bought or cast.
@@ -70,7 +70,7 @@ impl Cut {
         let sheet = muscle.build_sheet();
         let beyond_mm = 2.0 * (muscle.insertion_mm() - on_plug_mm);
         let tube_mm = sheet.tube_cut_mm - beyond_mm;
-        let mounted_mm = sheet.braid_cut_mm + 2.0 * TRIM_MM;
+        let mounted_mm = sheet.braid_cut_mm + TRIM_MM;
         let strand_mm = mounted_mm / muscle.braid().angle_rad().cos();
         // A stretched tube is thinner by √λp all over.
         let thicker = muscle.tube().prestretch.sqrt();

@@ -3,12 +3,13 @@
 
 use crate::{
     Plan,
-    frame::{self, FRAME_MM, TITLE_MM, Title, largest, ratio},
+    ends::Press,
+    frame::{self, FRAME_MM, Title, largest, ratio},
     text::{percent, trimmed},
     view::View,
 };
 use mckibben_report::{
-    Anchor::{End, Middle, Start},
+    Anchor::{Middle, Start},
     DrawingSheet,
     Pen::{Axis, Outline, Thin},
 };
@@ -20,9 +21,6 @@ const LOWER_MM: f64 = 78.0;
 const ROOM_MM: (f64, f64) = (245.0, 60.0);
 /// Room for the cross-section.
 const SECTION_MM: f64 = 38.0;
-
-/// From this number on the parts of the bill are for the mould.
-const MADE_OF: u32 = 10;
 
 /// Measures that both views need, in mm.
 pub struct MuscleBody<'a> {
@@ -75,7 +73,7 @@ pub fn on_paper(plan: &Plan) -> DrawingSheet {
     let section_scale = largest(|s| s * plan.over_sleeve_mm <= SECTION_MM);
     let title = Title {
         what: "McKibben muscle",
-        material: "see parts",
+        material: "see bom.csv",
         mass_g: plan.mass_g(),
         number: (1, 3),
         scale,
@@ -117,7 +115,6 @@ pub fn on_paper(plan: &Plan) -> DrawingSheet {
         },
     );
     data(plan, &mut sheet);
-    parts(plan, &mut sheet);
     sheet
 }
 
@@ -152,12 +149,12 @@ fn at_rest(body: &MuscleBody<'_>, v: &mut View<'_>) {
     }
     strands(body, v);
     clamps(body, v, false);
-    measures_at_rest(body, v, (ri, ro));
+    measures_at_rest(body, v, ro);
     label(v, body.widest, 15.5, "At rest, without pressure");
 }
 
 /// Dimensions, the plane of the section, and the numbers of the parts.
-fn measures_at_rest(body: &MuscleBody<'_>, v: &mut View<'_>, (ri, ro): (f64, f64)) {
+fn measures_at_rest(body: &MuscleBody<'_>, v: &mut View<'_>, ro: f64) {
     let MuscleBody {
         plan,
         half,
@@ -192,63 +189,6 @@ fn measures_at_rest(body: &MuscleBody<'_>, v: &mut View<'_>, (ri, ro): (f64, f64
             .line(Outline, [[x, y + sign * 0.8], [x, y + sign * 3.8]]);
         v.sheet
             .text([x - 2.6, y + sign * 2.6 - 1.2], 3.0, Middle, "A");
-    }
-    balloons(body, v, 0.5 * (ri + ro));
-}
-
-/// The numbers of the parts, each at its part: below the muscle, beside its ends in the order of
-/// their places.
-fn balloons(body: &MuscleBody<'_>, v: &mut View<'_>, wall: f64) {
-    let MuscleBody { plan, half, .. } = *body;
-    let (plug, stem) = (&plan.air_plug, &plan.air_plug.stem);
-    let middle = |band: &[f64; 2]| half + 0.5 * (band[0] + band[1]) - stem.datum_mm;
-    let over = -body.clamped - 0.5;
-    let head = -0.4 * plug.side_mm;
-    let at = |z: f64| half + z - stem.datum_mm;
-    let port = plug.port.map(|port| ([-at(port.height_mm), head], 6));
-    let bleed = plan
-        .eye_plug
-        .port
-        .map(|port| ([at(port.height_mm), head], 9));
-    let band = |bands: &[[f64; 2]], number| {
-        let band = bands.first().map(middle);
-        band.map(|x| ([-x, over], number))
-    };
-    let ends = [
-        Some(([-at(plug.eye_mm), 0.0], 7)),
-        port,
-        Some(([-at(plug.foot_mm) - 1.0, head], 3)),
-        band(&stem.pressed_mm, 8),
-        band(&stem.bands_mm, 5),
-        Some(([-0.45 * half, wall], 1)),
-        Some(([-0.15 * half, -0.7 * body.sleeve], 2)),
-        Some((
-            [
-                at(plan.eye_plug.foot_mm) + 1.0,
-                -0.4 * plan.eye_plug.side_mm,
-            ],
-            4,
-        )),
-        bleed,
-    ];
-    let low = v.origin[1] - v.scale * body.widest - 6.5;
-    let ends: Vec<_> = ends.into_iter().flatten().collect();
-    // Not nearer than 7 mm on paper: from the middle of the muscle outwards.
-    let inner = ends
-        .iter()
-        .position(|(_, number)| *number == 1)
-        .unwrap_or(0);
-    let mut next = v.on_sheet(-0.3 * half, 0.0)[0];
-    for ([x, y], number) in ends[..inner].iter().rev() {
-        let place = v.on_sheet(*x, 0.0)[0].min(next - 7.0);
-        v.balloon([*x, *y], [place, low], *number);
-        next = place;
-    }
-    let mut last = f64::NEG_INFINITY;
-    for ([x, y], number) in &ends[inner..] {
-        let place = (v.on_sheet(*x, 0.0)[0] + 3.0).max(last + 7.0);
-        v.balloon([*x, *y], [place, low], *number);
-        last = place;
     }
 }
 
@@ -455,6 +395,14 @@ fn data(plan: &Plan, sheet: &mut DrawingSheet) {
         Some(_) => "at least",
         None => "pressure",
     };
+    let pressed = match plan.ends.press {
+        Some(Press::Ferrule(f)) => {
+            let [outer, wall, long, pressed] =
+                [f.outer_mm, f.wall_mm, f.length_mm, f.pressed_mm].map(|mm| plan.shown.bare(mm));
+            format!("Ferrule {outer} × {wall} × {long}, then ⌀{pressed}")
+        }
+        _ => format!("Ends {}", plan.ends.made.name()),
+    };
     let burst = format!("Burst {least} {}", known(limits.burst_pressure_mpa));
     let rows = [
         format!("Braid angle θ₀ {}°", trimmed(muscle.braid().angle_deg, 1)),
@@ -470,49 +418,11 @@ fn data(plan: &Plan, sheet: &mut DrawingSheet) {
         format!("Allowed pressure {}", known(limits.allowed_pressure_mpa)),
         "without the ends: prove them".into(),
         format!("Proof test {}, water", pressure(safety.proof_pressure_mpa)),
+        pressed,
         format!("Numbers by model {}", operating.model),
     ];
     for row in rows {
         sheet.text([x, y], 2.3, Start, row);
         y -= 4.8;
-    }
-}
-
-/// The list of parts above the title block.
-fn parts(plan: &Plan, sheet: &mut DrawingSheet) {
-    let left = TITLE_MM.0;
-    let right = FRAME_MM[2];
-    let mut y = TITLE_MM.1;
-    let row = 4.6;
-    let height = 2.0;
-    for part in plan.parts.iter().filter(|part| part.number < MADE_OF) {
-        sheet.text(
-            [left + 4.0, y + 1.3],
-            height,
-            Middle,
-            part.number.to_string(),
-        );
-        let amount = shortened(&part.amount, 36);
-        let room = 76 - amount.chars().count();
-        sheet.text(
-            [left + 9.5, y + 1.3],
-            height,
-            Start,
-            shortened(&format!("{}, {}", part.part, part.size), room),
-        );
-        sheet.text([right - 1.5, y + 1.3], height, End, amount);
-        y += row;
-        sheet.line(Thin, [[left, y], [right, y]]);
-    }
-    for x in [left, left + 8.0] {
-        sheet.line(Thin, [[x, TITLE_MM.1], [x, y]]);
-    }
-}
-
-fn shortened(text: &str, most: usize) -> String {
-    if text.chars().count() <= most {
-        text.into()
-    } else {
-        text.chars().take(most - 1).chain(['…']).collect()
     }
 }

@@ -1,16 +1,16 @@
-//! How an end holds tube and sleeve, by the load that it carries.
+//! How an end holds tube and sleeve, by the load that it carries in the proof test.
 //!
 //! | ends | load | what holds |
 //! |---|---|---|
-//! | tied | to a quarter of what the ties hold by estimate, about 100 N | cable ties in grooves |
-//! | clamped | to 500 N, and to what one or two clamps hold at best in the proof test | hose clamps behind barbs |
+//! | tied | to half of what the ties hold by estimate, about 200 N | cable ties in grooves |
+//! | clamped | to 1000 N, and to what one or two clamps hold at best | hose clamps behind barbs |
 //! | crimped | above | the sleeve pressed on a metal shoulder beyond the tube: by a ferrule, from 40 mm on by clamps with a bolt; a hose clamp seals the tube |
 //!
 //! The limits are choices: no pull-off force of a clamp on a muscle was found in any source. So
-//! every end is proved under the load of the proof pressure.
+//! every end is proved.
 
 use mckibben_core::{
-    analysis::{PROOF_TO_WORKING, SAFETY},
+    by_number::ByNumber,
     muscle::EndsMade::{self, Crimped, Tied},
 };
 use std::f64::consts::PI;
@@ -30,8 +30,10 @@ const FRICTION: f64 = 0.3;
 /// Ties at an end at most.
 const MOST_TIES: usize = 3;
 
+/// What ties hold over the load of the proof test (a choice: they creep).
+const TIES_TO_PROOF: f64 = 2.0;
 /// Largest load in N of an end with hose clamps (a choice).
-const CLAMPED_TO_N: f64 = 500.0;
+const CLAMPED_TO_N: f64 = 1000.0;
 /// Hose clamps at an end at most.
 const MOST_CLAMPS: f64 = 2.0;
 /// Bands of hose clamps (DIN 3017-1) in mm; the wider one from this diameter on, from which on
@@ -50,15 +52,74 @@ pub const BOLT_NM: f64 = 15.0;
 /// Torque of a bolt over its tension and diameter (Budynas & Nisbett 2011 \[budynas2011\], table
 /// 8-15, zinc-plated).
 const NUT_FACTOR: f64 = 0.2;
-/// Friction of a sleeve on metal under such a clamp at least: a choice, half of [`FRICTION`].
-const LEAST_FRICTION: f64 = 0.15;
+/// Friction of a sleeve on metal at least, and at most: choices, half of [`FRICTION`] and that.
+const ON_METAL: [f64; 2] = [0.5 * FRICTION, FRICTION];
+
+/// Precision steel tubes (EN 10305-1): outer diameters and walls in mm.
+const STEEL_MM: [f64; 20] = [
+    6.0, 8.0, 10.0, 12.0, 14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 32.0, 35.0, 38.0,
+    40.0, 42.0, 45.0, 50.0,
+];
+const STEEL_WALLS_MM: [f64; 4] = [2.5, 2.0, 1.5, 1.0];
+/// Yield strength in MPa of their steel E235, normalized (+N; EN 10305-1).
+const STEEL_YIELDS_MPA: f64 = 235.0;
+/// Play in mm of a ferrule on the sleeve before it is pressed, and its length, at least (choices).
+const FERRULE_PLAY_MM: f64 = 0.3;
+const FERRULE_MM: f64 = 12.0;
+/// Room in mm before a ferrule, and behind it up to the head, for the edge of the dies (a choice).
+pub const FERRULE_ROOM_MM: [f64; 2] = [1.0, 3.0];
 
 /// What presses the sleeve on a shoulder beyond the tube.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Press {
-    Ferrule,
+    Ferrule(Ferrule),
     /// So many clamps with a bolt.
     BoltClamps(usize),
+}
+
+/// A ferrule: a piece of precision steel tube.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ferrule {
+    /// Outer diameter and wall of the tube.
+    pub outer_mm: f64,
+    pub wall_mm: f64,
+    pub length_mm: f64,
+    /// Outer diameter once it is pressed.
+    pub pressed_mm: f64,
+}
+
+impl Ferrule {
+    /// The smallest one that goes over the sleeve on a shoulder, as long as a load in N asks; a
+    /// millimetre of its diameter is worth 10 mm of its length (a choice).
+    pub fn new(over: Clamped, load_n: f64) -> Self {
+        let all = STEEL_MM.iter().flat_map(|outer_mm| {
+            STEEL_WALLS_MM.map(|wall_mm| Self::of([*outer_mm, wall_mm], over, load_n))
+        });
+        let fits = all.filter(|f| f.bore_mm() >= over.diameter_mm + FERRULE_PLAY_MM);
+        fits.min_by_number(|f| f.outer_mm + 0.1 * f.length_mm)
+            .unwrap_or_else(|| Self::of([over.diameter_mm.ceil() + 6.0, 2.5], over, load_n))
+    }
+
+    /// Of a tube. Pressed it squeezes the sleeve by [`SQUEEZE`]; its cross-section stays what it was.
+    fn of([outer_mm, wall_mm]: [f64; 2], over: Clamped, load_n: f64) -> Self {
+        let closed_mm = over.diameter_mm - 2.0 * SQUEEZE * over.sleeve_mm;
+        let each_mm = belted_n(STEEL_YIELDS_MPA * wall_mm)[0];
+        Self {
+            outer_mm,
+            wall_mm,
+            length_mm: (load_n / each_mm).ceil().max(FERRULE_MM),
+            pressed_mm: closed_mm.hypot((4.0 * wall_mm * (outer_mm - wall_mm)).sqrt()),
+        }
+    }
+
+    fn bore_mm(&self) -> f64 {
+        self.outer_mm - 2.0 * self.wall_mm
+    }
+
+    /// What it holds in N: 2π μ T, T = σy t w its hoop tension, with little and with much friction.
+    pub fn holds_n(&self) -> [f64; 2] {
+        belted_n(STEEL_YIELDS_MPA * self.wall_mm * self.length_mm)
+    }
 }
 
 /// A cable tie.
@@ -98,6 +159,8 @@ pub struct Clamped {
     /// Bore, and wall.
     pub bore_mm: f64,
     pub wall_mm: f64,
+    /// Thickness of the sleeve.
+    pub sleeve_mm: f64,
     /// Shear modulus of the rubber.
     pub mu_mpa: f64,
     /// Diameter over tube and sleeve on the plug.
@@ -117,26 +180,24 @@ pub struct Ends {
     /// Of crimped ends, which also have a band that seals: what presses the sleeve.
     pub press: Option<Press>,
     /// What they hold by estimate in N, from and to: of a hose clamp if the rubber flows out under
-    /// it, and if none does; of clamps with a bolt by friction. None of a ferrule, for which no
-    /// estimate is known.
-    pub holds_n: Option<[f64; 2]>,
+    /// it, and if none does; of ferrules and clamps with a bolt with little friction and with much.
+    pub holds_n: [f64; 2],
 }
 
 impl Ends {
     /// Thickness of ties, bands and ferrules in mm.
     pub const CLAMP_MM: f64 = 1.5;
 
-    /// The ends for a load in N; `made` is how they are held, where that is stated.
-    pub fn new(load_n: f64, tube: Clamped, made: Option<EndsMade>) -> Self {
+    /// The ends for a load in N in the proof test, and the most that it may be as built, which steel
+    /// must hold; `made` is how they are held, where that is stated.
+    pub fn new([load_n, most_n]: [f64; 2], tube: Clamped, made: Option<EndsMade>) -> Self {
         let tie = Tie::around(tube.bore_mm);
-        let ties = (SAFETY * load_n / tie.holds_n()).ceil().max(2.0);
+        let ties = (TIES_TO_PROOF * load_n / tie.holds_n()).ceil().max(2.0);
         let is_narrow = tube.diameter_mm < CLAMPS_FROM_MM;
         let is_wide = tube.diameter_mm >= WIDE_FROM_MM;
         let clamp_mm = BANDS_MM[usize::from(is_wide)];
         let squeezed = squeezed_n(tube, clamp_mm);
-        // So many hold the proof test, if they hold what they do at best.
-        let proved = |[_, best_n]: [f64; 2]| (PROOF_TO_WORKING * load_n / best_n).ceil().max(1.0);
-        let clamps = proved(squeezed);
+        let clamps = (load_n / squeezed[1]).ceil().max(1.0);
         let usual = match load_n {
             _ if ties <= MOST_TIES as f64 => Tied,
             _ if is_narrow => Crimped,
@@ -152,15 +213,15 @@ impl Ends {
             Crimped => (clamp_mm, 1),
         };
         let press = (made == Crimped).then(|| match is_wide {
-            true => Press::BoltClamps(proved(bolted_n()) as usize),
-            false => Press::Ferrule,
+            true => Press::BoltClamps((most_n / bolted_n()[0]).ceil().max(1.0) as usize),
+            false => Press::Ferrule(Ferrule::new(tube, most_n)),
         });
-        let so_many = |count: usize, one: [f64; 2]| Some(one.map(|n| count as f64 * n));
+        let all = |count: usize, each: [f64; 2]| each.map(|n| count as f64 * n);
         let holds_n = match (made, press) {
-            (_, Some(Press::BoltClamps(count))) => so_many(count, bolted_n()),
-            (_, Some(Press::Ferrule)) => None,
-            (Tied, _) => so_many(at_each_end, [tie.holds_n(); 2]),
-            _ => so_many(at_each_end, squeezed),
+            (_, Some(Press::BoltClamps(count))) => all(count, bolted_n()),
+            (_, Some(Press::Ferrule(ferrule))) => ferrule.holds_n(),
+            (Tied, _) => all(at_each_end, [tie.holds_n(); 2]),
+            _ => all(at_each_end, squeezed),
         };
         Self {
             made,
@@ -184,8 +245,7 @@ impl Ends {
     /// What presses the sleeve on a shoulder.
     pub fn pressed_by(&self) -> &'static str {
         match self.press {
-            Some(Press::BoltClamps(2..)) => "two clamps with a bolt",
-            Some(Press::BoltClamps(_)) => "clamp with a bolt",
+            Some(Press::BoltClamps(_)) => "clamps with a bolt",
             _ => "ferrule",
         }
     }
@@ -203,18 +263,21 @@ impl Ends {
     fn pressed_mm(&self) -> f64 {
         match self.press {
             Some(Press::BoltClamps(count)) => 2.0 + count as f64 * (BOLT_BAND_MM + 2.0),
-            _ => 16.0,
+            Some(Press::Ferrule(ferrule)) => {
+                FERRULE_ROOM_MM[0] + ferrule.length_mm + FERRULE_ROOM_MM[1]
+            }
+            None => 0.0,
         }
     }
 
-    /// Whether a load is within their estimate: of ties with the factor of safety, of others at
-    /// best in the proof test. None where there is no estimate.
-    pub fn bear(&self, load_n: f64) -> Option<bool> {
-        let [low, high] = self.holds_n?;
-        Some(match self.made {
-            Tied => low >= SAFETY * load_n,
-            _ => high >= PROOF_TO_WORKING * load_n,
-        })
+    /// Whether they hold a load in N of the proof test by their estimate, at best; of ties with their
+    /// factor.
+    pub fn bear(&self, load_n: f64) -> bool {
+        let [low, high] = self.holds_n;
+        match self.made {
+            Tied => low >= TIES_TO_PROOF * load_n,
+            _ => high >= load_n,
+        }
     }
 }
 
@@ -228,8 +291,12 @@ fn squeezed_n(tube: Clamped, band_mm: f64) -> [f64; 2] {
     [flows_mpa, held_mpa].map(|p| FRICTION * PI * tube.diameter_mm * band_mm * p)
 }
 
-/// What a clamp with a bolt holds in N: 2π μ T, T = M/(K d), with little and with much friction.
+/// What a clamp with a bolt holds in N, with T = M/(K d).
 pub fn bolted_n() -> [f64; 2] {
-    let tension_n = 1e3 * BOLT_NM / (NUT_FACTOR * BOLT_MM);
-    [LEAST_FRICTION, FRICTION].map(|friction| 2.0 * PI * friction * tension_n)
+    belted_n(1e3 * BOLT_NM / (NUT_FACTOR * BOLT_MM))
+}
+
+/// What a belt under a tension T in N holds on metal by friction: 2π μ T in N.
+fn belted_n(tension_n: f64) -> [f64; 2] {
+    ON_METAL.map(|friction| 2.0 * PI * friction * tension_n)
 }

@@ -41,13 +41,13 @@ pub use fitting::{Fitting, Thread, UnknownFitting};
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{EndParts, Plan, Wishes};
-pub use plug::{Material, Plug, Port};
+pub use plug::{Material, Plug, Port, Stress};
 #[doc(hidden)]
 pub use safety::energy_j;
-pub use safety::{Operating, Proof, PullAt, Safety, ToMeasure, relief_mpa};
+pub use safety::{EndLoads, Operating, PullAt, STRETCH, Safety, ToMeasure, relief_mpa};
 pub use shown::Shown;
 pub use stem::Stem;
-pub use test_points::TestPoint;
+pub use test_points::{TestPoint, is_blank_sheet};
 
 pub use mckibben_io::files::{Content, File};
 pub use mckibben_report::FigureError;

@@ -8,32 +8,12 @@ use crate::{
     text::{mm, significant},
 };
 use mckibben_core::{
-    by_number::ByNumber, clean, muscle::Muscle, rubber::library as rubbers,
-    sleeve::library as sleeves,
+    clean, muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves,
 };
 use mckibben_design::tubes::{self, TubePart};
 
 /// Tolerance of equal diameters of part and muscle, in mm.
 const SAME_MM: f64 = 0.011;
-/// Precision steel tubes (EN 10305-1): outer diameters and walls in mm.
-const STEEL_MM: [f64; 20] = [
-    6.0, 8.0, 10.0, 12.0, 14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 32.0, 35.0, 38.0,
-    40.0, 42.0, 45.0, 50.0,
-];
-const STEEL_WALLS_MM: [f64; 4] = [2.5, 2.0, 1.5, 1.0];
-/// Play in mm of a ferrule on the sleeve before it is pressed, at least (a choice).
-const FERRULE_PLAY_MM: f64 = 0.3;
-
-/// Outer diameter and wall in mm of the steel tube for a ferrule on a diameter, with the least play.
-fn ferrule_mm(on_mm: f64) -> Option<[f64; 2]> {
-    let all = STEEL_MM
-        .iter()
-        .flat_map(|outer| STEEL_WALLS_MM.map(|wall| [*outer, wall]));
-    let bore = |[outer, wall]: &[f64; 2]| outer - 2.0 * wall;
-    let fits = all.filter(|size| bore(size) >= on_mm + FERRULE_PLAY_MM);
-    fits.min_by_number(bore)
-}
-
 /// What is used up by every muscle: what, how much, what for.
 const CONSUMABLES: [[&str; 3]; 3] = [
     [
@@ -135,58 +115,72 @@ fn bought(number: u32, part: &str, size: String, count: usize) -> BuildPart {
     }
 }
 
-/// What presses the sleeve on the shoulders, on a diameter.
-fn pressed(plan: &Plan, on_mm: f64) -> BuildPart {
-    if let Some(Press::BoltClamps(count)) = plan.ends.press {
-        let on = significant(on_mm, 3);
-        let [band, bolt] = [BOLT_BAND_MM, BOLT_MM].map(mm);
-        let size = format!("DIN 3017-3, ⌀{on} mm, band {band} mm, bolt M{bolt}");
-        return bought(8, "clamp with a T-bolt", size, 2 * count);
+/// What presses the sleeve on the shoulders.
+fn pressed(plan: &Plan, press: Press) -> BuildPart {
+    match press {
+        Press::BoltClamps(count) => {
+            let on = significant(plan.clamped_diameter_mm, 3);
+            let [band, bolt] = [BOLT_BAND_MM, BOLT_MM].map(mm);
+            let size = format!("DIN 3017-3, ⌀{on} mm, band {band} mm, bolt M{bolt}");
+            bought(8, "clamp with a T-bolt", size, 2 * count)
+        }
+        Press::Ferrule(ferrule) => {
+            let sizes = [ferrule.outer_mm, ferrule.wall_mm, ferrule.length_mm].map(mm);
+            let [outer, wall, long] = sizes;
+            let size =
+                format!("steel tube EN 10305-1, E235+N, {outer} × {wall} mm, {long} mm long");
+            bought(8, "ferrule", size, 2)
+        }
     }
-    let size = match ferrule_mm(on_mm) {
-        Some([outer, wall]) => format!("{} × {} mm", mm(outer), mm(wall)),
-        None => format!("with a bore of {} mm", mm((on_mm + FERRULE_PLAY_MM).ceil())),
-    };
-    let bands = plan.air_plug.stem.pressed_mm.iter();
-    let long = mm(bands.map(|band| (band[1] - band[0]).floor()).sum());
-    let size = format!("steel tube EN 10305-1 {size}, {long} mm long");
-    bought(8, "ferrule", size, 2)
 }
 
 pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     let plug = |number, name: &str, plug: &Plug| BuildPart {
         mass_g: Some(plug.mass_g()),
         spare: "–".into(),
-        ..bought(number, name, plug.material.name.into(), 1)
+        ..bought(number, name, plug.stock(), 1)
     };
+    let bolt = |plug: &Plug| {
+        let size = format!(
+            "M{} × {} mm, class 8.8",
+            mm(plug.bolt_mm),
+            plug.bolt_length_mm()
+        );
+        bought(7, "bolt with nut", size, 1)
+    };
+    let mut bolts = vec![bolt(&plan.air_plug), bolt(&plan.eye_plug)];
+    if bolts[0] == bolts[1] {
+        bolts.truncate(1);
+        bolts[0].amount = "2".into();
+    }
     let ends = &plan.ends;
     let clamps = 2 * ends.at_each_end;
     let band = mm(ends.band_mm);
     let size = if ends.has_ties {
         format!("{band} mm wide, PA 66")
     } else {
-        let around = significant(plan.clamped_diameter_mm, 3);
-        format!("DIN 3017-1, ⌀{around} mm, band {band} mm")
+        let [from, to] =
+            [plan.squeezed_mm(), plan.clamped_diameter_mm].map(|mm| significant(mm, 3));
+        format!("DIN 3017-1, for ⌀{from} to {to} mm, band {band} mm")
     };
     let clamp = BuildPart {
         spare: if ends.has_ties { clamps } else { 1 }.to_string(),
         ..bought(5, ends.band(), size, clamps)
     };
-    let bolt = &plan.air_plug;
-    let (bolt_mm, long_mm) = (mm(bolt.bolt_mm), bolt.bolt_length_mm());
-    let size = format!("M{bolt_mm} × {long_mm} mm, class 8.8");
     let fitting = plan.air_plug.port.map(|port| port.fitting);
     let fitting = fitting.map_or_else(String::new, |fitting| fitting.part());
+    let proof = plan.shown.pressure(plan.safety.proof_pressure_mpa);
+    let for_proof = format!("for {proof} at least: it is in the proof test too");
     let mut parts = vec![
         tube(plan),
         sleeve(plan, &plan.cut.sleeve),
         plug(3, "air plug", &plan.air_plug),
         plug(4, "eye plug", &plan.eye_plug),
         clamp,
-        bought(6, &fitting, "for the working pressure".into(), 1),
-        bought(7, "bolt with nut", size, 2),
+        bought(6, &fitting, for_proof, 1),
     ];
-    parts.extend(plan.pressed_diameter_mm.map(|on_mm| pressed(plan, on_mm)));
+    parts.extend(bolts);
+    parts.extend(ends.press.map(|press| pressed(plan, press)));
     if plan.is_cast() {
         let mould = Mould::new(&plan.cut);
         let mixed = build_sheet::mixed_ml(plan);

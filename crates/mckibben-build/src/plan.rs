@@ -1,22 +1,23 @@
 //! All numbers of a build.
 
 use crate::{
-    BuildPart, Cut, Fitting, Operating, PullAt, Safety, TestPoint,
+    BuildPart, Cut, EndLoads, Fitting, Operating, PullAt, STRETCH, Safety, TestPoint,
     ends::{Clamped, Ends, SQUEEZE},
     material,
     plug::{ALUMINIUM, PETG, Plug},
     shown::Shown,
     stem::Stem,
     test_points,
-    text::significant,
+    text::{percent, significant},
 };
 use mckibben_core::{
-    analysis::{BUCKLING, burst::ends::clamp_load_n},
+    analysis::{BUCKLING, PROOF_TO_WORKING},
     model::Response,
     muscle::{EndsMade, Muscle, Terminals},
     refused::Refused,
     rubber::RubberLaw,
     sleeve::library,
+    units::rounded,
     warning::buckling_load_n,
 };
 use std::f64::consts::PI;
@@ -50,14 +51,10 @@ pub struct Plan {
     pub cut: Cut,
     /// Diameter over the sleeve in mm: two strands cross on each side.
     pub over_sleeve_mm: f64,
-    /// Diameter in mm over tube and sleeve on a plug, on which a clamp closes.
+    /// Diameter in mm over tube and sleeve on a plug, on which a clamp closes; that over the sleeve
+    /// on a shoulder is the same.
     pub clamped_diameter_mm: f64,
-    /// Diameter in mm over the sleeve on the shoulder of crimped ends, before it is pressed.
-    pub pressed_diameter_mm: Option<f64>,
-    /// The load of an end in N: the blocked force and the pressure on the bore.
-    pub end_load_n: f64,
-    /// The same at the pressure of the proof test.
-    pub proof_load_n: f64,
+    pub loads: EndLoads,
     pub ends: Ends,
     /// The plug with the air passage.
     pub air_plug: Plug,
@@ -74,9 +71,12 @@ pub struct Plan {
 
 /// Least length in mm on a plug.
 const LEAST_INSERTION_MM: f64 = 3.0;
-/// Largest load in N of a printed plug, and its least bore in mm (choices).
-const PRINTED_TO_N: f64 = 300.0;
+/// Largest load in N of a printed plug in the proof test, and its least bore in mm (choices).
+const PRINTED_TO_N: f64 = 600.0;
 const PRINTED_FROM_MM: f64 = 4.0;
+/// The load of an end in the proof test over that in use at least, where the burst pressure limits
+/// the proof (a choice).
+const LEAST_PROOF: f64 = 1.2;
 
 impl Plan {
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
@@ -85,12 +85,8 @@ impl Plan {
             liquid: wishes.liquid || job.is_some_and(|job| job.liquid.is_some()),
             ..wishes.clone()
         };
-        let load = |force_n: f64, p: f64| clamp_load_n(&muscle, force_n.max(0.0), p);
-        let end_load_n = load(operating.held_n, operating.pressure_mpa);
-        let proof_load_n = load(
-            operating.proof.blocked_force_n,
-            operating.proof.pressure_mpa,
-        );
+        let loads = EndLoads::new(&muscle, &operating);
+        refuse_unproved(&operating, &loads, &wishes.shown)?;
         let EndParts {
             muscle,
             cut,
@@ -99,17 +95,13 @@ impl Plan {
             eye_plug,
             over_sleeve_mm,
             clamped_diameter_mm,
-        } = EndParts::new(&muscle, end_load_n, wishes)?;
+        } = EndParts::new(&muscle, loads.proof_n(), wishes)?;
         refuse_narrow(&muscle, &cut, wishes)?;
-        let shoulder = air_plug.stem.shoulder_mm;
         let mut plan = Self {
             clamped_diameter_mm,
-            pressed_diameter_mm: shoulder
-                .map(|s| s[0] + over_sleeve_mm - muscle.outer_diameter_mm()),
             over_sleeve_mm,
             cut,
-            end_load_n,
-            proof_load_n,
+            loads,
             ends,
             eye_plug,
             air_plug,
@@ -196,41 +188,61 @@ impl Plan {
         buckling_load_n(&self.muscle, &at_rest)
     }
 
+    /// What each end carries, in words.
+    pub fn ends_carry(&self) -> String {
+        let (loads, use_) = (&self.loads, &self.operating.in_use);
+        let shown = &self.shown;
+        let [carries, proof, low, high] = [
+            loads.end_load_n,
+            loads.proof_end_load_n,
+            loads.proof_end_load_low_n,
+            loads.proof_end_load_high_n,
+        ]
+        .map(|n| shown.force(n));
+        let range = match low == high {
+            true => String::new(),
+            false => format!(" ({low} to {high} as built)"),
+        };
+        format!(
+            "each carries up to {carries} in use (at {}, {}, while it lengthens) and {proof}{range} in \
+             the proof test: {} times as much, and {} times what it carries stretched by {} at that \
+             pressure",
+            shown.pressure(use_.pressure_mpa),
+            percent(use_.contraction),
+            significant(loads.proof_to_use, 3),
+            significant(loads.proof_to_stretched, 3),
+            percent(STRETCH)
+        )
+    }
+
     /// What the ends hold, in words.
     pub fn ends_hold(&self) -> String {
-        let load = format!("each must hold {}", self.shown.force(self.end_load_n));
-        let holds = match self.ends.holds_n {
-            None => "no estimate of what they hold is known".into(),
-            Some([low, high]) if low == high => {
-                format!("by estimate they hold {}", self.shown.force(low))
-            }
-            Some(range) => {
-                let [low, high] = range.map(|n| self.shown.force(n));
-                let [worst, best] = match self.ends.press {
-                    Some(_) => ["the friction is 0.15", "it is 0.3"],
-                    None => ["the rubber flows out under the clamp", "it does not"],
-                };
-                format!("by estimate they hold {low} if {worst}, and {high} if {best}")
-            }
+        let [low, high] = self.ends.holds_n.map(|n| self.shown.force(n));
+        if low == high {
+            return format!("by estimate they hold {low}");
+        }
+        let [worst, best] = match self.ends.press {
+            Some(_) => ["the friction is 0.15", "it is 0.3"],
+            None => ["the rubber flows out under the clamp", "it does not"],
         };
-        format!("{load}; {holds}")
+        format!("by estimate they hold {low} if {worst}, and {high} if {best}")
     }
 
     /// Warnings, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let mut out = vec![];
+        let [load_n, most_n] = self.loads.proof_n();
         if self.muscle.terminals().pull_off_n.is_none() {
             out.push(format!(
-                "burst and allowed pressure do NOT INCLUDE the ends: {}; prove both with the length \
-                 held, under {}",
-                self.ends_hold(),
-                self.shown.force(self.proof_load_n)
+                "burst and allowed pressure do NOT INCLUDE the ends: {}; {}; prove both",
+                self.ends_carry(),
+                self.ends_hold()
             ));
         }
-        if self.ends.bear(self.end_load_n) == Some(false) {
+        if !self.ends.bear(load_n) {
             out.push(match self.ends.made {
                 EndsMade::Tied => {
-                    "the ties hold less than four times the load of an end; clamp or crimp them \
+                    "the ties hold less than twice the load of the proof test; clamp or crimp them \
                      (`made` in [terminals] of the muscle file)"
                 }
                 _ => {
@@ -240,18 +252,20 @@ impl Plan {
             }
             .into());
         }
-        if !self.air_plug.bears(self.end_load_n) {
-            out.push(format!(
-                "the plugs carry {} MPa and their bolts press with {} MPa, more than {} is given \
-                 here: take a wider tube, a thicker bolt, or lower the pressure",
-                significant(self.air_plug.stress_mpa(self.end_load_n), 2),
-                significant(self.air_plug.bearing_mpa(self.end_load_n), 2),
-                self.air_plug.material.name
-            ));
-        }
+        let stresses = self.air_plug.stresses(most_n);
+        out.extend(stresses.iter().filter(|s| !s.is_borne()).map(|stress| {
+            format!(
+                "{}: {} MPa in the proof test, of {} MPa at which it yields: take a wider tube, a \
+                 thicker bolt, or lower the pressure",
+                stress.what,
+                significant(stress.mpa, 2),
+                significant(stress.yields_mpa, 3)
+            )
+        }));
         if let Some(bears_n) = self.buckling_n() {
-            let [push, bears, allowed] = [-self.operating.held_n, bears_n, bears_n / BUCKLING]
-                .map(|n| self.shown.force(n.max(0.0)));
+            let [push, bears, allowed] =
+                [-self.operating.blocked_force_n, bears_n, bears_n / BUCKLING]
+                    .map(|n| self.shown.force(n.max(0.0)));
             out.push(format!(
                 "the muscle pushes with up to {push}, and its wall alone buckles at {bears}: guide \
                  it in a tube, or keep the push below {allowed}"
@@ -276,42 +290,50 @@ pub struct EndParts {
 }
 
 impl EndParts {
-    /// The ends for a load in N of each.
-    pub fn new(muscle: &Muscle, load_n: f64, wishes: &Wishes) -> Result<Self, Refused> {
+    /// The ends for a load in N of each in the proof test, and the most that it may be as built.
+    pub fn new(muscle: &Muscle, loads_n: [f64; 2], wishes: &Wishes) -> Result<Self, Refused> {
+        let [_, load_n] = loads_n;
         checked(muscle, wishes)?;
         let cut = Cut::new(muscle, wishes.sleeve_diameter_mm, 0.0);
         let sleeve_mm = sleeve_mm(muscle, &cut);
         let wall_mm = cut.tube_wall_mm;
         let bore_mm = cut.bore_mm();
         let over_sleeve_mm = muscle.outer_diameter_mm() + 2.0 * sleeve_mm;
+        let plug_mm = muscle.terminals().plug_diameter_mm;
+        let stem_mm = plug_mm.unwrap_or_else(|| Stem::usual_mm(bore_mm));
+        let clamped_diameter_mm = stem_mm + 2.0 * (wall_mm + sleeve_mm);
         let tube = Clamped {
             bore_mm,
             wall_mm,
+            sleeve_mm,
             mu_mpa: muscle.tube().rubber.law.shear_modulus_mpa(),
-            diameter_mm: over_sleeve_mm,
+            diameter_mm: clamped_diameter_mm,
         };
-        let ends = Ends::new(load_n, tube, muscle.terminals().made);
+        let ends = Ends::new(loads_n, tube, muscle.terminals().made);
         let muscle = inserted(muscle, &ends)?;
-        let plug_mm = muscle.terminals().plug_diameter_mm;
-        let stem = Stem::new(&ends, plug_mm, [bore_mm, wall_mm], muscle.insertion_mm());
-        let clamped_diameter_mm = stem.diameter_mm + 2.0 * (wall_mm + sleeve_mm);
+        let stem = Stem::new(&ends, stem_mm, [bore_mm, wall_mm], muscle.insertion_mm());
         let usual = Fitting::usual(muscle.outer_diameter_mm());
         let fitting = wishes.fitting.unwrap_or(usual);
-        let plug = |material, fitting| {
+        let plug = |material, fitting, bolt_mm| {
             let sizes = (clamped_diameter_mm.max(over_sleeve_mm), load_n);
-            Plug::new((stem.clone(), material), sizes, fitting, wishes.bolt_mm)
+            Plug::new((stem.clone(), material), sizes, fitting, bolt_mm)
         };
         let may_be_printed = ends.made != EndsMade::Crimped
             && load_n <= PRINTED_TO_N
             && bore_mm >= PRINTED_FROM_MM
-            && plug(PETG, Some(fitting)).bears(load_n);
+            && plug(PETG, Some(fitting), wishes.bolt_mm).bears(load_n);
         let material = if may_be_printed { PETG } else { ALUMINIUM };
+        let air_plug = plug(material, Some(fitting), wishes.bolt_mm);
         Ok(Self {
             cut: Cut::new(&muscle, wishes.sleeve_diameter_mm, stem.tube_mm()),
             ends,
             // A liquid leaves no air behind: a second port bleeds it.
-            eye_plug: plug(material, wishes.liquid.then_some(fitting)),
-            air_plug: plug(material, Some(fitting)),
+            eye_plug: plug(
+                material,
+                wishes.liquid.then_some(fitting),
+                Some(air_plug.bolt_mm),
+            ),
+            air_plug,
             over_sleeve_mm,
             clamped_diameter_mm,
             muscle,
@@ -323,6 +345,28 @@ impl EndParts {
         let clamp_mm = self.clamped_diameter_mm + 2.0 * Ends::CLAMP_MM;
         self.air_plug.widest_mm().max(clamp_mm)
     }
+}
+
+/// A proof test that the burst pressure lowers must still load the ends with more than use does.
+fn refuse_unproved(operating: &Operating, loads: &EndLoads, shown: &Shown) -> Result<(), Refused> {
+    let [working_mpa, proof_mpa] = [operating.pressure_mpa, operating.proof.pressure_mpa];
+    let is_lowered = proof_mpa < PROOF_TO_WORKING * working_mpa * (1.0 - 1e-9);
+    let is_proved = loads.proof_to_use >= LEAST_PROOF && loads.proof_to_stretched >= 1.0;
+    Refused::unless(is_proved || !is_lowered, ["pressure_mpa"], || {
+        let most_mpa = rounded(
+            working_mpa * loads.proof_to_use / LEAST_PROOF,
+            2,
+            f64::floor,
+        );
+        format!(
+            "three quarters of the least burst pressure allow a proof test of {}, which loads the ends \
+             with {} times what use does: less than {LEAST_PROOF}; work at {} or less, or take a sleeve \
+             with more or stronger strands, or a thicker wall",
+            shown.pressure(proof_mpa),
+            significant(loads.proof_to_use, 3),
+            shown.pressure(most_mpa)
+        )
+    })
 }
 
 fn checked(muscle: &Muscle, wishes: &Wishes) -> Result<(), Refused> {

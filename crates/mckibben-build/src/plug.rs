@@ -31,47 +31,70 @@ const BARS_MM: [f64; 18] = [
     8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0,
     120.0, 160.0,
 ];
-/// Lengths of bolts as they are sold (ISO 4014), in mm.
-const BOLT_LENGTHS_MM: [f64; 16] = [
+/// Lengths of bolts as they are sold (ISO 888) in mm, up to ten times their diameter (ISO 4014).
+const BOLT_LENGTHS_MM: [f64; 18] = [
     16.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 70.0, 80.0, 90.0, 100.0, 120.0,
-    140.0,
+    140.0, 160.0, 200.0,
 ];
-/// Shear in MPa that a steel bolt of class 8.8 is given across both its sections: a choice, about a
-/// quarter of what it bears.
-const BOLT_SHEAR_MPA: f64 = 100.0;
+const LONGEST_BOLT: f64 = 10.0;
+/// Yield strength of a bolt of class 8.8 in MPa (ISO 898-1), and what its stress in the proof test
+/// stays below it (a choice).
+const BOLT_YIELDS_MPA: f64 = 640.0;
+const BOLT_FACTOR: f64 = 1.1;
+/// The least root of a coarse thread over its diameter: that of M4 (ISO 724). A bolt may have its
+/// thread anywhere in the head.
+const ROOT: f64 = 0.785;
+/// Yield in shear over that in tension (von Mises; Budynas & Nisbett 2011 \[budynas2011\], section
+/// 5-5).
+const SHEAR: f64 = 0.577;
 /// Least wall in mm.
 const WALL_MM: f64 = 1.0;
-/// Thickness of the collar of a turned plug, and how far it is wider than what is clamped, in mm.
+/// Thickness of the collar of a turned plug, and how far it is wider than what is clamped, in mm;
+/// one behind a ferrule is narrower than that, so that the dies have room.
 const COLLAR_MM: (f64, f64) = (5.0, 1.5);
+const COLLAR_BEHIND_MM: f64 = 0.2;
 
 /// What a plug is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     pub name: &'static str,
-    /// Tension that it is given, MPa.
-    pub tension_mpa: f64,
-    /// Pressure of a bolt on the wall of its hole, MPa.
-    pub bearing_mpa: f64,
+    /// What it yields or breaks at, MPa: its stress in the proof test is at most a half of it (a
+    /// choice, for notches and creep).
+    pub strength_mpa: f64,
     /// g/mm³.
     pub density: f64,
 }
 
 /// Printed PETG, pulled across its layers. Printed upright and solid it bore less than 1/2.43 of
-/// the tension that it bore along them (Amza et al. 2021 \[amza2021\]), of 47 to 52 MPa about 20
-/// MPa: a quarter of it is given, for notches and creep. The bearing pressure is a choice.
+/// the tension that it bore along them (Amza et al. 2021 \[amza2021\]), of 47 to 52 MPa.
 pub const PETG: Material = Material {
     name: "PETG, printed solid",
-    tension_mpa: 5.0,
-    bearing_mpa: 10.0,
+    strength_mpa: 20.0,
     density: 1.27e-3,
 };
-/// Aluminium EN AW-6082 T6 yields at 250 MPa (EN 755-2): a quarter of it is given.
+/// Aluminium EN AW-6082 T6 as a bar (EN 755-2).
 pub const ALUMINIUM: Material = Material {
-    name: "aluminium EN AW-6082",
-    tension_mpa: 60.0,
-    bearing_mpa: 60.0,
+    name: "aluminium EN AW-6082 T6",
+    strength_mpa: 250.0,
     density: 2.7e-3,
 };
+const MATERIAL_FACTOR: f64 = 2.0;
+
+/// A stress at a load, beside what it may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stress {
+    pub what: &'static str,
+    pub mpa: f64,
+    /// What the part yields at, and how far the stress stays below it.
+    pub yields_mpa: f64,
+    pub factor: f64,
+}
+
+impl Stress {
+    pub(crate) fn is_borne(&self) -> bool {
+        self.factor * self.mpa <= self.yields_mpa
+    }
+}
 
 /// The thread of a fitting in a flat of the head.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,9 +136,19 @@ fn hole_mm(bolt_mm: f64) -> f64 {
     known.map_or(1.1 * bolt_mm, |b| b.1)
 }
 
+/// The rod in mm of class 8.8 that bears a half of a load in N by its thread.
+pub fn rod_mm(load_n: f64) -> f64 {
+    let bears = |mm: &f64| {
+        let root = ROOT * mm;
+        BOLT_FACTOR * 0.5 * load_n <= BOLT_YIELDS_MPA * 0.25 * PI * root * root
+    };
+    let mut all = BOLTS_MM.into_iter().map(|bolt| bolt.0);
+    all.find(bears).unwrap_or(BOLTS_MM[BOLTS_MM.len() - 1].0)
+}
+
 impl Plug {
-    /// The plug of a material for a load in N on a muscle of an outer diameter over its sleeve, with
-    /// a given bolt or the one that the load needs.
+    /// The plug of a material for a load in N in the proof test, on a muscle of an outer diameter over
+    /// its sleeve, with a given bolt or the one that the load needs.
     pub(crate) fn new(
         (stem, material): (Stem, Material),
         (outer_mm, load_n): (f64, f64),
@@ -123,7 +156,9 @@ impl Plug {
         bolt_mm: Option<f64>,
     ) -> Self {
         let with = |bolt_mm: f64| Self::with_bolt((&stem, material), outer_mm, fitting, bolt_mm);
-        let bears = |plug: &Self| plug.bears(load_n);
+        let bears = |plug: &Self| {
+            plug.bears(load_n) && plug.bolt_length_mm() <= LONGEST_BOLT * plug.bolt_mm
+        };
         let all = BOLTS_MM.iter().map(|b| b.0);
         let largest = BOLTS_MM[BOLTS_MM.len() - 1].0;
         let mut usual = all.map(with);
@@ -142,9 +177,12 @@ impl Plug {
         let hole_mm = hole_mm(bolt_mm);
         let flat_mm = fitting.map_or(0.0, |f| f.thread.sizes_mm().2);
         let needed_mm = (flat_mm + 1.0).max(2.2 * hole_mm);
-        let widest_mm = stem.widest_mm().max(outer_mm);
+        let (widest_mm, margin_mm) = match stem.shoulder_mm {
+            Some(_) => (stem.widest_mm(), COLLAR_BEHIND_MM),
+            None => (stem.widest_mm().max(outer_mm), COLLAR_MM.1),
+        };
         let bar = BARS_MM.into_iter().find(|bar| *bar >= needed_mm);
-        let collar_mm = widest_mm + 2.0 * COLLAR_MM.1;
+        let collar_mm = widest_mm + 2.0 * margin_mm;
         let turned = bar.filter(|bar| material != PETG && SQRT_2 * bar <= collar_mm);
         // The end of a printed head is its foot on the printer, so that nothing overhangs.
         let wide_mm = needed_mm.max(widest_mm + 2.0).ceil();
@@ -173,29 +211,59 @@ impl Plug {
 
     /// Whether stem, head and bolt bear a load in N.
     pub(crate) fn bears(&self, load_n: f64) -> bool {
-        let shear_mpa = 2.0 * load_n / (PI * self.bolt_mm * self.bolt_mm);
-        self.stress_mpa(load_n) <= self.material.tension_mpa
-            && self.bearing_mpa(load_n) <= self.material.bearing_mpa
-            && shear_mpa <= BOLT_SHEAR_MPA
+        self.stresses(load_n).iter().all(Stress::is_borne)
     }
 
-    /// The largest tension in MPa at a load in N: in the stem around its passage, and in the head
-    /// beside its holes.
-    pub fn stress_mpa(&self, load_n: f64) -> f64 {
-        let root = self.stem.root_mm();
-        let side = self.side_mm;
-        let passage = self.port.map_or(0.0, |p| p.passage_mm);
-        let stem = 0.25 * PI * (root * root - passage * passage);
-        let eye = side * (side - self.hole_mm);
-        let port = self
+    /// The stresses at a load in N. The bolt is a pin in a clevis whose cheeks are as thick as it is,
+    /// with the load spread evenly over head and cheeks: M = F (t + 2 g)/8, the shear 4/3 F/2A (Budynas
+    /// & Nisbett 2011 \[budynas2011\], sections 3-10 and 3-11).
+    pub fn stresses(&self, load_n: f64) -> Vec<Stress> {
+        let (side, bolt, hole) = (self.side_mm, self.bolt_mm, self.hole_mm);
+        let root = ROOT * bolt;
+        let moment = load_n * (side + 2.0 * bolt) / 8.0;
+        let steel = |what, mpa, yields_mpa| Stress {
+            what,
+            mpa,
+            yields_mpa,
+            factor: BOLT_FACTOR,
+        };
+        let strength_mpa = self.material.strength_mpa;
+        let own = |what, area: f64, yields_mpa| Stress {
+            what,
+            mpa: load_n / area,
+            yields_mpa,
+            factor: MATERIAL_FACTOR,
+        };
+        let circle = |d: f64| 0.25 * PI * d * d;
+        let (passage, port) = self
             .port
-            .map_or(eye, |p| side * side - p.hole_mm * p.depth_mm);
-        load_n / stem.min(eye).min(port)
-    }
-
-    /// Pressure in MPa of the bolt on its hole at a load in N.
-    pub fn bearing_mpa(&self, load_n: f64) -> f64 {
-        load_n / (self.bolt_mm * self.side_mm)
+            .map_or((0.0, 0.0), |p| (p.passage_mm, p.hole_mm * p.depth_mm));
+        let edge = self.length_mm - self.eye_mm - 0.5 * hole;
+        vec![
+            steel(
+                "bolt, bending",
+                32.0 * moment / (PI * root.powi(3)),
+                BOLT_YIELDS_MPA,
+            ),
+            steel(
+                "bolt, shear",
+                4.0 / 3.0 * load_n / (2.0 * circle(root)),
+                SHEAR * BOLT_YIELDS_MPA,
+            ),
+            own("bolt on its hole", bolt * side, strength_mpa),
+            own("head beside the bolt", side * (side - hole), strength_mpa),
+            own("head beside the port", side * side - port, strength_mpa),
+            own(
+                "head behind the bolt, shear",
+                2.0 * side * edge,
+                SHEAR * strength_mpa,
+            ),
+            own(
+                "stem",
+                circle(self.stem.root_mm()) - circle(passage),
+                strength_mpa,
+            ),
+        ]
     }
 
     /// The largest diameter or side in mm.
@@ -213,11 +281,13 @@ impl Plug {
         self.material == PETG
     }
 
-    /// The bar that it is turned from.
-    pub(crate) fn bar(&self) -> String {
+    /// What it is made from.
+    pub(crate) fn stock(&self) -> String {
+        let name = self.material.name;
         match self.collar_mm {
-            Some(collar) => format!("round bar {} mm", collar.ceil()),
-            None => format!("square bar {} mm", self.side_mm),
+            _ if self.is_printed() => name.into(),
+            Some(collar) => format!("{name}, round bar {} mm", collar.ceil()),
+            None => format!("{name}, square bar {} mm", self.side_mm),
         }
     }
 

@@ -4,7 +4,7 @@ use crate::{
     Plan,
     frame::{self, FRAME_MM, Title, largest},
     plug::Plug,
-    text::{mm, trimmed},
+    text::mm,
     view::View,
 };
 use mckibben_report::{
@@ -83,11 +83,9 @@ fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
             &bare(port.height_mm),
         );
     }
-    let fit = format!(
-        "⌀{} ±{}",
-        bare(stem.diameter_mm),
-        bare_2(plug.tolerance_mm())
-    );
+    let [diameter, tolerance] =
+        [stem.diameter_mm, plug.tolerance_mm()].map(|mm| plan.shown.exact(mm));
+    let fit = format!("⌀{diameter} ±{tolerance}");
     v.beside((-radius, radius), 0.0, -9.0, &fit);
     for (i, band) in stem.bands_mm.iter().enumerate() {
         let row = -above - 7.0 * (i + 1) as f64;
@@ -125,10 +123,6 @@ fn from_the_stem(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     }
 }
 
-fn bare_2(value: f64) -> String {
-    trimmed(value, 2)
-}
-
 fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
     let stem = &plug.stem;
     let bare = |mm: f64| plan.shown.bare(mm);
@@ -163,8 +157,8 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
         port,
         Some(format!(
             "Stem: {} and an interference of {}",
-            bare(stem.bore_mm()),
-            bare_2(stem.interference_mm)
+            plan.shown.exact(stem.bore_mm()),
+            plan.shown.exact(stem.interference_mm)
         )),
         plug.collar_mm
             .map(|_| format!("Collar {} thick", bare(plug.foot_mm - stem.length_mm))),

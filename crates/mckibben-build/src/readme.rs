@@ -1,11 +1,11 @@
 //! The first page of the folder: the job, the verdict, what to heed, the order of work.
 
 use crate::{
-    Plan,
+    Plan, STRETCH,
     safety::PullAt,
     text::{percent, significant},
 };
-use mckibben_core::{clean, joined, units::rounded};
+use mckibben_core::{analysis::PROOF_TO_WORKING, clean, joined, units::rounded};
 use mckibben_io::files::File;
 
 impl Plan {
@@ -28,25 +28,32 @@ impl Plan {
                 shown.pressure(at.pressure_mpa),
                 percent(at.contraction)
             );
+            let job = self.muscle.pressure_to_set_mpa();
+            let other = job.filter(|mpa| *mpa != at.pressure_mpa);
+            let other = other.map_or_else(String::new, |mpa| {
+                format!(", by its job at {}", shown.pressure(mpa))
+            });
             let required = at
                 .required_n
-                .map(|n| format!("; {} is required", shown.force(n)));
-            let built = at.built.map_or_else(
-                || shown.force(at.force_n),
-                |built| {
-                    let [low, high] = [built.predicted_low_n, built.predicted_high_n]
-                        .map(|n| shown.force(n.max(0.0)));
-                    let median = shown.force(built.predicted_n);
-                    let way = built.way();
-                    format!("{median} ({low} to {high}, 95 %, as built){way}")
-                },
-            );
+                .map(|n| format!("; {} is required{other}", shown.force(n)));
+            let [low, median, high] = at.range_n().map(|n| shown.force(n));
+            let built = at.built.map_or(median.clone(), |built| {
+                let way = built.way();
+                format!("{median} ({low} to {high}, 95 %, as built){way}")
+            });
             format!(
                 "At {place} it pulls {built}{}.",
                 required.unwrap_or_default()
             )
         };
-        operating.pulls.iter().map(pull).chain([at_rest]).collect()
+        let count = self.muscle.job().and_then(|job| job.count);
+        let count = count.map(|n| {
+            format!(
+                "It is one of {n} equal muscles side by side: build {n}; all numbers are those of one."
+            )
+        });
+        let pulls = operating.pulls.iter().map(pull);
+        pulls.chain([at_rest]).chain(count).collect()
     }
 
     /// The energy that it stores, in sentences.
@@ -71,10 +78,17 @@ impl Plan {
     /// What people must heed.
     pub(crate) fn stops(&self) -> Vec<String> {
         let (safety, shown) = (&self.safety, &self.shown);
+        let times = safety.proof_pressure_mpa / safety.pressure_mpa;
+        let least = match times < PROOF_TO_WORKING {
+            true => ", as far as burst pressure and strands allow",
+            false => "",
+        };
         let order = format!(
-            "First the proof test with water, {}, with the length held; never with air. In use \
-             never above {}.",
+            "First the proof test with water, {} ({} times the working pressure{least}), stretched by \
+             {}; never with air. In use never above {}.",
             shown.pressure(safety.proof_pressure_mpa),
+            significant(times, 3),
+            percent(STRETCH),
             shown.pressure(self.highest_mpa())
         );
         let limits = &self.operating.limits;

@@ -1,15 +1,7 @@
 //! The test record: what is expected, and room for what was measured.
 
-use crate::{
-    Plan, PullAt, TestPoint,
-    build_sheet::grid,
-    safety::relief_mpa,
-    text::{percent, significant_n},
-};
-use mckibben_core::{
-    built::{Left, Measurement},
-    extremes::peak,
-};
+use crate::{Plan, PullAt, STRETCH, build_sheet::grid};
+use mckibben_core::extremes::peak;
 use mckibben_report::{Document, Part};
 
 /// The range of a load cell over the largest pull that is expected (a choice).
@@ -18,11 +10,7 @@ const LOAD_CELL: f64 = 1.25;
 impl Plan {
     /// The highest pressure in MPa that a relief valve may let through.
     pub(crate) fn highest_mpa(&self) -> f64 {
-        let allowed_mpa = self.operating.limits.allowed_pressure_mpa;
-        relief_mpa(
-            self.safety.pressure_mpa,
-            allowed_mpa.unwrap_or(f64::INFINITY),
-        )
+        self.operating.in_use.pressure_mpa
     }
 }
 
@@ -37,32 +25,25 @@ pub fn document(plan: &Plan) -> Document {
     let mut title_block = plan.title_block.clone();
     title_block.extend(named.map(|name| (name.to_owned(), String::new())));
     let heading = |text: &str| Part::Heading(text.into());
-    let first = first(plan).map(|table| [heading("In a few minutes"), table]);
-    let highest = |at: &PullAt| at.built.map_or(at.force_n, |b| b.predicted_high_n);
+    let highest = |at: &PullAt| at.range_n()[2];
     let range_n = LOAD_CELL * peak(plan.expected.iter().map(highest));
     Document {
         title: format!("Test record: {}", plan.title()),
         title_block,
         lead: plan.verdict().join(" "),
         parts: [
-            Part::Stop(plan.stops()),
             heading("Pressures"),
             grid(&["", "by the model", "set"], pressures(plan)),
             heading("Proof and leak test"),
             grid(&["", "required", "measured"], proof(plan)),
-        ]
-        .into_iter()
-        .chain(first.into_iter().flatten())
-        .chain([
             heading("First test"),
             Part::Text(format!(
-                "Load cell for at least {}. Distances are between the inner faces of the heads. \
-                 Write the pulls into test.csv too: `identify` reads it.",
+                "Load cell for at least {}. test.csv has each distance between the inner faces of the \
+                 heads with the pull that is expected; write the readings into it: `identify` reads it.",
                 plan.shown.force(range_n)
             )),
-            pulls(plan),
-        ])
-        .collect(),
+        ]
+        .into(),
         footer: String::new(),
     }
 }
@@ -88,7 +69,6 @@ fn pressures(plan: &Plan) -> Vec<Vec<String>> {
         )
     });
     let allowed = limits.allowed_pressure_mpa.map(|mpa| shown.pressure(mpa));
-    let end = "load of an end at the working pressure";
     vec![
         row("working pressure", shown.pressure(operating.pressure_mpa)),
         row("relief valve", shown.pressure(plan.highest_mpa())),
@@ -97,7 +77,7 @@ fn pressures(plan: &Plan) -> Vec<Vec<String>> {
             burst.unwrap_or_else(unknown),
         ),
         row("allowed pressure", allowed.unwrap_or_else(unknown)),
-        row(end, shown.force(plan.end_load_n)),
+        row("load of an end in use", shown.force(plan.loads.end_load_n)),
     ]
 }
 
@@ -110,8 +90,15 @@ fn proof(plan: &Plan) -> Vec<Vec<String>> {
             "length",
             format!("{} held", shown.length(plan.faces_mm(0.0))),
         ),
-        row("pressure, one minute", proof),
-        row("load of an end", shown.force(plan.proof_load_n)),
+        row("pressure", proof),
+        row(
+            "then stretched, one minute",
+            shown.length(plan.faces_mm(-STRETCH)),
+        ),
+        row(
+            "load of an end",
+            format!("{}; {}", plan.ends_carry(), plan.ends_hold()),
+        ),
         row("marks moved", "0 mm".into()),
         row("leak test", format!("{leak}, {}", plan.medium())),
         row(
@@ -125,65 +112,4 @@ fn proof(plan: &Plan) -> Vec<Vec<String>> {
         ),
         row("passed, signature", String::new()),
     ]
-}
-
-/// What is worth measuring before the test, as in the first rows of its sheet.
-fn first(plan: &Plan) -> Option<Part> {
-    let shown = &plan.shown;
-    let p = shown.short_pressure(plan.operating.pressure_mpa);
-    let one = |left: &Left| {
-        let (what, minutes) = left.measurement.words();
-        let set = match left.measurement {
-            Measurement::HungLoad => "load, pressure, contraction".into(),
-            Measurement::OnePull => format!("{p}, distance {}", shown.length(plan.faces_mm(0.05))),
-            Measurement::FreeContraction => format!("{p}, no load"),
-            Measurement::StartPressure | Measurement::Turns => "in muscle.toml".into(),
-            // The test below.
-            Measurement::TenPulls => return None,
-        };
-        let half = shown.force(significant_n(left.uncertainty_n));
-        let worth = format!("± {half} ({minutes} min)");
-        Some(vec![what.into(), set, worth, String::new()])
-    };
-    let rows = plan
-        .operating
-        .to_measure
-        .as_ref()?
-        .left
-        .iter()
-        .filter_map(one);
-    let head = ["measure", "at", "then the pull is known to", "measured"];
-    Some(grid(&head, rows.collect()))
-}
-
-/// What is expected at each point of the first test.
-fn pulls(plan: &Plan) -> Part {
-    let shown = &plan.shown;
-    let pull = |(point, at): (&TestPoint, &PullAt)| {
-        let interval = at.built.map(|built| {
-            let ends = [built.predicted_low_n, built.predicted_high_n];
-            let [low, high] = ends.map(|n| shown.force(n.max(0.0)));
-            format!("{} ({low} to {high})", shown.force(built.predicted_n))
-        });
-        vec![
-            shown.short_pressure(at.pressure_mpa),
-            percent(at.contraction),
-            shown.length(plan.faces_mm(at.contraction)),
-            point.branch.to_string(),
-            interval.unwrap_or_else(|| format!("{} (model alone)", shown.force(at.force_n))),
-            String::new(),
-        ]
-    };
-    let head = [
-        "pressure",
-        "contraction",
-        "distance",
-        "branch",
-        "expected (95 %)",
-        "measured",
-    ];
-    grid(
-        &head,
-        plan.test.iter().zip(&plan.expected).map(pull).collect(),
-    )
 }

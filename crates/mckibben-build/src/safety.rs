@@ -1,11 +1,19 @@
-//! Pressures of the tests and the energy of the air.
+//! Pressures of the tests, what each end carries in use and in the proof test, and the energy of the
+//! air.
+//!
+//! A muscle pulls hardest while it lengthens, at its longest, at the pressure that its relief valve
+//! lets through. So the proof test raises the pressure with the length held at L0, and then stretches
+//! the muscle by [`STRETCH`], by the nuts of the frame: on the branch of lengthening too.
 
 use mckibben_core::{
-    analysis::{ATMOSPHERE_MPA, PressureLimits, RELIEF},
+    analysis::{ATMOSPHERE_MPA, PressureLimits, RELIEF, burst::ends::clamp_load_n},
     built::{Built, Left},
-    muscle::Direction,
+    muscle::{Direction, Muscle},
     units::rounded,
 };
+
+/// By this share of L0 the proof test stretches a muscle: a choice.
+pub const STRETCH: f64 = 0.02;
 
 /// Results of a model for the muscle.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,8 +23,6 @@ pub struct Operating {
     pub pressure_mpa: f64,
     /// Blocked force there in N, on the branch of its job.
     pub blocked_force_n: f64,
-    /// The same of the mean of both branches: the ends hold it.
-    pub held_n: f64,
     /// The branch of its job.
     pub branch: Direction,
     pub free_contraction: f64,
@@ -24,8 +30,13 @@ pub struct Operating {
     pub bulged_diameter_mm: f64,
     /// Cavity in mm³ there.
     pub volume_mm3: f64,
-    /// The same muscle at the pressure of the proof test.
-    pub proof: Proof,
+    /// Its largest pull in the stated use, while it lengthens: at the relief pressure, at the longest
+    /// length of its job, else at L0.
+    pub in_use: PullAt,
+    /// Its pull at the relief pressure, stretched by [`STRETCH`].
+    pub stretched: PullAt,
+    /// The same at the pressure of the proof test.
+    pub proof: PullAt,
     /// Its outer contour from the middle (z = 0) to a clamp: z and radius in mm.
     pub contour_mm: Vec<[f64; 2]>,
     /// The pressures that the muscle bears.
@@ -36,17 +47,6 @@ pub struct Operating {
     pub free_contractions: Vec<(f64, f64)>,
     /// What to measure, where its pull has a ±.
     pub to_measure: Option<ToMeasure>,
-}
-
-/// A muscle under the pressure of the proof test.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Proof {
-    /// MPa.
-    pub pressure_mpa: f64,
-    /// Blocked force in N.
-    pub blocked_force_n: f64,
-    /// Cavity in mm³ of the muscle that contracts freely.
-    pub volume_mm3: f64,
 }
 
 /// A pull of the muscle.
@@ -60,6 +60,59 @@ pub struct PullAt {
     pub force_n: f64,
     /// Of a muscle that is built.
     pub built: Option<Built>,
+}
+
+impl PullAt {
+    /// What it pulls as built in N: the least, the median and the most; by the model where no more
+    /// is known.
+    pub fn range_n(&self) -> [f64; 3] {
+        self.built.map_or([self.force_n; 3], |b| {
+            [b.predicted_low_n, b.predicted_n, b.predicted_high_n]
+        })
+    }
+}
+
+/// What each end carries: the pull, and the pressure on the bore.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
+pub struct EndLoads {
+    /// Largest load of an end in the stated use, N: while the muscle lengthens, at the relief
+    /// pressure, at the longest length of its job, else at L0.
+    pub end_load_n: f64,
+    /// Load of an end in the proof test, N: stretched by 2 % of L0.
+    pub proof_end_load_n: f64,
+    /// Lower end of its 95 % interval, N.
+    pub proof_end_load_low_n: f64,
+    /// Upper end of its 95 % interval, N: bolts, plugs and ferrules are chosen by it.
+    pub proof_end_load_high_n: f64,
+    /// Load in the proof test over that in use.
+    pub proof_to_use: f64,
+    /// Load in the proof test over that at the relief pressure, stretched by 2 % of L0.
+    pub proof_to_stretched: f64,
+}
+
+impl EndLoads {
+    /// The load in the proof test in N, and the most that it may be as built.
+    pub(crate) fn proof_n(&self) -> [f64; 2] {
+        [self.proof_end_load_n, self.proof_end_load_high_n]
+    }
+
+    pub(crate) fn new(muscle: &Muscle, operating: &Operating) -> Self {
+        let loads = |at: &PullAt| {
+            at.range_n()
+                .map(|n| clamp_load_n(muscle, n.max(0.0), at.pressure_mpa))
+        };
+        let [low, proof, high] = loads(&operating.proof);
+        let [_, in_use, _] = loads(&operating.in_use);
+        let [_, stretched, _] = loads(&operating.stretched);
+        Self {
+            end_load_n: in_use,
+            proof_end_load_n: proof,
+            proof_end_load_low_n: low,
+            proof_end_load_high_n: high,
+            proof_to_use: proof / in_use,
+            proof_to_stretched: proof / stretched,
+        }
+    }
 }
 
 /// Measurements that leave less of the ± of a pull at the working pressure.

@@ -61,9 +61,18 @@ impl Shown {
 
     /// A tolerance, to a hundredth of a millimetre or a thousandth of an inch.
     pub(crate) fn tolerance(&self, mm: f64) -> String {
+        format!("{} {}", self.exact(mm), self.length.name)
+    }
+
+    /// The same without its unit.
+    pub(crate) fn exact(&self, mm: f64) -> String {
         let digits = if self.length.name == "mm" { 2 } else { 3 };
-        let value = trimmed(outside(self.length, mm), digits);
-        format!("{value} {}", self.length.name)
+        trimmed(outside(self.length, mm), digits)
+    }
+
+    /// A dimension with its tolerance, which keeps its digits.
+    pub(crate) fn toleranced(&self, mm: f64, tolerance_mm: f64) -> String {
+        format!("{} ± {}", self.exact(mm), self.tolerance(tolerance_mm))
     }
 
     pub(crate) fn length(&self, mm: f64) -> String {

@@ -1,6 +1,6 @@
 //! The stem of a plug: what lies in the tube.
 
-use crate::ends::{BOLT_BAND_MM, Ends, Press};
+use crate::ends::{BOLT_BAND_MM, Ends, FERRULE_ROOM_MM, Press};
 use mckibben_core::muscle::EndsMade;
 
 /// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice:
@@ -42,16 +42,19 @@ pub struct Stem {
 }
 
 impl Stem {
-    /// The stem for a tube of a bore and a wall, of which a length lies on it, in mm.
+    /// The usual diameter of a stem in a bore, in mm.
+    pub(crate) fn usual_mm(bore_mm: f64) -> f64 {
+        let (share, least, most) = INTERFERENCE;
+        bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most)
+    }
+
+    /// The stem of a diameter for a tube of a bore and a wall, of which a length lies on it, in mm.
     pub(crate) fn new(
         ends: &Ends,
-        plug_mm: Option<f64>,
+        diameter_mm: f64,
         [bore_mm, wall_mm]: [f64; 2],
         insertion_mm: f64,
     ) -> Self {
-        let (share, least, most) = INTERFERENCE;
-        let usual_mm = bore_mm + (share * bore_mm).clamp(least.min(0.2 * bore_mm), most);
-        let diameter_mm = plug_mm.unwrap_or(usual_mm);
         let mut stem = Self {
             diameter_mm,
             interference_mm: diameter_mm - bore_mm,
@@ -155,20 +158,19 @@ impl Stem {
             ]);
         }
         self.shoulder_mm = Some([2.0 * radius, end]);
-        let bands = match ends.press {
-            Some(Press::BoltClamps(count)) => count,
-            _ => 0,
+        self.pressed_mm = match ends.press {
+            Some(Press::Ferrule(ferrule)) => {
+                let from = end + FERRULE_ROOM_MM[0];
+                vec![[from, from + ferrule.length_mm]]
+            }
+            Some(Press::BoltClamps(count)) => {
+                let room = (self.length_mm - end) / count as f64;
+                let from = |i: usize| end + (i as f64 + 0.5) * room - 0.5 * BOLT_BAND_MM;
+                let bands = (0..count).map(from);
+                bands.map(|from| [from, from + BOLT_BAND_MM]).collect()
+            }
+            None => vec![],
         };
-        let room = (self.length_mm - end) / bands.max(1) as f64;
-        let half = if bands > 0 {
-            0.5 * BOLT_BAND_MM
-        } else {
-            0.5 * room - 1.0
-        };
-        self.pressed_mm = (0..bands.max(1))
-            .map(|i| end + (i as f64 + 0.5) * room)
-            .map(|middle| [middle - half, middle + half])
-            .collect();
     }
 
     /// The corner at the head.

@@ -2,7 +2,7 @@
 
 use crate::{
     Operating, Plan,
-    text::{mm, percent, significant_n, trimmed},
+    text::{mm, percent, significant, significant_n, trimmed},
 };
 use mckibben_core::{built::Measurement, muscle::Direction};
 
@@ -62,6 +62,20 @@ pub fn points(operating: &Operating) -> Vec<TestPoint> {
     out
 }
 
+/// The first columns of the sheet.
+const COLUMNS: &str = "pressure_mpa,contraction,force_n,branch,measured,";
+
+/// Whether a sheet has no readings: each of its rows blank where it names what was read.
+pub fn is_blank_sheet(sheet: &str) -> bool {
+    let mut rows = sheet.lines().filter(|line| !line.starts_with('#'));
+    rows.all(|row| {
+        let cells: Vec<&str> = row.split(',').map(str::trim).collect();
+        let mut read = ["pressure", "contraction", "force"].iter().zip(&cells);
+        let read = read.find(|(name, _)| cells.get(4) == Some(name));
+        row.starts_with(COLUMNS) || read.is_some_and(|(_, cell)| cell.is_empty())
+    })
+}
+
 /// Rows for readings of the builder's own choice.
 const BLANK_ROWS: usize = 4;
 
@@ -118,14 +132,19 @@ pub fn csv(plan: &Plan) -> String {
         mm(plan.faces_mm(0.0)),
         plan.shown.pressure(plan.operating.pressure_mpa)
     );
-    out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n\
-        pressure_mpa,contraction,force_n,branch,measured,distance between the heads (mm)\n";
+    out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n";
+    out += COLUMNS;
+    out += "distance between the heads (mm),expected (N), from, to\n";
     out += &rows;
-    for point in &plan.test {
+    for (i, point) in plan.test.iter().enumerate() {
         let p = trimmed(point.pressure_mpa, 5);
         let e = trimmed(point.contraction, 4);
         let distance = trimmed(plan.faces_mm(point.contraction), 1);
-        out += &format!("{p},{e},,{},force,{distance}\n", point.branch);
+        let expected = plan.expected.get(i).map_or_else(String::new, |at| {
+            let [low, median, high] = at.range_n().map(|n| significant(n, 3));
+            format!(",{median},{low},{high}")
+        });
+        out += &format!("{p},{e},,{},force,{distance}{expected}\n", point.branch);
     }
     out + &",,,,force,\n".repeat(BLANK_ROWS)
 }

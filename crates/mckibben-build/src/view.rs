@@ -185,23 +185,6 @@ impl View<'_> {
         let [a, b] = ends.map(|end| moved(end, place));
         dimension(self.sheet, a, b, text);
     }
-
-    /// A number in a circle with a line to a point of the body.
-    pub fn balloon(&mut self, to: [f64; 2], at: [f64; 2], number: u32) {
-        let to = self.on_sheet(to[0], to[1]);
-        let radius = 3.0;
-        let length = (to[0] - at[0]).hypot(to[1] - at[1]).max(1e-9);
-        let edge = [0, 1].map(|k| at[k] + radius * (to[k] - at[k]) / length);
-        self.sheet.circle(Thin, at, radius);
-        self.sheet.line(Thin, [edge, to]);
-        self.sheet.circle(Outline, to, 0.3);
-        self.sheet.text(
-            [at[0], at[1] - 0.5 * SMALL_MM],
-            SMALL_MM,
-            Anchor::Middle,
-            number.to_string(),
-        );
-    }
 }
 
 /// What of a loop lies above the axis.

@@ -247,6 +247,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
                 .liquid
                 .as_ref()
                 .map(|supply| supply.liquid.name.to_owned()),
+            count: Some(candidate.count).filter(|count| *count > 1),
             points: points.collect(),
         });
     }

@@ -305,7 +305,7 @@ fn never_above(first: &Candidate) -> Option<String> {
     let test = match first.burst.proof_mpa(used_mpa) {
         Some(proof_mpa) => {
             let proof = show(Dimension::Pressure, proof_mpa);
-            format!(". Proof test once: {proof}, water, length held")
+            format!(". Proof test once: {proof}, water, stretched")
         }
         None => ". No proof test fits above it".into(),
     };

@@ -14,6 +14,7 @@ mod colours;
 mod contract;
 mod design;
 mod ended;
+mod ends;
 mod expected;
 mod figures;
 mod file_schema;

@@ -216,3 +216,90 @@ fn the_edges_of_a_turned_plug_are_each_those_of_two_faces() {
         }
     }
 }
+
+/// By hand, M8 in a head of 20 mm at 2000 N: M = 2000 · (20 + 16)/8 = 9000 N mm on a root of 6.28 mm, W =
+/// π 6.28³/32 = 24.315 mm³; shear 4/3 · 2000/(2 · 30.97) MPa; 2000 N on 8 · 20 mm², and beside the hole
+/// of 9 mm on 20 · 11 mm².
+#[test]
+fn by_hand_bolt_and_head_bear_the_proof() {
+    let mut plug = plan_of(30.0, 3.0, &wishes("m5", Some(8.0))).air_plug;
+    (plug.side_mm, plug.eye_mm, plug.length_mm) = (20.0, 50.0, 64.0);
+    let stresses = plug.stresses(2000.0);
+    let of = |what: &str| stresses.iter().find(|s| s.what == what).unwrap();
+    for (what, mpa) in [
+        ("bolt, bending", 370.14),
+        ("bolt, shear", 43.05),
+        ("bolt on its hole", 12.5),
+        ("head beside the bolt", 9.0909),
+        // 14 − 4.5 mm behind the hole, on both sides.
+        ("head behind the bolt, shear", 2000.0 / (2.0 * 20.0 * 9.5)),
+    ] {
+        assert!((of(what).mpa - mpa).abs() < 0.01, "{:?}", of(what));
+    }
+    assert_eq!(of("bolt, bending").yields_mpa, 640.0);
+}
+
+/// A bolt that is chosen stays a tenth below its yield, is one that is sold, no longer than ten times
+/// its diameter, and goes through head, cheeks and nut.
+#[test]
+fn every_bolt_that_is_chosen_bears_and_is_sold() {
+    for (outer_mm, wall_mm) in [
+        (3.0, 0.5),
+        (9.525, 1.5875),
+        (16.0, 3.0),
+        (30.0, 3.0),
+        (90.0, 5.0),
+    ] {
+        for liquid in [false, true] {
+            let wishes = Wishes {
+                liquid,
+                ..Wishes::default()
+            };
+            let plan = plan_of(outer_mm, wall_mm, &wishes);
+            for plug in [&plan.air_plug, &plan.eye_plug] {
+                for stress in plug.stresses(plan.loads.proof_end_load_high_n) {
+                    assert!(
+                        stress.yields_mpa >= 1.1 * stress.mpa,
+                        "{outer_mm}: {stress:?}"
+                    );
+                }
+            }
+            for bolt in plan.parts.iter().filter(|part| part.number == 7) {
+                let numbers: Vec<f64> = bolt
+                    .size
+                    .split([' ', 'M', ','])
+                    .filter_map(|word| word.parse().ok())
+                    .collect();
+                let [diameter, length] = numbers[..2] else {
+                    panic!("{bolt:?}")
+                };
+                assert!(length <= 10.0 * diameter, "{outer_mm}: {bolt:?}");
+                assert!(length >= plan.eye_plug.side_mm + 3.0 * diameter, "{bolt:?}");
+            }
+        }
+    }
+}
+
+/// A ferrule lies clear of tube and head, and its dies pass a collar behind it.
+#[test]
+fn a_ferrule_has_room_for_its_dies() {
+    let mut seen = 0;
+    for outer_mm in [12.0, 20.0, 30.0, 36.0] {
+        let plan = plan_of(outer_mm, 0.1 * outer_mm, &Wishes::default());
+        let Some(mckibben_build::ends::Press::Ferrule(ferrule)) = plan.ends.press else {
+            continue;
+        };
+        seen += 1;
+        let stem = &plan.air_plug.stem;
+        let [from, to] = stem.pressed_mm[0];
+        assert_eq!(to - from, ferrule.length_mm);
+        assert!(from >= stem.shoulder_mm.unwrap()[1] + 1.0 && stem.length_mm - to >= 3.0 - 1e-9);
+        assert!(
+            plan.air_plug
+                .collar_mm
+                .is_none_or(|collar| collar < ferrule.pressed_mm)
+        );
+        assert!(ferrule.holds_n()[0] >= plan.loads.proof_end_load_high_n);
+    }
+    assert!(seen > 1);
+}

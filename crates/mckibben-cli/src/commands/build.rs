@@ -4,8 +4,11 @@ use crate::{
     Bar, Context, Result, check_ending, ending, examples::examples, output::ShownUnits,
     path_on_one_line,
 };
-use mckibben_app::{BuildRequest, REPORT, build, print::Page};
+use mckibben_app::{BuildRequest, REPORT, build, is_blank_sheet, print::Page};
 use std::path::PathBuf;
+
+/// The sheet of the first test, into which people write.
+const SHEET: &str = "test.csv";
 
 /// The folder for a workshop.
 #[derive(clap::Args)]
@@ -55,7 +58,14 @@ impl Build {
         if self.plot.is_some() {
             context.save(self.plot.as_deref(), answer.drawing.as_bytes())?;
         }
-        folder.map_or(Ok(()), |folder| context.save_all(&answer.files, folder))?;
+        if let Some(folder) = folder {
+            let sheet = std::fs::read(folder.join(SHEET)).unwrap_or_default();
+            if !std::str::from_utf8(&sheet).is_ok_and(is_blank_sheet) {
+                context.warn(format!("{SHEET} has readings, and is kept as it is"));
+                answer.files.retain(|file| file.name != SHEET);
+            }
+            context.save_all(&answer.files, folder)?;
+        }
         let add = |page: &mut Page| {
             if let Some(folder) = folder {
                 let count = answer.files.len();

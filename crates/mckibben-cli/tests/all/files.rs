@@ -84,6 +84,34 @@ fn what_is_no_file_to_read_is_refused_at_once() {
     }
 }
 
+/// A sheet into which somebody has written is kept when its folder is built again, and so is what is
+/// no such sheet; a blank one is written anew.
+#[test]
+fn readings_in_the_sheet_of_the_first_test_are_kept() {
+    let dir = copy();
+    let sheet = dir.path().join("out/test.csv");
+    let build = |line: &str| {
+        let ran = run_in(
+            dir.path(),
+            &format!("build -D 30 -o out --overwrite {line}"),
+        );
+        let is_kept = ran.err.contains("test.csv has readings");
+        ran.ok();
+        (fs::read_to_string(&sheet).unwrap(), is_kept)
+    };
+    let (blank, _) = build("-p 0.1");
+    let (other, is_kept) = build("-p 0.12");
+    assert!(!is_kept && other != blank);
+    for text in [
+        &*other.replacen(",,,,force,", "0.1,0.05,3,,force,", 1),
+        "notes of mine",
+    ] {
+        fs::write(&sheet, text).unwrap();
+        let (kept, is_kept) = build("-p 0.1");
+        assert!(is_kept && kept == text, "{kept}");
+    }
+}
+
 const DESIGN: &str = "design -F 300 -e 10% --max-pressure 2.5bar -D 40 -s 2 --model paper -o ";
 
 /// What every command writes: command, flag with its file or folder, and the file that is in its

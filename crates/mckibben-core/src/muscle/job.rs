@@ -22,6 +22,8 @@ pub struct Job {
     pub branch: Option<Direction>,
     /// Liquid that fills it; air where none is named
     pub liquid: Option<String>,
+    /// Equal muscles side by side, of which it is one
+    pub count: Option<u32>,
     /// Pulls at contractions that are required of it, first the one that takes the pressure
     #[serde(default)]
     pub points: Vec<JobPoint>,

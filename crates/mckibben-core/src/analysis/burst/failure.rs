@@ -32,7 +32,7 @@ pub const PROOF_TO_WORKING: f64 = 2.0;
 
 /// A proof is at most this share of the burst pressure, so that it does not destroy a good muscle:
 /// a choice.
-const PROOF_TO_BURST: f64 = 0.75;
+pub const PROOF_TO_BURST: f64 = 0.75;
 
 /// What limits the pressure of a muscle: how it fails, or what else ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]

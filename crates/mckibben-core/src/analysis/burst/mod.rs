@@ -25,7 +25,7 @@ mod radii;
 pub mod strands;
 
 pub use failure::{
-    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst,
+    Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROOF_TO_BURST,
     PROOF_TO_WORKING, PROVED, RELIEF, SAFETY, Safety,
 };
 pub use limits::PressureLimits;
