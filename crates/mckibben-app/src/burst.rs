@@ -2,6 +2,7 @@
 //! before all others.
 
 use crate::{Model, Problem, ProblemKind, Result, Units, number, print::Rows};
+use mckibben_build::STRETCH;
 pub use mckibben_core::analysis::PressureLimits;
 use mckibben_core::{
     analysis::{
@@ -118,22 +119,51 @@ pub fn borne(found: &Burst, pressure_mpa: f64) -> Result<()> {
     Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
 }
 
-/// The pressure in MPa of the proof test of a muscle that works at one in MPa.
-pub fn proof_mpa(found: &Burst, pressure_mpa: f64) -> Result<f64> {
-    found.proof_mpa(pressure_mpa).ok_or_else(|| {
-        let most_mpa = found.strained.mpa().unwrap_or(f64::INFINITY) / RELIEF;
+/// The pressure in MPa of the proof test of a muscle that works at one in MPa. Stretched in it, its
+/// strands and ends carry at most the share of what they bear that a proof is of the burst pressure.
+pub fn proof_mpa(found: &Burst, evaluation: &mut Evaluation<'_>, pressure_mpa: f64) -> Result<f64> {
+    let none = |limit_mpa: f64| {
         let message = format!(
             "no proof test fits above {pressure_mpa}\u{a0}MPa: a tenth more loads strands or ends beyond \
              their limit"
         );
-        let most = rounded(most_mpa, 3, f64::floor);
+        let most = rounded(limit_mpa / RELIEF, 3, f64::floor);
+        let hint = format!("give a `pressure_mpa` of at most {most}\u{a0}MPa, or stronger strands");
         ProblemKind::OutOfRange
             .problem(message)
             .in_field("pressure_mpa")
-            .with_hint(format!(
-                "give a `pressure_mpa` of at most {most}\u{a0}MPa, or stiffer strands"
-            ))
-    })
+            .with_hint(hint)
+    };
+    let strained_mpa = found.strained.mpa().unwrap_or(f64::INFINITY);
+    let proof_mpa = found.proof_mpa(pressure_mpa);
+    let mut proof_mpa = proof_mpa.ok_or_else(|| none(strained_mpa))?;
+    // The load is nearly in proportion to the pressure.
+    for _ in 0..4 {
+        let stretched = evaluation.response(proof_mpa, -STRETCH)?;
+        let share = borne_share(evaluation.model.muscle(), &stretched);
+        if share <= PROOF_TO_BURST {
+            break;
+        }
+        proof_mpa *= PROOF_TO_BURST / share;
+    }
+    if proof_mpa < RELIEF * pressure_mpa * (1.0 - 1e-9) {
+        return Err(none(proof_mpa));
+    }
+    Ok(proof_mpa)
+}
+
+/// What strands and ends carry in a state, over the least that they bear, the larger one.
+fn borne_share(muscle: &Muscle, state: &Response) -> f64 {
+    let strands = muscle.braid().strands;
+    let strength_n = strands.and_then(|s| Some(s.strength_n? / s.load_factor()));
+    let load_n = clamp_load_n(muscle, state.force_n, state.pressure_mpa);
+    [
+        (state.strand_tension_n, strength_n),
+        (Some(load_n), muscle.terminals().pull_off_n),
+    ]
+    .into_iter()
+    .filter_map(|(n, bears)| Some(n? / bears?))
+    .fold(0.0, f64::max)
 }
 
 /// What a muscle bears, in rows.

@@ -21,7 +21,7 @@ use answer::{muscle_file, not_checked, touches};
 use decision::Decision;
 use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::{Evaluation, burst::ends::clamp_load_n},
+    analysis::{Evaluation, PROOF_TO_WORKING, burst::ends::clamp_load_n},
     by_number::ByNumber,
     load::Load,
     model::{ForceModel, ModelError, Workspace},
@@ -186,7 +186,7 @@ pub fn design_ends(
     precision: Precision,
 ) -> Option<Ends> {
     let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
-    let parts = EndParts::new(muscle, load_n, &Wishes::default()).ok()?;
+    let parts = EndParts::new(muscle, [PROOF_TO_WORKING * load_n; 2], &Wishes::default()).ok()?;
     Some(Ends {
         made: parts.ends.made,
         load_n,
