@@ -8,7 +8,7 @@
 //! are worth n (1 − ρ)/(1 + ρ) independent ones, so that the ± is larger by √((1 + ρ)/(1 − ρ)), as
 //! of a first-order autoregression (Bayley & Hammersley 1946 \[bayley1946\]).
 
-use crate::least_squares::{Errors, Estimate, EstimateError, Loss, Unknown, estimate};
+use crate::least_squares::{Errors, Estimate, EstimateError, Unknown, estimate};
 
 /// Share of a quantity's scatter below which its residuals are rounding.
 const ROUNDING: f64 = 1e-6;
@@ -34,7 +34,7 @@ pub fn fit_recorded<E: From<EstimateError>>(
             .map(|(x, start)| Unknown::above(*x, 0.0, *start));
         let scaled = |x: &[f64]| Some(divided(residuals(x).ok()?, scales).concat());
         let unknowns = Vec::from_iter(unknowns);
-        Ok::<_, E>(estimate(&scaled, &unknowns, &weights, Loss::Squares)?)
+        Ok::<_, E>(estimate(&scaled, &unknowns, &weights)?)
     };
     let scales = |lists: &[Vec<f64>]| -> Vec<f64> {
         let scale = |(list, scatter): (&Vec<f64>, &f64)| {

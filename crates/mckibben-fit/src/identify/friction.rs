@@ -61,7 +61,7 @@ fn unknowns(problem: &Pulls<'_>) -> Option<Vec<Unknown>> {
 }
 
 /// The law that comes closest to points that pull; `None` where they tell none, and where nobody asks
-/// for one and Akaike's criterion prefers the share of `found`.
+/// for one and Akaike's criterion prefers the share of `found`, one constant.
 pub fn friction_law(
     request: &IdentificationRequest<'_>,
     muscle: &Muscle,
@@ -85,9 +85,10 @@ pub fn friction_law(
     problem.scales = problem.mean_slopes(&start).unwrap_or(problem.scales);
     let law = problem.found(&unknowns)?;
     let is_asked = request.history || !request.free.is_empty();
-    let by_law = Errors::new(law.left.iter().map(|p| p.1));
-    let by_share = Errors::new(found.points.iter().map(|(p, n, _)| n - p.at.force_n));
-    let criterion = |k: usize, e: &Errors| aicc(e.points, k, e.rms * e.rms);
-    let is_better = criterion(targets.len(), &by_law) < criterion(1, &by_share);
+    let n = law.left.len();
+    let mean = |errors: Errors| errors.rms * errors.rms;
+    let by_law = mean(Errors::new(law.left.iter().map(|p| p.1)));
+    let by_share = mean(Errors::new(found.points.iter().map(|p| p.1)));
+    let is_better = aicc(n, targets.len(), by_law) < aicc(n, 1, by_share);
     (is_asked || is_better).then_some(law)
 }

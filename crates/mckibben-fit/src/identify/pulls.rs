@@ -13,7 +13,7 @@ use super::{
     IdentificationRequest, Identified, Target, by_section::by_section, history, with_values,
 };
 use crate::{
-    least_squares::{Estimate, Loss, Residuals, Unknown, estimate},
+    least_squares::{Estimate, Residuals, Unknown, estimate},
     measured::{DataPoint, Quantity},
 };
 use mckibben_core::{
@@ -21,7 +21,7 @@ use mckibben_core::{
     extremes::peak,
     model::{ModelError, Workspace, pivoting_n_per_mm},
     muscle::{
-        Direction, Friction, Muscle,
+        Direction, Muscle,
         measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER},
     },
 };
@@ -266,7 +266,7 @@ impl<'a> Pulls<'a> {
 
     /// The parameters that come closest to the points.
     pub fn found(&self, unknowns: &[Unknown]) -> Option<Found> {
-        let found = estimate(self, unknowns, &self.weights()?, Loss::Squares).ok()?;
+        let found = estimate(self, unknowns, &self.weights()?).ok()?;
         let parameters = parameters(self, unknowns, &found);
         let values: Vec<f64> = parameters.iter().map(|p| p.value).collect();
         Some(Found {
@@ -280,32 +280,6 @@ impl<'a> Pulls<'a> {
 impl Residuals for Pulls<'_> {
     fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         self.rows(x)?.into_iter().map(Result::ok).collect()
-    }
-
-    /// Of C and β of measured pulls in no order: ± P^β, and ± C P^β ln P.
-    fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        if self.means.is_empty()
-            || self.request.history
-            || self.points.iter().any(|p| p.measured != Quantity::Force)
-        {
-            return None;
-        }
-        let law = *self.muscle_at(x)?.friction()?;
-        let column = |target: &Target| {
-            let factor: fn(&Friction, f64) -> f64 = match target {
-                Target::Measure(m) if **m == FRICTION_COEFFICIENT => |_, _| 1.0,
-                Target::Measure(m) if **m == FRICTION_EXPONENT => |law, p| law.coefficient * p.ln(),
-                _ => return None,
-            };
-            let one = |point: &DataPoint| match point.at.pressure_mpa {
-                p if p > 0.0 => {
-                    point.at.direction().sign() * p.powf(law.exponent) * factor(&law, p)
-                }
-                _ => 0.0,
-            };
-            Some(self.points.iter().map(one).collect())
-        };
-        self.targets.iter().map(column).collect()
     }
 }
 

@@ -1,10 +1,10 @@
-//! Constants from data with their standard errors and correlation, and those that the data do not
+//! Constants from data with their standard errors, and those that the data do not
 //! determine.
 //!
 //! With the residuals rᵢ in units of one (or of their stated error), weights wᵢ, and J = ∂r/∂x at
 //! the minimum,
 //!
-//!   s² = Σ w r²/(n − m),   cov x = s² (JᵀWJ)⁻¹,   correlation ρᵢⱼ = covᵢⱼ/√(covᵢᵢ covⱼⱼ)
+//!   s² = Σ w r²/(n − m),   cov x = s² (JᵀWJ)⁻¹
 //!
 //! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2).
 //! The half-width of a 95 % interval is t(n − m) √covᵢᵢ.
@@ -33,16 +33,7 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
     }
 }
 
-/// Loss function of the residuals.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Loss {
-    /// Sum of squares.
-    Squares,
-    /// Sixth powers: the largest residual counts most; standard errors then say little.
-    Largest,
-}
-
-/// A minimum with its statistics. Matrices have one row and column an unknown.
+/// A minimum with its statistics.
 #[derive(Debug, PartialEq)]
 pub struct Estimate {
     pub x: Vec<f64>,
@@ -50,22 +41,10 @@ pub struct Estimate {
     pub standard_errors: Vec<f64>,
     /// Half-widths of the 95 % intervals (Student's t); likewise.
     pub half_widths: Vec<f64>,
-    /// Covariance; 0 for unknowns that are on a bound, and without the combinations of unknowns
-    /// that the data do not determine at all.
-    pub covariance: Vec<Vec<f64>>,
-    /// Correlation ρ; 0 beside the diagonal for unknowns that are on a bound or not identifiable at
-    /// all.
-    pub correlation: Vec<Vec<f64>>,
     /// Whether it lies on a bound.
     pub at_bound: Vec<bool>,
     /// r of every point, not weighted.
     pub residuals: Vec<f64>,
-    /// ∂r by each unknown, a list of all points each.
-    pub slopes: Vec<Vec<f64>>,
-    /// w of every point: as given, times the factor of the loss.
-    pub weights: Vec<f64>,
-    /// s: standard deviation of one point.
-    pub deviation: f64,
     /// Σ w r².
     pub squares: f64,
 }
@@ -106,43 +85,31 @@ pub enum EstimateError {
     },
 }
 
-/// Residuals and slopes with the last results: a search, the check of its end and the statistics
+/// Residuals with the last results: a search, the check of its end and the statistics
 /// need the same values.
 struct Known<'a> {
     residuals: &'a dyn Residuals,
-    at: Answers<Vec<f64>>,
-    by: Answers<Vec<Vec<f64>>>,
+    /// Unknowns with their results.
+    at: RefCell<Vec<(Vec<f64>, Option<Vec<f64>>)>>,
 }
-
-/// Unknowns with their results.
-type Answers<T> = RefCell<Vec<(Vec<f64>, Option<T>)>>;
 
 /// So many: the best and the steps tried from it.
 const KNOWN: usize = 4;
 
-/// The result at x, computed where it is not known.
-fn remembered<T: Clone>(
-    list: &Answers<T>,
-    x: &[f64],
-    compute: impl FnOnce() -> Option<T>,
-) -> Option<T> {
-    if let Some((_, known)) = list.borrow().iter().find(|(known, _)| known == x) {
-        return known.clone();
-    }
-    let value = compute();
-    let mut list = list.borrow_mut();
-    list.truncate(KNOWN - 1);
-    list.insert(0, (x.to_vec(), value.clone()));
-    value
-}
-
 impl Residuals for Known<'_> {
     fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
-        remembered(&self.at, x, || self.residuals.residuals_at(x))
+        if let Some((_, known)) = self.at.borrow().iter().find(|(known, _)| known == x) {
+            return known.clone();
+        }
+        let value = self.residuals.residuals_at(x);
+        let mut list = self.at.borrow_mut();
+        list.truncate(KNOWN - 1);
+        list.insert(0, (x.to_vec(), value.clone()));
+        value
     }
 
     fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        remembered(&self.by, x, || self.residuals.by_unknowns(x))
+        self.residuals.by_unknowns(x)
     }
 }
 
@@ -255,7 +222,7 @@ impl Inner<'_> {
 }
 
 /// ∂r/∂x, one column an unknown, not weighted: of the model, or by central differences.
-pub fn slopes(residuals: &dyn Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
+fn slopes(residuals: &dyn Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
     if let Some(columns) = residuals.by_unknowns(x) {
         return Some(columns);
     }
@@ -323,16 +290,12 @@ const STEP: f64 = 1e-6;
 /// Shares of the step that are tried.
 const SHARES: [f64; 5] = [1.0, 0.3, 0.1, 0.01, 0.001];
 
-/// Turns of sixth powers at most; the weights settle long before.
-const TURNS: usize = 60;
-
 /// The unknowns that make the residuals small, with their errors. `weights` has one number ≥ 0 a
 /// point.
 pub fn estimate(
     residuals: &dyn Residuals,
     unknowns: &[Unknown],
     weights: &[f64],
-    loss: Loss,
 ) -> Result<Estimate, EstimateError> {
     if let Some(index) = unknowns.iter().position(|u| !u.is_sound()) {
         return Err(EstimateError::Unsound {
@@ -350,40 +313,18 @@ pub fn estimate(
     let residuals = &Known {
         residuals,
         at: RefCell::default(),
-        by: RefCell::default(),
     };
     let start = unknowns.iter().map(Unknown::inner_start);
     let mut inner = Inner {
         residuals,
         unknowns,
-        roots: DVector::zeros(0),
+        roots: DVector::from_iterator(weights.len(), weights.iter().map(|w| w.sqrt())),
         u: DVector::from_iterator(unknowns.len(), start),
         wall: None,
     };
-    let mut all = weights.to_vec();
-    let mut factors = vec![1.0; weights.len()];
-    for _ in 0..TURNS {
-        inner.roots = DVector::from_iterator(all.len(), all.iter().map(|w| w.sqrt()));
-        inner.wall = None;
-        let start = inner.residuals().ok_or(EstimateError::Start)?;
-        inner.wall = Some(1e3 * (1.0 + start.amax()));
-        inner = inner.minimum()?;
-        let r = residuals
-            .residuals_at(&inner.x(&inner.u))
-            .ok_or(EstimateError::Start)?;
-        let next = match loss {
-            Loss::Squares => break,
-            Loss::Largest => sixth_power(&r, weights, &factors),
-        };
-        let moved = next.iter().zip(&factors).map(|(a, b)| (a - b).abs());
-        let settled = peak(moved) < 1e-6;
-        factors = next;
-        all = weights.iter().zip(&factors).map(|(w, f)| w * f).collect();
-        if settled {
-            break;
-        }
-    }
-    statistics(&inner, all)
+    let start = inner.residuals().ok_or(EstimateError::Start)?;
+    inner.wall = Some(1e3 * (1.0 + start.amax()));
+    statistics(&inner.minimum()?, weights)
 }
 
 /// Weighted sizes of residuals, and 1.4826 times the median of those that count.
@@ -404,22 +345,8 @@ pub fn robust_deviation(r: &[f64], weights: &[f64]) -> (Vec<f64>, f64) {
     (scaled, 1.4826 * median)
 }
 
-/// Factors that turn squares into sixth powers, r⁴ over the largest, approached by halves in the
-/// logarithm: the whole step overshoots for powers above three (Kahng 1972 \[kahng1972\]).
-fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
-    let size: Vec<f64> = r.iter().zip(weights).map(|(r, w)| w * r * r).collect();
-    let largest = peak(size.iter().copied());
-    if largest == 0.0 {
-        return before.to_vec();
-    }
-    size.iter()
-        .zip(before)
-        .map(|(s, f)| (s / largest).powi(2).max(1e-12).powf(0.25) * f.powf(0.75))
-        .collect()
-}
-
 /// The errors of the unknowns at a minimum.
-fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, EstimateError> {
+fn statistics(inner: &Inner<'_>, weights: &[f64]) -> Result<Estimate, EstimateError> {
     let x = inner.x(&inner.u);
     let unknowns = inner.unknowns;
     let residuals = inner
@@ -435,7 +362,7 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
     let inside: Vec<usize> = (0..x.len()).filter(|&i| !at_bound[i]).collect();
     let points = weights.iter().filter(|w| **w > 0.0).count();
     let freedom = points.saturating_sub(inside.len()).max(1);
-    let squares: f64 = residuals.iter().zip(&weights).map(|(r, w)| w * r * r).sum();
+    let squares: f64 = residuals.iter().zip(weights).map(|(r, w)| w * r * r).sum();
     let deviation = (squares / freedom as f64).sqrt();
     // Columns in units of the scales, so that singular values compare.
     let j = DMatrix::from_fn(weights.len(), inside.len(), |r, c| {
@@ -449,55 +376,30 @@ fn statistics(inner: &Inner<'_>, weights: Vec<f64>) -> Result<Estimate, Estimate
         DMatrix::zeros(1, 1).svd(false, false)
     };
     let largest = peak(svd.singular_values.iter().copied());
-    let mut covariance = DMatrix::<f64>::zeros(m, m);
-    let mut lost = vec![false; m];
+    let mut variance = vec![0.0; m];
     if let Some(v) = &svd.v_t {
         for (k, &sigma) in svd.singular_values.iter().enumerate() {
             let determined = sigma > 1e-10 * largest && sigma > 0.0;
-            for a in 0..m {
-                if !determined {
-                    lost[a] |= v[(k, a)].abs() > 1e-3;
-                    continue;
-                }
-                for b in 0..m {
-                    covariance[(a, b)] += v[(k, a)] * v[(k, b)] / (sigma * sigma);
+            for (a, variance) in variance.iter_mut().enumerate() {
+                if determined {
+                    *variance += (v[(k, a)] / sigma).powi(2);
+                } else if v[(k, a)].abs() > 1e-3 {
+                    *variance = f64::INFINITY;
                 }
             }
         }
     }
     let mut standard_errors = vec![0.0; x.len()];
-    let mut correlation = vec![vec![0.0; x.len()]; x.len()];
-    let mut full = vec![vec![0.0; x.len()]; x.len()];
-    for (a, &i) in inside.iter().enumerate() {
-        let scale = unknowns[i].scale;
-        standard_errors[i] = if lost[a] {
-            f64::INFINITY
-        } else {
-            deviation * scale * covariance[(a, a)].max(0.0).sqrt()
-        };
-        for (b, &k) in inside.iter().enumerate() {
-            full[i][k] = deviation * deviation * scale * unknowns[k].scale * covariance[(a, b)];
-            if !lost[a] && !lost[b] {
-                correlation[i][k] =
-                    covariance[(a, b)] / (covariance[(a, a)] * covariance[(b, b)]).sqrt();
-            }
-        }
-    }
-    for (i, row) in correlation.iter_mut().enumerate() {
-        row[i] = 1.0;
+    for (variance, &i) in variance.iter().zip(&inside) {
+        standard_errors[i] = deviation * unknowns[i].scale * variance.sqrt();
     }
     let half_widths: Vec<f64> = standard_errors.iter().map(|s| t95(freedom) * s).collect();
     Ok(Estimate {
         x,
         standard_errors,
         half_widths,
-        covariance: full,
-        correlation,
         at_bound,
         residuals,
-        slopes: columns,
-        weights,
-        deviation,
         squares,
     })
 }

@@ -17,7 +17,7 @@ pub use aicc::aicc;
 pub use bounds::Unknown;
 pub use errors::Errors;
 pub(crate) use estimate::robust_deviation;
-pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate, slopes};
+pub use estimate::{Estimate, EstimateError, Residuals, estimate};
 pub use line::Line;
 #[cfg(test)]
 pub(crate) use noise::Noise;

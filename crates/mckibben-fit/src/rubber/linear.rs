@@ -17,7 +17,7 @@ use super::{
     no_fit,
     problem::{Problem, Raw},
 };
-use crate::least_squares::{Loss, Residuals, Unknown, estimate};
+use crate::least_squares::{Residuals, Unknown, estimate};
 use mckibben_core::{
     by_number::ByNumber,
     rubber::{Form, Law, RubberLaw, log_hessian, muscle_states},
@@ -72,8 +72,7 @@ pub fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> {
         columns: &columns,
         measured: problem.measured(),
     };
-    let fit = estimate(&linear, &unknowns, &problem.weights, Loss::Squares)
-        .map_err(|e| no_fit(form, e))?;
+    let fit = estimate(&linear, &unknowns, &problem.weights).map_err(|e| no_fit(form, e))?;
     Ok(Raw {
         constants: fit.x,
         standard_errors: fit.standard_errors,

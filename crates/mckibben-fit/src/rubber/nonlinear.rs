@@ -11,7 +11,7 @@ use super::{
     Result, no_fit,
     problem::{Problem, Raw},
 };
-use crate::least_squares::{Loss, Residuals, Unknown, estimate};
+use crate::least_squares::{Residuals, Unknown, estimate};
 use mckibben_core::rubber::{Form, Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
 
 /// A limit up to a thousand times that of the data: farther away it is not identifiable.
@@ -137,7 +137,7 @@ pub fn fit(form: Form, problem: &Problem, hoop: Option<f64>) -> Result<Raw> {
             }
         };
         let unknowns: Vec<Unknown> = law.constants().into_iter().enumerate().map(one).collect();
-        match estimate(&residuals, &unknowns, &problem.weights, Loss::Squares) {
+        match estimate(&residuals, &unknowns, &problem.weights) {
             Ok(fit)
                 if best
                     .as_ref()

@@ -13,7 +13,7 @@ use super::{
     no_fit,
     problem::{Problem, Raw},
 };
-use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
+use crate::least_squares::{Estimate, Residuals, Unknown, estimate};
 use mckibben_core::{
     by_number::SortByNumber,
     cancel,
@@ -168,7 +168,7 @@ pub fn fit(form: Form, problem: &Problem) -> Result<Raw> {
             problem,
             signs: signs.clone(),
         };
-        match estimate(&terms, &unknowns, &problem.weights, Loss::Squares) {
+        match estimate(&terms, &unknowns, &problem.weights) {
             Ok(fit) => {
                 let better = |(best_signs, best): &(Vec<f64>, Estimate)| {
                     let alike =

@@ -14,7 +14,7 @@
 
 use super::{Bar, OverTimeFitError, Result, TimePoint, bar::check, columns, elastic};
 use crate::{
-    least_squares::{Loss, Residuals, Unknown, estimate},
+    least_squares::{Residuals, Unknown, estimate},
     rubber::{Form, TensionPoint},
 };
 use mckibben_core::rubber::{
@@ -137,7 +137,7 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
         .chain((0..branches).map(|_| Unknown::above(0.15, 0.0, 1.0)))
         .chain((0..branches).map(time))
         .collect();
-    let fit = estimate(&relaxing, &unknowns, &vec![1.0; points], Loss::Squares)
+    let fit = estimate(&relaxing, &unknowns, &vec![1.0; points])
         .map_err(|error| OverTimeFitError::NotConverged("relaxation", error))?;
     let (instantaneous, prony) = relaxing.unpack(&fit.x);
     let prony = prony.validated()?;

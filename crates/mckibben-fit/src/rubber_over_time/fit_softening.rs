@@ -7,7 +7,7 @@
 
 use super::{Bar, OverTimeFitError, Result, TimePoint, bar::check, columns, elastic};
 use crate::{
-    least_squares::{Estimate, EstimateError, Loss, Unknown, estimate},
+    least_squares::{Estimate, EstimateError, Unknown, estimate},
     rubber::{Form, TensionPoint},
 };
 use mckibben_core::rubber::{
@@ -107,7 +107,7 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit> 
     for (m, beta) in [(0.3, 0.02), (0.02, 0.3), (0.1, 0.1)] {
         let m = Unknown::above(m * w_max_mpa, 0.0, w_max_mpa);
         let unknowns = [largest_loss, m, Unknown::above(beta, 1e-6, 1.0)];
-        let fit = estimate(&differences, &unknowns, &weights, Loss::Squares);
+        let fit = estimate(&differences, &unknowns, &weights);
         let better = |best: &Estimate| fit.as_ref().is_ok_and(|fit| fit.squares < best.squares);
         if best.as_ref().map_or(true, better) {
             best = fit;

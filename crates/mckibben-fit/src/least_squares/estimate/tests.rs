@@ -25,19 +25,13 @@ fn of_line(data: &[(f64, f64)]) -> impl Fn(&[f64]) -> Option<Vec<f64>> + '_ {
 #[test]
 fn standard_errors_of_a_straight_line_are_the_textbook_ones() {
     let data = line(21, 0.1, 7);
-    let e = estimate(&of_line(&data), &FREE, &[1.0; 21], Loss::Squares).unwrap();
+    let e = estimate(&of_line(&data), &FREE, &[1.0; 21]).unwrap();
     let n = 21.0;
     let mean = data.iter().map(|p| p.0).sum::<f64>() / n;
     let spread = data.iter().map(|p| (p.0 - mean).powi(2)).sum::<f64>();
     let s2 = e.residuals.iter().map(|r| r * r).sum::<f64>() / (n - 2.0);
     assert!((e.standard_errors[1] - (s2 / spread).sqrt()).abs() < 1e-8);
     assert!((e.standard_errors[0] - (s2 * (1.0 / n + mean * mean / spread)).sqrt()).abs() < 1e-8);
-    let rho = -mean / (spread / n + mean * mean).sqrt();
-    assert!(
-        (e.correlation[0][1] - rho).abs() < 1e-6,
-        "{} {rho}",
-        e.correlation[0][1]
-    );
 }
 
 /// 95 % intervals hold the truth in 95 % of 400 trials; ± 3 standard deviations of a binomial count
@@ -47,7 +41,7 @@ fn intervals_cover_the_truth_at_their_rate() {
     let mut hits = [0; 2];
     for trial in 0..400 {
         let data = line(8, 0.5, 1000 + trial);
-        let e = estimate(&of_line(&data), &FREE, &[1.0; 8], Loss::Squares).unwrap();
+        let e = estimate(&of_line(&data), &FREE, &[1.0; 8]).unwrap();
         for (i, truth) in [2.0, 3.0].iter().enumerate() {
             hits[i] += usize::from((e.x[i] - truth).abs() <= e.half_widths[i]);
         }
@@ -67,7 +61,7 @@ fn bounds_hold_and_are_told() {
         },
         Unknown::above(1.0, 0.0, 1.0),
     ];
-    let e = estimate(&of_line(&data), &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    let e = estimate(&of_line(&data), &unknowns, &[1.0; 12]).unwrap();
     assert!(e.x[0] <= 1.5 && e.at_bound[0], "{e:?}");
     assert!(!e.at_bound[1] && e.x[1] > 3.0);
     // All of them on bounds.
@@ -85,7 +79,7 @@ fn bounds_hold_and_are_told() {
             scale: 1.0,
         },
     ];
-    let e = estimate(&of_line(&data), &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    let e = estimate(&of_line(&data), &unknowns, &[1.0; 12]).unwrap();
     assert!(
         e.at_bound == [true, true] && e.standard_errors == [0.0, 0.0],
         "{e:?}"
@@ -103,7 +97,7 @@ fn unknowns_that_act_together_are_unidentifiable() {
         )
     };
     let unknowns = [Unknown::free(1.0, 1.0), Unknown::free(1.0, 1.0)];
-    let e = estimate(&twice, &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    let e = estimate(&twice, &unknowns, &[1.0; 12]).unwrap();
     assert!(
         e.standard_errors
             .iter()
@@ -117,7 +111,7 @@ fn unknowns_that_act_together_are_unidentifiable() {
 #[test]
 fn too_few_points_and_a_failing_model_are_errors() {
     let data = line(2, 0.0, 1);
-    let few = estimate(&of_line(&data), &FREE, &[1.0; 2], Loss::Squares);
+    let few = estimate(&of_line(&data), &FREE, &[1.0; 2]);
     assert_eq!(
         few,
         Err(EstimateError::TooFew {
@@ -126,22 +120,7 @@ fn too_few_points_and_a_failing_model_are_errors() {
         })
     );
     let none = |_: &[f64]| -> Option<Vec<f64>> { None };
-    assert_eq!(
-        estimate(&none, &FREE, &[1.0; 5], Loss::Squares),
-        Err(EstimateError::Start)
-    );
-}
-
-/// The number nearest to 0, 0 and 10 in the sixth power: 2 c⁵ = (10 − c)⁵, c = 10/(1 + 2^(1/5)).
-#[test]
-fn the_sixth_power_is_the_sixth_power() {
-    let level = |x: &[f64]| Some(vec![x[0], x[0], x[0] - 10.0]);
-    let e = estimate(&level, &[Unknown::free(1.0, 1.0)], &[1.0; 3], Loss::Largest).unwrap();
-    assert!(
-        (e.x[0] - 10.0 / (1.0 + 2f64.powf(0.2))).abs() < 1e-4,
-        "{}",
-        e.x[0]
-    );
+    assert_eq!(estimate(&none, &FREE, &[1.0; 5]), Err(EstimateError::Start));
 }
 
 /// Steps past the edge of the model are taken back.
@@ -156,7 +135,7 @@ fn a_model_that_ends_somewhere_is_followed_up_to_there() {
         })
     };
     let unknowns = [Unknown::free(40.0, 1.0), Unknown::free(0.0, 1.0)];
-    let e = estimate(&edge, &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    let e = estimate(&edge, &unknowns, &[1.0; 12]).unwrap();
     assert!(
         (e.x[0] - 2f64.exp()).abs() < 1e-5 && (e.x[1] - 3.0).abs() < 1e-6,
         "{:?}",
@@ -169,7 +148,7 @@ fn a_model_that_ends_somewhere_is_followed_up_to_there() {
 #[test]
 fn rosenbrocks_valley_is_followed_to_its_end() {
     let valley = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], 0.0]);
-    let result = estimate(&valley, &FREE, &[1.0; 3], Loss::Squares).unwrap();
+    let result = estimate(&valley, &FREE, &[1.0; 3]).unwrap();
     assert!(
         (result.x[0] - 1.0).abs() < 1e-7 && (result.x[1] - 1.0).abs() < 1e-7,
         "{result:?}"
@@ -183,12 +162,7 @@ fn rosenbrocks_valley_is_followed_to_its_end() {
 fn a_minimum_without_an_answer_is_not_replaced_by_the_last_point_with_one() {
     let no_answer_below_2 =
         |x: &[f64]| (x[0] > 2.0).then(|| vec![x[0] - 0.9, x[0] - 1.1, x[0] - 1.0]);
-    let result = estimate(
-        &no_answer_below_2,
-        &[Unknown::free(7.0, 1.0)],
-        &[1.0; 3],
-        Loss::Squares,
-    );
+    let result = estimate(&no_answer_below_2, &[Unknown::free(7.0, 1.0)], &[1.0; 3]);
     assert!(
         matches!(result, Err(EstimateError::NoMinimum { .. })),
         "{result:?}"
