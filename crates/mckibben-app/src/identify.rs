@@ -163,22 +163,13 @@ pub struct IdentifiedPoint {
     /// Pressure, contraction, pull and branch.
     #[serde(flatten)]
     pub at: MeasuredPoint,
-    /// The measured quantity; the others were set. In a row of a volume the pull is 0 where none
-    /// was read.
+    /// What is compared: the pull.
     pub measured: Quantity,
-    /// Volume of the cavity, hose and fittings with it, where that was read, mm³.
-    pub volume_mm3: Option<f64>,
-    /// The model's pull where that was read, N.
-    pub model_force_n: Option<f64>,
-    /// The model's contraction ratio where that was read.
-    pub model_contraction: Option<f64>,
-    /// The model's pressure where that was read, MPa.
-    pub model_pressure_mpa: Option<f64>,
-    /// The model's volume with `dead_volume` where that was read, mm³.
-    pub model_volume_mm3: Option<f64>,
+    /// The model's pull, N.
+    pub model_force_n: f64,
     /// Model − measured, N.
     pub residual_n: f64,
-    /// Its final weight.
+    /// Its weight.
     pub weight: f64,
     /// Whether it is an outlier.
     pub outlier: bool,
@@ -197,24 +188,19 @@ impl From<&PointFit> for IdentifiedPoint {
         let DataPoint {
             at,
             measured,
-            volume_mm3,
             section,
+            weight,
             line,
             set,
             ..
         } = f.point;
-        let of = |quantity, read: f64| (measured == quantity).then_some(read + f.residual);
         Self {
             section,
             at,
             measured,
-            volume_mm3,
-            model_force_n: of(Quantity::Force, at.force_n),
-            model_contraction: of(Quantity::Contraction, at.contraction),
-            model_pressure_mpa: of(Quantity::Pressure, at.pressure_mpa),
-            model_volume_mm3: volume_mm3.map(|read| read + f.residual),
+            model_force_n: at.force_n + f.residual_n,
             residual_n: f.residual_n,
-            weight: f.weight,
+            weight,
             outlier: f.outlier,
             line,
             data: set + 1,

@@ -94,13 +94,13 @@ impl Learnt {
     /// of each, where it is stated.
     pub fn new(
         rows: &[(Place, f64, Constants)],
-        noise_n: &[Option<f64>],
+        noise_n: &[f64],
         highest_mpa: f64,
     ) -> Option<Self> {
         let places: Vec<Place> = rows.iter().map(|row| row.0).collect();
         let largest = places.iter().map(|p| p.blocked_n).reduce(f64::max)?;
         let row = |i: usize| -> Vec<f64> {
-            let noise_n = noise_n[i].unwrap_or(NOISE * largest);
+            let noise_n = noise_n.get(i).copied().unwrap_or(NOISE * largest);
             let beside = |j| if i == j { noise_n * noise_n } else { 0.0 };
             (0..places.len())
                 .map(|j| kernel(&places[i], &places[j], highest_mpa) + beside(j))

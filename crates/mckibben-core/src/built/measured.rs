@@ -32,9 +32,6 @@ pub const MEASURED: [(&str, &str, (f64, f64)); 5] = [
     ("the pressure", "\u{a0}MPa", (0.0, 0.675)),
 ];
 
-/// A last digit is no difference.
-const DIGIT: f64 = 1e-6;
-
 /// D0 in mm, s/D0, L0/D0, θ0 in degrees and P in MPa, in the order of [`MEASURED`].
 pub fn measured_values(muscle: &Muscle, pressure_mpa: f64) -> [f64; 5] {
     let outer_mm = muscle.tube().outer_diameter_mm;
@@ -62,15 +59,13 @@ pub fn beyond_measured(muscle: &Muscle) -> f64 {
     let values = measured_values(muscle, 0.0);
     let away = |i: usize, of: fn(f64) -> f64| {
         let (low, high) = MEASURED[i].2;
-        let inside = values[i].max(low * (1.0 - DIGIT)).min(high * (1.0 + DIGIT));
-        of(values[i]) - of(inside)
+        of(values[i]) - of(values[i].max(low).min(high))
     };
-    let by_angle = if muscle.is_extensile() {
-        0.0
-    } else {
-        away(3, |deg| deg / 10.0)
+    let turned = match muscle.is_extensile() {
+        true => 0.0,
+        false => away(3, |deg| deg / 10.0),
     };
-    OF_DISTANCE * away(0, f64::log2).hypot(away(1, f64::log2)).hypot(by_angle)
+    OF_DISTANCE * away(0, f64::log2).hypot(away(1, f64::log2)).hypot(turned)
 }
 
 /// What of a muscle at a pressure lies outside of the measured muscles; of one that was identified
@@ -91,8 +86,9 @@ pub fn not_measured(muscle: &Muscle, pressure_mpa: f64) -> impl Iterator<Item = 
             },
         }
     };
+    // A last digit is no difference.
     let beyond = |q: &NotMeasured| {
-        q.value < q.measured.0 * (1.0 - DIGIT) || q.value > q.measured.1 * (1.0 + DIGIT)
+        q.value < q.measured.0 * (1.0 - 1e-6) || q.value > q.measured.1 * (1.0 + 1e-6)
     };
     (0..MEASURED.len()).map(of).filter(beyond)
 }

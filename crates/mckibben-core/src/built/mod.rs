@@ -175,9 +175,7 @@ impl Evaluation<'_> {
             model_n.min(at.stated_n + HALF_95 * whole)
         };
         let mut covariance = predictor.covariance.clone();
-        let [factor, friction] = [Constant::PullFactor, Constant::Friction].map(|c| c as usize);
-        let beyond_measured = predictor.beyond_measured;
-        covariance[factor][factor] -= beyond_measured * beyond_measured;
+        let friction = Constant::Friction as usize;
         let friction_n = if muscle.friction().is_some() {
             let options = Options::from(predicted_direction);
             let n = self
@@ -202,7 +200,8 @@ impl Evaluation<'_> {
             Some(learnt) => learnt.at(&at.place, at.slopes),
             None => (0.0, at.slopes, whole * whole),
         };
-        let beyond_n = HALF_95 * beyond_measured * slopes[factor].abs();
+        let factor = Constant::PullFactor as usize;
+        let beyond_n = HALF_95 * measured::beyond_measured(&muscle) * slopes[factor].abs();
         let factor = predictor.centre[factor].exp();
         let unscaled_n = mean_n + at.ends_n + at.take_up_n;
         let shift = BuiltShift {
@@ -231,9 +230,9 @@ impl Evaluation<'_> {
             measured: Some(
                 HALF_95 * predictor.variance_factor.sqrt() * variance.sqrt().hypot(single),
             ),
-            beyond_measured: Some(beyond_n).filter(|n| *n > 0.0),
             ..UncertaintyParts::of_constants(&slopes, &covariance, predictor.is_identified)
                 .with_rubber(predictor.limit_n(pressure_mpa, contraction))
+                .with_beyond(beyond_n)
         };
         let built = Built {
             mean_n,

@@ -97,6 +97,18 @@ impl UncertaintyParts {
         }
     }
 
+    /// With the share of the factor on the pull that a size beyond the measured ones has, in N.
+    pub(super) fn with_beyond(self, beyond_n: f64) -> Self {
+        match self.pull_factor {
+            Some(all_n) if beyond_n > 1e-9 => Self {
+                pull_factor: Some((all_n * all_n - beyond_n * beyond_n).max(0.0).sqrt()),
+                beyond_measured: Some(beyond_n),
+                ..self
+            },
+            _ => self,
+        }
+    }
+
     /// The parts with their names, in the order of their fields.
     fn slots(&mut self) -> [(&'static str, &mut Option<f64>); 12] {
         [

@@ -28,8 +28,6 @@ pub struct Predictor {
     pub learnt: Option<Learnt>,
     /// Factor on the variances of differences between model and muscle.
     pub variance_factor: f64,
-    /// What the size adds to the deviation of ln a.
-    pub beyond_measured: f64,
     stated: Twin,
     built: Twin,
     /// The muscle itself, and it with a constant below and above its centre and half of what lies
@@ -67,10 +65,7 @@ impl Predictor {
         let prior = Prior::of(muscle, experience);
         match muscle.any_bench() {
             Some(bench) => Self::identified(muscle, bench, &prior, experience),
-            None => Some(Self {
-                beyond_measured: beyond_measured(muscle),
-                ..Self::about(muscle, prior.centre, prior.covariance())?
-            }),
+            None => Self::about(muscle, prior.centre, prior.covariance()),
         }
     }
 
@@ -91,38 +86,32 @@ impl Predictor {
             }
         }
         let scatter = if bench.laboratory.is_some() || muscle.differs_from_identified() {
-            Some(experience.specimen)
+            let mut specimen = experience.specimen;
+            let factor = &mut specimen[Constant::PullFactor as usize];
+            *factor = factor.hypot(beyond_measured(muscle));
+            Some(specimen)
         } else {
             (!muscle.has_own_points()).then_some(experience.length)
         };
         for (i, deviation) in scatter.into_iter().flatten().enumerate() {
             covariance[i][i] += deviation * deviation;
         }
-        let beyond_measured = if muscle.differs_from_identified() {
-            beyond_measured(muscle)
-        } else {
-            0.0
-        };
-        let factor = Constant::PullFactor as usize;
-        covariance[factor][factor] += beyond_measured * beyond_measured;
         let mut out = Self::about(muscle, centre, covariance)?;
         out.is_identified = true;
-        out.beyond_measured = beyond_measured;
-        out.variance_factor = bench.variance_factor.unwrap_or(1.0);
+        out.variance_factor = bench.variance_factor.map_or(1.0, |factor| factor.max(1.0));
         out.unlocked = unlocked(muscle);
         if scatter.is_none() {
-            let row = |(i, &(p, e, sign, off_n)): (usize, &OwnPoint)| {
+            let row = |&(p, e, sign, off_n): &OwnPoint| {
                 let mut at = out.at(p, e, sign)?;
                 // A stated law errs by a share of itself.
                 if let Some(law) = muscle.friction() {
                     at.slopes[Constant::Friction as usize] = sign * law.half_width_n(p, 0.0);
                 }
-                let noise_n = bench.own_noise.get(i).copied();
-                Some(((at.place, off_n, at.slopes), noise_n))
+                Some((at.place, off_n, at.slopes))
             };
-            let rows = bench.own_points.iter().enumerate().filter_map(row);
-            let (rows, noise_n): (Vec<_>, Vec<_>) = rows.unzip();
-            out.learnt = Learnt::new(&rows, &noise_n, bench.pressure_mpa.1);
+            let rows: Option<Vec<_>> = bench.own_points.iter().map(row).collect();
+            out.learnt =
+                rows.and_then(|rows| Learnt::new(&rows, &bench.own_noise, bench.pressure_mpa.1));
         }
         Some(out)
     }
@@ -140,7 +129,6 @@ impl Predictor {
             is_identified: false,
             learnt: None,
             variance_factor: 1.0,
-            beyond_measured: 0.0,
         })
     }
 

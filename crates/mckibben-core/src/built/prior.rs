@@ -19,6 +19,15 @@ pub struct Belief {
     pub deviation: f64,
 }
 
+impl Belief {
+    fn wider(self, by: f64) -> Self {
+        Self {
+            deviation: self.deviation.hypot(by),
+            ..self
+        }
+    }
+}
+
 /// What measured muscles tell of those that were not measured.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -149,21 +158,12 @@ impl Prior {
             deviation,
         };
         let beliefs = [
-            Belief {
-                deviation: experience
-                    .pull_factor
-                    .deviation
-                    .hypot(beyond_measured(muscle)),
-                ..experience.pull_factor
-            },
+            experience.pull_factor.wider(beyond_measured(muscle)),
             beside(experience.seating, terminals.seating_mm),
             beside(compliance, terminals.slip_mm_per_n),
             beside(experience.take_up, braid.take_up_mpa),
             // A factor within which it is known is a 95 % bound.
-            Belief {
-                deviation: experience.modulus.deviation.hypot(0.5 * within.ln()),
-                ..experience.modulus
-            },
+            experience.modulus.wider(0.5 * within.ln()),
             about_zero(angle_deg),
             about_zero(strands),
             friction,

@@ -138,7 +138,7 @@ fn one_point_moves_the_pull_towards_it() {
         contraction: 0.1,
         blocked_n: 1000.0,
     };
-    let learnt = Learnt::new(&[(place, 50.0, [0.0; 8])], &[None], 0.3).unwrap();
+    let learnt = Learnt::new(&[(place, 50.0, [0.0; 8])], &[], 0.3).unwrap();
     let (k, n) = ((DISCREPANCY * 1000.0).powi(2), (NOISE * 1000.0).powi(2));
     let (own_n, _, left) = learnt.at(&place, [0.0; 8]);
     assert!((own_n - 50.0 * k / (k + n)).abs() < 1e-9);

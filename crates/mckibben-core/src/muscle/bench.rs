@@ -106,14 +106,10 @@ impl Bench {
         text.add("range", &[self.points as f64, p, q, low, high]);
         text.add("constants", &[self.pull_factor, self.friction_share]);
         // Files of before do not state it.
-        for (name, values) in [
-            ("shift", &self.shift[..]),
-            ("own noise", &self.own_noise),
-            ("variance factor", self.variance_factor.as_slice()),
-        ] {
-            if !values.is_empty() {
-                text.add(name, values);
-            }
+        let factor = self.variance_factor.as_slice();
+        let later = [&self.shift[..], &self.own_noise, factor].concat();
+        if !later.is_empty() {
+            text.add("shift", &later);
         }
         for &(p, e, sign, off_n) in &self.own_points {
             text.add("point", &[p, e, sign, off_n]);

@@ -11,6 +11,7 @@ use crate::{
     rubber::MODULI,
 };
 use mckibben_core::{
+    built::HALF_95,
     by_number::SortByNumber,
     cancel,
     extremes::peak,
@@ -21,6 +22,7 @@ use mckibben_core::{
         measures::{ANGLE, SEATING, SLIP},
     },
     rubber::RubberLaw,
+    units::tidy,
 };
 use std::cmp::Ordering;
 
@@ -36,14 +38,9 @@ pub fn lines(list: &[u64]) -> String {
 }
 
 /// A number with three digits.
-fn show(v: f64) -> String {
-    let decimals = if v == 0.0 {
-        0
-    } else {
-        (2 - v.abs().log10().floor() as i32).clamp(0, 8) as usize
-    };
+fn show(v: f64) -> f64 {
     // Adding zero takes the sign from −0.
-    format!("{:.decimals$}", v + 0.0)
+    tidy(v, 3) + 0.0
 }
 
 /// Points that state no branch.
@@ -308,49 +305,41 @@ pub fn zero_of_load_cell(request: &PosteriorRequest<'_>) -> Option<String> {
     };
     let zero = with.posterior().ok()??.zero?;
     let size_n = zero.value_n.abs();
-    let is_seen = size_n > 1.96 * zero.deviation_n && size_n < MOST * zero.before_n;
+    let is_seen = size_n > HALF_95 * zero.deviation_n && size_n < MOST * zero.before_n;
     is_seen.then(|| {
         format!(
-            "the load cell seems to show {} N without a pull: look at its zero, or free \
+            "the load cell seems to show {} ± {} N without a pull: look at its zero, or free \
              `force_offset`",
-            show(zero.value_n)
+            show(zero.value_n),
+            show(HALF_95 * zero.deviation_n)
         )
     })
 }
 
 /// That points as these come from such a muscle less than once in a thousand benches: by χ² of all
-/// of them, or by a constant that they moved too far.
+/// of them, or by a constant that they move too far.
 pub fn mismatch(found: &Posterior, base: &Muscle) -> Option<String> {
-    /// Normal deviates that are exceeded once in a thousand times, on one side; on both by any of eight.
+    /// A normal deviate is above it once in a thousand times, and one of eight above that on either side.
     const RARE: f64 = 3.09;
     const RARE_OF_EIGHT: f64 = 3.84;
-    /// Deviations before that are worth a word.
-    const MOVED: f64 = 1.5;
     let n = found.points.len() as f64;
-    // Of n degrees of freedom, by Wilson & Hilferty 1931 [wilson1931].
-    let spread = 2.0 / (9.0 * n);
-    let most = n * (1.0 - spread + RARE * spread.sqrt()).powi(3);
+    // χ² of n degrees of freedom as a normal deviate: Wilson & Hilferty 1931 [wilson1931].
+    let variance = 2.0 / (9.0 * n);
+    let of_all = ((found.chi_squared / n).cbrt() - 1.0 + variance) / variance.sqrt();
     let moved = Shown::all(base).map(|shown| (shown.moved(found), shown.name(base)));
     let mut moved: Vec<([f64; 2], String)> = moved.collect();
-    if found.chi_squared < most && moved.iter().all(|([_, z], _)| z.abs() < RARE_OF_EIGHT) {
+    if of_all < RARE && moved.iter().all(|([_, z], _)| z.abs() < RARE_OF_EIGHT) {
         return None;
     }
-    moved.retain(|([by, _], _)| by.abs() > MOVED);
     moved.sort_by_number(|([by, _], _)| -by.abs());
-    let moved = moved
-        .iter()
-        .map(|([by, _], name)| format!("{name} by {by:+.1}"));
-    let moved = joined(moved, ", ");
-    let moved = if moved.is_empty() {
-        moved
-    } else {
-        format!("; they move {moved} standard deviations from what is known of such muscles")
-    };
-    let chi_squared = show(found.chi_squared);
+    let moved = moved.iter().take(2);
+    let moved = moved.map(|([by, _], name)| format!("{name} by {by:+.1}"));
     Some(format!(
-        "these points hardly belong to this muscle: χ² is {chi_squared} for {n} of them{moved}. Look at \
-         the unit of the pull, at gauge or absolute pressure, for a leak, another sleeve, a radius \
-         in place of a diameter"
+        "these points hardly belong to this muscle: χ² is {} for {n} of them, and they move {} \
+         standard deviations. Look at the unit of the pull, at gauge or absolute pressure, for a \
+         leak, another sleeve, a radius in place of a diameter",
+        show(found.chi_squared),
+        joined(moved, " and ")
     ))
 }
 
@@ -394,9 +383,10 @@ fn correlated(result: &Identification) -> Vec<String> {
     out
 }
 
-/// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the
-/// correlation ρ of their residuals, −1 to 1.
-pub fn neighbours(points: &[PointFit]) -> (usize, f64) {
+/// Residuals of neighbours on a curve (one muscle, pressure and branch, by contraction) that resemble
+/// each other: the error of the model has a pattern, and the standard errors, which take residuals for
+/// noise, are too small. With ρ the correlation of neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
+pub fn pattern(points: &[PointFit]) -> Option<String> {
     let mut order: Vec<&PointFit> = points.iter().collect();
     order.sort_by(|a, b| {
         compare_curves(&a.point, &b.point)
@@ -408,17 +398,9 @@ pub fn neighbours(points: &[PointFit]) -> (usize, f64) {
         .collect();
     let square: f64 = pairs.iter().map(|p| 0.5 * (p.0 * p.0 + p.1 * p.1)).sum();
     let together: f64 = pairs.iter().map(|p| p.0 * p.1).sum();
-    let alike = if square > 0.0 { together / square } else { 0.0 };
-    (pairs.len(), alike)
-}
-
-/// Residuals of neighbours that resemble each other: the error of the model has a pattern, and the
-/// standard errors, which take residuals for noise, are too small. With ρ the correlation of
-/// neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
-pub fn pattern(points: &[PointFit]) -> Option<String> {
-    let (pairs, rho) = neighbours(points);
+    let rho = together / square.max(f64::MIN_POSITIVE);
     // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
-    if pairs < 10 || rho < 3.0 / (pairs as f64).sqrt() {
+    if pairs.len() < 10 || rho < 3.0 / (pairs.len() as f64).sqrt() {
         return None;
     }
     let rho = rho.min(0.999);

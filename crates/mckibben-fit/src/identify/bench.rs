@@ -56,30 +56,31 @@ pub fn left_over(
 
 /// What a posterior says of the muscle with its constants; `None` where no point is of its length.
 pub fn written(
-    request: &IdentificationRequest<'_>,
-    (muscle, found): (&Muscle, &Constants),
+    muscle: &Muscle,
     posterior: &Posterior,
     model: String,
+    history: bool,
 ) -> Option<Bench> {
     let is_own = |p: &DataPoint| p.section.apply(muscle).is_ok_and(|m| m == *muscle);
     let all: Vec<DataPoint> = posterior.points.iter().map(|p| p.0).collect();
     let own = posterior.points.iter().filter(|(point, ..)| is_own(point));
-    let (own_points, own_noise): (Vec<OwnPoint>, Vec<f64>) = own
-        .map(|&(DataPoint { at, .. }, predicted_n, noise_n)| {
-            let off_n = digits(at.force_n - predicted_n);
-            let sign = at.direction().sign();
-            let own = (at.pressure_mpa, at.contraction, sign, off_n);
-            (own, digits(noise_n))
-        })
-        .unzip();
-    let order = spread(&own_points);
-    let is_stated = |p: &DataPoint| p.error.is_some() || p.weight != 1.0;
-    let factor = posterior.variance_factor;
-    if order.is_empty() {
+    let own = own.map(|&(DataPoint { at, .. }, off_n, noise_n)| {
+        let sign = at.direction().sign();
+        let own = (at.pressure_mpa, at.contraction, sign, digits(off_n));
+        (own, digits(noise_n))
+    });
+    let own: Vec<(OwnPoint, f64)> = own.collect();
+    if own.is_empty() {
         return None;
     }
+    let (own_points, mut own_noise): (Vec<_>, Vec<_>) = spread(own).into_iter().unzip();
+    let is_usual = |p: &DataPoint| p.error.is_none() && p.weight == 1.0;
+    if all.iter().all(is_usual) {
+        own_noise.clear();
+    }
+    let factor = posterior.variance_factor;
     // The first row in time order may state none: the way of the others is known.
-    let stated = request.history || all.iter().all(|p| p.at.branch.is_some());
+    let stated = history || all.iter().all(|p| p.at.branch.is_some());
     let seen = |b: &Direction| stated && all.iter().any(|p| p.at.branch == Some(*b));
     let mut lengths_mm = vec![muscle.length_mm()];
     for length in all.iter().filter_map(|p| p.section.length_mm) {
@@ -87,12 +88,6 @@ pub fn written(
             lengths_mm.push(length);
         }
     }
-    let before = request.muscle.bench();
-    let shift = Constant::ALL.iter().zip(found).map(|(constant, x)| {
-        let at = |bench: &Bench| bench.constants.iter().position(|c| c == constant);
-        let earlier = before.and_then(|bench| bench.shift.get(at(bench)?));
-        digits(x + earlier.unwrap_or(&0.0))
-    });
     let bench = Bench {
         laboratory: None,
         model,
@@ -104,37 +99,44 @@ pub fn written(
         pull_factor: digits(posterior.constants[Constant::PullFactor as usize].exp()),
         friction_share: digits(posterior.constants[Constant::Friction as usize]),
         constants: Constant::ALL.to_vec(),
-        shift: shift.collect(),
+        shift: vec![],
         covariance: posterior
             .covariance
             .iter()
             .map(|row| row.iter().map(|v| digits(factor * v)).collect())
             .collect(),
         variance_factor: Some(digits(factor)).filter(|factor| *factor > 1.0),
-        own_points: order.iter().map(|&i| own_points[i]).collect(),
-        own_noise: match all.iter().any(is_stated) {
-            true => order.iter().map(|&i| own_noise[i]).collect(),
-            false => vec![],
-        },
+        own_points,
+        own_noise,
         of: String::new(),
     };
     Some(bench.sealed(muscle))
 }
 
-/// The points that tell most, by their places: each farthest from those before it, the first with the
-/// largest pressure.
-fn spread(points: &[OwnPoint]) -> Vec<usize> {
-    let highest_mpa = ends(points.iter().map(|p| p.0)).1.max(1e-3);
-    let apart = |a: &OwnPoint, b: &OwnPoint| {
+/// With the constants that were found beside a muscle, and what had been found of it before.
+pub fn shifted(mut bench: Bench, base: &Muscle, found: &Constants) -> Bench {
+    let shift = Constant::ALL.iter().zip(found).map(|(constant, x)| {
+        let at = |bench: &Bench| bench.constants.iter().position(|c| c == constant);
+        let earlier = base.bench().and_then(|bench| bench.shift.get(at(bench)?));
+        digits(x + earlier.unwrap_or(&0.0))
+    });
+    bench.shift = shift.collect();
+    bench
+}
+
+/// The points that tell most: each farthest from those before it, the first with the largest
+/// pressure.
+fn spread(mut points: Vec<(OwnPoint, f64)>) -> Vec<(OwnPoint, f64)> {
+    let highest_mpa = ends(points.iter().map(|(p, _)| p.0)).1.max(1e-3);
+    let apart = |(a, _): &(OwnPoint, f64), (b, _): &(OwnPoint, f64)| {
         let by_pressure = (a.0 - b.0) / (APART.1 * highest_mpa);
         by_pressure.hypot((a.1 - b.1) / APART.0).hypot(a.2 - b.2)
     };
-    let mut by_pressure: Vec<usize> = (0..points.len()).collect();
-    by_pressure.sort_by_number(|&i| -points[i].0);
+    points.sort_by_number(|(a, _)| -a.0);
     let order = farthest_first(points.len(), Bench::OWN_POINTS, |i, k| {
-        apart(&points[by_pressure[i]], &points[by_pressure[k]])
+        apart(&points[i], &points[k])
     });
-    order.into_iter().map(|i| by_pressure[i]).collect()
+    order.into_iter().map(|i| points[i]).collect()
 }
 
 /// Some of `count` things, by their places: the first one, then each farthest from those before it; of

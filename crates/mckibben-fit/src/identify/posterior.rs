@@ -24,11 +24,10 @@
 //! ```
 //!
 //! A zero z of the load cell adds to the measured pulls (1 where a pull was measured, 0 elsewhere:
-//! the column e). With its prior N(0, s²), s the largest pull, q = eᵀR⁻¹e + 1/s² and b = JᵀR⁻¹e, it is
-//! eliminated from the normal equations of both:
+//! the column e). With its prior N(0, s²), s the largest pull, R has s² e eᵀ more, and
 //!
 //! ```text
-//! A → A − b bᵀ/q,   JᵀR⁻¹(y − f) → JᵀR⁻¹(y − f) − b z,   z = eᵀR⁻¹(y − f)/q,   var z = 1/q + bᵀC b/q²
+//! z = s² eᵀR⁻¹(y − f),   var z = s² − s⁴ eᵀR⁻¹e + bᵀC b,   b = s² JᵀR⁻¹e
 //! ```
 
 use super::{Build, IdentifyError, Result, by_section::by_section};
@@ -54,6 +53,8 @@ const CONSTANTS: usize = Constant::ALL.len();
 const STEPS: usize = 100;
 /// Steps that shrink by less than to this share of the one before are followed to their end.
 const MOST_STEADY: f64 = 0.95;
+/// ν0.
+const BEFORE: f64 = 8.0;
 /// A step below this share of a prior's deviation is none.
 const SMALL: f64 = 1e-6;
 
@@ -74,7 +75,7 @@ pub struct Posterior {
     pub prior: Prior,
     /// rms of the points about the centre of the prior, in N.
     pub rms_before_n: f64,
-    /// Each point, without the zero, with the pull of the constants and the noise there, in N.
+    /// Each point, without the zero, with its pull less that of the constants and its noise, in N.
     pub points: Vec<(DataPoint, f64, f64)>,
     /// What the load cell shows without a pull, in N, where it is sought.
     pub zero: Option<Zero>,
@@ -138,11 +139,9 @@ pub fn without_zero(mut point: DataPoint, zero_n: f64) -> DataPoint {
     point
 }
 
-/// The zero of the load cell at some constants, q and b.
-struct Eliminated {
-    value_n: f64,
-    q: f64,
-    b: DVector<f64>,
+/// 1 of a point whose pull was measured, else 0.
+fn by_load_cell(point: &DataPoint) -> f64 {
+    f64::from(u8::from(point.measured == Quantity::Force))
 }
 
 /// Of a value the nearest one within bounds.
@@ -211,6 +210,11 @@ impl PosteriorRequest<'_> {
         let highest_mpa = peak(rows.iter().map(|r| r.1.place.pressure_mpa));
         let blocked_n = peak(rows.iter().map(|r| r.1.place.blocked_n));
         let between = self.experience.length;
+        let zero = if self.zero {
+            self.zero_before_n().powi(2)
+        } else {
+            0.0
+        };
         let is_own =
             |section: &Section| section.apply(self.muscle).is_ok_and(|m| m == *self.muscle);
         let mut own: Vec<Section> = vec![];
@@ -220,11 +224,12 @@ impl PosteriorRequest<'_> {
             }
         }
         DMatrix::from_fn(rows.len(), rows.len(), |i, j| {
-            let ((point, a), (_, b)) = (rows[i], rows[j]);
+            let ((point, a), (other, b)) = (rows[i], rows[j]);
+            let mut out = zero * by_load_cell(point) * by_load_cell(other);
             if a.section != b.section {
-                return 0.0;
+                return out;
             }
-            let mut out = kernel(&a.place, &b.place, highest_mpa);
+            out += kernel(&a.place, &b.place, highest_mpa);
             if !own.contains(&a.section) {
                 let each = between.iter().zip(&a.slopes).zip(&b.slopes);
                 out += each.map(|((s, x), y)| s * s * x * y).sum::<f64>();
@@ -284,22 +289,20 @@ impl PosteriorRequest<'_> {
 
     /// Standard deviation of a zero of the load cell before: the largest measured pull, in N.
     fn zero_before_n(&self) -> f64 {
-        let is_force = |p: &&DataPoint| p.measured == Quantity::Force;
         peak(
             self.points
                 .iter()
-                .filter(is_force)
-                .map(|p| p.at.force_n.abs()),
+                .map(|p| by_load_cell(p) * p.at.force_n.abs()),
         )
     }
 
-    /// A step towards the largest posterior within bounds, A with χ², and what eliminates the zero.
+    /// A step towards the largest posterior within bounds, and what constants say before it.
     fn step(
         &self,
         x: &Constants,
         known: &[(&DataPoint, &Row)],
         (bounds, in_model): (&[(f64, f64); CONSTANTS], &[bool; CONSTANTS]),
-    ) -> Option<(Constants, (DMatrix<f64>, f64), Option<Eliminated>)> {
+    ) -> Option<(Constants, Posterior)> {
         let n = known.len();
         let root = self.covariance(known).cholesky()?;
         let slope = |i: usize, c: usize| f64::from(in_model[c]) * known[i].1.slopes[c];
@@ -312,20 +315,6 @@ impl PosteriorRequest<'_> {
         let mut a = j.transpose() * &weighted;
         let mut right = weighted.transpose() * &off;
         let mut chi_squared = off.dot(&root.solve(&off));
-        let zero = self.zero.then(|| {
-            let is_force = known
-                .iter()
-                .map(|k| f64::from(u8::from(k.0.measured == Quantity::Force)));
-            let e = root.solve(&DVector::from_iterator(n, is_force.clone()));
-            let q = e.iter().zip(is_force).map(|(e, one)| e * one).sum::<f64>()
-                + self.zero_before_n().powi(-2);
-            let b = j.transpose() * &e;
-            let value_n = e.dot(&off) / q;
-            a -= &b * b.transpose() / q;
-            right -= &b * value_n;
-            chi_squared -= q * value_n * value_n;
-            Eliminated { value_n, q, b }
-        });
         let Prior { centre, deviation } = self.prior;
         for c in 0..CONSTANTS {
             // A constant that is known needs no search.
@@ -334,20 +323,53 @@ impl PosteriorRequest<'_> {
             right[c] -= (x[c] - centre[c]) / variance;
             chi_squared += (x[c] - centre[c]).powi(2) / variance;
         }
+        let covariance = a.clone().cholesky()?.inverse();
+        let variance_factor = ((BEFORE + chi_squared) / (BEFORE + n as f64)).max(1.0);
+        let zero = self.zero.then(|| {
+            let before_n = self.zero_before_n();
+            let e = DVector::from_iterator(n, known.iter().map(|k| by_load_cell(k.0)));
+            let told = root.solve(&e) * (before_n * before_n);
+            let b = j.transpose() * &told;
+            let left = before_n * before_n * (1.0 - told.dot(&e)) + b.dot(&(&covariance * &b));
+            Zero {
+                value_n: told.dot(&off),
+                deviation_n: (variance_factor * left).sqrt(),
+                before_n,
+            }
+        });
+        let zero_n = zero.as_ref().map_or(0.0, |zero| zero.value_n);
+        let blocked_n = peak(known.iter().map(|k| k.1.place.blocked_n));
+        let points = known.iter().map(|(point, row)| {
+            let point_without = without_zero(**point, zero_n);
+            let off_n = point_without.at.force_n - row.predicted_n;
+            (point_without, off_n, row.noise_n(point, blocked_n))
+        });
+        let posterior = Posterior {
+            at_bound: from_fn(|c| x[c] <= bounds[c].0 || x[c] >= bounds[c].1),
+            constants: *x,
+            covariance: (0..CONSTANTS)
+                .map(|i| from_fn(|k| covariance[(i, k)]))
+                .collect(),
+            chi_squared,
+            variance_factor,
+            prior: self.prior.clone(),
+            rms_before_n: 0.0,
+            points: points.collect(),
+            zero,
+        };
         // A constant that would leave its bounds is held on one, and the others are sought again.
         const HELD: f64 = 1e9;
-        let mut with_held = a.clone();
         let mut is_held = [false; CONSTANTS];
         loop {
-            let step = with_held.clone().cholesky()?.solve(&right);
+            let step = a.clone().cholesky()?.solve(&right);
             let next: Constants = from_fn(|c| x[c] + step[c]);
             let within = |c: usize| clamp(next[c], bounds[c]);
             let Some(c) = (0..CONSTANTS).find(|&c| !is_held[c] && within(c) != next[c]) else {
-                return Some((next, (a, chi_squared), zero));
+                return Some((next, posterior));
             };
             is_held[c] = true;
             let stiff = HELD * a[(c, c)];
-            with_held[(c, c)] += stiff;
+            a[(c, c)] += stiff;
             right[c] += stiff * (within(c) - x[c]);
         }
     }
@@ -380,7 +402,7 @@ impl PosteriorRequest<'_> {
                 let off = known.iter().map(|(p, row)| row.predicted_n - p.at.force_n);
                 rms_before_n = Errors::new(off).rms;
             }
-            let Some((mut next, a, zero)) = self.step(&x, &known, (&bounds, &in_model)) else {
+            let Some((mut next, found)) = self.step(&x, &known, (&bounds, &in_model)) else {
                 return Ok(None);
             };
             for c in 0..CONSTANTS {
@@ -393,7 +415,10 @@ impl PosteriorRequest<'_> {
                 from_fn(|c| (next[c] - x[c]) / deviation[c].max(f64::MIN_POSITIVE));
             let small = step.iter().all(|s| s.abs() < SMALL);
             if !self.search || small {
-                return Ok(self.found(x, &bounds, (&a, zero), &known, rms_before_n));
+                return Ok(Some(Posterior {
+                    rms_before_n,
+                    ..found
+                }));
             }
             // Of steps that shrink by a steady share, or go to and fro, the sum is taken at once.
             let dot = |other: &[f64; CONSTANTS]| -> f64 {
@@ -415,45 +440,5 @@ impl PosteriorRequest<'_> {
             reason,
             at,
         }))
-    }
-
-    fn found(
-        &self,
-        constants: Constants,
-        bounds: &[(f64, f64); CONSTANTS],
-        ((a, chi_squared), zero): (&(DMatrix<f64>, f64), Option<Eliminated>),
-        known: &[(&DataPoint, &Row)],
-        rms_before_n: f64,
-    ) -> Option<Posterior> {
-        let inverse = a.clone().cholesky()?.inverse();
-        /// ν0.
-        const BEFORE: f64 = 8.0;
-        let variance_factor = ((BEFORE + chi_squared) / (BEFORE + known.len() as f64)).max(1.0);
-        let blocked_n = peak(known.iter().map(|k| k.1.place.blocked_n));
-        let zero = zero.map(|Eliminated { value_n, q, b }| Zero {
-            value_n,
-            deviation_n: (variance_factor * (1.0 / q + b.dot(&(&inverse * &b)) / (q * q))).sqrt(),
-            before_n: self.zero_before_n(),
-        });
-        let zero_n = zero.as_ref().map_or(0.0, |zero| zero.value_n);
-        Some(Posterior {
-            zero,
-            at_bound: from_fn(|c| constants[c] <= bounds[c].0 || constants[c] >= bounds[c].1),
-            constants,
-            covariance: (0..CONSTANTS)
-                .map(|i| from_fn(|k| inverse[(i, k)]))
-                .collect(),
-            prior: self.prior.clone(),
-            chi_squared: *chi_squared,
-            variance_factor,
-            rms_before_n,
-            points: known
-                .iter()
-                .map(|(point, row)| {
-                    let noise_n = row.noise_n(point, blocked_n);
-                    (without_zero(**point, zero_n), row.predicted_n, noise_n)
-                })
-                .collect(),
-        })
     }
 }

@@ -274,32 +274,6 @@ impl Residuals for Pulls<'_> {
     fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
         self.rows(x)?.into_iter().map(Result::ok).collect()
     }
-
-    /// Of C and β of measured pulls in no order: ± P^β, and ± C P^β ln P.
-    fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        if self.means.is_empty()
-            || self.request.history
-            || self.points.iter().any(|p| p.measured != Quantity::Force)
-        {
-            return None;
-        }
-        let law = *self.muscle_at(x)?.friction()?;
-        let column = |target: &Target| {
-            let factor: fn(&Friction, f64) -> f64 = match target {
-                Target::Measure(m) if **m == FRICTION_COEFFICIENT => |_, _| 1.0,
-                Target::Measure(m) if **m == FRICTION_EXPONENT => |law, p| law.coefficient * p.ln(),
-                _ => return None,
-            };
-            let one = |point: &DataPoint| match point.at.pressure_mpa {
-                p if p > 0.0 => {
-                    point.at.direction().sign() * p.powf(law.exponent) * factor(&law, p)
-                }
-                _ => 0.0,
-            };
-            Some(self.points.iter().map(one).collect())
-        };
-        self.targets.iter().map(column).collect()
-    }
 }
 
 fn parameters(problem: &Pulls<'_>, unknowns: &[Unknown], found: &Estimate) -> Vec<Identified> {

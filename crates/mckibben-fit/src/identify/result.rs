@@ -1,10 +1,7 @@
 //! The result of an identification.
 
 use super::Target;
-use crate::{
-    least_squares::Errors,
-    measured::{DataPoint, Quantity},
-};
+use crate::{least_squares::Errors, measured::DataPoint};
 use mckibben_core::muscle::{Bench, Direction, Muscle};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -46,11 +43,8 @@ pub struct Identified {
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct PointFit {
     pub point: DataPoint,
-    /// Model less measured, in the unit of the measured quantity: N, –, MPa, mm³.
-    pub residual: f64,
-    /// The same in N.
+    /// Model less measured, N.
     pub residual_n: f64,
-    pub weight: f64,
     /// Whether it is an outlier.
     pub outlier: bool,
 }
@@ -89,7 +83,7 @@ pub struct Identification {
     /// Points that counted.
     #[serde(rename = "degrees_of_freedom")]
     pub freedom: usize,
-    /// Residuals by branch, by measured quantity, and by table.
+    /// Residuals by branch and by table.
     pub spreads: Vec<Spread>,
     /// Points that were left out because the muscle was slack.
     #[serde(skip)]
@@ -139,7 +133,7 @@ pub fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
     }
 }
 
-/// By branch, by quantity and by set, where there is more than one.
+/// By branch and by set, where there is more than one.
 pub fn spreads(points: &[PointFit]) -> Vec<Spread> {
     let group = |label: String, keep: &dyn Fn(&PointFit) -> bool| {
         let list: Vec<f64> = points
@@ -157,9 +151,7 @@ pub fn spreads(points: &[PointFit]) -> Vec<Spread> {
     ];
     let branches =
         branches.map(|(label, branch)| group(label.into(), &|p| p.point.at.branch == branch));
-    let read = Quantity::WORDS
-        .map(|(word, quantity)| group(format!("read: {word}"), &|p| p.point.measured == quantity));
-    let mut out: Vec<Spread> = branches.into_iter().chain(read).flatten().collect();
+    let mut out: Vec<Spread> = branches.into_iter().flatten().collect();
     let sets = points.iter().map(|p| p.point.set).max().unwrap_or(0);
     out.extend((0..=sets).filter_map(|s| group(format!("data {}", s + 1), &|p| p.point.set == s)));
     out

@@ -160,10 +160,7 @@ fn identified(
     let points = if request.history && !law.left.is_empty() {
         fits(law.left)
     } else {
-        let off = left
-            .points
-            .iter()
-            .map(|(point, predicted_n, _)| (*point, predicted_n - point.at.force_n));
+        let off = left.points.iter().map(|(point, off_n, _)| (*point, -off_n));
         fits(off.collect())
     };
     // Constants that are held are not known better for it.
@@ -184,7 +181,9 @@ fn identified(
         .chain(found.zero.as_ref().map(Zero::identified))
         .collect();
     Ok(Identification {
-        bench: bench::written(request, (&muscle, &found.constants), &left, model),
+        bench: bench::written(&muscle, &left, model, request.history).map(|written| {
+            bench::shifted(written, request.muscle, &found.constants).sealed(&muscle)
+        }),
         correlation: correlation(&parameters, found),
         spreads: spreads(&points),
         freedom: points.len(),
@@ -242,9 +241,7 @@ fn fits(left: Vec<(DataPoint, f64)>) -> Vec<PointFit> {
             measured: Quantity::Force,
             ..point
         },
-        residual: off[i],
         residual_n: off[i],
-        weight: weights[i],
         outlier: outliers[i],
     };
     points.into_iter().enumerate().map(one).collect()

@@ -1,9 +1,12 @@
 //! `[identified]`: what a bench says of the muscle, written by `identify` and read again.
 
 use super::{error::FileError, source::Source};
-use crate::muscle::{Bench, Direction};
+use crate::{
+    built::learnt::cholesky,
+    muscle::{Bench, Direction},
+};
 
-/// Rows and columns at most.
+/// Lengths at most.
 const MOST: usize = 64;
 const LONGEST: usize = 200;
 
@@ -11,15 +14,8 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
     let is_name =
         |name: &str| !name.is_empty() && name.len() <= LONGEST && !name.contains(char::is_control);
     let is_range = |(low, high): (f64, f64)| low <= high;
-    let is_table = |rows: &[Vec<f64>]| {
-        rows.len() <= MOST
-            && rows
-                .iter()
-                .all(|row| row.len() <= MOST && row.len() == rows[0].len())
-    };
     let name = "must be a short text on one line";
     let range = "must hold the lowest and the highest value";
-    let table = "must hold rows of numbers, each of as many, at most 64 of at most 64";
     let Bench {
         contraction,
         constants,
@@ -56,17 +52,6 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
         ),
         ("pull_factor", bench.pull_factor > 0.0, "must be above zero"),
         (
-            "variance_factor",
-            bench.variance_factor.is_none_or(|factor| factor >= 1.0),
-            "must be at least 1",
-        ),
-        (
-            "own_noise",
-            [0, own_points.len()].contains(&bench.own_noise.len())
-                && bench.own_noise.iter().all(|n| *n > 0.0),
-            "must hold a pull above zero for each of `own_points`",
-        ),
-        (
             "friction_share",
             bench.friction_share >= 0.0,
             "must not be below zero",
@@ -80,7 +65,6 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
                     .all(|p| p.0 >= 0.0 && p.1.abs() < 1.0 && p.2.abs() <= 1.0),
             "must hold up to 20 points of pressure, contraction, branch (-1, 0 or 1) and pull",
         ),
-        ("covariance", is_table(covariance), table),
         (
             "covariance",
             is_covariance(covariance, constants.len()),
@@ -101,8 +85,7 @@ pub fn check(bench: &Bench, source: &Source<'_>) -> Result<(), FileError> {
         })
 }
 
-/// Whether rows are a covariance of so many: symmetric, and with no pivot below zero in LDLᵀ, to
-/// rounding.
+/// Whether rows are a covariance of so many: symmetric, and positive definite to rounding.
 fn is_covariance(rows: &[Vec<f64>], n: usize) -> bool {
     const ROUNDING: f64 = 1e-9;
     let symmetric = |i: usize, k: usize| {
@@ -115,22 +98,9 @@ fn is_covariance(rows: &[Vec<f64>], n: usize) -> bool {
     {
         return false;
     }
-    let mut left = rows.to_vec();
-    for k in 0..n {
-        let pivot = left[k][k];
-        let least = ROUNDING * rows[k][k].abs();
-        let of_pivot = left[k].clone();
-        if pivot < -least {
-            return false;
-        }
-        for i in k + 1..n {
-            let beside = of_pivot[i];
-            if pivot > least {
-                (k..n).for_each(|j| left[i][j] -= beside * of_pivot[j] / pivot);
-            } else if beside * beside > least * rows[i][i] {
-                return false;
-            }
-        }
+    let mut rounded = rows.to_vec();
+    for (i, row) in rounded.iter_mut().enumerate() {
+        row[i] += ROUNDING * row[i].abs() + f64::MIN_POSITIVE;
     }
-    true
+    cholesky(&rounded).is_some()
 }
