@@ -4,7 +4,7 @@
 pub use crate::analysis::Options;
 
 use crate::{
-    analysis::{AnalysisError, Evaluation, root_near},
+    analysis::{AnalysisError, Evaluation, root_near, straight_strands},
     built::{Built, UncertaintyParts},
     model::{ModelError, Response, Result},
     muscle::Direction,
@@ -264,7 +264,7 @@ impl Evaluation<'_> {
         let slope = self.force_per_pressure_mm2(&answer.response).ok();
         let at = |p: f64| (p, contraction);
         let reach = REACH * pressure_mpa.max(FLAT_MPA);
-        let sought = self.built_at(&answer, (pressure_mpa, slope, reach), at, |_| 0.0);
+        let sought = self.built_at(&answer, (pressure_mpa, slope, reach), at, |_| 0.0, None);
         answer.predicted_mpa = sought.median;
         (answer.predicted_low_mpa, answer.predicted_high_mpa) = sought.ends.unzip();
         answer.pressure_uncertainty_mpa = sought.half();
@@ -274,13 +274,15 @@ impl Evaluation<'_> {
 
     /// Where the median and the ends of the pull of a muscle that is built are the pull of an answer
     /// and `more_n` of the place, from the place of the answer and the slope of the pull there, up to
-    /// `reach` away. `at` gives pressure and contraction of a place.
+    /// `reach` away; an end that is nowhere is at its limit. `at` gives pressure and contraction of a
+    /// place.
     fn built_at(
         &mut self,
         answer: &Answer,
         (place, slope, reach): (f64, Option<f64>, f64),
         at: impl Fn(f64) -> (f64, f64),
         more_n: impl Fn(f64) -> f64,
+        limits: Option<(f64, f64)>,
     ) -> Sought {
         let Some(slope) = slope.filter(|_| answer.built.is_some()) else {
             return Sought::default();
@@ -312,10 +314,14 @@ impl Evaluation<'_> {
             let missed = |x: f64| Some(end(&built(x)?) - force_n - more_n(x));
             root_near(missed, (place, slope, reach))
         });
+        let (least, most) = limits.unzip();
         Sought {
             median,
             // Where the pull rises with what is sought, its upper end is met first.
-            ends: low.zip(high).map(|(a, b)| (a.min(b), a.max(b))),
+            ends: low
+                .or(least)
+                .zip(high.or(most))
+                .map(|(a, b)| (a.min(b), a.max(b))),
         }
     }
 
@@ -365,7 +371,11 @@ impl Evaluation<'_> {
         let slope = stiffness.map(|k| -(k + load_n_per_mm) * length_mm);
         let at = |e: f64| (pressure_mpa, e);
         let more_n = |e: f64| load_n_per_mm * length_mm * (e - contraction);
-        let sought = self.built_at(&answer, (contraction, slope, FLAT_CONTRACTION), at, more_n);
+        let muscle = self.model.muscle();
+        let limits = || (straight_strands(muscle), muscle.max_ideal_contraction());
+        let limits = (!muscle.is_extensile()).then(limits);
+        let place = (contraction, slope, FLAT_CONTRACTION);
+        let sought = self.built_at(&answer, place, at, more_n, limits);
         answer.predicted = sought.median;
         (answer.predicted_low, answer.predicted_high) = sought.ends.unzip();
         answer.contraction_uncertainty = sought.half();

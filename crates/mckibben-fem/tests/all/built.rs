@@ -7,6 +7,7 @@ use mckibben_core::{
     model::{ModelKind, Workspace},
     muscle::{
         Braid, BraidStiffness, Constant, Constants, Direction, Muscle, Rubber, Terminals, Tube,
+        file::parse_muscle,
     },
     random::{Random, rounds},
     rubber::{Law, NeoHookean, Yeoh},
@@ -144,11 +145,15 @@ fn identity_over_the_free_contraction_median_and_interval_are_those_of_one_muscl
 /// A free contraction has an interval about its median, wherever the muscle has a median at all.
 #[test]
 fn identity_a_free_contraction_has_an_interval() {
-    for index in 0..rounds(20) as u64 {
-        let m = random(index);
+    // A thin one of bought silicone tube: measured 18.5 % at 0.3 MPa (Hoshiramu_robot, commit
+    // 1664f5db), which lies inside.
+    let thin = "[tube]\nouter_diameter = '4 mm'\nwall_thickness = '0.75 mm'\nlength = '168 mm'\n\
+        rubber = 'silicone-hose'\n[braid]\nname = 's-muscle-40'\n";
+    let thin = std::iter::once(parse_muscle(thin).unwrap());
+    for (index, m) in thin.chain((0..rounds(20) as u64).map(random)).enumerate() {
         let model = Axisymmetric::between_ends(&m).unwrap();
         let w = &mut Workspace::new();
-        for p in [0.02, 0.05, 0.1, 0.15, 0.25, 0.4] {
+        for p in [0.02, 0.05, 0.1, 0.15, 0.3, 0.4] {
             let options = Options {
                 extrapolate: true,
                 ..Options::from(Direction::Contraction)
@@ -162,6 +167,8 @@ fn identity_a_free_contraction_has_an_interval() {
                 .map(|place| place.unwrap_or_else(|| panic!("{index} {p} {free:?}")));
             assert!(low < median && median < high, "{index} {p} {free:?}");
             assert!(median < free.response.contraction, "{index} {p} {free:?}");
+            let measured = 0.185;
+            assert!(index > 0 || p != 0.3 || (low < measured && measured < high));
         }
     }
 }
