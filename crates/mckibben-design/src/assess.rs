@@ -140,8 +140,9 @@ impl<'a> Assessed<'a> {
     /// The strain of the strands, where it is known.
     pub fn strand_strain(&mut self, p: f64, contraction: f64) -> Result<Option<f64>> {
         let full = self.full_response(p, contraction)?;
-        let strain = |tension_n| self.muscle.strand_strain(tension_n);
-        Ok(full.braid_tension_n.and_then(strain))
+        Ok(full
+            .braid_tension_n
+            .and_then(|tension_n| self.muscle.strand_strain(tension_n)))
     }
 
     /// Its model, ready for questions.
@@ -218,8 +219,13 @@ impl<'a> Assessed<'a> {
         for step in 1..=STEPS {
             let high_mpa = from_mpa * STEP.powi(step);
             if self.missed(high_mpa, point, z).ok()? <= 0.0 {
-                let missed = |p| self.missed(p, point, z);
-                return find_root(missed, high_mpa / STEP, high_mpa, 1e-6 * high_mpa).ok()?;
+                return find_root(
+                    |p| self.missed(p, point, z),
+                    high_mpa / STEP,
+                    high_mpa,
+                    1e-6 * high_mpa,
+                )
+                .ok()?;
             }
         }
         None

@@ -118,8 +118,10 @@ pub fn design_with(
 
 impl Search<'_> {
     fn best(&self, kind: ChoiceKind, spec: &Spec, cast: Option<bool>) -> Option<Choice> {
-        let candidate = self.candidate(self.answer(spec, cast, 1).first()?)?;
-        Some(Choice { kind, candidate })
+        Some(Choice {
+            kind,
+            candidate: self.candidate(self.answer(spec, cast, 1).first()?)?,
+        })
     }
 
     /// The first beside those of other chances, of the other make and number, and as sold.

@@ -211,19 +211,21 @@ impl<'a> Search<'a> {
     /// The muscles that miss by least, by the model that decides; where none fits by it those that
     /// fit by the fast one are among them.
     pub fn rejected(&self, none_fits: bool) -> Vec<Rejected> {
-        let misses = |held: &&Held| none_fits || !held.fits();
-        let mut near: Vec<&Held> = self.screened.iter().filter(misses).collect();
+        let mut near: Vec<&Held> = self
+            .screened
+            .iter()
+            .filter(|held: &&Held| none_fits || !held.fits())
+            .collect();
         near.sort_by_number(|held| held.miss());
         near.truncate(self.spec.top.saturating_add(SPARE));
         let reject = |held: &&Held| {
             let exact = self.exact(self.spec, held.job())?;
-            let worst = *exact.worst().filter(|c| c.excess() > 0.0)?;
             Some(Rejected {
                 muscle: held.place.muscle(self.spec).ok()?,
                 count: exact.count,
                 chance: exact.chance,
                 misses_by: exact.miss(),
-                check: worst,
+                check: *exact.worst().filter(|c| c.excess() > 0.0)?,
             })
         };
         let mut rejected: Vec<Rejected> =

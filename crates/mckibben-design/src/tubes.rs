@@ -147,8 +147,11 @@ fn listed(row: TubeRow, sources: &Sources) -> Result<TubePart, TubeError> {
 /// The tubes of the catalogue's sizes, cast of a rubber.
 pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = file(TEXT)?;
-    let of_row = |row| cast(row, &file.sources, rubber);
-    let all: Result<Vec<_>, _> = file.cast.iter().map(of_row).collect();
+    let all: Result<Vec<_>, _> = file
+        .cast
+        .iter()
+        .map(|row| cast(row, &file.sources, rubber))
+        .collect();
     Ok(all?.concat())
 }
 
@@ -192,12 +195,11 @@ fn part(
             "the inner diameter must be above zero and below the outer one".into(),
         ));
     }
-    let law = library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?;
     Ok(TubePart {
         inner_diameter_mm,
         outer_diameter_mm,
         wall_mm,
-        rubber: law,
+        rubber: library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?,
         density_kg_per_m3: library::entry(rubber)
             .ok()
             .and_then(|e| e.density_kg_per_m3),

@@ -125,8 +125,9 @@ impl Linear {
         };
         let [above, below] = beside(side, 1e-6);
         let b = difference(&offset(above)?, &offset(below)?, above - below);
-        let acts = |&i: &usize| i == 0 || a.column(i).amax() > 0.0;
-        let kept: Vec<usize> = (0..n).filter(acts).collect();
+        let kept: Vec<usize> = (0..n)
+            .filter(|&i: &usize| i == 0 || a.column(i).amax() > 0.0)
+            .collect();
         Ok(Self {
             a: a.select_rows(&kept).select_columns(&kept),
             b: DVector::from_vec(b).select_rows(&kept),

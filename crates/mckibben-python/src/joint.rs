@@ -19,8 +19,9 @@ impl Joint {
     fn new(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<Self> {
         let request = request::given(py, "joint", request)?;
         run::quick(py, |_| {
-            let held = understood::<JointFields>(&request)?.resolve()?;
-            Ok(Self { held })
+            Ok(Self {
+                held: understood::<JointFields>(&request)?.resolve()?,
+            })
         })
     }
 

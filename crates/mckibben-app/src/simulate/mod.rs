@@ -354,11 +354,10 @@ fn solved(
         |e| Status::from(&ModelError::from(e.clone())),
         |_| Status::Ok,
     );
-    let slack = hangs || pushes && shortened.is_some();
     Ok(Simulated {
         requested,
         solution,
-        slack,
+        slack: hangs || pushes && shortened.is_some(),
         free_contraction: past_free,
         status,
     })

@@ -55,8 +55,11 @@ impl Design {
             context.save(Some(&beside), joint.file(name).as_bytes())?;
             written = Some(format!(", its joint in {}", path_on_one_line(&beside)));
         }
-        let page = |u: &_| answer.page_with(u, self.all, name.as_deref());
-        context.print_page(&answer, page, None)?;
+        context.print_page(
+            &answer,
+            |u: &_| answer.page_with(u, self.all, name.as_deref()),
+            None,
+        )?;
         if let (Some(path), Some(_), Format::Text) = (target, winner, context.format) {
             context.emit(
                 format!(
