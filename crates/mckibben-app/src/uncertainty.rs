@@ -152,8 +152,9 @@ impl UncertaintyWords {
     /// Measurements that leave less than most of the ±.
     pub fn worth(&self) -> impl Iterator<Item = &Left> {
         let now_n = self.parts.map_or(0.0, |parts| parts.total());
-        let helps = move |left: &&Left| left.uncertainty_n < WORTH * now_n;
-        self.measurements.iter().filter(helps)
+        self.measurements
+            .iter()
+            .filter(move |left: &&Left| left.uncertainty_n < WORTH * now_n)
     }
 }
 

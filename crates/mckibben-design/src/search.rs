@@ -223,13 +223,12 @@ impl<'a> Search<'a> {
         near.truncate(self.spec.top.saturating_add(SPARE));
         let reject = |held: &&Held| {
             let exact = self.exact(self.spec, held.job())?;
-            let worst = *exact.worst().filter(|c| c.excess() > 0.0)?;
             Some(Rejected {
                 muscle: held.place.muscle(self.spec).ok()?,
                 count: exact.count,
                 chance: exact.chance,
                 misses_by: exact.miss(),
-                check: worst,
+                check: *exact.worst().filter(|c| c.excess() > 0.0)?,
             })
         };
         let mut rejected = Vec::from_iter(threads::map(&near, reject).into_iter().flatten());

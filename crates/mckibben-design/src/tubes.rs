@@ -144,8 +144,11 @@ fn listed(row: TubeRow, sources: &Sources) -> Result<TubePart, TubeError> {
 /// The tubes of the catalogue's sizes, cast of a rubber.
 pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = file(TEXT)?;
-    let of_row = |row| cast(row, &file.sources, rubber);
-    let all: Result<Vec<_>, _> = file.cast.iter().map(of_row).collect();
+    let all: Result<Vec<_>, _> = file
+        .cast
+        .iter()
+        .map(|row| cast(row, &file.sources, rubber))
+        .collect();
     Ok(all?.concat())
 }
 

@@ -262,8 +262,7 @@ impl Member {
                 let away = |k: &&(f64, f64, Answer)| {
                     (k.0 - pressure_mpa).abs() + (k.1 - contraction).abs()
                 };
-                let nearest = kept.iter().flatten().min_by_number(away);
-                if let Some((p, e, answer)) = nearest {
+                if let Some((p, e, answer)) = kept.iter().flatten().min_by_number(away) {
                     return Ok(answer.moved(pressure_mpa - p, contraction - e));
                 }
             }

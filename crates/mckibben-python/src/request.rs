@@ -146,8 +146,7 @@ impl<'a> Reading<'a> {
     }
 
     fn fields(&mut self, of: &str, schema: &'a Value, request: &mut Value) -> Result<(), Problem> {
-        let fields = request.as_object_mut().into_iter().flatten();
-        for (field, value) in fields {
+        for (field, value) in request.as_object_mut().into_iter().flatten() {
             // The ends of an interval are quantities of its field; a muscle goes by its file, a model
             // by its name.
             let name = match &**field {

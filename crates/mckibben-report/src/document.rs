@@ -124,8 +124,9 @@ impl Part {
 }
 
 fn items(list: &[String]) -> String {
-    let item = |text: &String| format!("<li>{}</li>", markup(text));
-    list.iter().map(item).collect()
+    list.iter()
+        .map(|text: &String| format!("<li>{}</li>", markup(text)))
+        .collect()
 }
 
 fn title_block(fields: &[(String, String)]) -> String {

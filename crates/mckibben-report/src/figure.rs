@@ -222,8 +222,10 @@ impl Panel {
     /// The series with their colour numbers.
     pub(crate) fn numbered(&self) -> impl Iterator<Item = (usize, &Series)> {
         let number = |(i, series): (usize, &Series)| series.colour.unwrap_or(i);
-        let numbered = move |entry| (number(entry), entry.1);
-        self.series.iter().enumerate().map(numbered)
+        self.series
+            .iter()
+            .enumerate()
+            .map(move |entry| (number(entry), entry.1))
     }
 
     /// Sets the title above the axes.

@@ -281,8 +281,7 @@ impl<Q: JsonSchema> JsonSchema for List<Q> {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let mut schema = json_schema!({ "type": "array", "items": Q::json_schema(generator) });
         for key in ["x-quantity", "x-unit"] {
-            let of_item = schema.get("items").and_then(|item| item.get(key)).cloned();
-            if let Some(value) = of_item {
+            if let Some(value) = schema.get("items").and_then(|item| item.get(key)).cloned() {
                 schema.insert(key.to_owned(), value);
             }
         }

@@ -85,10 +85,10 @@ impl DesignRequest {
         let braid = self.braid_choice(&base, tubes.is_some(), extends)?;
         let (diameters, walls) = range.map_or(SECTIONS, |r| (r.outer_diameter_mm, r.wall_mm));
         let between = |field, choice: &Option<Choice<Length>>, (low, high)| {
-            let all = || Ok(Values::Interval(low, high));
-            choice
-                .as_ref()
-                .map_or_else(all, |choice| values(choice, field))
+            choice.as_ref().map_or_else(
+                || Ok(Values::Interval(low, high)),
+                |choice| values(choice, field),
+            )
         };
         let rubbers = self.rubbers.iter().map(|name| rubber(name));
         let usual_mpa = range.map_or(SUPPLY_MPA, |r| r.pressure_mpa.1.min(SUPPLY_MPA));
@@ -206,8 +206,11 @@ impl DesignRequest {
         let is_free = match &self.length_mm {
             Some(choice) => !matches!(choice, Choice::One(_)),
             None => {
-                let has_range = |model: Model| model.range().is_some();
-                self.file().is_none() && !self.model.choose().is_ok_and(has_range)
+                self.file().is_none()
+                    && !self
+                        .model
+                        .choose()
+                        .is_ok_and(|model: Model| model.range().is_some())
             }
         };
         let pushes = self.force_n.is_some_and(|force_n| force_n.0 < 0.0);

@@ -164,8 +164,11 @@ pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
     let unused = there - points.len();
     let shared = shared(&points, request.hold_out_share);
     let held = |p: &FitPoint| {
-        let of = |d: &f64| same(*d, p.outer_diameter_mm);
-        request.hold_out.iter().any(of) || shared.contains(&section(p))
+        request
+            .hold_out
+            .iter()
+            .any(|d: &f64| same(*d, p.outer_diameter_mm))
+            || shared.contains(&section(p))
     };
     points.sort_by_key(held);
     let parts = points.split_at(points.partition_point(|p| !held(p)));

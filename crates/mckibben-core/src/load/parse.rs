@@ -99,8 +99,9 @@ fn parse_part(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<L
         if behind.is_some() {
             return Err(refuse(text, "expected a force alone, such as 300 N"));
         }
-        let force_n = above_zero(text, main, Dimension::Force, "the force")?;
-        Ok(Load::Force { force_n })
+        Ok(Load::Force {
+            force_n: above_zero(text, main, Dimension::Force, "the force")?,
+        })
     } else if is("mass", Dimension::Mass) {
         Ok(Load::Mass {
             mass_kg: above_zero(text, main, Dimension::Mass, "the mass")?,

@@ -113,12 +113,20 @@ impl Check<'_> {
                 (of(&above, j) - of(&below, j)) / (2.0 * STEP)
             };
             let first = slope(|p, _| p.w, 0);
-            let what = || format!("∂w/∂λ{} at λ = {state:?}", i + 1);
-            self.same(what, here.d[i], first, BY_DIFFERENCES)?;
+            self.same(
+                || format!("∂w/∂λ{} at λ = {state:?}", i + 1),
+                here.d[i],
+                first,
+                BY_DIFFERENCES,
+            )?;
             for j in 0..3 {
                 let second = slope(|p, j| p.d[j], j);
-                let what = || format!("∂²w/∂λ{}∂λ{} at λ = {state:?}", j + 1, i + 1);
-                self.same(what, here.dd[j][i], second, BY_DIFFERENCES)?;
+                self.same(
+                    || format!("∂²w/∂λ{}∂λ{} at λ = {state:?}", j + 1, i + 1),
+                    here.dd[j][i],
+                    second,
+                    BY_DIFFERENCES,
+                )?;
             }
         }
         Ok(())
@@ -137,8 +145,12 @@ impl Check<'_> {
             .iter()
             .zip(own.iter().zip(expected))
             .try_for_each(|(name, (value, expected))| {
-                let what = || format!("{name} at u = {u}, v = {v}");
-                self.same(what, *value, expected, BY_ROUNDING)
+                self.same(
+                    || format!("{name} at u = {u}, v = {v}"),
+                    *value,
+                    expected,
+                    BY_ROUNDING,
+                )
             })
     }
 }

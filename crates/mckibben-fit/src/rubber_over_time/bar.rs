@@ -64,14 +64,13 @@ pub struct Bar<'a, L> {
 impl<'a, L: RubberLaw> Bar<'a, L> {
     /// A bar at rest before its first loading. The law's constants are the instantaneous ones.
     pub fn new(law: &'a L, softening: Option<OgdenRoxburgh>, prony: &'a Prony) -> Self {
-        let states = vec![[0.0; 2]; prony.branches.len()];
         Self {
             law,
             softening,
             prony,
             w_max_mpa: 0.0,
             last: [0.0; 2],
-            states,
+            states: vec![[0.0; 2]; prony.branches.len()],
             time_s: None,
         }
     }

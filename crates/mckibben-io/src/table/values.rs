@@ -211,8 +211,7 @@ impl Table {
         words: &[(&str, T)],
         known: &'static str,
     ) -> Result<Option<T>, TableError> {
-        let stated = self.text(row, meaning).filter(|t| !t.1.is_empty());
-        let Some((line, text)) = stated else {
+        let Some((line, text)) = self.text(row, meaning).filter(|t| !t.1.is_empty()) else {
             return Ok(None);
         };
         let said = plain(text);

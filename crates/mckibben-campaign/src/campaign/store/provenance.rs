@@ -116,8 +116,7 @@ impl Provenance {
 
     /// How many muscles are in some parts.
     pub(crate) fn muscles_in(&self, parts: impl Iterator<Item = u64>) -> u64 {
-        let muscles = |part| self.muscles_of(part).count() as u64;
-        parts.map(muscles).sum()
+        parts.map(|part| self.muscles_of(part).count() as u64).sum()
     }
 
     /// Rows of the file of a part, or of the whole table.

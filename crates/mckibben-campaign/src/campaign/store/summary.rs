@@ -165,8 +165,9 @@ impl Summary {
 
     /// Whether parts are missing that no process computes.
     pub fn is_stopped(&self) -> bool {
-        let missing = |shard: &ShardStatus| shard.state == ShardState::Missing;
-        self.shards.iter().any(missing)
+        self.shards
+            .iter()
+            .any(|shard: &ShardStatus| shard.state == ShardState::Missing)
     }
 
     fn finished(mut self) -> Self {

@@ -101,8 +101,8 @@ impl Samples {
 fn sample(rows: &[PointRow]) -> Option<Sample> {
     let first = rows.first()?;
     let pull = |r: &PointRow| {
-        let pulls = |f: &f64| r.status.is_ok() && f.is_finite() && *f > 0.0;
-        r.force_n.filter(pulls)
+        r.force_n
+            .filter(|f: &f64| r.status.is_ok() && f.is_finite() && *f > 0.0)
     };
     let blocked: Vec<_> = rows
         .iter()

@@ -21,8 +21,7 @@ pub fn up_to<'de, const MOST: u8, D: Deserializer<'de>>(d: D) -> Result<u8, D::E
 }
 
 pub fn name<'de, D: Deserializer<'de>>(d: D) -> Result<String, D::Error> {
-    let name = String::deserialize(d)?;
-    match name {
+    match String::deserialize(d)? {
         n if n.trim().is_empty() => Err(D::Error::custom("is empty; expected a name")),
         n if n.contains(char::is_control) => Err(D::Error::custom(
             "contains control characters; expected a name on one line",

@@ -247,8 +247,11 @@ impl EndZone {
         if self.wall.stiffness().is_some() {
             // The strands here are about as long as those of the middle.
             let strand2 = cos2 * l * l + sin2 * (state.r / self.ro).powi(2);
-            let guess = || ((strand2 - sin2 * at * at) / cos2).max(0.01).sqrt();
-            return self.stretched(r, h, near.unwrap_or_else(guess));
+            return self.stretched(
+                r,
+                h,
+                near.unwrap_or_else(|| ((strand2 - sin2 * at * at) / cos2).max(0.01).sqrt()),
+            );
         }
         if taut > 0.0 {
             let w = self.wall.energy(taut, r.v);

@@ -122,9 +122,8 @@ impl Bound {
         let m = one / (one + end.tension);
         let x = strain * 10.0;
         let e = x / (one + x.squared()).sqrt();
-        let factor = end.excess * (self.ro * self.wall) / end.tension.sqrt();
         Inner {
-            factor,
+            factor: end.excess * (self.ro * self.wall) / end.tension.sqrt(),
             x: [end.slope, m, e],
         }
     }

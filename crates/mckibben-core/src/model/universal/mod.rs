@@ -80,19 +80,14 @@ impl Universal {
             half: 0.5 * tube.length_mm,
         };
         let angle = 4.0 * muscle.braid().angle_rad().sin().powi(2);
-        let deficit = Bound::new(&formula.terms, ro, wall, angle);
-        let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
-        let length = muscle.length_mm();
-        let id = ModelId::new();
-        let info = info(&formula, &zone.wall.info().muscle, angle);
         Self {
-            info,
-            zone,
-            deficit,
+            info: info(&formula, &zone.wall.info().muscle, angle),
+            deficit: Bound::new(&formula.terms, ro, wall, angle),
             angle,
-            length,
-            wall_modulus,
-            id,
+            length: muscle.length_mm(),
+            wall_modulus: wall_modulus(ro, zone.wall.section(), mu),
+            zone,
+            id: ModelId::new(),
         }
     }
 }

@@ -95,8 +95,9 @@ pub fn stiffness_factor(rubber: &Rubber) -> f64 {
 
 /// Strain at which a strip of a rubber breaks: as stated, or by its name.
 pub fn elongation_at_break(rubber: &Rubber) -> Option<f64> {
-    let of_name = || exactly(rubber.name.as_deref()?)?.0.max_strain;
-    rubber.elongation_at_break.or_else(of_name)
+    rubber
+        .elongation_at_break
+        .or_else(|| exactly(rubber.name.as_deref()?)?.0.max_strain)
 }
 
 /// A rubber that keeps its law in every muscle: without its name, and with what the name says of

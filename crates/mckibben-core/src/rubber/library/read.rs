@@ -24,8 +24,9 @@ pub fn table(text: &str) -> Result<Vec<RubberEntry>, LibraryError> {
     } = toml_edit::de::from_str(text).map_err(LibraryError::damaged)?;
     for entry in &mut rubber {
         let wrong = |problem: String| LibraryError::damaged(format!("{}: {problem}", entry.name));
-        let unknown = || wrong(format!("unknown source {}", entry.source));
-        let origin = sources.get(&entry.source).ok_or_else(unknown)?;
+        let origin = sources
+            .get(&entry.source)
+            .ok_or_else(|| wrong(format!("unknown source {}", entry.source)))?;
         if entry.fits.is_empty() {
             return Err(wrong("no fits".into()));
         }
