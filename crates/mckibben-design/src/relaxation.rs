@@ -216,12 +216,12 @@ pub fn relaxations(search: &Search<'_>) -> Vec<Relaxation> {
     let limits = crate::limits::LIMITS
         .iter()
         .map(|entry| Freed::Limit(entry.limit));
-    let kinds = Vec::from_iter(
+    let mut changes = Vec::from_iter(
         [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty]
             .into_iter()
-            .chain(limits),
+            .chain(limits)
+            .filter_map(|freed| least(search, freed)),
     );
-    let mut changes = Vec::from_iter(kinds.into_iter().filter_map(|freed| least(search, freed)));
     if changes.is_empty() {
         changes.extend(together(search));
     }

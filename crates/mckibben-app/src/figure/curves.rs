@@ -90,8 +90,13 @@ fn built(q: &CurvePoint, test: Test, u: &Units) -> Option<(f64, [f64; 3])> {
 
 /// The medians along a curve as far as the muscle pulls, where they are known; else the model.
 fn median(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
-    let points = curve.points.iter().filter_map(|q| built(q, test, u));
-    let points = Vec::from_iter(points.map(|(x, [median, ..])| (x, median)));
+    let points = Vec::from_iter(
+        curve
+            .points
+            .iter()
+            .filter_map(|q| built(q, test, u))
+            .map(|(x, [median, ..])| (x, median)),
+    );
     if points.len() < 2 {
         return line(curve, test, u);
     }
@@ -105,8 +110,13 @@ fn median(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
 
 /// The 95 % interval along a curve, where it has one.
 pub fn band(curve: &Curve, test: Test, u: &Units) -> Option<Series> {
-    let points = curve.points.iter().filter_map(|q| built(q, test, u));
-    let edges = Vec::from_iter(points.map(|(x, [_, low, high])| (x, low, high)));
+    let edges = Vec::from_iter(
+        curve
+            .points
+            .iter()
+            .filter_map(|q| built(q, test, u))
+            .map(|(x, [_, low, high])| (x, low, high)),
+    );
     (edges.len() > 1).then(|| Series::band(&edges))
 }
 
@@ -147,11 +157,14 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
     )
 }
 
-pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
-    let CurveAnswer {
-        model,
-        muscle,
-        loaded,
+pub fn curves(answer: &CurveAnswer, u: &Units) -> Figure {
+    let &CurveAnswer {
+        ref model,
+        ref muscle,
+        ref loaded,
+        test,
+        curves: ref list,
+        both,
         ..
     } = answer;
     let (x, y) = axes(test, u);
