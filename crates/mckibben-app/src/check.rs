@@ -277,7 +277,7 @@ fn at_pressure(question: &mut Question, pressure_mpa: Option<f64>) -> Result<AtP
             .and_then(|(e, liquid)| model.liquid_per_stroke_mm3(&liquid, pressure_mpa, e).ok()),
         limits: (&burst).into(),
     };
-    let findings = findings_of(&question.muscle, &burst, &values)?;
+    let findings = findings_of(&question.muscle, &burst, &values);
     let said = burst.warnings(pressure_mpa);
     Ok((Some(values), said, findings))
 }
@@ -318,11 +318,7 @@ const WIDE: f64 = 0.3;
 const LITTLE: f64 = 0.1;
 
 /// Findings about a muscle beyond its warnings.
-fn findings_of(
-    muscle: &Muscle,
-    burst: &Burst,
-    values: &Characteristics,
-) -> Result<Vec<MuscleFinding>> {
+fn findings_of(muscle: &Muscle, burst: &Burst, values: &Characteristics) -> Vec<MuscleFinding> {
     let of = |kind, texts: Vec<String>| {
         texts.into_iter().map(move |text| MuscleFinding {
             kind,
@@ -330,18 +326,17 @@ fn findings_of(
             left_n: None,
         })
     };
-    let findings = of(FindingKind::Implausible, implausible(muscle, burst, values))
+    of(FindingKind::Implausible, implausible(muscle, burst, values))
         .chain(of(FindingKind::Unknown, unknown(burst)))
         .chain(of(
             FindingKind::Outside,
             not_measured(muscle, values.pressure_mpa)
                 .map(|q| q.to_string())
                 .collect(),
-        ));
-    Ok(findings
+        ))
         .chain(values.uncertainty_words.measurements.iter().map(measure))
         .chain(of(FindingKind::Measure, sleeve(burst)))
-        .collect())
+        .collect()
 }
 
 /// What of a sleeve with estimated strands comes first.

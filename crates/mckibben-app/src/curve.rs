@@ -146,13 +146,11 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         warnings: family.said,
         figure: None,
         problem: family.gravest.filter(|_| !family.has_answers),
-        curves: vec![],
+        curves: family.curves,
         both: request.both,
     };
     let figure = request.figure.as_ref();
-    answer.figure = figure
-        .map(|unit| figure::curves(&answer, request.test, &family.curves, request.both, unit));
-    answer.curves = family.curves;
+    answer.figure = figure.map(|unit| figure::curves(&answer, unit));
     Ok(answer)
 }
 

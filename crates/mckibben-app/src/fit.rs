@@ -472,10 +472,8 @@ fn is_of_one_make(path: &Path) -> Result<bool> {
 fn of_campaign(path: &Path) -> Result<Points> {
     let (rows, origin) = rows(path)?;
     let mut made_for = None;
-    let (mut points, mut all) = (
-        Vec::with_capacity(rows.size_hint().1.unwrap_or_default()),
-        0,
-    );
+    let mut points = Vec::with_capacity(rows.size_hint().1.unwrap_or_default());
+    let mut all = 0;
     for row in rows {
         let row = row?;
         made_for

@@ -152,7 +152,8 @@ impl Bar {
         let before = *self.before.get_or_init(|| done);
         let rate = done.saturating_sub(before) as f64 / self.bar.elapsed().as_secs_f64();
         let left = number(total.saturating_sub(done) as f64 / rate.max(1e-9), 2);
-        let (things, rate) = (&self.things, number(rate, 3));
+        let things = &self.things;
+        let rate = number(rate, 3);
         eprintln!("{done} of {total} {things}, {rate} a second, {left} s left");
     }
 }

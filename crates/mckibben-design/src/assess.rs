@@ -273,7 +273,8 @@ impl<'a> Assessed<'a> {
     /// What is pushed in from rest to a pressure and contraction, normal litres of air or mm³ of
     /// liquid.
     pub fn stroke(&mut self, p: f64, contraction: f64) -> Option<f64> {
-        let (workspace, options) = (&mut self.workspace, self.spec.options());
+        let workspace = &mut self.workspace;
+        let options = self.spec.options();
         let mut stroke = |model: &dyn ForceModel| -> Result<f64, AnalysisError> {
             let mut model = Evaluation::new(model, workspace, options);
             match &self.spec.liquid {

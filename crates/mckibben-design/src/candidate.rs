@@ -114,7 +114,8 @@ const NINE_OF_TEN: [f64; 2] = [0.05, 0.95];
 impl Candidate {
     /// All that is known of a muscle that was held against its specification.
     pub fn new(assessed: &mut Assessed<'_>, held: &Held) -> Result<Self, ModelError> {
-        let (spec, muscle) = (assessed.spec, assessed.muscle);
+        let spec = assessed.spec;
+        let muscle = assessed.muscle;
         let wanted = spec.wanted.on_radius(held.radius_mm);
         let whole = wanted.points(muscle.length_mm());
         assessed.keep_strands(&whole)?;

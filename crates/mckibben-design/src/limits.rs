@@ -162,7 +162,8 @@ impl Check {
     /// What the muscle has and what it may have, with pressures, forces and lengths written by
     /// `show`.
     pub fn describe(&self, show: Show<'_>) -> String {
-        let (value, bound) = (self.value, self.bound);
+        let value = self.value;
+        let bound = self.bound;
         if let Some(entry) = self.limit.entry() {
             return (entry.missed)(value, bound, show);
         }

@@ -82,7 +82,8 @@ impl<'a> Search<'a> {
     }
 
     fn screen(&mut self, lengths: &[f64], by_ideal: bool) -> Result<(), SpecError> {
-        let (places, radii) = (places(self.spec, lengths), radii(self.spec));
+        let places = places(self.spec, lengths);
+        let radii = radii(self.spec);
         let done = Mutex::new(0);
         let one = |place: &Place| {
             if let Ok(mut done) = done.lock() {
@@ -113,7 +114,8 @@ impl<'a> Search<'a> {
         let Ok(mut assessed) = Assessed::new(self.spec, &screens, &muscle) else {
             return Ok(vec![]);
         };
-        let (highest_mpa, below) = (assessed.highest_mpa, assessed.below);
+        let highest_mpa = assessed.highest_mpa;
+        let below = assessed.below;
         Ok(radii
             .iter()
             .filter(|r| self.may_do(&muscle, **r, by_ideal))
@@ -140,7 +142,8 @@ impl<'a> Search<'a> {
         let wanted = spec.wanted.on_radius(radius_mm);
         let rest_mm = muscle.outer_diameter_mm();
         let room = room_on_pulley_mm(&wanted, radius_mm, rest_mm);
-        let (most, ideal) = (muscle.max_ideal_contraction(), Ideal::between_ends(muscle));
+        let most = muscle.max_ideal_contraction();
+        let ideal = Ideal::between_ends(muscle);
         let supply_mpa = spec.supply_share * spec.max_pressure_mpa;
         let does = |q: &OperatingPoint| {
             let pull_n = f64::from(spec.count) * ideal.pull(supply_mpa, q.contraction);

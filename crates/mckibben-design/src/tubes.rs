@@ -58,8 +58,9 @@ fn name_of<S: serde::Serializer>(rubber: &Rubber, out: S) -> Result<S::Ok, S::Er
 
 /// The names of the tubes' rubbers, in alphabetical order.
 pub fn rubbers<'a>(tubes: impl IntoIterator<Item = &'a TubePart>) -> Vec<&'a str> {
-    let names = BTreeSet::from_iter(tubes.into_iter().filter_map(|t| t.rubber.name.as_deref()));
-    names.into_iter().collect()
+    BTreeSet::from_iter(tubes.into_iter().filter_map(|t| t.rubber.name.as_deref()))
+        .into_iter()
+        .collect()
 }
 
 /// Why a table of tubes cannot be read, or a name is that of no tube.

@@ -128,7 +128,8 @@ pub fn free_contraction(model: &dyn ForceModel, w: &mut Workspace, supply: f64) 
 }
 
 pub fn fit(model: &dyn ForceModel, wanted: BoxRequest) -> Result<Fitted> {
-    let (supply, low) = (wanted.supply_mpa, wanted.contraction_low);
+    let supply = wanted.supply_mpa;
+    let low = wanted.contraction_low;
     let w = &mut Workspace::new();
     model.muscle().check_contracts()?;
     let high = match wanted.contraction_high {
@@ -577,7 +578,8 @@ fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -
         return [0.0; 6];
     };
     std::array::from_fn(|i| {
-        let (quarter, whole) = (quarter[i % 3], whole[i % 3]);
+        let quarter = quarter[i % 3];
+        let whole = whole[i % 3];
         if i < 3 {
             4.0 * quarter - whole
         } else {

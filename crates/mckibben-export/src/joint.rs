@@ -56,7 +56,8 @@ impl ExportedJoint {
         supply_mpa: f64,
     ) -> Result<Self> {
         let mut muscles = Vec::<ExportedMuscle>::new();
-        let (mut torque, mut stiffness) = (0.0, 0.0);
+        let mut torque = 0.0;
+        let mut stiffness = 0.0;
         for (i, (&model, held)) in models.iter().zip(joint.muscles()).enumerate() {
             let states = Vec::from_iter(states(joint, i));
             // Short enough that what tells the muscles apart stays in their identifiers.

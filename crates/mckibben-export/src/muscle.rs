@@ -139,7 +139,8 @@ impl ExportedMuscle {
     /// # Errors
     /// [`ExportError`] of a box that is none, and of a model that the form misses.
     pub fn fit(model: &dyn ForceModel, name: &str, wanted: BoxRequest) -> Result<Self> {
-        let (low, high) = (wanted.contraction_low, wanted.contraction_high);
+        let low = wanted.contraction_low;
+        let high = wanted.contraction_high;
         if !((-0.2..=0.0).contains(&low) && high.is_none_or(|high| high > 0.0 && high < 0.5)) {
             return Err(ExportError::Box(low, high.unwrap_or_default()));
         }

@@ -99,7 +99,8 @@ impl Command {
                     .iter()
                     .try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
                 for (number, pair) in (2..).zip(points.windows(2)) {
-                    let (before, after) = (pair[0].0, pair[1].0);
+                    let before = pair[0].0;
+                    let after = pair[1].0;
                     MotionError::require(after > before, || {
                         format!(
                             "the command's times must increase: {after} s follows {before} s (point \

@@ -374,7 +374,8 @@ impl Stepper {
         let h = self.h;
         let slopes: [[f64; 3]; 3] = from_fn(|i| from_fn(|j| cubic(j, STAGES[i]).1 / h));
         let matrix = DMatrix::from_fn(3 * n, 3 * n, |row, column| {
-            let (i, j) = (row / n, column / n);
+            let i = row / n;
+            let j = column / n;
             let identity = if row % n == column % n {
                 slopes[i][j]
             } else {

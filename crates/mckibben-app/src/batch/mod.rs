@@ -229,7 +229,8 @@ impl BoundModel {
         let first_failed = AtomicUsize::new(usize::MAX);
         let found = Mutex::new(BTreeMap::new());
         let work = |place: usize, places: &mut [f64]| {
-            let (from, length) = (place / width, places.len() / width);
+            let from = place / width;
+            let length = places.len() / width;
             // Points behind one without an answer are left out.
             if first_failed.load(Ordering::Relaxed) < from || progress.cancelled() {
                 return;

@@ -115,16 +115,19 @@ impl BoundModel {
     ) -> Result<()> {
         let (value, p, e) = match many.wanted {
             PointQuantity::Force => {
-                let (p, e) = (finite("pressure_mpa", a)?, ratio(b)?);
+                let p = finite("pressure_mpa", a)?;
+                let e = ratio(b)?;
                 (self.force(workspace, (p, e), known)?, p, e)
             }
             PointQuantity::Pressure => {
-                let (f, e) = (self.pull(a)?, ratio(b)?);
+                let f = self.pull(a)?;
+                let e = ratio(b)?;
                 let p = self.evaluation(workspace).sought_pressure(f, e)?;
                 (p, p, e)
             }
             PointQuantity::Contraction => {
-                let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
+                let f = self.pull(a)?;
+                let p = finite("pressure_mpa", b)?;
                 let e = self.evaluation(workspace).sought_contraction(f, p)?;
                 (e, p, e)
             }

@@ -79,7 +79,8 @@ fn answered(search: &Search, found: &Outcome) -> Result<DesignAnswer> {
         policy,
         stated,
     } = search;
-    let (candidates, choices) = (found.candidates.iter(), found.choices.iter());
+    let candidates = found.candidates.iter();
+    let choices = found.choices.iter();
     let decide = |m: &Muscle| policy.model.bound(m);
     let uncertainty_words = words(spec, &decide, found.candidates.first());
     let decision = Decision {

@@ -20,7 +20,8 @@ impl RelaxationAnswer {
     /// Of what was found, in the numbers of the request: of all muscles together, and of the circle
     /// around them.
     pub fn new(change: &Relaxation, search: &Search) -> Self {
-        let (spec, stated) = (&search.spec, &search.stated);
+        let spec = &search.spec;
+        let stated = &search.stated;
         let mut text = change.describe(spec, &|kind, value| Units::default().show(kind, value));
         if let Relaxation::Contraction { share, .. } = change
             && stated.stroke_sets_contraction

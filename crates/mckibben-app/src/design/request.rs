@@ -392,7 +392,8 @@ fn supply(text: &str) -> Result<Pressure> {
         .map_err(|error: QuantityError| ProblemKind::Quantity.problem(error.to_string()))?;
     let is_bare = text.trim().parse::<f64>().is_ok();
     if is_bare && pressure.0 > MOST_MPA {
-        let (text, bar) = (text.trim(), 10.0 * pressure.0);
+        let text = text.trim();
+        let bar = 10.0 * pressure.0;
         return Err(Problem::new(
             ProblemKind::Quantity,
             format!("{text} is {text}\u{a0}MPa, {bar}\u{a0}bar: write the unit"),

@@ -409,8 +409,10 @@ impl DesignRequest {
                 }
             };
             let (base, _) = self.with_stroke(vec![(1.0, self.contraction.map(f64::from))])?;
-            let load = self.load.resolve(base.length_mm())?;
-            let load = load.ok_or_else(|| Problem::missing("load", "a load, such as 20 kg"))?;
+            let load = self
+                .load
+                .resolve(base.length_mm())?
+                .ok_or_else(|| Problem::missing("load", "a load, such as 20 kg"))?;
             return Ok((base, Demand::Load { load, way }, None));
         }
         let (base, points) = self.with_stroke(self.wanted()?)?;

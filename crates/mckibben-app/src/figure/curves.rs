@@ -151,11 +151,14 @@ fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> 
     )
 }
 
-pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
-    let CurveAnswer {
-        model,
-        muscle,
-        loaded,
+pub fn curves(answer: &CurveAnswer, u: &Units) -> Figure {
+    let &CurveAnswer {
+        ref model,
+        ref muscle,
+        ref loaded,
+        test,
+        curves: ref list,
+        both,
         ..
     } = answer;
     let (x, y) = axes(test, u);

@@ -118,7 +118,8 @@ impl Section<'_> {
     }
 
     fn isobaric_curves(&self) -> Figure {
-        let (d, s) = (self.d, self.s);
+        let d = self.d;
+        let s = self.s;
         self.figure(
             format!(
                 "Isobaric curves, D0 {} mm, s {} mm",
@@ -136,7 +137,8 @@ impl Section<'_> {
 
     /// At the highest pressure.
     fn isobaric_surfaces(&self) -> Figure {
-        let (d, s) = (self.d, self.s);
+        let d = self.d;
+        let s = self.s;
         let top = distinct(self.method.curves.iter().map(|c| c.pressure_mpa))
             .last()
             .copied()

@@ -17,7 +17,8 @@ impl Show for FitAnswer {
         };
         let mut page = Page::of(self, &Units::default(), without);
         if let Some(fitted) = &self.fitted {
-            let (unused, failed) = (fitted.unused, self.failed);
+            let unused = fitted.unused;
+            let failed = self.failed;
             page.paragraph(format!(
                 "{unused} points were not used, {failed} had no answer"
             ));

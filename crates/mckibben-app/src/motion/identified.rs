@@ -301,7 +301,8 @@ impl Fit<'_> {
         let scatter = Vec::from_iter(self.log.iter().map(scatter));
         let starts = Vec::from_iter(free.iter().map(|free| free.start));
         let larger = Vec::from_iter(starts.iter().map(|start| 1.1 * start));
-        let (now, then) = (at(&starts)?.concat(), at(&larger)?.concat());
+        let now = at(&starts)?.concat();
+        let then = at(&larger)?.concat();
         if now.iter().zip(then).all(|(a, b)| (a - b).abs() < NOTHING) {
             return Err(Problem::new(
                 ProblemKind::Data,

@@ -49,7 +49,9 @@ impl Moved {
             rubber: file.rubber.clone(),
             ..Actuated::new(Arc::clone(model), file.actuator)
         });
-        let (muscles, target, until_s) = (muscles.collect(), self.target(file), file.until_s);
+        let muscles = muscles.collect();
+        let target = self.target(file);
+        let until_s = file.until_s;
         let single = self.single(file)?;
         let length_mm = single.as_ref().map_or(1.0, |single| single.length_mm);
         let initial_coordinate = file.held.or(file.start).map(|start| start * length_mm);

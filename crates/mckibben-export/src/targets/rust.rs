@@ -78,7 +78,8 @@ fn places(muscle: &ExportedMuscle) -> Vec<(&'static str, String)> {
         )
     };
     let tested = TESTED.map(|(q, share)| {
-        let (pressure_pa, contraction) = (q * form.supply_pa, share * form.contraction_high);
+        let pressure_pa = q * form.supply_pa;
+        let contraction = share * form.contraction_high;
         let length_m = muscle.cord_m + (1.0 - contraction) * form.length_m;
         let point = form.point_at(pressure_pa, contraction);
         vec![
