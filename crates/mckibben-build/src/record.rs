@@ -1,7 +1,7 @@
 //! The test record: what is expected, and room for what was measured.
 
 use crate::{Plan, PullAt, STRETCH, build_sheet::grid};
-use mckibben_core::extremes::peak;
+use mckibben_core::{extremes::peak, units::rounded};
 use mckibben_report::{Document, Part};
 
 /// The range of a load cell over the largest pull that is expected (a choice).
@@ -10,7 +10,7 @@ const LOAD_CELL: f64 = 1.25;
 impl Plan {
     /// The highest pressure in MPa that a relief valve may let through.
     pub(crate) fn highest_mpa(&self) -> f64 {
-        self.operating.in_use.pressure_mpa
+        rounded(self.operating.in_use.pressure_mpa, 3, f64::floor)
     }
 }
 
