@@ -21,7 +21,7 @@ use mckibben_core::{
     extremes::peak,
     model::{ModelError, Workspace, pivoting_n_per_mm},
     muscle::{
-        Friction, Muscle,
+        Muscle,
         measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, FRICTION_LEVER},
     },
 };

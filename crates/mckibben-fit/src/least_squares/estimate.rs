@@ -84,31 +84,43 @@ pub enum EstimateError {
     },
 }
 
-/// Residuals with the last results: a search, the check of its end and the statistics
+/// Residuals and slopes with the last results: a search, the check of its end and the statistics
 /// need the same values.
 struct Known<'a> {
     residuals: &'a dyn Residuals,
-    /// Unknowns with their results.
-    at: RefCell<Vec<(Vec<f64>, Option<Vec<f64>>)>>,
+    at: Answers<Vec<f64>>,
+    by: Answers<Vec<Vec<f64>>>,
 }
+
+/// Unknowns with their results.
+type Answers<T> = RefCell<Vec<(Vec<f64>, Option<T>)>>;
 
 /// So many: the best and the steps tried from it.
 const KNOWN: usize = 4;
 
+/// The result at x, computed where it is not known.
+fn remembered<T: Clone>(
+    list: &Answers<T>,
+    x: &[f64],
+    compute: impl FnOnce() -> Option<T>,
+) -> Option<T> {
+    if let Some((_, known)) = list.borrow().iter().find(|(known, _)| known == x) {
+        return known.clone();
+    }
+    let value = compute();
+    let mut list = list.borrow_mut();
+    list.truncate(KNOWN - 1);
+    list.insert(0, (x.to_vec(), value.clone()));
+    value
+}
+
 impl Residuals for Known<'_> {
     fn residuals_at(&self, x: &[f64]) -> Option<Vec<f64>> {
-        if let Some((_, known)) = self.at.borrow().iter().find(|(known, _)| known == x) {
-            return known.clone();
-        }
-        let value = self.residuals.residuals_at(x);
-        let mut list = self.at.borrow_mut();
-        list.truncate(KNOWN - 1);
-        list.insert(0, (x.to_vec(), value.clone()));
-        value
+        remembered(&self.at, x, || self.residuals.residuals_at(x))
     }
 
     fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        self.residuals.by_unknowns(x)
+        remembered(&self.by, x, || self.residuals.by_unknowns(x))
     }
 }
 
@@ -221,7 +233,7 @@ impl Inner<'_> {
 }
 
 /// ∂r/∂x, one column an unknown, not weighted: of the model, or by central differences.
-fn slopes(residuals: &dyn Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
+pub fn slopes(residuals: &dyn Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
     if let Some(columns) = residuals.by_unknowns(x) {
         return Some(columns);
     }
