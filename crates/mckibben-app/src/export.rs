@@ -225,9 +225,9 @@ fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Kn
     })
 }
 
-/// Warnings of the fits and those of the muscles, each once.
-fn warnings_of(fits: &[ExportedMuscle], others: Vec<Warning>) -> Vec<Warning> {
-    let of_fits = fits.iter().flat_map(ExportedMuscle::warnings);
+/// Warnings of the fits, with what makes their boxes smaller, and those of the muscles, each once.
+fn warnings_of(fits: &[ExportedMuscle], smaller: &str, others: Vec<Warning>) -> Vec<Warning> {
+    let of_fits = fits.iter().flat_map(|fit| fit.warnings(smaller));
     let mut warnings = Vec::from_iter(of_fits.map(Warning::from).chain(others));
     let mut known = std::collections::BTreeSet::new();
     warnings.retain(|warning| known.insert(warning.to_string()));
@@ -266,7 +266,11 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
         needs: target.needs.into(),
         loses: target.loses.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
-        warnings: warnings_of(std::slice::from_ref(&exported), supplied.warnings),
+        warnings: warnings_of(
+            std::slice::from_ref(&exported),
+            "`contraction_low` nearer to 0, or `contraction_high`",
+            supplied.warnings,
+        ),
         exported,
     })
 }
@@ -328,7 +332,11 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     Ok(ExportJointAnswer {
         target: target.name.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
-        warnings: warnings_of(&exported.muscles, supplied.warnings),
+        warnings: warnings_of(
+            &exported.muscles,
+            "a narrower range, or a larger contraction_at_neutral",
+            supplied.warnings,
+        ),
         exported,
     })
 }

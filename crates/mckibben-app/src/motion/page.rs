@@ -97,7 +97,8 @@ impl MotionRun {
         let poles = self.motion.poles_per_s.iter();
         let poles = poles.filter(|(re, _)| re.abs() > 1e-9);
         let one = |(re, im): &(f64, f64)| match im.abs() {
-            0.0 => format!("{re:.3}"),
+            // Rounding makes a pair of a double pole.
+            im if im < 5e-4 => format!("{re:.3}"),
             im => format!("{re:.3} ± {im:.3}i"),
         };
         let mut poles = Vec::from_iter(poles.map(one));
