@@ -607,7 +607,7 @@ class Simulation:
         return self._native.numbers()
 
     def set_state(self, state: ArrayLike) -> State:
-        """Goes to where a simulation of the same drive was, and on from there to the tolerance of the integration; what was recorded is forgotten.
+        """Goes to where a simulation of the same drive was, and on from there to the last bit; what was recorded is forgotten.
 
         Raises
         ------

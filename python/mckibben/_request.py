@@ -199,6 +199,8 @@ def array(name: str, value: Any) -> Array:
             dtype=np.float64,
         )
     own, value = value, bare(name, value)
+    if hasattr(value, "is_symbolic"):
+        raise wrong_type(name, _NUMBERS, value)
     # Texts, also in an array or a Series, and quantities of pint.
     kind = getattr(getattr(value, "dtype", None), "kind", None)
     items = value.tolist() if kind in ("O", "U") else value

@@ -457,3 +457,19 @@ def test_load_refuses_another_class(root: Path) -> None:
     assert mk.load(root / "examples/elbow.toml", mk.Joint).muscles
     with pytest.raises(mk.FileError, match="a Joint, not a Muscle"):
         mk.load(root / "examples/elbow.toml", mk.Muscle)
+
+
+def test_symbols_are_refused() -> None:
+    """CasADi makes NaN of a symbol that an array of numbers is made of."""
+
+    class Symbol:
+        def is_symbolic(self) -> bool:
+            return True
+
+        def __array__(self, *_: Any, **__: Any) -> Any:
+            return np.array(np.nan)
+
+    muscle: Any = mk.Muscle()
+    for given in ((Symbol(), 0.1), (0.2, Symbol())):
+        with pytest.raises(TypeError):
+            muscle.force(*given)

@@ -294,7 +294,11 @@ pub fn export(request: &ExportRequest) -> Result<ExportAnswer> {
         needs: target.needs.into(),
         loses: target.loses.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
-        warnings: warnings_of(std::slice::from_ref(&exported), supplied.warnings),
+        warnings: warnings_of(
+            std::slice::from_ref(&exported),
+            "`contraction_low` nearer to 0, or `contraction_high`",
+            supplied.warnings,
+        ),
         exported,
     })
 }
@@ -362,7 +366,11 @@ pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     Ok(ExportJointAnswer {
         target: target.name.into(),
         files: artefact.files.into_iter().map(BuiltFile::from).collect(),
-        warnings: warnings_of(&exported.muscles, supplied.warnings),
+        warnings: warnings_of(
+            &exported.muscles,
+            "a narrower range, or a larger contraction_at_neutral",
+            supplied.warnings,
+        ),
         exported,
     })
 }

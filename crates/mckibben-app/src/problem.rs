@@ -302,7 +302,7 @@ problems! {
         LoadError::NotLifted { .. } => NoAnswer "`two_sided` gives the stretch of the muscle";
     };
     ExportError: Fit of Model Analysis Muscle Cancelled {
-        ExportError::Target { .. } => Usage "Simulink and Modelica take `fmu`, MuJoCo takes `mjcf`";
+        ExportError::Target { .. } => Usage "Arduino takes `c`, Simulink and Modelica `fmu`, MuJoCo `mjcf`";
         ExportError::Box { .. } => OutOfRange;
         ExportError::NoVolume { .. } => Model;
         ExportError::NoPull { .. } => NoAnswer "give a higher `pressure_mpa`";

@@ -240,16 +240,15 @@ impl ExportedMuscle {
         facts
     }
 
-    /// Warnings about the fit, in sentences.
-    pub fn warnings(&self) -> Vec<String> {
+    /// Warnings about the fit, in sentences, with what makes its box smaller.
+    pub fn warnings(&self, smaller: &str) -> Vec<String> {
         let e = &self.errors;
         if e.force_95_ratio <= GOAL[0] && e.force_worst_ratio <= GOAL[1] {
             return vec![];
         }
         vec![format!(
             "the form misses the model by {:.2} % of the blocked force at 95 % of points and {:.2} \
-             % at worst; a smaller box lowers this: `contraction_low` nearer to 0, or \
-             `contraction_high`; of a joint a narrower range, or a larger contraction_at_neutral",
+             % at worst; a smaller box lowers this: {smaller}",
             100.0 * e.force_95_ratio,
             100.0 * e.force_worst_ratio
         )]

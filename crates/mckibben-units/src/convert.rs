@@ -15,6 +15,11 @@ pub fn tidy(v: f64, digits: i32) -> f64 {
     rounded(v, digits, f64::round)
 }
 
+/// A number with the fifteen digits that a double has of every decimal one: what is saved.
+pub fn saved(v: f64) -> f64 {
+    format!("{v:.14e}").parse().unwrap_or(v)
+}
+
 /// The same by another rule: `f64::floor` gives a number that is not above `v`, `f64::ceil` one
 /// that is not below.
 pub fn rounded(v: f64, digits: i32, round: fn(f64) -> f64) -> f64 {

@@ -25,7 +25,7 @@ mod unit;
 mod word;
 
 pub use bounded::{Bounded, Interval, NotNegative, Positive};
-pub use convert::{rounded, tidy};
+pub use convert::{rounded, saved, tidy};
 pub use dimension::Dimension;
 pub use name::NamedUnit;
 pub use named::{joined, named};

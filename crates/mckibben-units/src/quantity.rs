@@ -1,6 +1,9 @@
 //! One number with a unit.
 
-use super::{convert::convert, dimension::Dimension};
+use super::{
+    convert::{convert, tidy},
+    dimension::Dimension,
+};
 use thiserror::Error;
 
 /// Why a text is not the expected quantity.
@@ -138,9 +141,14 @@ pub fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64, f64),
         )),
         (_, Some(unit)) => Ok(unit.fraction),
         _ => {
-            let other = Dimension::all()
-                .find(|d| d.unit(unit).is_some())
-                .map(|d| format!("is {}", d.noun()));
+            let other = Dimension::all().find(|d| d.unit(unit).is_some()).map(|d| {
+                let mass_kg = parse_quantity(text, d).ok();
+                let mass_kg =
+                    mass_kg.filter(|_| [d, expected] == [Dimension::Mass, Dimension::Force]);
+                let weight =
+                    mass_kg.map(|kg| format!(", whose weight is {} N", tidy(9.80665 * kg, 3)));
+                format!("is {}{}", d.noun(), weight.unwrap_or_default())
+            });
             let what =
                 other.unwrap_or_else(|| format!("has the unknown unit \"{}\"", shortened(unit)));
             Err(QuantityError::is(text, &what, expected))
@@ -241,6 +249,24 @@ mod tests {
         let said = "\"30bar\" is a pressure; expected a length such as 30mm, 3cm or 1.2in (a bare \
             number is mm)";
         assert_eq!(error.to_string(), said);
+    }
+
+    /// By hand: 5 kg × 9.80665 m/s² = 49.03 N, 11 lb = 4.990 kg = 48.93 N.
+    #[test]
+    fn a_mass_in_place_of_a_force_is_answered_with_its_weight() {
+        for (text, weight) in [("5kg", "49 N"), ("5 kg", "49 N"), ("11 lb", "48.9 N")] {
+            let error = parse_quantity(text, Dimension::Force)
+                .unwrap_err()
+                .to_string();
+            assert!(
+                error.contains(&format!("is a mass, whose weight is {weight};")),
+                "{error}"
+            );
+        }
+        let mass = parse_quantity("5kg", Dimension::Length)
+            .unwrap_err()
+            .to_string();
+        assert!(mass.contains("is a mass; expected a length"), "{mass}");
     }
 
     #[test]

@@ -285,6 +285,42 @@ fn what_is_handed_out_stays_below_the_allowed_pressure() {
     );
 }
 
+/// An identity: a joint turns with what its muscles pull by `force` on their branches, times their
+/// arms: those that turn it shorten, the others lengthen. Where they turn it by less than their
+/// friction, no torque of theirs is left.
+#[test]
+fn identity_a_joint_turns_with_the_pulls_of_its_muscles_on_their_branches() {
+    let joint = crate::given::joint_file("examples/elbow.toml");
+    let muscle = crate::given::muscle("examples/biceps.toml");
+    for (pressures, angle_deg) in [
+        ([0.3, 0.1], 0.0),
+        ([0.1, 0.3], 0.0),
+        ([0.3, 0.05], 20.0),
+        ([0.2, 0.2], 0.0),
+    ] {
+        let request = json!({ "pressures_mpa": [pressures], "angles_deg": [angle_deg], "model": "universal" });
+        let point = reply("joint", crate::given::with(joint.clone(), request))["points"][0].take();
+        let pulls = |direction: &str, i: usize| {
+            let e = number(&point, ["contraction_1", "contraction_2"][i]);
+            let request = json!({ "muscle": muscle, "pressure_mpa": pressures[i], "contraction": e,
+                "direction": direction, "model": "universal" });
+            number(&reply("force", request), "predicted_n")
+        };
+        let turns = |first: &str, second: &str| 0.025 * (pulls(first, 0) - pulls(second, 1));
+        let model = 0.025 * (number(&point, "force_1_n") - number(&point, "force_2_n"));
+        let of_muscles = number(&point, "predicted_nm") - number(&point, "torque_nm") + model;
+        let (there, back) = (
+            turns("contraction", "elongation"),
+            turns("elongation", "contraction"),
+        );
+        let expected = there.max(0.0) + back.min(0.0);
+        assert!(
+            (of_muscles - expected).abs() < 1e-6,
+            "{pressures:?}: {of_muscles} {there} {back}"
+        );
+    }
+}
+
 /// Bounds: whatever a pressure that `overpressure` allows, it is below the one that is never
 /// exceeded, that below the proof test by the factor of a relief valve, and that at most three
 /// quarters of the burst pressure. Above, it is refused.

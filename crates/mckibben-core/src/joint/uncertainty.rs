@@ -54,8 +54,7 @@ impl BoundJoint {
 impl JointPoint {
     /// With the torque that a joint which is built will give: each muscle pulls as the median of one
     /// that is built, on its branch. The joint turns to where its muscles turn it: those that pull
-    /// there shorten, the others lengthen. Where they hold each other it is at rest, and friction
-    /// counts by the share of Σ Δ′F in Σ |Δ′F|.
+    /// there shorten, the others lengthen. Where they turn it by less than their friction, that holds it.
     pub(super) fn with_built_torque(self) -> Self {
         // Torque of the mean of both branches and half of what lies between them, N m, and the
         // model's.
@@ -80,9 +79,8 @@ impl JointPoint {
         let torques: Option<Vec<[f64; 3]>> = self.muscles.iter().map(torques).collect();
         let predicted_nm = torques.map(|torques| {
             let sum = |of: &dyn Fn(&[f64; 3]) -> f64| torques.iter().map(of).sum::<f64>();
-            let (turns, all) = (sum(&|t| t[0]), sum(&|t| t[0].abs()));
-            let share = if all > 0.0 { turns / all } else { 0.0 };
-            self.torque_nm + sum(&|t| t[0] - t[2]) - share * sum(&|t| t[1].abs())
+            let (turns, friction) = (sum(&|t| t[0]), sum(&|t| t[1].abs()));
+            self.torque_nm + sum(&|t| t[0] - t[2]) - turns.clamp(-friction, friction)
         });
         Self {
             predicted_nm,

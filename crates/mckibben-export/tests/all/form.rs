@@ -303,7 +303,7 @@ fn within((bound_95, bound_worst): (f64, f64), muscles: impl Iterator<Item = (Mu
             "{index}: {e:?}"
         );
         let within = e.force_95_ratio <= 0.003 && e.force_worst_ratio <= 0.0152;
-        assert_eq!(fitted.warnings().is_empty(), within, "{index}");
+        assert_eq!(fitted.warnings("").is_empty(), within, "{index}");
         for (all, one) in
             shares
                 .iter_mut()

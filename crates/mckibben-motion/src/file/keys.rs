@@ -261,13 +261,13 @@ pub struct OfRubber {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OfController {
-    /// Gain in MPa (or opening) per contraction of 1, or per radian of a joint, whose commands are
-    /// in degrees
+    /// Gain in MPa (or opening) per contraction of 1, or in MPa/rad of a joint, whose commands are in
+    /// degrees
     pub proportional: f64,
-    /// Integral gain in MPa/s (or opening/s), likewise
+    /// Integral gain in MPa/s (or opening/s) per contraction of 1, or in MPa/(rad s) of a joint
     #[serde(default)]
     pub integral: f64,
-    /// Derivative gain in MPa s (or opening s), likewise
+    /// Derivative gain in MPa s (or opening s) per contraction of 1, or in MPa s/rad of a joint
     #[serde(default)]
     pub derivative: f64,
     /// Time constant of the filter of the derivative

@@ -1,6 +1,6 @@
 //! The lines of a muscle file, and values as it has them.
 
-use mckibben_units::clean::is_unseen;
+use mckibben_units::{clean::is_unseen, saved};
 use std::fmt::Write;
 
 /// The column of the comments.
@@ -27,13 +27,9 @@ impl Text {
     }
 }
 
-/// A ratio in percent that reads back as the same number, where there is one.
+/// A ratio in percent.
 pub fn percent(ratio: f64) -> String {
-    let usual = 100.0 * ratio;
-    let exact = [usual, usual.next_up(), usual.next_down()]
-        .into_iter()
-        .find(|p| p / 100.0 == ratio);
-    quantity(exact.unwrap_or(usual), "%")
+    quantity(100.0 * ratio, "%")
 }
 
 /// A text in quotes, on one line.
@@ -52,8 +48,9 @@ pub fn text(text: &str) -> String {
     out
 }
 
-/// The shortest digits that read back as the same number, with a unit.
+/// A number with a unit.
 pub fn quantity(value: f64, unit: &str) -> String {
+    let value = saved(value);
     let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
     if plain {
         format!("{value} {unit}")

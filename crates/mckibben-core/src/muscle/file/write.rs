@@ -15,15 +15,15 @@ use crate::{
     rubber::library,
     sleeve::{self, Sleeve, SleeveShape},
 };
+use mckibben_units::saved;
 use serde_json::{Value, json};
 use std::sync::LazyLock;
 
 /// What the keys of a file are.
 static KEYS: LazyLock<Value> = LazyLock::new(|| Keys::of::<MuscleFile>().0);
 
-/// The text of a muscle file. Reading it gives the same muscle to the last bit, save that a
-/// cross-section of strands which the braid's stiffness does not use becomes a comment, and that a
-/// strain in percent may differ in its last bit.
+/// The text of a muscle file. Reading it gives the same muscle to fifteen digits, save that a
+/// cross-section of strands which the braid's stiffness does not use becomes a comment.
 pub fn to_toml(muscle: &Muscle) -> String {
     let mut out = Text::default();
     out.line(concat!(
@@ -108,7 +108,7 @@ fn written(value: &Value, schema: &Value) -> String {
         }
         Value::Number(x) => match (unit(schema), x.as_f64()) {
             (Some(unit), Some(x)) => text(&quantity(x, unit)),
-            (None, Some(float)) if x.is_f64() => format!("{float:?}"),
+            (None, Some(float)) if x.is_f64() => format!("{:?}", saved(float)),
             _ => x.to_string(),
         },
         other => other.to_string(),
