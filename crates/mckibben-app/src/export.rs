@@ -247,10 +247,10 @@ fn known_of(model: &dyn ForceModel, burst: &Burst, supply_mpa: f64) -> Result<Kn
 }
 
 /// Warnings of the fits and those of the muscles, each once.
-fn warnings_of(fits: &[ExportedMuscle], others: Vec<Warning>) -> Vec<Warning> {
+fn warnings_of(fits: &[ExportedMuscle], smaller: &str, others: Vec<Warning>) -> Vec<Warning> {
     let mut warnings = Vec::from_iter(
         fits.iter()
-            .flat_map(ExportedMuscle::warnings)
+            .flat_map(|fit| fit.warnings(smaller))
             .map(Warning::from)
             .chain(others),
     );

@@ -89,8 +89,8 @@ pub struct DataFields {
     ///
     /// Of columns that the program does not recognise (#2 is the second column), such as
     /// pressure="P1:kPa",contraction="x:mm".
-    #[arg(long, value_name = "LIST", value_parser = Columns::parse, default_value = "", hide_default_value = true)]
-    pub columns: Columns,
+    #[arg(long, value_name = "LIST", value_parser = Columns::parse)]
+    pub columns: Option<Columns>,
     /// Constants of a whole table: QUANTITY=VALUE,…, such as pressure=3bar,branch=contraction
     ///
     /// Once for all tables, or once for each; {pressure}bar takes the number from the name of the
@@ -111,14 +111,14 @@ impl DataFields {
         read: impl Fn(&str, Columns) -> Result<(T, Understood), TableError>,
     ) -> Result<Vec<(T, UnderstoodTable)>> {
         let used = [
-            ("columns", self.columns != Columns::default()),
+            ("columns", self.columns.is_some()),
             ("set", !self.set.is_empty()),
         ];
         if self.data.is_empty() {
             Problem::refuse_unused(&used, "it belongs to tables, and no `data` are given")?;
         }
         let one = |(place, file): (usize, &TextFile)| {
-            let columns = self.columns.clone().with_constants(
+            let columns = self.columns.clone().unwrap_or_default().with_constants(
                 &self.set,
                 (place, self.data.len()),
                 &file.name,

@@ -239,8 +239,11 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
             &several,
             "`relaxation` and `softening` are of one specimen: give one table",
         )?;
-        read_history(&first.text, &request.tables.columns)
-            .map_err(|error| Problem::of_table(&first.name, &error))
+        read_history(
+            &first.text,
+            &request.tables.columns.clone().unwrap_or_default(),
+        )
+        .map_err(|error| Problem::of_table(&first.name, &error))
     };
     let relaxes =
         |Count(branches)| form().and_then(|form| Ok(fit_prony(&history()?, form, branches)?));

@@ -134,8 +134,10 @@ fn identity_events_say_that_the_pressure_passed_the_limits_of_burst() {
     for share in [0.95, 1.1, 1.1, 0.9, 1.1] {
         simulation.forget();
         simulation.step(&[share * allowed_mpa]).unwrap();
-        let events = &simulation.motion().unwrap().events;
-        let above = events.iter().filter(|e| e.kind == EventKind::AboveAllowed);
+        let above = simulation
+            .events()
+            .iter()
+            .filter(|e| e.kind == EventKind::AboveAllowed);
         noted.push(above.map(|e| e.muscle).collect::<Vec<_>>());
         let is_above = simulation.state().pressure_mpa[0] > allowed_mpa;
         assert_eq!(is_above, share > 1.0);
