@@ -248,7 +248,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         clamped_diameter_mm: plan.clamped_diameter_mm,
         plug_diameter_mm: plan.air_plug.stem.diameter_mm,
         head_side_mm: plan.air_plug.side_mm,
-        bolt_mm: plan.eye_plug.bolt_mm,
+        bolt_mm: plan.eye_plug.bolt.mm,
         safety: plan.safety,
         mass_g: plan.mass_g(),
         limits: (&burst).into(),

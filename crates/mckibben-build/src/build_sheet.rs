@@ -413,7 +413,7 @@ fn tests(plan: &Plan) -> Vec<String> {
              muscle.",
             shown.length(plan.faces_mm(0.0)),
             mm(rod_mm(2.0 * plan.loads.proof_end_load_high_n)),
-            mm(plan.air_plug.bolt_mm)
+            mm(plan.air_plug.bolt.mm)
         ),
         format!(
             "Raise the pressure with a hand pump in four steps to {proof}. Then stretch the muscle by the \

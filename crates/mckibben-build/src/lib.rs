@@ -41,7 +41,7 @@ pub use fitting::{Fitting, Thread, UnknownFitting};
 pub use material::BuildPart;
 pub use mesh::Mesh;
 pub use plan::{EndParts, Plan, Wishes};
-pub use plug::{Material, Plug, Port, Stress};
+pub use plug::{Bolt, Material, Plug, Port, Stress};
 #[doc(hidden)]
 pub use safety::energy_j;
 pub use safety::{EndLoads, Operating, PullAt, STRETCH, Safety, ToMeasure, relief_mpa};

@@ -142,9 +142,10 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     };
     let bolt = |plug: &Plug| {
         let size = format!(
-            "M{} × {} mm, class 8.8",
-            mm(plug.bolt_mm),
-            plug.bolt_length_mm()
+            "M{} × {} mm, class {}",
+            mm(plug.bolt.mm),
+            plug.bolt_length_mm(),
+            plug.bolt.class
         );
         bought(7, "bolt with nut", size, 1)
     };

@@ -314,24 +314,26 @@ impl EndParts {
         let stem = Stem::new(&ends, stem_mm, [bore_mm, wall_mm], muscle.insertion_mm());
         let usual = Fitting::usual(muscle.outer_diameter_mm());
         let fitting = wishes.fitting.unwrap_or(usual);
-        let plug = |material, fitting, bolt_mm| {
-            let sizes = (clamped_diameter_mm.max(over_sleeve_mm), load_n);
-            Plug::new((stem.clone(), material), sizes, fitting, bolt_mm)
+        let outer_mm = clamped_diameter_mm.max(over_sleeve_mm);
+        let air_plug = |material| {
+            let sizes = (outer_mm, load_n);
+            Plug::new((&stem, material), sizes, Some(fitting), wishes.bolt_mm)
         };
         let may_be_printed = ends.made != EndsMade::Crimped
             && load_n <= PRINTED_TO_N
             && bore_mm >= PRINTED_FROM_MM
-            && plug(PETG, Some(fitting), wishes.bolt_mm).bears(load_n);
+            && air_plug(PETG).bears(load_n);
         let material = if may_be_printed { PETG } else { ALUMINIUM };
-        let air_plug = plug(material, Some(fitting), wishes.bolt_mm);
+        let air_plug = air_plug(material);
         Ok(Self {
             cut: Cut::new(&muscle, wishes.sleeve_diameter_mm, stem.tube_mm()),
             ends,
             // A liquid leaves no air behind: a second port bleeds it.
-            eye_plug: plug(
-                material,
+            eye_plug: Plug::with_bolt(
+                (&stem, material),
+                outer_mm,
                 wishes.liquid.then_some(fitting),
-                Some(air_plug.bolt_mm),
+                air_plug.bolt,
             ),
             air_plug,
             over_sleeve_mm,

@@ -37,9 +37,9 @@ const BOLT_LENGTHS_MM: [f64; 18] = [
     140.0, 160.0, 200.0,
 ];
 const LONGEST_BOLT: f64 = 10.0;
-/// Yield strength of a bolt of class 8.8 in MPa (ISO 898-1), and what its stress in the proof test
-/// stays below it (a choice).
-const BOLT_YIELDS_MPA: f64 = 640.0;
+/// Classes of bolts with their yield strength in MPa (ISO 898-1; the harder ones are sold as socket
+/// screws, ISO 4762), and how far the stress in the proof test stays below it (a choice).
+const CLASSES: [(&str, f64); 2] = [("8.8", 640.0), ("12.9", 1100.0)];
 const BOLT_FACTOR: f64 = 1.1;
 /// The least root of a coarse thread over its diameter: that of M4 (ISO 724). A bolt may have its
 /// thread anywhere in the head.
@@ -79,6 +79,25 @@ pub const ALUMINIUM: Material = Material {
     density: 2.7e-3,
 };
 const MATERIAL_FACTOR: f64 = 2.0;
+
+/// A bolt through a head.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bolt {
+    /// 6 is M6.
+    pub mm: f64,
+    pub class: &'static str,
+    pub yields_mpa: f64,
+}
+
+impl Bolt {
+    fn new(mm: f64, (class, yields_mpa): (&'static str, f64)) -> Self {
+        Self {
+            mm,
+            class,
+            yields_mpa,
+        }
+    }
+}
 
 /// A stress at a load, beside what it may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -123,8 +142,8 @@ pub struct Plug {
     /// Height of the head in mm, and of its end.
     pub foot_mm: f64,
     pub length_mm: f64,
-    /// The bolt in mm, 6 is M6, its hole, and the height of its axis above the inner end.
-    pub bolt_mm: f64,
+    /// The bolt, its hole, and the height of its axis above the inner end, in mm.
+    pub bolt: Bolt,
     pub hole_mm: f64,
     pub eye_mm: f64,
     pub port: Option<Port>,
@@ -140,7 +159,7 @@ fn hole_mm(bolt_mm: f64) -> f64 {
 pub fn rod_mm(load_n: f64) -> f64 {
     let bears = |mm: &f64| {
         let root = ROOT * mm;
-        BOLT_FACTOR * 0.5 * load_n <= BOLT_YIELDS_MPA * 0.25 * PI * root * root
+        BOLT_FACTOR * 0.5 * load_n <= CLASSES[0].1 * 0.25 * PI * root * root
     };
     let mut all = BOLTS_MM.into_iter().map(|bolt| bolt.0);
     all.find(bears).unwrap_or(BOLTS_MM[BOLTS_MM.len() - 1].0)
@@ -148,33 +167,33 @@ pub fn rod_mm(load_n: f64) -> f64 {
 
 impl Plug {
     /// The plug of a material for a load in N in the proof test, on a muscle of an outer diameter over
-    /// its sleeve, with a given bolt or the one that the load needs.
+    /// its sleeve, with a given bolt or the one that the load needs, of the first class that bears it.
     pub(crate) fn new(
-        (stem, material): (Stem, Material),
+        stem: (&Stem, Material),
         (outer_mm, load_n): (f64, f64),
         fitting: Option<Fitting>,
         bolt_mm: Option<f64>,
     ) -> Self {
-        let with = |bolt_mm: f64| Self::with_bolt((&stem, material), outer_mm, fitting, bolt_mm);
+        let with = |bolt| Self::with_bolt(stem, outer_mm, fitting, bolt);
         let bears = |plug: &Self| {
-            plug.bears(load_n) && plug.bolt_length_mm() <= LONGEST_BOLT * plug.bolt_mm
+            plug.bears(load_n) && plug.bolt_length_mm() <= LONGEST_BOLT * plug.bolt.mm
         };
-        let all = BOLTS_MM.iter().map(|b| b.0);
-        let largest = BOLTS_MM[BOLTS_MM.len() - 1].0;
-        let mut usual = all.map(with);
-        match bolt_mm {
-            Some(mm) => with(mm),
-            None => usual.find(bears).unwrap_or_else(|| with(largest)),
-        }
+        let largest_mm = bolt_mm.unwrap_or(BOLTS_MM[BOLTS_MM.len() - 1].0);
+        let sizes = BOLTS_MM.iter().map(|b| b.0);
+        let sizes = sizes.filter(|_| bolt_mm.is_none()).chain([largest_mm]);
+        let mut all = sizes.flat_map(|mm| CLASSES.map(|class| with(Bolt::new(mm, class))));
+        all.find(bears)
+            .unwrap_or_else(|| with(Bolt::new(largest_mm, CLASSES[1])))
     }
 
-    fn with_bolt(
+    /// The same with a bolt.
+    pub(crate) fn with_bolt(
         (stem, material): (&Stem, Material),
         outer_mm: f64,
         fitting: Option<Fitting>,
-        bolt_mm: f64,
+        bolt: Bolt,
     ) -> Self {
-        let hole_mm = hole_mm(bolt_mm);
+        let hole_mm = hole_mm(bolt.mm);
         let flat_mm = fitting.map_or(0.0, |f| f.thread.sizes_mm().2);
         let needed_mm = (flat_mm + 1.0).max(2.2 * hole_mm);
         let (widest_mm, margin_mm) = match stem.shoulder_mm {
@@ -202,7 +221,7 @@ impl Plug {
             collar_mm,
             foot_mm,
             length_mm: (eye_mm + 1.5 * hole_mm).ceil(),
-            bolt_mm,
+            bolt,
             hole_mm,
             eye_mm,
             port,
@@ -218,7 +237,7 @@ impl Plug {
     /// with the load spread evenly over head and cheeks: M = F (t + 2 g)/8, the shear 4/3 F/2A (Budynas
     /// & Nisbett 2011 \[budynas2011\], sections 3-10 and 3-11).
     pub fn stresses(&self, load_n: f64) -> Vec<Stress> {
-        let (side, bolt, hole) = (self.side_mm, self.bolt_mm, self.hole_mm);
+        let (side, bolt, hole) = (self.side_mm, self.bolt.mm, self.hole_mm);
         let root = ROOT * bolt;
         let moment = load_n * (side + 2.0 * bolt) / 8.0;
         let steel = |what, mpa, yields_mpa| Stress {
@@ -243,12 +262,12 @@ impl Plug {
             steel(
                 "bolt, bending",
                 32.0 * moment / (PI * root.powi(3)),
-                BOLT_YIELDS_MPA,
+                self.bolt.yields_mpa,
             ),
             steel(
                 "bolt, shear",
                 4.0 / 3.0 * load_n / (2.0 * circle(root)),
-                SHEAR * BOLT_YIELDS_MPA,
+                SHEAR * self.bolt.yields_mpa,
             ),
             own("bolt on its hole", bolt * side, strength_mpa),
             own("head beside the bolt", side * (side - hole), strength_mpa),
@@ -294,7 +313,7 @@ impl Plug {
     /// Length in mm of its bolt as sold: through the head, two cheeks as thick as the bolt, and the
     /// nut.
     pub(crate) fn bolt_length_mm(&self) -> f64 {
-        let least_mm = self.side_mm + 3.3 * self.bolt_mm + 1.0;
+        let least_mm = self.side_mm + 3.3 * self.bolt.mm + 1.0;
         let sold = BOLT_LENGTHS_MM.into_iter().find(|mm| *mm >= least_mm);
         sold.unwrap_or((least_mm / 20.0).ceil() * 20.0)
     }

@@ -150,8 +150,9 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
     };
     [
         Some(format!(
-            "Bolt M{}: hole {} (ISO 273 medium), across the head",
-            mm(plug.bolt_mm),
+            "Bolt M{}, {}: hole {} (ISO 273 medium), across the head",
+            mm(plug.bolt.mm),
+            plug.bolt.class,
             mm(plug.hole_mm)
         )),
         port,
