@@ -16,7 +16,7 @@ const PLAIN: &str = "above aicc angle area at beta blocked braid by certainty ch
     largest limit low margin maximum measured mesh minimum modulus multiply neutral opening ours \
     predicted     overshoot overstress of points prony r ratio range reach reference relative rms rubber share \
     sheet smallest speed squared start stiffer stretch take up \
-    tolerance to torques transfer turns value values weight weights width x y";
+    tolerance to torques transfer turns value values weight weights width x y stretched use";
 
 fn is_number(field: &Value, defs: &Value, deeper: usize) -> bool {
     let Some(deeper) = deeper.checked_sub(1) else {

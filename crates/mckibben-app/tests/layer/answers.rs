@@ -437,8 +437,8 @@ fn by_hand_r2_is_what_the_rms_leaves_of_the_spread() {
 
 /// What many points say is said of the study once.
 #[test]
-fn a_study_says_once_that_a_contraction_has_no_interval() {
+fn a_study_says_once_that_its_muscles_were_not_measured() {
     let study = reply("study", json!({ "model": "paper" }));
     let warnings = study["warnings"].as_array().unwrap().iter();
-    assert_eq!(warnings.filter(|w| w["kind"] == "flat").count(), 1);
+    assert_eq!(warnings.filter(|w| w["kind"] == "not_measured").count(), 1);
 }

@@ -73,7 +73,8 @@ fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
 
 /// The table of an issue: what nine in ten costs, by the lower nine tenths of the built pull of
 /// `force` at the highest pressure. Of the first two the walls are thicker than those of measured
-/// muscles: without the ± of that distance they take 36.0 and 19.7 mm.
+/// muscles: without the ± of that distance they take 36.0 and 19.7 mm. The third is of a silicone
+/// hose as it is bought: with the modulus of the one that was measured it takes 17.6 mm.
 #[test]
 fn what_is_taken_reaches_nine_in_ten_by_what_force_says_of_it() {
     for (job, largest_mm) in [
@@ -87,7 +88,7 @@ fn what_is_taken_reaches_nine_in_ten_by_what_force_says_of_it() {
         ),
         (
             json!({"load": "20kg", "stroke_mm": 40, "max_pressure_mpa": 0.6}),
-            17.7,
+            20.1,
         ),
         (
             json!({"force_n": 60, "stroke_mm": 12, "max_pressure_mpa": 0.2, "length_mm": 160}),

@@ -134,10 +134,10 @@ fn a_muscle_whose_job_names_a_liquid_has_no_air() {
         let build = reply("build", json!({ "muscle": muscle }));
         assert_eq!(build["air_energy_j"].is_number(), is_dry);
         let hung = json!({ "muscle": muscle, "model": "thick-wall", "load": "100 N",
-            "pressure_mpa": [0.1, 0.2] });
-        let hung = reply("contraction", hung);
+            "test": "isobaric", "pressures_mpa": [0.1, 0.2] });
+        let hung = reply("curve", hung);
         assert_eq!(
-            hung["cycle"]["air_normal_litres"].is_number(),
+            hung["loaded"]["cycle"]["air_normal_litres"].is_number(),
             is_dry,
             "{hung}"
         );

@@ -129,7 +129,7 @@ pub fn friction_law(
     }
     let is_asked = by_pairs || request.history || !request.free.is_empty();
     let by_law = Errors::new(law.left.iter().map(|p| p.1));
-    let by_share = Errors::new(found.points.iter().map(|(p, n, _)| n - p.at.force_n));
+    let by_share = Errors::new(found.points.iter().map(|p| p.1));
     let criterion = |k: usize, e: &Errors| aicc(e.points, k, e.rms * e.rms);
     let is_better = criterion(targets.len(), &by_law) < criterion(1, &by_share);
     (is_asked || is_better).then_some(law)
