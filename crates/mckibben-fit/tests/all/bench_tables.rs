@@ -29,10 +29,7 @@ const BUILD: &Build<'_> = &fe;
 
 /// What somebody begins with.
 fn start() -> Muscle {
-    of_rubber(Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.18 })))
-}
-
-fn of_rubber(rubber: Rubber) -> Muscle {
+    let rubber = Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.18 }));
     let braid = Braid {
         angle_deg: 22.0,
         stiffness: BraidStiffness::NewtonPerMm(1500.0),
@@ -127,31 +124,14 @@ fn swapped_names_of_the_branches_are_refused() {
     assert!(error.to_string().contains("swapped"), "{error}");
 }
 
-/// A load cell that shows 15 N without a pull is named, with a zero whose 95 % interval holds it, and
-/// not where there is none; with its zero free the constants come back.
+/// A load cell that shows 15 N without a pull, 3 % of the largest pull, is not named: the error of the
+/// model is as large. With its zero free the constants come back.
 #[test]
-fn a_zero_of_the_load_cell_is_named_and_can_be_free() {
-    // Constants that were fitted to data are known to a fifth; a guess could as well be the zero.
-    let known = of_rubber(Rubber {
-        fitted_to_stretch: Some(3.0),
-        ..Rubber::new(Law::NeoHookean(NeoHookean { mu_mpa: 0.22 }))
-    });
-    let said = |table: &str| {
-        let points = points(table);
-        let request = IdentificationRequest::new(&known, &[], &points, BUILD);
-        let notes = identify(&request).unwrap().notes;
-        let zero = notes.iter().find(|n| n.contains("load cell seems to show"));
-        zero.cloned()
-    };
-    let zero = said(include_str!("bench/fo.csv")).unwrap();
-    let number =
-        |place: usize| -> f64 { zero.split_whitespace().nth(place).unwrap().parse().unwrap() };
-    let (shown_n, half_n) = (number(6), number(8));
-    assert!(
-        (shown_n - 15.0).abs() < half_n && half_n < shown_n,
-        "{zero}"
-    );
-    assert_eq!(said(include_str!("bench/n0.csv")), None);
+fn a_zero_of_the_load_cell_can_be_free() {
+    for table in [include_str!("bench/fo.csv"), include_str!("bench/n0.csv")] {
+        let notes = found(&points(table)).unwrap().notes;
+        assert!(!notes.iter().any(|n| n.contains("load cell")), "{notes:?}");
+    }
     let names = [
         "tube.material.mu",
         "braid.stiffness",
