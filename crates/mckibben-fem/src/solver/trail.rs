@@ -39,6 +39,11 @@ impl Trail {
         self.states[MOST - 1].copy_from(state);
     }
 
+    /// The newest equilibrium: for `studies`.
+    pub fn last(&self) -> Option<&State> {
+        self.states.last()
+    }
+
     /// Fills `out` with what Lagrange's polynomial through the equilibria predicts at `value`;
     /// `false` where two of them are at one place.
     pub fn predict(&self, along: Along, value: f64, out: &mut State) -> bool {
